@@ -1,0 +1,72 @@
+// sin, cos, exp2, log2 and pow without libm, for one float or for eight, bit-identical between the two.
+//
+//   function   range                        maximum error over all floats of that range
+//   sin, cos   |x| <= 8192                  absolute 1.0e-7
+//   exp2       -126 <= x <= 127.999         relative 1.5e-7; x outside is clamped to the range
+//   log2       2^-126 <= x < infinity       absolute 1.2e-7 + 1.2e-7 |log2 x|; x below is taken as 2^-126
+//   pow        x >= 0, |y log2 x| <= 126    relative 2.5e-7 (1 + |y log2 x|); pow(0, y > 0) is below 2^-126 y
+//
+// tests/maths_exhaustive_test.cpp proves every line against libm in double precision. NaN gives something
+// finite or NaN, never a trap. Reduction of sin and cos after Cody and Waite, with pi/2 in three floats.
+#pragma once
+
+#include "base/float8.h"
+
+namespace odraz {
+
+inline constexpr float kPi = 3.14159265f;
+
+// The sine of x + quadrant * pi/2.
+template <class T> T sinQuadrant(T x, int quadrant) {
+    // Reduce to [-pi/4, pi/4]; k counts the quarter turns removed
+    T k = round(x * 0.636619772f);
+    T r = fmadd(k, -1.57079637050629f, x);
+    r = fmadd(k, 4.37113882867379e-8f, r);
+    r = fmadd(k, 1.71512451000588e-15f, r);
+    auto q = toInt(k) + quadrant;
+    // Evaluate both series and pick by the quadrant
+    T z = r * r;
+    T s = fmadd(fmadd(fmadd(z, -0.000195878908804f, 0.00833274827063f), z, -0.166666646623f), z * r, r);
+    T c = fmadd(fmadd(fmadd(z, 2.45479420851e-5f, -0.00138883030359f), z, 0.0416666646595f), z * z,
+                fmadd(z, -0.5f, 1.f));
+    T y = select((q & 1) != 0, c, s);
+    return fromBits(bits(y) ^ ((q & 2) << 30));
+}
+template <class T> T sin(T x) { return sinQuadrant(x, 0); }
+template <class T> T cos(T x) { return sinQuadrant(x, 1); }
+
+template <class T> T exp2(T x) {
+    x = clamp(x, -126.f, 127.999f);
+    T whole = round(x);
+    T f = x - whole;
+    T p = fmadd(f, 0.000154531629451f, 0.00133908633647f);
+    p = fmadd(p, f, 0.00961808255728f);
+    p = fmadd(p, f, 0.0555035711422f);
+    p = fmadd(p, f, 0.240226507606f);
+    p = fmadd(p, f, 0.693147188026f);
+    p = fmadd(p, f, 1.f);
+    return fromBits(bits(p) + (toInt(whole) << 23));
+}
+
+template <class T> T log2(T x) {
+    x = max(x, 1.17549435e-38f);
+    // Split x = m 2^e with m in [sqrt(1/2), sqrt(2))
+    auto e = (bits(x) - 0x3f3504f3) >> 23;
+    T m = fromBits(bits(x) - (e << 23));
+    // log2 m as an odd series in (m-1)/(m+1)
+    T s = (m - 1.f) / (m + 1.f);
+    T z = s * s;
+    T p = fmadd(fmadd(z, 0.431717697459f, 0.576715186019f), z, 0.961798838802f);
+    p = fmadd(p, z, 2.8853900798f);
+    return fmadd(p, s, toFloat(e));
+}
+
+template <class T> T pow(T x, float y) { return exp2(log2(x) * y); }
+
+// 0 below a, 1 above b, with no kink at either (a < b).
+template <class T> T smoothstep(float a, float b, T x) {
+    T t = saturate((x - a) * (1.f / (b - a)));
+    return t * t * (3.f - 2.f * t);
+}
+
+} // namespace odraz

@@ -1,0 +1,25 @@
+// Random numbers that are a pure function of what is asked: PCG's output permutation over an integer.
+// Source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg).
+#pragma once
+
+#include "base/float8.h"
+
+namespace odraz {
+
+// 32 well-mixed bits of x, for a uint32_t or for eight of them.
+template <class T> T pcg(T x) {
+    T state = x * 747796405u + 2891336453u;
+    T word = ((state >> ((state >> 28) + 4u)) ^ state) * 277803737u;
+    return (word >> 22) ^ word;
+}
+
+// [0, 1), 24 bits.
+inline float unitFloat(uint32_t hash) { return (float)(hash >> 8) * (1.f / 16777216.f); }
+
+// A sequence, where one is wanted.
+struct Random {
+    uint32_t state;
+    float next() { return unitFloat(pcg(state++)); }
+};
+
+} // namespace odraz

@@ -1,0 +1,45 @@
+#include "dump.h"
+
+#include "host/files.h"
+#include "host/machine.h"
+
+namespace odraz {
+
+static int failed(const char *what, const char *why) {
+    Message m;
+    m << "cannot write " << what << ": " << why;
+    return complain(m.data);
+}
+
+int dump(Intro &intro, const Options &o, bool stdoutClosed) {
+    bool toStdout = o.dump[0] == '-' && !o.dump[1];
+    if (toStdout && stdoutClosed) return failed("standard output", "it is closed");
+    if (!toStdout)
+        if (const char *wrong = makeDirectory(o.dump)) return failed(o.dump, wrong);
+    const Quality &quality = kQualities[(int)(o.quality == QualityName::Count ? QualityName::Film : o.quality)];
+
+    for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
+        const Frame &picture = frame(intro, frameTime(n, o.fps), quality);
+        // Pack it in place as a PPM: the header in front, three bytes of every four behind it
+        Text<32> header;
+        header << "P6\n" << picture.width << ' ' << picture.height << "\n255\n";
+        size_t pixels = (size_t)picture.width * (size_t)picture.height;
+        uint8_t *file = picture.rgba - kPictureMargin;
+        for (int i = 0; i < header.size; ++i) file[i] = (uint8_t)header.data[i];
+        uint8_t *to = file + header.size;
+        for (size_t i = 0; i < pixels; ++i)
+            for (size_t c = 0; c < 3; ++c) *to++ = picture.rgba[4 * i + c];
+        size_t size = (size_t)(to - file);
+
+        if (toStdout) {
+            if (const char *wrong = writeAll(1, file, size)) return failed("standard output", wrong);
+        } else {
+            Text<4096> path;
+            (path << o.dump << "/frame-").number((uint64_t)n, 6) << ".ppm";
+            if (const char *wrong = writeFile(path.data, file, size)) return failed(path.data, wrong);
+        }
+    }
+    return 0;
+}
+
+} // namespace odraz

@@ -1,0 +1,17 @@
+// Workers on POSIX threads.
+#pragma once
+
+#include "base/parallel.h"
+
+namespace odraz {
+
+inline constexpr int kMaxThreads = 64;
+
+// Starts count - 1 threads, which sleep until there is work; they live as long as the process. Returns null, or what
+// is missing. `abort` is watched as Workers has it.
+const char *startWorkers(Workers &workers, int count, const int *abort);
+
+// Runs body(context) on a thread of its own. Returns null, or what is missing.
+const char *startThread(void *(*body)(void *), void *context);
+
+} // namespace odraz

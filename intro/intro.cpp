@@ -1,0 +1,50 @@
+#include "intro.h"
+
+namespace odraz {
+
+size_t memoryNeeded(int width, int height, int workers) {
+    size_t pixels = ((size_t)width + 7) * (size_t)height;
+    return pixels * 16 + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096;
+}
+
+bool load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
+          void (*progress)(float, void *), void *context) {
+    intro.workers = &workers;
+    intro.facts = facts;
+    intro.scene = arena.take<Scene>(1);
+    if (!intro.scene || !makeTracer(intro.tracer, arena, workers.count) || !makeFrame(intro.picture, arena, width, height))
+        return false;
+    if (progress) progress(1, context);
+    return !workers.aborted();
+}
+
+double duration() { return kFilm.endRow / kRowsPerSecond; }
+
+int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot->scene; }
+
+CameraKey cameraAt(double seconds) {
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    return pose(m.shot->path, m.storyRow);
+}
+
+const Frame &frame(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
+    // Pose
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    const SceneEntry &entry = kScenes[m.shot->scene];
+    Scene &scene = *intro.scene;
+    scene.clear();
+    entry.pose(m.storyRow, scene);
+    scene.finish();
+    CameraKey scripted = pose(m.shot->path, m.storyRow);
+    const CameraKey &c = camera ? *camera : scripted;
+
+    // Trace, letter, develop
+    Frame &picture = intro.picture;
+    View view = lookAt(c.eye, c.target, c.roll, c.fov, picture.width, picture.height);
+    traceFrame(intro.tracer, *intro.workers, scene, view, quality, picture);
+    if (entry.letter) entry.letter(m.storyRow, intro.facts, picture);
+    develop(picture, *intro.workers, scene.exposure * m.fade);
+    return picture;
+}
+
+} // namespace odraz

@@ -1,0 +1,42 @@
+// The command line of odraz.
+#pragma once
+
+#include "base/text.h"
+#include "trace/quality.h"
+
+namespace odraz {
+
+// A number of seconds as it was written: value / scale, scale a power of ten up to 10^6.
+struct Decimal {
+    int64_t value, scale;
+};
+
+// Frames a second: numerator / denominator, both positive and at most 10^7; 1/1000 .. 1000.
+struct Rate {
+    int64_t numerator, denominator;
+};
+
+struct Options {
+    bool help = false, version = false, window = false, stats = false;
+    const char *dump = nullptr; // a directory, "-" for standard output, null to play
+    int width = 1280, height = 720;
+    int threads = 0; // 0: as many as there are processors
+    QualityName quality = QualityName::Count; // Count: not given
+    Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
+    Rate fps = {25, 1};
+};
+
+using Message = Text<256>;
+
+// Reads the arguments after the program's name; false with one line that says what is wrong and what would be right.
+bool parseOptions(int argc, const char *const *argv, double duration, Options &options, Message &wrong);
+
+// The number of the first frame at or after a time: the smallest n with n / fps >= time.
+int64_t firstFrame(Decimal time, Rate fps);
+
+// The time that frame n shows, in seconds.
+double frameTime(int64_t n, Rate fps);
+
+extern const char kHelp[];
+
+} // namespace odraz

@@ -1,0 +1,88 @@
+#include "play.h"
+
+#include "host/files.h"
+#include "host/machine.h"
+#include "host/window.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr int kBins = 5000; // of a tenth of a millisecond
+constexpr int kSlots = 30;  // pictures a second that a viewer should see; a slot without a new one is a dropped frame
+
+struct Histogram {
+    int bins[kBins];
+    int count;
+
+    void add(int64_t nanoseconds) {
+        int64_t bin = nanoseconds / 100000;
+        ++bins[bin < kBins ? bin : kBins - 1];
+        ++count;
+    }
+    // The smallest time, in milliseconds, that a share of all stays within.
+    double quantile(double share) const {
+        int wanted = (int)(share * (double)count), seen = 0;
+        for (int i = 0; i < kBins; ++i)
+            if ((seen += bins[i]) > wanted) return i * 0.1;
+        return 0;
+    }
+};
+
+struct SceneStats {
+    Histogram trace, present;
+    int shown, dropped;
+};
+
+SceneStats theStats[kSceneCount]; // zero at the start; too large for a stack
+
+void printStats() {
+    Text<2048> t;
+    t << "scene      shown  dropped  trace ms: median    p95   present ms: median    p95\n";
+    for (int i = 0; i < kSceneCount; ++i) {
+        const SceneStats &s = theStats[i];
+        if (!s.shown) continue;
+        int line = t.size;
+        (t << kScenes[i].name).padTo(line + 11) << s.shown;
+        t.padTo(line + 18) << s.dropped;
+        t.padTo(line + 37).decimal(s.trace.quantile(0.5), 1);
+        t.padTo(line + 44).decimal(s.trace.quantile(0.95), 1);
+        t.padTo(line + 64).decimal(s.present.quantile(0.5), 1);
+        t.padTo(line + 71).decimal(s.present.quantile(0.95), 1) << '\n';
+    }
+    t << "(dropped: thirtieths of a second without a new picture)\n";
+    writeAll(1, t.data, (size_t)t.size);
+}
+
+} // namespace
+
+int play(Intro &intro, const Options &o, int *leave) {
+    FilmWindow window;
+    if (const char *wrong = openWindow(window, !o.window, o.width, o.height, leave)) return refuse(wrong);
+    const Quality &quality = kQualities[(int)(o.quality == QualityName::Count ? QualityName::Play : o.quality)];
+    double from = (double)o.from.value / (double)o.from.scale, to = (double)o.to.value / (double)o.to.scale;
+
+    int64_t start = nanoseconds(), lastSlot = -1;
+    for (;;) {
+        int64_t before = nanoseconds();
+        double passed = (double)(before - start) * 1e-9, time = from + passed;
+        if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
+        const Frame &picture = frame(intro, time, quality);
+        if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
+        int64_t traced = nanoseconds();
+        present(window, picture.rgba, picture.width, picture.height);
+        int64_t shown = nanoseconds();
+
+        SceneStats &s = theStats[sceneAt(time)];
+        int64_t slot = (int64_t)((double)(shown - start) * 1e-9 * kSlots);
+        if (slot > lastSlot + 1 && lastSlot >= 0) s.dropped += (int)(slot - lastSlot - 1);
+        lastSlot = slot;
+        ++s.shown;
+        s.trace.add(traced - before);
+        s.present.add(shown - traced);
+    }
+    if (o.stats) printStats();
+    return 0;
+}
+
+} // namespace odraz

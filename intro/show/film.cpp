@@ -1,0 +1,67 @@
+// The shots. A bar is 16 rows; every cut falls on a bar.
+#include "show/show.h"
+
+namespace odraz {
+
+const SceneEntry kScenes[kSceneCount] = {
+    {"point", posePoint, letterPoint},
+    {"table", poseTable, nullptr},
+    {"court", poseCourt, nullptr},
+    {"credits", poseCredits, letterCredits},
+};
+
+// Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
+static constexpr CameraKey kPushIn[] = {
+    {0, {0.35f, 1.02f, 4.3f}, {0.12f, 0.46f, 0}, 0, 37.8f},
+    {144, {0.1f, 0.86f, 3.35f}, {0.14f, 0.44f, 0}, 0, 37.8f},
+};
+
+// A long orbit that sinks to the table's height.
+static constexpr CameraKey kOrbit[] = {
+    {0, {-3.6f, 3.1f, 5.6f}, {0, 0.35f, 0}, 0, 37.8f},
+    {60, {2.0f, 2.5f, 5.9f}, {0, 0.4f, 0}, -1.5f, 36},
+    {120, {5.6f, 1.6f, 2.2f}, {0, 0.45f, 0}, -2, 36},
+    {184, {4.4f, 0.85f, -3.1f}, {0, 0.5f, 0}, -1, 36},
+    {240, {0.4f, 0.55f, -4.6f}, {-0.15f, 0.55f, 0}, 0, 36},
+};
+
+static constexpr CameraKey kAisle[] = {
+    {0, {0.7f, 1.0f, 13.5f}, {0.2f, 1.5f, 0}, 0, 42},
+    {100, {-0.5f, 1.15f, 7.5f}, {0.1f, 1.5f, -4}, 1, 42},
+    {192, {0.2f, 1.3f, 2.6f}, {0, 1.3f, -6}, 0, 42},
+};
+static constexpr CameraKey kAbove[] = {
+    {192, {9.0f, 8.5f, 10.5f}, {0, 1.0f, -1.5f}, 0, 34},
+    {290, {9.8f, 5.2f, 3.5f}, {0, 1.1f, -1.5f}, 1.5f, 34},
+    {384, {7.4f, 2.2f, -3.5f}, {0, 1.2f, -1.5f}, 0, 36},
+};
+static constexpr CameraKey kWalk[] = {
+    {384, {-3.6f, 1.55f, 8.8f}, {-1.2f, 1.5f, 2.0f}, 0, 40},
+    {480, {-3.5f, 1.5f, 3.0f}, {-0.6f, 1.3f, -2.5f}, 0, 40},
+    {576, {-1.6f, 1.4f, 0.4f}, {0.4f, 1.4f, -5.0f}, -1, 42},
+    {672, {0.6f, 1.1f, -2.8f}, {0.0f, 2.5f, -9.5f}, 0, 44},
+};
+static constexpr CameraKey kLastBall[] = {
+    {672, {2.9f, 0.9f, 3.6f}, {0, 0.75f, 0}, 0, 36},
+    {760, {1.4f, 2.4f, 4.1f}, {0, 0.8f, 0}, 0, 36},
+    {848, {-1.1f, 0.95f, 3.3f}, {0, 0.75f, 0}, 0, 34},
+};
+
+static constexpr CameraKey kStill[] = {
+    {0, {0, 0.9f, 4.4f}, {0, 0.72f, 0}, 0, 37.8f},
+    {64, {0, 0.88f, 4.2f}, {0, 0.72f, 0}, 0, 37.8f},
+};
+
+static constexpr Shot kShots[] = {
+    {0, kPoint, 0, path(kPushIn), 0, 12},
+    {144, kTable, 144, path(kOrbit), 12, 8},
+    {384, kCourt, 384, path(kAisle), 12, 0},
+    {576, kCourt, 384, path(kAbove), 0, 0},
+    {768, kCourt, 384, path(kWalk), 0, 0},
+    {1056, kCourt, 384, path(kLastBall), 0, 16},
+    {1232, kCredits, 1232, path(kStill), 8, 16},
+};
+
+const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, 1296};
+
+} // namespace odraz

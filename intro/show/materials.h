@@ -1,0 +1,19 @@
+// The film's materials: stone greys and warm wood, one accent (copper), one cold (sky).
+#pragma once
+
+#include "trace/scene.h"
+
+namespace odraz {
+
+Material darkMarble();   // black stone with pale veins, polished
+Material paleMarble();   // columns
+Material polishedFloor(); // a checker of two stones, more mirror than marble
+Material boards();       // a checker of stone and wood
+Material granite();
+Material oak();
+Material glass();
+Material mirror();
+Material copper();
+Material lamp(Rgb radiance); // a body that only glows
+
+} // namespace odraz

@@ -1,0 +1,47 @@
+// Scene 1. Black; a single light wakes over dark veined marble; a glass ball, then a second, mirrored one.
+#include "base/maths.h"
+#include "show/font.h"
+#include "show/materials.h"
+#include "show/show.h"
+
+namespace odraz {
+
+using enum Interpolation;
+
+static constexpr Key kKeyLight[] = {{4, 0, Smooth}, {12, 0.035f, Smooth}, {20, 0.02f, Smooth}, {56, 1, Linear}};
+static constexpr Key kRimLight[] = {{48, 0, Smooth}, {96, 1, Linear}};
+static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; // its x as it rolls in
+
+void posePoint(double row, Scene &scene) {
+    float key = value(track(kKeyLight), row), rim = value(track(kRimLight), row);
+    int marble = scene.add(darkMarble()), clear = scene.add(glass()), silver = scene.add(mirror());
+    int glow = scene.add(lamp(Rgb{9, 7.2f, 5.0f} * (0.05f + key)));
+
+    scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
+    scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, clear));
+    float x = value(track(kMirrorAt), row);
+    Shape *ball = scene.add(sphere({x, 0.36f, -0.42f}, 0.36f, silver));
+    float turn = x / 0.36f;
+    ball->frame = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
+
+    Vec3 point = {-1.05f, 1.52f, 0.75f};
+    if (key > 0) scene.add(sphere(point, 0.022f, glow));
+    scene.add(pointLight(point, Rgb{5.4f, 4.3f, 3.1f} * key));
+    scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{2.2f, 3.0f, 4.6f} * rim));
+    scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
+    scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
+    scene.skyLow = Rgb{0.004f, 0.005f, 0.008f} * key;
+    scene.skyHigh = Rgb{0.012f, 0.016f, 0.026f} * key;
+    scene.fog = 0.09f;
+    scene.exposure = 1.25f;
+}
+
+static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};
+
+void letterPoint(double row, const Facts &, Frame &frame) {
+    float h = (float)frame.height;
+    drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.885f, h * 0.034f, 0.085f, 5, Align::Centre,
+             {0.75f, 0.72f, 0.68f}, value(track(kTitle), row));
+}
+
+} // namespace odraz

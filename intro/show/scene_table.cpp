@@ -1,0 +1,68 @@
+// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood.
+#include "base/maths.h"
+#include "show/materials.h"
+#include "show/show.h"
+
+namespace odraz {
+
+// A turn of the circle that rests on every beat's end and moves between: one step of an eighth a half bar.
+static float stepped(double row) {
+    double beat = row / 8;
+    if (beat < 0) beat = 0;
+    int whole = (int)beat;
+    float part = (float)(beat - whole);
+    return ((float)whole + 0.35f * part + 0.65f * smoothstep(0.f, 1.f, part)) * (kPi / 8);
+}
+
+void poseTable(double row, Scene &scene) {
+    int board = scene.add(boards()), edge = scene.add(oak()), ground = scene.add(granite());
+    int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()), stone = scene.add(darkMarble());
+
+    scene.add(box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, board));
+    for (int i = 0; i < 4; ++i) {
+        // The frame of the table: mitred enough for the eye, the grain along each side
+        float side = i & 1 ? -3.11f : 3.11f;
+        bool alongX = i < 2;
+        Shape *s = scene.add(box(alongX ? Vec3{0, -0.09f, side} : Vec3{side, -0.09f, 0}, {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, edge));
+        if (alongX) s->frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+        s->textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
+    }
+    scene.add(cylinder({0, -1.2f, 0}, 0.8f, 1.05f, edge))->frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    scene.add(plane({0, -2.2f, 0}, ground));
+
+    // One great mirror in the middle, five that circle it, two that circle lower the other way
+    scene.add(sphere({0, 0.8f, 0}, 0.8f, silver));
+    float turn = stepped(row - 32);
+    struct Mover {
+        float angle, distance, radius, speed, lift;
+        int material;
+    } movers[] = {
+        {0.3f, 1.75f, 0.46f, 1, 0, clear},    {1.9f, 1.85f, 0.38f, 1, 0, red},
+        {3.2f, 1.8f, 0.42f, 1, 0, stone},     {4.5f, 1.75f, 0.46f, 1, 0, clear},
+        {5.5f, 1.9f, 0.28f, 1, 0, silver},    {0.9f, 2.55f, 0.2f, -1, 0, silver},
+        {4.0f, 2.55f, 0.2f, -1, 0, edge},     {2.4f, 0.95f, 0.24f, 2, 1.35f, clear},
+    };
+    for (const Mover &m : movers) {
+        float angle = m.angle + turn * m.speed;
+        Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
+        Shape *s = scene.add(sphere(place, m.radius, m.material));
+        // Roll without slipping: about the radius, by the length of the way over the ball's radius
+        float roll = -turn * m.speed * m.distance / m.radius;
+        Mat3 outward = {{cos(angle), 0, sin(angle)}, {0, 1, 0}, {-sin(angle), 0, cos(angle)}};
+        Mat3 rolled = {{1, 0, 0}, {0, cos(roll), sin(roll)}, {0, -sin(roll), cos(roll)}};
+        s->frame = rolled * outward;
+        s->textureShift = {m.angle, m.distance, 0.5f};
+    }
+
+    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {52, 44, 34}));
+    scene.add(pointLight({5.5f, 4.0f, 1.5f}, {13, 15, 19}));
+    scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
+    scene.ambientLow = {0.10f, 0.09f, 0.08f};
+    scene.ambientHigh = {0.16f, 0.19f, 0.25f};
+    scene.skyLow = {0.30f, 0.36f, 0.44f};
+    scene.skyHigh = {0.055f, 0.10f, 0.20f};
+    scene.fog = 0.035f;
+    scene.exposure = 0.9f;
+}
+
+} // namespace odraz

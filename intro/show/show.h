@@ -1,0 +1,37 @@
+// The film's content, as the engine sees it: a list of shots, and for every scene how it is posed and lettered.
+//
+// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function of the
+// row: no scene remembers anything.
+#pragma once
+
+#include "timeline/shot.h"
+#include "trace/frame.h"
+#include "trace/scene.h"
+
+namespace odraz {
+
+// What the credits tell of this copy and this machine; null or 0 where it must not enter the picture (dumps).
+struct Facts {
+    int64_t bytes;       // size of the executable
+    const char *machine; // the processor's name
+};
+
+struct SceneEntry {
+    const char *name;
+    void (*pose)(double row, Scene &scene);                             // fills a cleared scene
+    void (*letter)(double row, const Facts &facts, Frame &frame);       // draws over the linear picture; or null
+};
+
+enum SceneId { kPoint, kTable, kCourt, kCredits, kSceneCount };
+extern const SceneEntry kScenes[kSceneCount];
+extern const ShotList kFilm;
+
+// Each in a file of its own.
+void posePoint(double row, Scene &scene);
+void letterPoint(double row, const Facts &facts, Frame &frame);
+void poseTable(double row, Scene &scene);
+void poseCourt(double row, Scene &scene);
+void poseCredits(double row, Scene &scene);
+void letterCredits(double row, const Facts &facts, Frame &frame);
+
+} // namespace odraz

@@ -1,0 +1,29 @@
+#include "timeline/track.h"
+
+namespace odraz {
+
+static float ease(Interpolation interpolation, float t) {
+    switch (interpolation) {
+    case Interpolation::Step: return 0;
+    case Interpolation::Linear: return t;
+    case Interpolation::Smooth: return t * t * (3 - 2 * t);
+    case Interpolation::Ramp: return t * t;
+    }
+    return 0;
+}
+
+float value(Track track, double row) {
+    if (track.count == 0) return 0;
+    // Find the last key at or before the row
+    int i = -1;
+    while (i + 1 < track.count && track.keys[i + 1].row <= row) ++i;
+    if (i < 0) return track.keys[0].value;
+    const Key &a = track.keys[i];
+    if (i + 1 == track.count) return a.value;
+
+    const Key &b = track.keys[i + 1];
+    float t = (float)((row - a.row) / ((double)b.row - a.row));
+    return a.value + (b.value - a.value) * ease(a.interpolation, t);
+}
+
+} // namespace odraz

@@ -1,0 +1,22 @@
+// Perlin's improved gradient noise, eight points at a time.
+//
+// Quintic fade and the twelve edge gradients of Perlin, "Improving Noise" (SIGGRAPH 2002); in place of his
+// permutation table the lattice is hashed with integers, so that there is no period of 256 and no table.
+// Coordinates: |x| < 2^22 for full detail, any finite number for a finite answer.
+#pragma once
+
+#include "base/vec3.h"
+
+namespace odraz {
+
+// In [-1, 1], 0 at every lattice point, mean 0.
+Float8 noise(Vec3x8 p);
+
+// Sum over octaves of 2^-i noise(2^i p), i < octaves; in (-2, 2). `width` is the side of the box that a sample
+// covers, in lattice cells: octaves whose cells come near it fade out.
+Float8 fractalNoise(Vec3x8 p, int octaves, Float8 width);
+
+// How much of a detail of the given size is left when averaged over `width`: 1 .. 0.
+Float8 bandLimit(Float8 width, float size);
+
+} // namespace odraz

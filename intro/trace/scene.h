@@ -1,0 +1,73 @@
+// A scene, posed for one frame: shapes, materials, lights, sky, and the tree over the shapes.
+//
+// show/ fills it anew for every frame (clear, add, finish); nothing here allocates. World units are metres by
+// custom, y is up, coordinates right-handed. A scene that outgrows its arrays drops what does not fit.
+#pragma once
+
+#include "trace/material.h"
+#include "trace/shape.h"
+
+namespace odraz {
+
+inline constexpr int kMaxShapes = 1024, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024, kMaxOccluders = 24;
+
+// A point or spot light, with a hard shadow. Irradiance at distance r is intensity / r^2.
+struct Light {
+    Vec3 position;
+    Rgb intensity;
+    Vec3 direction;  // unit, where a spot looks
+    float cosOuter;  // no light beyond this angle; -2: a point light
+    float cosInner;  // full light within this angle, cosOuter < cosInner
+};
+
+inline Light pointLight(Vec3 position, Rgb intensity) { return {position, intensity, {0, -1, 0}, -2, -1.5f}; }
+
+// Binary bounding-box tree; a leaf holds shapes order[first .. first + count), an inner node (count = 0) the
+// children first and first + 1.
+struct Node {
+    Vec3 lo;
+    int first;
+    Vec3 hi;
+    int count;
+};
+
+struct Scene {
+    Shape shapes[kMaxShapes];
+    Material materials[kMaxMaterials];
+    Light lights[kMaxLights];
+    float outline[kMaxOutline * 2]; // the polygons' points
+    int shapeCount, materialCount, lightCount, outlineCount;
+
+    Rgb skyLow, skyHigh;  // radiance towards the horizon and below, and towards the zenith
+    Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
+    float fog;            // how fast things turn into the horizon: share left = 2^(-fog distance)
+    float exposure;       // factor before tone mapping
+
+    // Made by finish()
+    Node nodes[2 * kMaxShapes];
+    uint16_t order[kMaxShapes];
+    uint16_t unbounded[8]; // the planes
+    int nodeCount, unboundedCount;
+    Vec3 occluder[kMaxOccluders]; // balls that darken what ambient light reaches around them
+    float occluderRadius[kMaxOccluders];
+    int occluderCount;
+    Rgb mean[kMaxMaterials]; // each material's average diffuse reflectance
+
+    void clear();
+    int add(const Material &m) {
+        if (materialCount < kMaxMaterials) materials[materialCount++] = m;
+        return materialCount - 1;
+    }
+    Shape *add(const Shape &s);
+    void add(const Light &l) {
+        if (lightCount < kMaxLights) lights[lightCount++] = l;
+    }
+    // A polygon in the plane through `centre` with frame's v as its normal; `points` are `count` pairs (x, z).
+    Shape *addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material);
+    // Builds the tree; after it the scene may be traced.
+    void finish();
+};
+
+Bounds bounds(const Scene &scene, const Shape &shape); // of anything but a plane
+
+} // namespace odraz

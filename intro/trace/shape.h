@@ -1,0 +1,51 @@
+// The shapes of a scene, all described in a local frame: local = frame * (world - centre).
+//
+//   Sphere    radius half.x about the origin (half.y = half.z = half.x)
+//   Plane     the local plane y = 0; unbounded
+//   Box       |x| <= half.x, |y| <= half.y, |z| <= half.z
+//   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
+//   Polygon   in the local plane y = 0, bounded by a simple closed outline of (x, z) points, convex or not
+//
+// Spheres, boxes and cylinders are solid (glass has an inside); planes and polygons are seen from both sides.
+// Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit.
+#pragma once
+
+#include "base/vec3.h"
+
+namespace odraz {
+
+inline constexpr float kFar = 1e9f;
+
+enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon };
+
+struct Shape {
+    ShapeKind kind;
+    uint8_t material;      // index into Scene::materials
+    uint16_t firstVertex;  // polygons: the outline in Scene::outline, two floats a point
+    uint16_t vertexCount;  //
+    Vec3 centre;           // world
+    Vec3 half;             // see above; positive
+    Mat3 frame;            // a rotation
+    Vec3 textureShift;     // added to local coordinates before texturing: no two balls cut from one place
+};
+
+inline Shape sphere(Vec3 centre, float radius, int material) {
+    return {ShapeKind::Sphere, (uint8_t)material, 0, 0, centre, {radius, radius, radius}, kIdentity, {}};
+}
+// Through `point`, facing up.
+inline Shape plane(Vec3 point, int material) {
+    return {ShapeKind::Plane, (uint8_t)material, 0, 0, point, {}, kIdentity, {}};
+}
+inline Shape box(Vec3 centre, Vec3 half, int material) {
+    return {ShapeKind::Box, (uint8_t)material, 0, 0, centre, half, kIdentity, {}};
+}
+// Upright, about its middle.
+inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
+    return {ShapeKind::Cylinder, (uint8_t)material, 0, 0, middle, {radius, halfHeight, radius}, kIdentity, {}};
+}
+
+struct Bounds {
+    Vec3 lo, hi;
+};
+
+} // namespace odraz
