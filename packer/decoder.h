@@ -7,7 +7,7 @@ namespace pack {
 
 // Binary arithmetic coding over the 32-bit interval [low, high]; leading bytes leave when they agree (as in lpaq).
 // The model must be zeroed.
-static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size, Model &model) {
+__attribute__((always_inline)) static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size, Model &model) {
     uint32_t low = 0, high = 0xffffffffu, code = 0;
     for (int i = 0; i < 4; ++i) code = code << 8 | *in++;
     uint64_t before = 0;
@@ -16,7 +16,7 @@ static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size, Model 
         while (bits < 256) {
             Prediction q;
             predict(model, before, bits, q);
-            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * share(q.p) >> 16);
+            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * q.share >> 16);
             int bit = code <= middle;
             if (bit)
                 high = middle;

@@ -16,7 +16,7 @@ std::vector<uint8_t> encode(const std::vector<uint8_t> &bytes) {
         for (int i = 7; i >= 0; --i) {
             Prediction q;
             predict(*model, before, bits, q);
-            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * share(q.p) >> 16);
+            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * q.share >> 16);
             int bit = byte >> i & 1;
             if (bit)
                 high = middle;

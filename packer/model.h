@@ -19,16 +19,17 @@ constexpr int kContexts = 8, kInputs = 2 * kContexts, kSlotBits = 22;
 // Which of the last eight bytes a context sees, the last one in the lowest bit.
 constexpr uint8_t kMasks[kContexts] = {0x00, 0x01, 0x03, 0x07, 0x0a, 0x05, 0x06, 0x1c};
 
-// A counter is a probability of a one (22 bits, signed, 0 is a half) over the number of bits seen (10 bits).
+// A counter is a probability of a one over the number of bits seen: 22 bits, signed, 2^21 units from 0 to certainty,
+// and 10 bits.
 struct Model {
     uint32_t direct[1 << kSlotBits];
-    uint8_t history[1 << kSlotBits]; // the bits seen, behind a leading one
+    uint8_t history[1 << kSlotBits]; // the last bits seen behind a leading one; the lowest bit flipped
     uint32_t mapped[kContexts][256];
     float weights[256][kInputs]; // by the bits of the byte so far, less kFirstWeight
 }; // all zero at first
 
-constexpr float kFirstWeight = 0.1f, kRate = 0.01f;
-constexpr uint32_t kMostSeen = 60;
+constexpr float kFirstWeight = 0.1f, kRate = 0.01f / 65536;
+constexpr int32_t kCertain = (1 << 21) - 1, kMostSeen = 60;
 
 static inline float squareRoot(float x) {
     __asm__("sqrtss %0, %0" : "+x"(x));
@@ -41,11 +42,11 @@ struct Prediction {
     uint8_t *history[kContexts];
     float input[kInputs];
     float *weights;
-    float p; // of a one
+    uint32_t share; // of a one, of 65536; 1 .. 65535
 };
 
 // `before`: the last eight bytes, the latest lowest; `bits`: the byte so far behind a leading one.
-static inline void predict(Model &m, uint64_t before, uint32_t bits, Prediction &q) {
+__attribute__((always_inline)) static inline void predict(Model &m, uint64_t before, uint32_t bits, Prediction &q) {
     for (uint32_t i = 0; i < kContexts; ++i) {
         // Hash what the context sees, and the bits
         uint32_t hash = i;
@@ -62,32 +63,27 @@ static inline void predict(Model &m, uint64_t before, uint32_t bits, Prediction 
     q.weights = m.weights[bits];
     float sum = 0;
     for (int i = 0; i < kInputs; ++i) {
-        float u = (float)((int32_t)*q.counter[i] >> 10) * (1.f / 2097152);
-        q.input[i] = u / squareRoot(1.01f - u * u);
+        float p = (float)((int32_t)*q.counter[i] >> 10);
+        q.input[i] = p / squareRoot(1.01f * 4398046511104.f - p * p);
         sum += q.input[i] * (q.weights[i] + kFirstWeight);
     }
-    q.p = 0.5f + 0.5f * (sum / squareRoot(1 + sum * sum));
+    q.share = 32768 + (uint32_t)(int32_t)(sum / squareRoot(1 + sum * sum) * 32767);
 }
 
-static inline void learn(const Prediction &q, int bit) {
-    float error = ((float)bit - q.p) * kRate;
+__attribute__((always_inline)) static inline void learn(const Prediction &q, int bit) {
+    float error = (float)((bit << 16) - (int32_t)q.share) * kRate;
     for (int i = 0; i < kInputs; ++i) {
         q.weights[i] += error * q.input[i];
         // Towards the bit, by one over the number seen
         int32_t p = (int32_t)*q.counter[i] >> 10, seen = *q.counter[i] & 1023;
-        p += ((bit ? 2097151 : -2097151) - p) * 2 / (2 * seen + 3);
-        *q.counter[i] = (uint32_t)p << 10 | (uint32_t)(seen + (seen < (int32_t)kMostSeen));
+        p += ((bit ? kCertain : -kCertain) - p) * 2 / (2 * seen + 3);
+        *q.counter[i] = (uint32_t)p << 10 | (uint32_t)(seen + (seen < kMostSeen));
     }
     for (int i = 0; i < kContexts; ++i) {
-        uint32_t h = *q.history[i];
-        *q.history[i] = (uint8_t)((h > 127 ? (h & 63) | 64 : h ? h : 1) * 2 + (uint32_t)bit);
+        uint32_t h = *q.history[i] ^ 1u;
+        if (h & 128) h = (h & 63) | 64;
+        *q.history[i] = (uint8_t)((h * 2 + (uint32_t)bit) ^ 1);
     }
-}
-
-// The coder's share of a one, of 65536.
-static inline uint32_t share(float p) {
-    int32_t s = (int32_t)(p * 65536);
-    return (uint32_t)(s < 1 ? 1 : s > 65535 ? 65535 : s);
 }
 
 } // namespace pack
