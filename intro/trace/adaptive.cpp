@@ -27,7 +27,7 @@ struct TileScratch {
     int wantedCount;
     Square squares[2][kTile * kTile];
     // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them (kMixed: none)
-    float light[3][kTile * kTile], rest[3][kTile * kTile];
+    float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile];
     uint16_t pixels[kTile * kTile]; // to super-sample
     Sample fine[kChunk];
@@ -159,19 +159,20 @@ void fill(Tile &t, Square q, int size) {
         rest[i] = same ? k.rest : k.radiance();
     }
     uint16_t owner = same && id ? (uint16_t)((id - 1) / 8) : kMixed;
+    // A row of the square is one packet; along it and down the sides everything is linear
+    Int8 inside = kLanes < size;
+    Float8 u = (toFloat(kLanes) + 0.5f) * (1.f / (float)size);
+    auto spread = [&](float *plane, int p, float left, float right) {
+        _mm256_maskstore_ps(plane + p, (__m256i)inside, fmadd(u, right - left, broadcast(left)));
+    };
     for (int y = 0; y < size; ++y) {
-        // Along the left and right sides to this row, then across it
         float v = ((float)y + 0.5f) / (float)size;
         Rgb l0 = lerp(light[0], light[2], v), l1 = lerp(light[1], light[3], v);
         Rgb r0 = lerp(rest[0], rest[2], v), r1 = lerp(rest[1], rest[3], v);
-        for (int x = 0; x < size; ++x) {
-            float u = ((float)x + 0.5f) / (float)size;
-            Rgb l = lerp(l0, l1, u), r = lerp(r0, r1, u);
-            int p = (q.y + y) * kTile + q.x + x;
-            s.light[0][p] = l.x, s.light[1][p] = l.y, s.light[2][p] = l.z;
-            s.rest[0][p] = r.x, s.rest[1][p] = r.y, s.rest[2][p] = r.z;
-            s.owner[p] = owner;
-        }
+        int p = (q.y + y) * kTile + q.x;
+        spread(s.light[0], p, l0.x, l1.x), spread(s.light[1], p, l0.y, l1.y), spread(s.light[2], p, l0.z, l1.z);
+        spread(s.rest[0], p, r0.x, r1.x), spread(s.rest[1], p, r0.y, r1.y), spread(s.rest[2], p, r0.z, r1.z);
+        for (int x = 0; x < size; ++x) s.owner[p + x] = owner;
     }
 }
 
@@ -335,7 +336,7 @@ bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
     return true;
 }
 
-int64_t traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
+void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
                    Frame &frame) {
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
@@ -347,6 +348,9 @@ int64_t traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const V
         else
             traceAdaptive(tile);
     });
+}
+
+int64_t tracedSamples(const Tracer &tracer) {
     int64_t samples = 0;
     for (int i = 0; i < tracer.workers; ++i) samples += tracer.scratch[i]->sampleCount;
     return samples;

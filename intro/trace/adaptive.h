@@ -26,8 +26,11 @@ struct Tracer {
 extern const size_t kTileScratchBytes; // for each worker
 bool makeTracer(Tracer &tracer, Arena &arena, int workers);
 
-// Traces the whole frame. The picture does not depend on the number of workers. Returns the number of samples.
-int64_t traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
+// Traces the whole frame. The picture does not depend on the number of workers.
+void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
                    Frame &frame);
+
+// Samples that the last frame took.
+int64_t tracedSamples(const Tracer &tracer);
 
 } // namespace odraz

@@ -22,12 +22,13 @@ static Interval slab(Float8 o, Float8 d, float half) {
 
 static Interval both(Interval a, Interval b) { return {max(a.enter, b.enter), min(a.leave, b.leave)}; }
 
-static Float8 hitSphere(const Shape &s, const Ray8 &ray) {
+static inline Float8 hitSphere(const Shape &s, const Ray8 &ray) {
     Vec3x8 f = ray.o - s.centre;
     float r = s.half.x;
     Float8 b = -dot(f, ray.d);
     Vec3x8 perpendicular = fmadd(ray.d, b, f);
     Float8 discriminant = r * r - dot(perpendicular, perpendicular);
+    if (!any(discriminant >= 0.f)) return broadcast(kInfinity);
     // Take the root that adds magnitudes, get the other from their product
     Float8 c = dot(f, f) - r * r;
     Float8 root = sqrt(max(discriminant, 0.f));
@@ -138,20 +139,28 @@ Vec3x8 offsetOrigin(const Shape &s, const Surface8 &at, Float8 side) {
     return fmadd(at.n, error * side, at.p);
 }
 
-// Calls visit(shape) for every shape whose box an active ray enters before its limit. visit may lower `limit` and
-// clear lanes of `active`.
-template <class Visit>
+// Calls visit(shape) for every shape whose box an active ray enters before its limit, near boxes first if kSorted.
+// visit may lower `limit` and clear lanes of `active`.
+template <bool kSorted, class Visit>
 static void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &active, Visit &&visit) {
     for (int i = 0; i < scene.unboundedCount; ++i) visit(scene.unbounded[i]);
     if (!scene.nodeCount) return;
     auto invert = [](Float8 d) { return 1.f / select(abs(d) < 1e-20f, 1e-20f, d); };
     Vec3x8 inverse = {invert(ray.d.x), invert(ray.d.y), invert(ray.d.z)};
+    // Box planes are met at plane / d - o / d. The quotients' rounding is what a box must be widened by; with the
+    // three roundings behind them (Ize, "Robust BVH Ray Traversal", JCGT 2013) no ray slips between shape and box
+    Vec3x8 shift = ray.o * inverse;
+    Float8 slack = max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f;
     auto enters = [&](const Node &n) {
-        Vec3x8 a = (n.lo - ray.o) * inverse, b = (n.hi - ray.o) * inverse;
-        Float8 enter = max(max(min(a.x, b.x), min(a.y, b.y)), max(min(a.z, b.z), 0.f));
-        Float8 leave = min(min(max(a.x, b.x), max(a.y, b.y)), max(a.z, b.z));
-        // Three roundings each way (Ize, "Robust BVH Ray Traversal", JCGT 2013)
-        return select((enter <= leave * 1.0000004f) & (enter < limit) & active, enter, kInfinity);
+        auto meet = [](float plane, Float8 inverse, Float8 shift) {
+            return (Float8)_mm256_fmsub_ps(broadcast(plane), inverse, shift);
+        };
+        Float8 ax = meet(n.lo.x, inverse.x, shift.x), bx = meet(n.hi.x, inverse.x, shift.x);
+        Float8 ay = meet(n.lo.y, inverse.y, shift.y), by = meet(n.hi.y, inverse.y, shift.y);
+        Float8 az = meet(n.lo.z, inverse.z, shift.z), bz = meet(n.hi.z, inverse.z, shift.z);
+        Float8 enter = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
+        Float8 leave = min(min(max(ax, bx), max(ay, by)), max(az, bz));
+        return select((enter <= fmadd(leave, 1.0000004f, slack)) & (enter < limit) & active, enter, kInfinity);
     };
     auto nearestLane = [](Float8 x) {
         Float8 m = min(x, (Float8)_mm256_permute2f128_ps(x, x, 1));
@@ -159,42 +168,54 @@ static void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &a
         return min(m, (Float8)_mm256_permute_ps(m, 0xb1))[0];
     };
 
-    // Nearer child first; the farther ones wait with the distance at which their box begins
+    // Of two boxes the one that begins farther away waits, and is looked at again if some ray still reaches it
     struct Waiting {
         int node;
         float enter;
     } stack[32];
-    int waiting = 0;
+    int waiting = 0, node = 0;
     if (!any(enters(scene.nodes[0]) < kInfinity)) return;
-    int node = 0;
     for (;;) {
         const Node &n = scene.nodes[node];
         if (n.count) {
             for (int i = 0; i < n.count; ++i) visit(scene.order[n.first + i]);
             if (!any(active)) return;
         } else {
-            float first = nearestLane(enters(scene.nodes[n.first]));
-            float second = nearestLane(enters(scene.nodes[n.first + 1]));
-            int swap = second < first;
-            float near = swap ? second : first, far = swap ? first : second;
-            if (far < kInfinity) stack[waiting++] = {n.first + 1 - swap, far};
-            if (near < kInfinity) {
+            Float8 first = enters(scene.nodes[n.first]), second = enters(scene.nodes[n.first + 1]);
+            bool inFirst = any(first < kInfinity), inSecond = any(second < kInfinity);
+            if (inFirst && inSecond) {
+                int swap = 0;
+                float later = 0;
+                if (kSorted) {
+                    float a = nearestLane(first), b = nearestLane(second);
+                    swap = b < a;
+                    later = swap ? a : b;
+                }
+                stack[waiting++] = {n.first + 1 - swap, later};
                 node = n.first + swap;
                 continue;
             }
+            if (inFirst || inSecond) {
+                node = n.first + inSecond;
+                continue;
+            }
         }
-        // Take the next box that some ray still reaches
         do {
             if (!waiting) return;
             node = stack[--waiting].node;
-        } while (!any((stack[waiting].enter < limit) & active));
+        } while (kSorted && !any((stack[waiting].enter < limit) & active));
     }
+}
+
+// Most shapes are balls: their test is worth having in the loop.
+static inline Float8 distanceTo(const Scene &scene, const Shape &s, const Ray8 &ray) {
+    return s.kind == ShapeKind::Sphere ? hitSphere(s, ray) : distance(scene, s, ray);
 }
 
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
-    traverse(scene, ray, hit.t, active, [&](int shape) {
-        Float8 t = distance(scene, scene.shapes[shape], ray);
+    traverse<true>(scene, ray, hit.t, active, [&](int shape) {
+        Float8 t = distanceTo(scene, scene.shapes[shape], ray);
         Int8 nearer = t < hit.t;
         hit.t = select(nearer, t, hit.t);
         hit.shape = select(nearer, broadcast(shape), hit.shape);
@@ -204,11 +225,11 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
 
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active) {
     Rgb8 share = broadcast(Rgb{1, 1, 1});
-    traverse(scene, ray, tMax, active, [&](int index) {
+    traverse<false>(scene, ray, tMax, active, [&](int index) {
         const Shape &shape = scene.shapes[index];
         const Material &m = scene.materials[shape.material];
         if (maxComponent(m.emit) > 0) return; // a lamp's body does not shade its own light
-        Int8 hit = distance(scene, shape, ray) < tMax;
+        Int8 hit = distanceTo(scene, shape, ray) < tMax;
         if (!any(hit)) return;
         Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
         share = select(hit, share * through, share);

@@ -10,6 +10,7 @@ struct Quality {
     int levels;      // super-sampling below a pixel: 0 none, 1 up to 2x2, 2 up to 4x4 samples
     float threshold; // difference of shown intensity (0 .. 1) that splits a square
     float edge;      // ... and that super-samples a pixel; doubled a level below
+    float mark;      // rays of less than this share of the intensity do not split squares by what they hit
     int depth;       // most bounces of a path, <= kMaxDepth
     float cutoff;    // a ray that would bring less than this share of the picture's intensity is not followed
 };
@@ -19,10 +20,10 @@ inline constexpr int kMaxDepth = 12;
 enum class QualityName { Draft, Play, Film, Reference, Count };
 
 inline constexpr Quality kQualities[(int)QualityName::Count] = {
-    {0, 8, 2, 0, 0.08f, 1.00f, 4, 1 / 24.f},
-    {0, 8, 1, 1, 0.045f, 0.07f, 6, 1 / 64.f},
-    {0, 4, 1, 2, 0.02f, 0.03f, 9, 1 / 160.f},
-    {8, 0, 0, 0, 0, 0, 12, 1 / 512.f},
+    {0, 8, 2, 0, 0.08f, 1.00f, 0.20f, 4, 1 / 24.f},
+    {0, 8, 1, 1, 0.045f, 0.07f, 0.08f, 6, 1 / 64.f},
+    {0, 4, 1, 2, 0.02f, 0.03f, 0.03f, 9, 1 / 160.f},
+    {8, 0, 0, 0, 0, 0, 0, 12, 1 / 512.f},
 };
 inline constexpr const char *kQualityNames[(int)QualityName::Count] = {"draft", "play", "film", "reference"};
 

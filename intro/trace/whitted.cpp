@@ -42,22 +42,25 @@ struct Lighting {
 
 // Ambient light, less what the balls around take from it (each by the form factor of a sphere wholly above the
 // horizon, (r/d)^2 cos), then every light by Phong's formula and a shadow ray.
+// Lights that would add less than a twentieth of the cutoff to the picture are left out, by `share`, the ray's own.
 Lighting illuminate(const Context &c, const Shape &shape, const Material &m, const Surface8 &at, Vec3x8 n, Float8 side,
-                    Vec3x8 d, Int8 active) {
+                    Vec3x8 d, Int8 active, Float8 share) {
     const Scene &scene = c.scene;
+    float reflectance = maxComponent(scene.mean[shape.material]), least = c.quality.cutoff * 0.05f / scene.exposure;
     Float8 open = broadcast(1.f);
     for (int i = 0; i < scene.occluderCount; ++i) {
         Vec3x8 to = scene.occluder[i] - at.p;
-        Float8 square = max(dot(to, to), 1e-12f);
-        float r = scene.occluderRadius[i];
-        Float8 facing = max(dot(n, to), 0.f) / sqrt(square);
-        open *= 1.f - min(facing * (r * r) / square, 0.95f);
+        Float8 square = max(dot(to, to), 1e-12f), facing = dot(n, to);
+        float r2 = scene.occluderRadius[i] * scene.occluderRadius[i];
+        if (!any((facing > 0.f) & (square < r2 * 400.f))) continue; // takes less than a four-hundredth
+        open *= 1.f - clamp(facing * r2 / (square * sqrt(square)) - 0.0025f, 0.f, 0.95f);
     }
     Lighting result = {};
     result.diffuse = (broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f)) * open;
 
     Vec3x8 origin = offsetOrigin(shape, at, side);
     Vec3x8 mirrored = fmadd(n, dot(n, d) * -2.f, d);
+    float lobeEnd = m.specular > 0 ? exp2(-20 / m.exponent) : 1;
     for (int i = 0; i < scene.lightCount; ++i) {
         // Cut lanes that face away or stand outside the spot
         const Light &light = scene.lights[i];
@@ -68,22 +71,22 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Float8 strength = 1.f / square;
         if (light.cosOuter > -1.5f)
             strength *= smoothstep(light.cosOuter, light.cosInner, -dot(light.direction, l));
-        Int8 lit = active & (cosine > 0.f) & (strength > 0.f);
+        // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100 cycles each
+        Float8 lobe = {}, towards = dot(mirrored, l);
+        if (any(towards > lobeEnd)) lobe = select(towards > lobeEnd, pow(towards, m.exponent) * m.specular, 0.f);
+        Float8 promised = fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
+        Int8 lit = active & (cosine > 0.f) & (promised > least);
         if (!any(lit)) continue;
         // Add what its shadow ray lets through
-        Rgb8 share = transmittance(scene, {origin, l}, far, lit);
-        Float8 most = maxComponent(share);
+        Rgb8 through = transmittance(scene, {origin, l}, far, lit);
+        Float8 most = maxComponent(through);
         lit &= most > 0.f;
         if (!any(lit)) continue;
-        Rgb8 arriving = share * select(lit, strength, 0.f) * light.intensity;
+        Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;
         result.diffuse += arriving * cosine;
-        Int8 state = lit & select(most < 1.f, broadcast(3), broadcast(1));
-        if (m.specular > 0) {
-            Float8 lobe = pow(max(dot(mirrored, l), 0.f), m.exponent) * m.specular;
-            result.highlight += arriving * lobe;
-            state = select(lit & (lobe > 0.02f) & (state == 1), broadcast(2), state);
-        }
-        result.states |= state << (2 * i);
+        result.highlight += arriving * lobe;
+        Int8 state = select(most < 1.f, broadcast(3), select(lobe > 0.02f, broadcast(2), broadcast(1)));
+        result.states |= (lit & state) << (2 * i);
     }
     return result;
 }
@@ -111,7 +114,7 @@ void shadeSky(const Context &c, const RayStream &in, const Packet &p) {
     for (int k = 0; k < p.count; ++k) {
         Sample &s = c.samples[in.sample[p.ray[k]]];
         addTo(s.rest, light, k);
-        if (in.path[p.ray[k]] > 1) s.secondary += pcg(in.path[p.ray[k]]);
+        if (in.path[p.ray[k]] > 1 && p.weight.y[k] > c.quality.mark) s.secondary += pcg(in.path[p.ray[k]]);
     }
 }
 
@@ -177,13 +180,14 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
                       broadcast(m.diffuse);
         // Inside glass there are no highlights: its lights come by refraction
         Int8 litSide = m.ior > 0 ? p.active & (side > 0.f) : p.active;
-        if (any(litSide)) lighting = illuminate(c, shape, m, at, n, side, p.r.d, litSide);
+        if (any(litSide)) lighting = illuminate(c, shape, m, at, n, side, p.r.d, litSide, maxComponent(weight));
     }
     Rgb8 rest = haze + weight * (lighting.highlight + broadcast(m.emit));
     Rgb8 light = lighting.diffuse * weight;
 
     // Add to the samples
     bool primary = in.path[p.ray[0]] == 1;
+    int marked = laneBits(maxComponent(weight) * scene.exposure > c.quality.mark);
     for (int k = 0; k < p.count; ++k) {
         Sample &s = c.samples[in.sample[p.ray[k]]];
         uint32_t id = 1 + 8 * (uint32_t)shapeIndex + (uint32_t)at.face[k];
@@ -195,7 +199,8 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
             s.lights = (uint32_t)lighting.states[k];
         } else {
             addTo(s.rest, diffuse * light, k);
-            s.secondary += pcg(in.path[p.ray[k]] ^ pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
+            if (marked >> k & 1)
+                s.secondary += pcg(in.path[p.ray[k]] ^ pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
         }
     }
     bool mayGoOn = in.path[p.ray[0]] >> c.quality.depth == 0;
