@@ -8,12 +8,12 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kDusk[] = {{0, 1, Smooth}, {192, 0.75f, Smooth}, {576, 0.22f, Smooth}, {848, 0.05f, Linear}};
+static constexpr Key kDusk[] = {{0, 1, Smooth}, {192, 0.75f, Smooth}, {576, 0.2f, Smooth}, {688, 0, Linear}};
 static constexpr Key kLamps[] = {{40, 0, Smooth}, {120, 0.7f, Linear}, {384, 0.8f, Smooth}, {520, 1.15f, Linear}, {690, 1, Smooth}, {840, 0.12f, Linear}};
 static constexpr Key kRolling[] = {{0, 0, Linear}, {848, 26, Linear}}; // metres rolled
 
-static constexpr int kPairs = 5;
-static constexpr float kSpacing = 2.6f, kAside = 2.2f;
+static constexpr int kPairs = 4;
+static constexpr float kSpacing = 3.1f, kAside = 2.2f, kFirst = 4.9f;
 
 static void addColumn(Scene &scene, Vec3 foot, int shaft, int block) {
     scene.add(box(foot + Vec3{0, 0.12f, 0}, {0.42f, 0.12f, 0.42f}, block));
@@ -31,7 +31,7 @@ void poseCourt(double row, Scene &scene) {
     // Floor, columns in pairs, beams along and across, a wall with a round opening at the end
     scene.add(plane({0, 0, 0}, floor));
     for (int i = 0; i < kPairs; ++i) {
-        float z = 6.0f - kSpacing * (float)i;
+        float z = kFirst - kSpacing * (float)i;
         for (int side = -1; side <= 1; side += 2) addColumn(scene, {kAside * (float)side, 0, z}, shaft, block);
         Shape *s = scene.add(box({0, 3.86f, z}, {0.13f, 0.14f, 2.9f}, beam));
         s->frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
@@ -56,33 +56,30 @@ void poseCourt(double row, Scene &scene) {
     Mat3 upright = {{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}; // local z is up, the normal looks down the aisle
     scene.addPolygon({0, 0, -6.2f}, upright, outline, points, block);
 
-    // Lamps hang between the columns; three of them throw cones
-    for (int i = 0; i < 4; ++i) {
-        float z = 6.0f - kSpacing * ((float)i + 0.5f);
+    // Lamps hang between the columns; the last one before the wall shines all around, the others throw cones
+    for (int i = 0; i < 3; ++i) {
+        float z = kFirst - kSpacing * ((float)i + 0.5f);
         scene.add(sphere({0, 3.05f, z}, 0.09f, glow));
-        if (i == 3) continue;
-        Light spot = {{0, 3.05f, z}, Rgb{12, 8.6f, 5.2f} * lamps, {0, -1, 0}, 0.35f, 0.85f};
-        scene.add(spot);
+        Light spot = {{0, 3.05f, z}, Rgb{13, 9.2f, 5.6f} * lamps, {0, -1, 0}, 0.3f, 0.85f};
+        scene.add(i < 2 ? spot : pointLight(spot.position, Rgb{9, 6.4f, 3.8f} * lamps));
     }
-    scene.add(pointLight({0, 3.05f, 6.0f - kSpacing * 3.5f}, Rgb{7, 5, 3} * lamps));
     // What is left of the day comes from the left and through the round opening
     scene.add(pointLight({-16, 13, -7}, Rgb{190, 150, 130} * dusk));
-    scene.add(pointLight({2.5f, 4.5f, -16}, Rgb{40, 60, 95} * (0.25f + 0.75f * dusk)));
+    scene.add(pointLight({2.5f, 4.5f, -16}, Rgb{40, 60, 95} * (0.3f + 0.7f * dusk)));
 
     // The balls: one rests in the middle, the others roll on around it
     scene.add(sphere({0, 0.75f, 0}, 0.75f, silver));
     float rolled = value(track(kRolling), row);
     struct Roller {
-        float x, z, radius, speed;
+        float x, z, radius, speed; // where it starts, and the share of the way it goes down the aisle
         int material;
     } rollers[] = {
-        {-1.15f, 4.6f, 0.34f, -0.42f, red}, {1.2f, 3.1f, 0.42f, -0.3f, clear},
-        {1.05f, -3.2f, 0.3f, 0.22f, red},   {-1.25f, -1.6f, 0.45f, 0.16f, clear},
-        {-0.3f, -4.4f, 0.36f, 0.12f, silver},
+        {-1.2f, 4.4f, 0.34f, 0.30f, red},  {1.25f, 3.0f, 0.42f, -0.22f, clear}, {1.15f, -3.4f, 0.3f, 0.26f, red},
+        {-1.3f, -1.8f, 0.45f, 0.2f, clear}, {-0.9f, -4.6f, 0.36f, 0.05f, silver},
     };
     for (const Roller &r : rollers) {
         float way = rolled * r.speed, turn = way / r.radius;
-        Shape *s = scene.add(sphere({r.x, r.radius, r.z + way * 0.4f}, r.radius, r.material));
+        Shape *s = scene.add(sphere({r.x, r.radius, r.z + way}, r.radius, r.material));
         s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
     }
 

@@ -23,14 +23,20 @@ Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, in
     return add(s);
 }
 
+static constexpr Bounds kNothing = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+
+static void include(Bounds &b, Vec3 lo, Vec3 hi) {
+    b.lo = {min(b.lo.x, lo.x), min(b.lo.y, lo.y), min(b.lo.z, lo.z)};
+    b.hi = {max(b.hi.x, hi.x), max(b.hi.y, hi.y), max(b.hi.z, hi.z)};
+}
+
 Bounds bounds(const Scene &scene, const Shape &s) {
     if (s.kind == ShapeKind::Polygon) {
-        Bounds b = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+        Bounds b = kNothing;
         for (int i = 0; i < s.vertexCount; ++i) {
             const float *v = scene.outline + 2 * (s.firstVertex + i);
             Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
-            b.lo = {min(b.lo.x, p.x), min(b.lo.y, p.y), min(b.lo.z, p.z)};
-            b.hi = {max(b.hi.x, p.x), max(b.hi.y, p.y), max(b.hi.z, p.z)};
+            include(b, p, p);
         }
         return b;
     }
@@ -44,34 +50,32 @@ Bounds bounds(const Scene &scene, const Shape &s) {
 
 static float component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
-// Splits a node's shapes at the median of their middles along the longest axis, down to leaves of two.
-static void build(Scene &s, const Bounds *b, int node, int first, int count) {
+static float halfArea(const Bounds &b) {
+    Vec3 e = b.hi - b.lo;
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+// Splits a node's shapes along the axis on which their middles spread most, where the surface area heuristic
+// (Goldsmith and Salmon, 1987) is least, down to leaves of two. Recursion is at most kMaxDeep deep: below that, and
+// so for shapes that coincide, leaves hold what is left.
+static constexpr int kMaxDeep = 28;
+static void build(Scene &s, const Bounds *b, int node, int first, int count, int deep) {
     // Bound shapes and their middles
-    Node &n = s.nodes[node];
-    n.lo = {kInfinity, kInfinity, kInfinity};
-    n.hi = -n.lo;
-    Vec3 midLo = n.lo, midHi = n.hi;
-    auto lower = [](Vec3 &a, Vec3 v) { a = {min(a.x, v.x), min(a.y, v.y), min(a.z, v.z)}; };
-    auto raise = [](Vec3 &a, Vec3 v) { a = {max(a.x, v.x), max(a.y, v.y), max(a.z, v.z)}; };
+    Bounds all = kNothing, middles = kNothing;
     auto middle = [&](int i) { return (b[s.order[i]].lo + b[s.order[i]].hi) * 0.5f; };
     for (int i = first; i < first + count; ++i) {
-        lower(n.lo, b[s.order[i]].lo);
-        raise(n.hi, b[s.order[i]].hi);
-        lower(midLo, middle(i));
-        raise(midHi, middle(i));
+        include(all, b[s.order[i]].lo, b[s.order[i]].hi);
+        include(middles, middle(i), middle(i));
     }
-    // Grow by the slab test's rounding, so that no ray slips between a shape and its box
-    Vec3 size = {max(abs(n.lo.x), abs(n.hi.x)), max(abs(n.lo.y), abs(n.hi.y)), max(abs(n.lo.z), abs(n.hi.z))};
+    // Grow by the slab test's rounding
+    Vec3 size = {max(abs(all.lo.x), abs(all.hi.x)), max(abs(all.lo.y), abs(all.hi.y)), max(abs(all.lo.z), abs(all.hi.z))};
     Vec3 margin = size * 4e-6f + Vec3{1e-7f, 1e-7f, 1e-7f};
-    n.lo = n.lo - margin;
-    n.hi = n.hi + margin;
-    if (count <= 2) {
-        n.first = first;
-        n.count = count;
-        return;
-    }
-    // Sort along the axis and halve
-    Vec3 extent = midHi - midLo;
+    Node &n = s.nodes[node];
+    n = {all.lo - margin, first, all.hi + margin, count};
+    Vec3 extent = middles.hi - middles.lo;
+    if (count <= 2 || deep == kMaxDeep || maxComponent(extent) == 0) return;
+
+    // Sort along the axis
     int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     for (int i = first + 1; i < first + count; ++i) {
         uint16_t moved = s.order[i];
@@ -80,12 +84,30 @@ static void build(Scene &s, const Bounds *b, int node, int first, int count) {
         for (; j > first && component(middle(j - 1), axis) > key; --j) s.order[j] = s.order[j - 1];
         s.order[j] = moved;
     }
+    // Sweep from both ends for the split of least area times count
+    float left[kMaxShapes];
+    Bounds swept = kNothing;
+    for (int i = 1; i < count; ++i) {
+        include(swept, b[s.order[first + i - 1]].lo, b[s.order[first + i - 1]].hi);
+        left[i] = halfArea(swept) * (float)i;
+    }
+    swept = kNothing;
+    int best = count / 2;
+    float least = kInfinity;
+    for (int i = count - 1; i > 0; --i) {
+        include(swept, b[s.order[first + i]].lo, b[s.order[first + i]].hi);
+        float cost = left[i] + halfArea(swept) * (float)(count - i);
+        if (cost < least) {
+            least = cost;
+            best = i;
+        }
+    }
     int child = s.nodeCount;
     s.nodeCount += 2;
     n.first = child;
     n.count = 0;
-    build(s, b, child, first, count / 2);
-    build(s, b, child + 1, first + count / 2, count - count / 2);
+    build(s, b, child, first, best, deep + 1);
+    build(s, b, child + 1, first + best, count - best, deep + 1);
 }
 
 void Scene::finish() {
@@ -107,7 +129,7 @@ void Scene::finish() {
     }
     if (bounded) {
         nodeCount = 1;
-        build(*this, box, 0, 0, bounded);
+        build(*this, box, 0, 0, bounded, 0);
     }
     for (int i = 0; i < materialCount; ++i) mean[i] = meanAlbedo(materials[i]) * materials[i].diffuse;
 }
