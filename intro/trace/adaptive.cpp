@@ -124,11 +124,17 @@ bool mayHideGrain(const TileScratch &s, Square q, int size) {
     return false;
 }
 
-// The four tests of a square's corners, in the thesis's order.
-bool differ(const TileScratch &s, const int *c, float threshold) {
-    const Sample &a = s.corners[c[0]];
+// The first of the four tests of a square's corners, in the thesis's order.
+bool onSilhouette(const TileScratch &s, const int *c) {
     for (int i = 1; i < 4; ++i)
-        if (s.corners[c[i]].id != a.id) return true;
+        if (s.corners[c[i]].id != s.corners[c[0]].id) return true;
+    return false;
+}
+
+// All four.
+bool differ(const TileScratch &s, const int *c, float threshold) {
+    if (onSilhouette(s, c)) return true;
+    const Sample &a = s.corners[c[0]];
     for (int i = 1; i < 4; ++i)
         if (s.corners[c[i]].lights != a.lights) return true;
     for (int i = 1; i < 4; ++i)
@@ -266,7 +272,8 @@ void traceAdaptive(Tile &t) {
             Square a = squares[i];
             int c[4];
             cornersOf(a, size, c);
-            bool split = size > q.fine && (differ(s, c, q.threshold) || mayHideGrain(s, a, size));
+            bool split = size > q.fine && (size > q.inner ? differ(s, c, q.threshold) : onSilhouette(s, c));
+            split |= size > q.fine && mayHideGrain(s, a, size);
             if (!split) {
                 fill(t, a, size);
                 if (size > 1 || q.levels == 0) continue;

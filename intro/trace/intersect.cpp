@@ -74,7 +74,7 @@ static Int8 inOutline(const Scene &scene, const Shape &s, Float8 x, Float8 z) {
 Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, bool wholePlane) {
     if (s.kind == ShapeKind::Sphere) return hitSphere(s, ray);
     Vec3x8 toOrigin = ray.o - s.centre;
-    Vec3x8 o = s.frame * toOrigin, d = s.frame * ray.d;
+    Vec3x8 o = s.aligned ? toOrigin : s.frame * toOrigin, d = s.aligned ? ray.d : s.frame * ray.d;
     switch (s.kind) {
     case ShapeKind::Plane: return hitPlane(o.y, d.y);
     case ShapeKind::Box: {
@@ -223,17 +223,25 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     return hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active) {
-    Rgb8 share = broadcast(Rgb{1, 1, 1});
+Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, int &blocker) {
+    // What stood in the way of the rays before may well stand in the way of these
+    if (blocker >= 0) {
+        active &= ~(distanceTo(scene, scene.shapes[blocker], ray) < tMax);
+        if (!any(active)) return broadcast(Rgb{});
+    }
+    Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     traverse<false>(scene, ray, tMax, active, [&](int index) {
         const Shape &shape = scene.shapes[index];
         const Material &m = scene.materials[shape.material];
         if (maxComponent(m.emit) > 0) return; // a lamp's body does not shade its own light
-        Int8 hit = distanceTo(scene, shape, ray) < tMax;
+        Int8 hit = active & (distanceTo(scene, shape, ray) < tMax);
         if (!any(hit)) return;
         Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
         share = select(hit, share * through, share);
-        if (m.ior == 0) active &= ~hit;
+        if (m.ior == 0) {
+            active &= ~hit;
+            blocker = index;
+        }
     });
     return share;
 }

@@ -24,8 +24,9 @@ struct Hit8 {
 // result is undefined.
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
 
-// What share of light passes along each ray up to tMax: 0 behind anything opaque, tinted by glass.
-Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active);
+// What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass. `blocker`
+// is an opaque shape to try first, or -1; it becomes the last one met. It changes the speed only.
+Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, int &blocker);
 
 // Distance to one shape, kInfinity where it is missed. `wholePlane`: takes a polygon without its outline.
 Float8 distance(const Scene &scene, const Shape &shape, const Ray8 &ray, bool wholePlane = false);

@@ -2,14 +2,16 @@
 
 namespace odraz {
 
-// Dot product of (x, y, z) with the gradient that the hash's low four bits name.
+// Dot product of (x, y, z) with one of the twelve edge gradients: two different coordinates, each with a sign.
+// The hash's high bits choose: 31, 30 signs; 29 whether the first is x or y; 28, 27 whether the second is z (if either)
+// or the other of x and y. Bitwise selection: blends are dear, and there are eight corners.
 static Float8 gradient(Uint8 hash, Float8 x, Float8 y, Float8 z) {
-    Int8 h = (Int8)hash;
-    // Perlin's choice: u is x for h < 8, else y; v is y for h < 4, x for 12 and 14, else z
-    Float8 u = fromBits(select(h << 28, bits(y), bits(x)));
-    Int8 isTwelveOrFourteen = (h & 13) == 12;
-    Float8 v = select((h & 12) == 0, y, select(isTwelveOrFourteen, x, z));
-    return fromBits(bits(u) ^ (h << 31)) + fromBits(bits(v) ^ ((h & 2) << 30));
+    Int8 h = (Int8)hash, differ = bits(x) ^ bits(y);
+    Int8 first = bits(x) ^ ((h << 2) >> 31 & differ);
+    Int8 other = first ^ differ;
+    Int8 second = other ^ (((h << 3) | (h << 4)) >> 31 & (other ^ bits(z)));
+    constexpr int32_t kSign = (int32_t)0x80000000;
+    return fromBits(first ^ (h & kSign)) + fromBits(second ^ (h << 1 & kSign));
 }
 
 static Float8 fade(Float8 t) { return t * t * t * fmadd(t, fmadd(t, 6.f, -15.f), 10.f); }
@@ -28,7 +30,7 @@ Float8 noise(Vec3x8 p) {
     // Sum the eight wavelets, as trilinear interpolation along the faded coordinates
     auto corner = [](Uint8 sum, Float8 x, Float8 y, Float8 z) {
         Uint8 h = (sum ^ (sum >> 15)) * 0x2c1b3c6du;
-        return gradient(h >> 28, x, y, z);
+        return gradient(h, x, y, z);
     };
     auto edge = [&](Uint8 yz, Float8 y, Float8 z) {
         return mix(corner(yz + x0, f.x, y, z), corner(yz + x1, f.x - 1.f, y, z), u);

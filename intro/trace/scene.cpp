@@ -17,7 +17,7 @@ Shape *Scene::add(const Shape &s) {
 
 Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material) {
     if (outlineCount + count > kMaxOutline) count = kMaxOutline - outlineCount;
-    Shape s = {ShapeKind::Polygon, (uint8_t)material, (uint16_t)outlineCount, (uint16_t)count, centre, {}, frame, {}};
+    Shape s = {ShapeKind::Polygon, (uint8_t)material, (uint16_t)outlineCount, (uint16_t)count, centre, {}, frame, false, {}};
     for (int i = 0; i < 2 * count; ++i) outline[2 * outlineCount + i] = points[i];
     outlineCount += count;
     return add(s);
@@ -115,7 +115,8 @@ void Scene::finish() {
     int bounded = 0;
     unboundedCount = occluderCount = nodeCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
-        const Shape &s = shapes[i];
+        Shape &s = shapes[i];
+        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1;
         if (s.kind == ShapeKind::Plane) {
             if (unboundedCount < 8) unbounded[unboundedCount++] = (uint16_t)i;
             continue;

@@ -26,22 +26,23 @@ struct Shape {
     Vec3 centre;           // world
     Vec3 half;             // see above; positive
     Mat3 frame;            // a rotation
+    bool aligned;          // the frame is the world's; Scene::finish() sees to it
     Vec3 textureShift;     // added to local coordinates before texturing: no two balls cut from one place
 };
 
 inline Shape sphere(Vec3 centre, float radius, int material) {
-    return {ShapeKind::Sphere, (uint8_t)material, 0, 0, centre, {radius, radius, radius}, kIdentity, {}};
+    return {ShapeKind::Sphere, (uint8_t)material, 0, 0, centre, {radius, radius, radius}, kIdentity, true, {}};
 }
 // Through `point`, facing up.
 inline Shape plane(Vec3 point, int material) {
-    return {ShapeKind::Plane, (uint8_t)material, 0, 0, point, {}, kIdentity, {}};
+    return {ShapeKind::Plane, (uint8_t)material, 0, 0, point, {}, kIdentity, true, {}};
 }
 inline Shape box(Vec3 centre, Vec3 half, int material) {
-    return {ShapeKind::Box, (uint8_t)material, 0, 0, centre, half, kIdentity, {}};
+    return {ShapeKind::Box, (uint8_t)material, 0, 0, centre, half, kIdentity, true, {}};
 }
 // Upright, about its middle.
 inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
-    return {ShapeKind::Cylinder, (uint8_t)material, 0, 0, middle, {radius, halfHeight, radius}, kIdentity, {}};
+    return {ShapeKind::Cylinder, (uint8_t)material, 0, 0, middle, {radius, halfHeight, radius}, kIdentity, true, {}};
 }
 
 struct Bounds {

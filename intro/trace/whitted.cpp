@@ -78,7 +78,7 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Int8 lit = active & (cosine > 0.f) & (promised > least);
         if (!any(lit)) continue;
         // Add what its shadow ray lets through
-        Rgb8 through = transmittance(scene, {origin, l}, far, lit);
+        Rgb8 through = transmittance(scene, {origin, l}, far, lit, c.scratch.blocker[i]);
         Float8 most = maxComponent(through);
         lit &= most > 0.f;
         if (!any(lit)) continue;
@@ -282,6 +282,7 @@ void traceStream(const Context &c, int level) {
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch, int count,
                   const float *x, const float *y, const uint32_t *index, Sample *samples) {
     Context c = {scene, quality, scratch, samples};
+    for (int &blocker : scratch.blocker) blocker = -1; // of another scene, perhaps
     RayStream &stream = scratch.streams[0];
     for (int first = 0; first < count; first += kChunk) {
         stream.count = count - first < kChunk ? count - first : kChunk;

@@ -38,6 +38,7 @@ struct RayStream {
 
 struct TraceScratch {
     RayStream streams[kMaxDepth + 2];
+    int blocker[kMaxLights]; // what last stood before each light
     int shapeRays[kMaxShapes + 1]; // counts while sorting; all zero in between
 };
 
