@@ -34,6 +34,27 @@ struct SceneStats {
     int shown, dropped;
 };
 
+// Keeps up with the clock by asking for less: first reflections and shadows at half the resolution, then silhouettes.
+// The two limits are far enough apart that a step down never makes a step up due.
+struct Governor {
+    static constexpr float kTooSlow = 0.055f, kFast = 0.018f; // seconds a frame
+    int strain = 0;                                           // 0 .. 2
+    float average = 0.03f;
+
+    Quality quality(Quality q) const {
+        q.inner = max(q.inner, strain > 0 ? 2 : 1);
+        q.fine = max(q.fine, strain > 1 ? 2 : 1);
+        return q;
+    }
+    void spent(float seconds) {
+        average += (seconds - average) * 0.2f;
+        int step = average > kTooSlow && strain < 2 ? 1 : average < kFast && strain > 0 ? -1 : 0;
+        if (!step) return;
+        strain += step;
+        average = 0.03f; // judge the new choice by its own frames
+    }
+};
+
 SceneStats theStats[kSceneCount]; // zero at the start; too large for a stack
 
 void printStats() {
@@ -62,17 +83,19 @@ int play(Intro &intro, const Options &o, int *leave) {
     const Quality &quality = kQualities[(int)(o.quality == QualityName::Count ? QualityName::Play : o.quality)];
     double from = (double)o.from.value / (double)o.from.scale, to = (double)o.to.value / (double)o.to.scale;
 
+    Governor governor;
     int64_t start = nanoseconds(), lastSlot = -1;
     for (;;) {
         int64_t before = nanoseconds();
         double passed = (double)(before - start) * 1e-9, time = from + passed;
         if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
-        const Frame &picture = frame(intro, time, quality);
+        const Frame &picture = frame(intro, time, o.quality == QualityName::Count ? governor.quality(quality) : quality);
         if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         int64_t traced = nanoseconds();
         present(window, picture.rgba, picture.width, picture.height);
         int64_t shown = nanoseconds();
 
+        governor.spent((float)(shown - before) * 1e-9f);
         SceneStats &s = theStats[sceneAt(time)];
         int64_t slot = (int64_t)((double)(shown - start) * 1e-9 * kSlots);
         if (slot > lastSlot + 1 && lastSlot >= 0) s.dropped += (int)(slot - lastSlot - 1);

@@ -6,7 +6,7 @@
 #include <cstring>
 
 static constexpr char kUsage[] =
-    "usage: contact_sheet ODRAZ OUT.png [--every SECONDS=6] [--columns N=5] [--width PIXELS=384] [--quality NAME=play]\n"
+    "usage: contact_sheet ODRAZ OUT.png [--every SECONDS=5] [--columns N=5] [--width PIXELS=384] [--quality NAME=play]\n"
     "Lets the program ODRAZ dump a frame every so many seconds and lays them out, PIXELS wide each.";
 
 static int refuse(const std::string &line, int status) {
@@ -41,7 +41,7 @@ static void label(Picture &picture, int seconds) {
 int main(int argc, char **argv) {
     std::string paths[2], quality = "play";
     int given = 0;
-    long every = 6, columns = 5, width = 384;
+    long every = 5, columns = 5, width = 384;
     for (int i = 1; i < argc; ++i) {
         if (!std::strcmp(argv[i], "--help")) return std::printf("%s\n", kUsage), 0;
         long *number = !std::strcmp(argv[i], "--every") ? &every : !std::strcmp(argv[i], "--columns") ? &columns : !std::strcmp(argv[i], "--width") ? &width : nullptr;

@@ -5,7 +5,7 @@ namespace odraz {
 static constexpr Texture plain(Rgb c) { return {Pattern::Plain, 1, {c, c, c, c}}; }
 
 static constexpr Texture kBlackMarble = {
-    Pattern::Marble, 1.1f, {{0.012f, 0.012f, 0.014f}, {0.045f, 0.045f, 0.05f}, {0.30f, 0.28f, 0.26f}, {0.75f, 0.72f, 0.68f}}};
+    Pattern::Marble, 1.1f, {{0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.55f, 0.52f, 0.48f}}};
 static constexpr Texture kWhiteMarble = {
     Pattern::Marble, 0.9f, {{0.72f, 0.69f, 0.65f}, {0.62f, 0.59f, 0.55f}, {0.44f, 0.42f, 0.40f}, {0.30f, 0.29f, 0.28f}}};
 static constexpr Texture kGranite = {

@@ -40,7 +40,7 @@ static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smoo
 
 void letterPoint(double row, const Facts &, Frame &frame) {
     float h = (float)frame.height;
-    drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.885f, h * 0.034f, 0.085f, 5, Align::Centre,
+    drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.17f, h * 0.034f, 0.085f, 5, Align::Centre,
              {0.75f, 0.72f, 0.68f}, value(track(kTitle), row));
 }
 

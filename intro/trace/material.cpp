@@ -5,18 +5,19 @@
 
 namespace odraz {
 
-// Fine bright veins where two warped noises cross zero, over slow clouds.
+// Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds.
 static Float8 marble(Vec3x8 p, Float8 width) {
     Float8 warp = fractalNoise(p * broadcast(0.7f), 3, width * 0.7f);
-    Vec3x8 bent = p + Vec3x8{warp * 0.9f, warp * -0.6f, warp * 0.7f};
+    Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
     Float8 broad = abs(noise(bent)), thin = abs(noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f}));
     // A vein widens to what a sample sees, and pales in proportion
     auto vein = [](Float8 distance, Float8 halfWidth, Float8 seen) {
-        Float8 wide = max(halfWidth, seen);
-        return saturate(1.f - distance / wide) * (halfWidth / wide);
+        Float8 wide = max(halfWidth, seen), inside = saturate(1.f - distance / wide);
+        return inside * inside * (halfWidth / wide);
     };
-    Float8 veins = vein(broad, broadcast(0.09f), width) + vein(thin, broadcast(0.12f), width * 2.3f) * 0.45f;
-    return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.75f);
+    Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
+    Float8 veins = fmadd(vein(broad, 0.02f + 0.1f * strength, width), strength, vein(thin, broadcast(0.1f), width * 2.3f) * 0.35f);
+    return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.8f);
 }
 
 // Growth rings about the local z axis, wavering, with fibres along it.

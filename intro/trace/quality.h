@@ -22,7 +22,7 @@ enum class QualityName { Draft, Play, Film, Reference, Count };
 
 inline constexpr Quality kQualities[(int)QualityName::Count] = {
     {0, 8, 2, 2, 0, 0.08f, 1.00f, 0.20f, 4, 1 / 24.f},
-    {0, 8, 1, 2, 1, 0.05f, 0.10f, 0.12f, 5, 1 / 40.f},
+    {0, 8, 1, 1, 1, 0.05f, 0.10f, 0.12f, 5, 1 / 40.f},
     {0, 4, 1, 1, 2, 0.02f, 0.03f, 0.03f, 9, 1 / 160.f},
     {8, 0, 0, 0, 0, 0, 0, 0, 12, 1 / 512.f},
 };
