@@ -85,7 +85,7 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;
         result.diffuse += arriving * cosine;
         result.highlight += arriving * lobe;
-        Int8 state = select(most < 1.f, broadcast(3), select(lobe > 0.02f, broadcast(2), broadcast(1)));
+        Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3), select(lobe > 0.02f, broadcast(2), broadcast(1)));
         result.states |= (lit & state) << (2 * i);
     }
     return result;

@@ -1,0 +1,255 @@
+// Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the extremes.
+#include "trace/intersect.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }
+
+float hit(const Shape &s, Vec3 o, Vec3 d) {
+    static auto scene = std::make_unique<Scene>();
+    return distance(*scene, s, ray(o, d))[0];
+}
+
+struct Dice {
+    std::mt19937 engine{7};
+    float operator()(float lo, float hi) { return std::uniform_real_distribution<float>(lo, hi)(engine); }
+    Vec3 point(float size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
+    Vec3 direction() {
+        for (;;) {
+            Vec3 v = point(1);
+            float n = dot(v, v);
+            if (n > 0.01f && n < 1) return normalize(v);
+        }
+    }
+    Mat3 rotation() {
+        Vec3 u = direction(), v = normalize(cross(u, direction()));
+        return {u, v, cross(u, v)};
+    }
+};
+
+} // namespace
+
+TEST(Sphere, IsHitFromOutsideAndInside) {
+    Shape s = sphere({0, 0, 0}, 2, 0);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 5}, {0, 0, -1}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 1}, {0, 0, -1}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 0}, {0, 1, 0}), 2); // from the very middle
+    EXPECT_EQ(hit(s, {0, 0, -5}, {0, 0, -1}), kInfinity);
+    EXPECT_EQ(hit(s, {2.1f, 0, 5}, {0, 0, -1}), kInfinity);
+}
+
+// The oracle sees the same float inputs. Misjudging is allowed only where the inputs' own rounding (4e-7 of the
+// distance) decides; the usual b^2 - c is wrong far beyond that.
+TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
+    Dice dice;
+    for (float ratio : {1.5f, 10.f, 1e2f, 1e3f, 1e4f, 1e6f})
+        for (float radius : {1e-4f, 1.f, 1e4f}) {
+            if (ratio * radius > 1e8f) continue;
+            for (int i = 0; i < 4000; ++i) {
+                Vec3 o = dice.direction() * (ratio * radius), to = dice.point(radius * 0.8f);
+                Vec3 d = normalize(to - o);
+                double f[3] = {o.x, o.y, o.z}, v[3] = {d.x, d.y, d.z}, vv = 0, b = 0, ff = 0;
+                for (int k = 0; k < 3; ++k) vv += v[k] * v[k], b -= f[k] * v[k], ff += f[k] * f[k];
+                double near2 = ff - b * b / vv, r = radius, doubt = 4e-7 * std::sqrt(ff);
+                float t = hit(sphere({0, 0, 0}, radius, 0), o, d);
+                if (near2 < (r - doubt) * (r - doubt) && r > doubt) {
+                    ASSERT_LT(t, kInfinity) << ratio << " " << radius;
+                    double root = std::sqrt(r * r - near2), exact = (b / std::sqrt(vv) - root) / std::sqrt(vv);
+                    // Across the surface the same doubt, along the ray that over the cosine
+                    ASSERT_NEAR(t, exact, doubt * (2 + 2 * r / root)) << ratio << " " << radius;
+                } else if (near2 > (r + doubt) * (r + doubt)) {
+                    ASSERT_EQ(t, kInfinity) << ratio << " " << radius;
+                }
+            }
+        }
+}
+
+TEST(Plane, IsHitFromBothSidesAndNotAlong) {
+    Shape s = plane({0, 1, 0}, 0);
+    EXPECT_FLOAT_EQ(hit(s, {3, 5, 2}, {0, -1, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {3, -5, 2}, {0, 1, 0}), 6);
+    EXPECT_EQ(hit(s, {0, 5, 0}, {0, 1, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {0, 5, 0}, {1, 0, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {0, 1, 0}, {1, 0, 0}), kInfinity); // in the plane itself
+}
+
+TEST(Box, AgreesWithDoublePrecisionUnderRotation) {
+    Dice dice;
+    for (int i = 0; i < 20000; ++i) {
+        Shape s = box(dice.point(5), {dice(0.1f, 3), dice(0.1f, 3), dice(0.1f, 3)}, 0);
+        s.frame = dice.rotation();
+        s.aligned = false;
+        Vec3 o = dice.point(12), d = normalize(s.centre + dice.point(2) - o);
+        const Vec3 *axes = &s.frame.u;
+        double half[3] = {s.half.x, s.half.y, s.half.z}, enter = -1e30, leave = 1e30;
+        for (int k = 0; k < 3; ++k) {
+            auto along = [&](Vec3 p) { return (double)axes[k].x * p.x + (double)axes[k].y * p.y + (double)axes[k].z * p.z; };
+            double at = along(o) - along(s.centre), step = along(d);
+            double a = (-half[k] - at) / step, b = (half[k] - at) / step;
+            enter = std::fmax(enter, std::fmin(a, b));
+            leave = std::fmin(leave, std::fmax(a, b));
+        }
+        float t = hit(s, o, d);
+        if (leave - enter > 1e-3 && leave > 1e-3 && std::fabs(enter) > 1e-3) {
+            ASSERT_NEAR(t, enter > 0 ? enter : leave, 1e-3);
+        } else if (enter - leave > 1e-3 || leave < -1e-3) {
+            ASSERT_EQ(t, kInfinity);
+        }
+    }
+}
+
+TEST(Box, IsHitByRaysAlongItsAxes) {
+    Shape s = box({0, 0, 0}, {1, 2, 3}, 0);
+    EXPECT_FLOAT_EQ(hit(s, {5, 0, 0}, {-1, 0, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 0}, {0, 0, 1}), 3);
+    EXPECT_EQ(hit(s, {5, 2.01f, 0}, {-1, 0, 0}), kInfinity);
+    EXPECT_FALSE(std::isnan(hit(s, {5, 2, 0}, {-1, 0, 0}))); // in the plane of a face
+}
+
+TEST(Cylinder, HasASideAndTwoCaps) {
+    Shape s = cylinder({0, 0, 0}, 1, 2, 0);
+    EXPECT_FLOAT_EQ(hit(s, {5, 1, 0}, {-1, 0, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {0.5f, 5, 0}, {0, -1, 0}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0.5f, 0, 0}, {0, -1, 0}), 2);
+    EXPECT_FLOAT_EQ(hit(s, {0, 1, 0}, {1, 0, 0}), 1);
+    EXPECT_EQ(hit(s, {5, 2.1f, 0}, {-1, 0, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {1.1f, 5, 0}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {5, 1, 1.01f}, {-1, 0, 0}), kInfinity);
+    EXPECT_NEAR(hit(s, {3, 4, 0}, {-1, -1, 0}), std::sqrt(8.f), 1e-5); // over the rim onto the cap
+}
+
+TEST(Polygon, FollowsItsOutlineConvexOrNot) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    const float notched[] = {-2, -2, 2, -2, 2, 2, 0, 0, -2, 2}; // a square with a notch from the far side
+    const Shape &s = *scene->addPolygon({0, 0, 0}, kIdentity, notched, 5, 0);
+    auto at = [&](float x, float z) { return distance(*scene, s, ray({x, 3, z}, {0, -1, 0}))[0]; };
+    EXPECT_FLOAT_EQ(at(1.5f, 0), 3);
+    EXPECT_FLOAT_EQ(at(-1.5f, 1), 3);
+    EXPECT_EQ(at(0, 1), kInfinity); // in the notch
+    EXPECT_EQ(at(2.5f, 0), kInfinity);
+    EXPECT_EQ(at(0, -2.5f), kInfinity);
+}
+
+// Random points of random polygons against the winding angle.
+TEST(Polygon, AgreesWithTheWindingNumber) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (int i = 0; i < 300; ++i) {
+        scene->clear();
+        float outline[2 * 9];
+        for (int k = 0; k < 9; ++k) { // a star about the origin never crosses itself
+            float r = dice(0.3f, 2), a = (float)k * 0.698f;
+            outline[2 * k] = r * std::cos(a);
+            outline[2 * k + 1] = r * std::sin(a);
+        }
+        const Shape &s = *scene->addPolygon({0, 0, 0}, kIdentity, outline, 9, 0);
+        for (int j = 0; j < 50; ++j) {
+            float x = dice(-2, 2), z = dice(-2, 2);
+            double winding = 0;
+            for (int k = 0; k < 9; ++k) {
+                double ax = outline[2 * k] - x, az = outline[2 * k + 1] - z, bx = outline[2 * ((k + 1) % 9)] - x, bz = outline[2 * ((k + 1) % 9) + 1] - z;
+                winding += std::atan2(ax * bz - az * bx, ax * bx + az * bz);
+            }
+            EXPECT_EQ(distance(*scene, s, ray({x, 1, z}, {0, -1, 0}))[0] < kInfinity, std::fabs(winding) > 3);
+        }
+    }
+}
+
+// --- The tree ---
+
+TEST(Tree, FindsWhatBruteForceFinds) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (int round = 0; round < 20; ++round) {
+        scene->clear();
+        scene->add(Material{});
+        int count = round * 20;
+        for (int i = 0; i < count; ++i) {
+            Vec3 c = dice.point(20);
+            Shape s = i % 3 == 0 ? sphere(c, dice(0.1f, 2), 0) : i % 3 == 1 ? box(c, {dice(0.1f, 2), dice(0.1f, 2), dice(0.1f, 2)}, 0) : cylinder(c, dice(0.1f, 2), dice(0.1f, 2), 0);
+            if (i % 2) s.frame = dice.rotation();
+            scene->add(s);
+        }
+        scene->add(plane({0, -15, 0}, 0));
+        scene->finish();
+        for (int i = 0; i < 300; ++i) {
+            Ray8 r;
+            for (int k = 0; k < 8; ++k) {
+                Vec3 o = dice.point(30), d = dice.direction();
+                r.o.x[k] = o.x, r.o.y[k] = o.y, r.o.z[k] = o.z;
+                r.d.x[k] = d.x, r.d.y[k] = d.y, r.d.z[k] = d.z;
+            }
+            if (i % 5 == 0) r.d = broadcast(Vec3{i % 2 ? 1.f : 0.f, i % 2 ? 0.f : -1.f, 0}); // along an axis
+            Hit8 h = intersect(*scene, r, kLanes >= 0);
+            Float8 nearest = broadcast(kInfinity);
+            for (int s = 0; s < scene->shapeCount; ++s) nearest = min(nearest, distance(*scene, scene->shapes[s], r));
+            for (int k = 0; k < 8; ++k) ASSERT_EQ(h.t[k], nearest[k]) << round;
+            // Whatever is tried first as a blocker, the light that passes is the same
+            int none = -1, some = count ? i % count : -1;
+            Rgb8 a = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, none), b = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, some);
+            for (int k = 0; k < 8; ++k) {
+                ASSERT_EQ(a.x[k], nearest[k] < 25 ? 0 : 1);
+                ASSERT_EQ(b.x[k], a.x[k]);
+            }
+        }
+    }
+}
+
+TEST(Tree, TakesCoincidentShapes) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    scene->add(Material{});
+    for (int i = 0; i < 200; ++i) scene->add(sphere({0, 0, 0}, 1, 0));
+    scene->finish();
+    Hit8 h = intersect(*scene, ray({0, 0, 5}, {0, 0, -1}), kLanes >= 0);
+    EXPECT_FLOAT_EQ(h.t[0], 4);
+}
+
+// --- Surfaces ---
+
+// From a hit, a ray along the outward normal must leave the shape, one against it must stay inside, whatever the size
+// and however far the camera: no acne, no leak.
+TEST(Surface, OffsetOriginsLieOnTheirSide) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (float size : {1e-3f, 1.f, 1e3f, 1e6f})
+        for (float away : {3.f, 100.f, 1e4f})
+            for (int i = 0; i < 1500; ++i) {
+                Vec3 c = dice.point(size);
+                Shape s = i % 3 == 0 ? sphere(c, size, 0) : i % 3 == 1 ? box(c, {size, size * 0.5f, size}, 0) : cylinder(c, size, size, 0);
+                s.frame = dice.rotation();
+                s.aligned = false;
+                Vec3 o = c + dice.direction() * (size * away);
+                Ray8 r = ray(o, c + dice.point(size * 0.3f) - o);
+                Float8 t = distance(*scene, s, r);
+                if (!(t[0] < kInfinity)) continue;
+                Surface8 at = surfaceAt(s, r, t);
+                float inside = distance(*scene, s, {offsetOrigin(s, at, broadcast(-1.f)), -at.n})[0];
+                ASSERT_EQ(distance(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), at.n})[0], kInfinity) << size << " " << away;
+                ASSERT_LT(inside, kInfinity) << size << " " << away;
+                ASSERT_GT(inside, size * 1e-3f) << size << " " << away;
+                ASSERT_NEAR(length(at.n)[0], 1, 1e-5);
+            }
+}
+
+TEST(Surface, NamesFacesApart) {
+    Shape s = box({0, 0, 0}, {1, 1, 1}, 0), c = cylinder({0, 0, 0}, 1, 1, 0);
+    auto face = [](const Shape &s, Vec3 o) {
+        auto scene = std::make_unique<Scene>();
+        Ray8 r = ray(o, -o);
+        return surfaceAt(s, r, distance(*scene, s, r)).face[0];
+    };
+    bool seen[8] = {};
+    for (Vec3 o : {Vec3{5, 0, 0}, Vec3{-5, 0, 0}, Vec3{0, 5, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{0, 0, -5}}) seen[face(s, o)] = true;
+    EXPECT_EQ(seen[0] + seen[1] + seen[2] + seen[3] + seen[4] + seen[5] + seen[6] + seen[7], 6);
+    EXPECT_NE(face(c, {0, 5, 0}), face(c, {0, -5, 0}));
+    EXPECT_NE(face(c, {0, 5, 0}), face(c, {5, 0, 0}));
+}

@@ -1,0 +1,101 @@
+#include "options.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+bool parse(std::vector<const char *> args, Options &o, Message &wrong) {
+    args.insert(args.begin(), "odraz");
+    return parseOptions((int)args.size(), args.data(), 162, o, wrong);
+}
+
+Options good(std::vector<const char *> args) {
+    Options o;
+    Message wrong;
+    EXPECT_TRUE(parse(args, o, wrong)) << wrong.data;
+    return o;
+}
+
+std::string bad(std::vector<const char *> args) {
+    Options o;
+    Message wrong;
+    EXPECT_FALSE(parse(args, o, wrong));
+    return wrong.size ? wrong.data : "";
+}
+
+int64_t first(const char *from, const char *fps) {
+    Options o = good({"--dump", "x", "--from", from, "--fps", fps});
+    return firstFrame(o.from, o.fps);
+}
+
+} // namespace
+
+TEST(Options, DefaultsPlayTheWholeFilm) {
+    Options o = good({});
+    EXPECT_EQ(o.dump, nullptr);
+    EXPECT_EQ(o.width, 1280);
+    EXPECT_EQ(o.quality, QualityName::Count);
+    EXPECT_EQ(firstFrame(o.to, {25, 1}), 162 * 25);
+}
+
+TEST(Options, ReadsEveryOption) {
+    Options o = good({"--dump", "-", "--fps", "30000/1001", "--from", "1.5", "--to", "2.25", "--size", "7680x4320", "--quality", "reference", "--threads", "64"});
+    EXPECT_STREQ(o.dump, "-");
+    EXPECT_EQ(o.fps.numerator, 30000);
+    EXPECT_EQ(o.fps.denominator, 1001);
+    EXPECT_EQ(o.width, 7680);
+    EXPECT_EQ(o.height, 4320);
+    EXPECT_EQ(o.quality, QualityName::Reference);
+    EXPECT_EQ(o.threads, 64);
+    EXPECT_TRUE(good({"--window", "--stats"}).window);
+}
+
+TEST(Options, RefusesWithALineThatHelps) {
+    EXPECT_NE(bad({"--frames"}).find("--frames"), std::string::npos);
+    EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film or reference, not 'best'"), std::string::npos);
+    for (std::vector<const char *> args : std::vector<std::vector<const char *>>{
+             {"film"}, {"--fps"}, {"--fps", "0"}, {"--fps", "-1"}, {"--fps", "1e3"}, {"--fps", "25/0"}, {"--fps", "25/"}, {"--fps", "2000"}, {"--fps", "1/2000"},
+             {"--fps", "99999999999999999999"}, {"--from", "1,5"}, {"--from", "."}, {"--from", "1."}, {"--from", "-1"}, {"--from", "1.1234567"}, {"--to", "163"},
+             {"--from", "3", "--to", "2"}, {"--size", "0x5"}, {"--size", "5"}, {"--size", "5x"}, {"--size", "5x5x5"}, {"--size", "7681x1"}, {"--size", "1x4321"},
+             {"--threads", "0"}, {"--threads", "65"}, {"--threads", "two"}, {"--dump"}, {"--dump", ""}, {"--dump", "x", "--window"}, {"--dump", "x", "--stats"}, {""}})
+        EXPECT_FALSE(bad(args).empty()) << args[0] << " " << (args.size() > 1 ? args[1] : "");
+}
+
+TEST(Options, LongRubbishIsCutOff) {
+    std::string rubbish(5000, 'x');
+    EXPECT_LT(bad({rubbish.c_str()}).size(), 256u);
+}
+
+// Decimals and rates are exact: frame n belongs to [from, to) when from <= n / fps < to.
+TEST(Frames, AreCountedExactly) {
+    EXPECT_EQ(first("0", "25"), 0);
+    EXPECT_EQ(first("1", "25"), 25);
+    EXPECT_EQ(first("0.04", "25"), 1);
+    EXPECT_EQ(first("0.040001", "25"), 2);
+    EXPECT_EQ(first("0.1", "10"), 1);
+    EXPECT_EQ(first("0.3", "10"), 3); // 0.3 * 10 is more than 3 in binary
+    EXPECT_EQ(first("1.001", "30000/1001"), 30);
+    EXPECT_EQ(first("161.999999", "1000"), 162000);
+    EXPECT_EQ(first("10", "23.976"), 240);
+}
+
+TEST(Frames, ShardsJoinWithoutGapOrOverlap) {
+    for (const char *fps : {"25", "30000/1001", "7", "1/3", "59.94"}) {
+        Options whole = good({"--fps", fps});
+        int64_t next = 0;
+        for (int i = 0; i < 162; ++i) {
+            Options shard = good({"--fps", fps, "--from", std::to_string(i).c_str(), "--to", std::to_string(i + 1).c_str()});
+            EXPECT_EQ(firstFrame(shard.from, shard.fps), next);
+            next = firstFrame(shard.to, shard.fps);
+        }
+        EXPECT_EQ(next, firstFrame(whole.to, whole.fps));
+    }
+}
+
+TEST(Frames, TimeIsTheQuotient) {
+    EXPECT_EQ(frameTime(30, {30000, 1001}), 1.001);
+    EXPECT_EQ(frameTime(0, {25, 1}), 0);
+}
