@@ -74,8 +74,8 @@ void poseCourt(double row, Scene &scene) {
         float x, z, radius, speed; // where it starts, and the share of the way it goes down the aisle
         int material;
     } rollers[] = {
-        {-1.2f, 4.4f, 0.34f, 0.30f, red},  {1.25f, 3.0f, 0.42f, -0.22f, clear}, {1.15f, -3.4f, 0.3f, 0.26f, red},
-        {-1.3f, -1.8f, 0.45f, 0.2f, clear}, {-0.9f, -4.6f, 0.36f, 0.05f, silver},
+        {-1.2f, 4.4f, 0.34f, 0.30f, red},  {1.25f, 3.0f, 0.42f, -0.22f, clear}, {1.15f, -3.4f, 0.3f, -0.09f, red},
+        {-1.3f, -3.0f, 0.45f, -0.05f, clear}, {0.3f, -5.2f, 0.36f, 0.02f, silver},
     };
     for (const Roller &r : rollers) {
         float way = rolled * r.speed, turn = way / r.radius;

@@ -12,14 +12,14 @@ void poseCredits(double, Scene &scene) {
     int marble = scene.add(darkMarble()), silver = scene.add(mirror());
     scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, silver));
-    scene.add(pointLight({-1.6f, 2.4f, 1.4f}, {4.6f, 3.7f, 2.7f}));
-    scene.add(pointLight({2.6f, 1.7f, -2.6f}, {1.6f, 2.2f, 3.4f}));
+    scene.add(pointLight({-1.6f, 2.4f, 1.4f}, {9.5f, 7.6f, 5.4f}));
+    scene.add(pointLight({2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}));
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
     scene.skyLow = {0.004f, 0.005f, 0.008f};
     scene.skyHigh = {0.012f, 0.016f, 0.026f};
     scene.fog = 0.09f;
-    scene.exposure = 1;
+    scene.exposure = 1.3f;
 }
 
 static constexpr Key kLine1[] = {{4, 0, Smooth}, {14, 1, Linear}};

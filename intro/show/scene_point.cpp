@@ -26,14 +26,14 @@ void posePoint(double row, Scene &scene) {
 
     Vec3 point = {-1.05f, 1.52f, 0.75f};
     if (key > 0) scene.add(sphere(point, 0.022f, glow));
-    scene.add(pointLight(point, Rgb{5.4f, 4.3f, 3.1f} * key));
-    scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{2.2f, 3.0f, 4.6f} * rim));
+    scene.add(pointLight(point, Rgb{8.2f, 6.5f, 4.6f} * key));
+    scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim));
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.skyLow = Rgb{0.004f, 0.005f, 0.008f} * key;
-    scene.skyHigh = Rgb{0.012f, 0.016f, 0.026f} * key;
+    scene.skyHigh = Rgb{0.016f, 0.021f, 0.034f} * key;
     scene.fog = 0.09f;
-    scene.exposure = 1.25f;
+    scene.exposure = 1.5f;
 }
 
 static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};

@@ -54,14 +54,14 @@ void poseTable(double row, Scene &scene) {
         s->textureShift = {m.angle, m.distance, 0.5f};
     }
 
-    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {52, 44, 34}));
+    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {66, 55, 42}));
     scene.add(pointLight({5.5f, 4.0f, 1.5f}, {13, 15, 19}));
     scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
-    scene.ambientLow = {0.10f, 0.09f, 0.08f};
-    scene.ambientHigh = {0.16f, 0.19f, 0.25f};
-    scene.skyLow = {0.30f, 0.36f, 0.44f};
-    scene.skyHigh = {0.055f, 0.10f, 0.20f};
-    scene.fog = 0.035f;
+    scene.ambientLow = {0.075f, 0.065f, 0.055f};
+    scene.ambientHigh = {0.11f, 0.135f, 0.18f};
+    scene.skyLow = {0.27f, 0.34f, 0.43f};
+    scene.skyHigh = {0.035f, 0.075f, 0.17f};
+    scene.fog = 0.02f;
     scene.exposure = 0.9f;
 }
 
