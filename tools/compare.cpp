@@ -8,9 +8,10 @@
 
 static constexpr char kUsage[] =
     "usage: compare A B [--max N=0] [--psnr DB] [--diff OUT.png]\n"
+    "       compare --png IN OUT.png\n"
     "A and B are PNG or PPM. Prints the PSNR, the largest difference of a channel (0..255) and the number of pixels\n"
     "that differ. Exit 1 when the largest difference is over --max and the PSNR is under --psnr (if given); --diff\n"
-    "writes the differences, eight times enlarged.";
+    "writes the differences, eight times enlarged. --png writes the picture IN as PNG.";
 
 static int refuse(const std::string &line) {
     std::fprintf(stderr, "compare: %s\n", line.c_str());
@@ -22,6 +23,11 @@ int main(int argc, char **argv) {
     int given = 0;
     long most = 0;
     double leastPsnr = HUGE_VAL;
+    if (argc == 4 && !std::strcmp(argv[1], "--png")) {
+        Picture p;
+        if (!readPicture(argv[2], p)) return refuse(std::string("cannot read a picture from ") + argv[2]);
+        return writePng(argv[3], p) ? 0 : refuse(std::string("cannot write ") + argv[3]);
+    }
     for (int i = 1; i < argc; ++i) {
         auto number = [&](double &value) {
             char *end;

@@ -1,0 +1,26 @@
+# Machines that lack something: one line on standard error, exit 1.
+. "$(dirname "$0")/common.sh"
+unset DISPLAY WAYLAND_DISPLAY
+for odraz in "$BUILD/odraz" "$BUILD/odraz-safe"; do
+    name=${odraz##*/}
+    check "$name without a display" refuses 1 "no X display" "$odraz"
+    # A library that is no library stands for one that is missing
+    for missing in libX11.so.6 libGL.so.1; do
+        mkdir -p "$WORK/$missing.d"
+        echo "not a library" >"$WORK/$missing.d/$missing"
+        check "$name without $missing" refuses 1 "$missing is missing" env LD_LIBRARY_PATH="$WORK/$missing.d" "$odraz"
+    done
+    mkdir -p "$WORK/threads"
+    echo "not a library" >"$WORK/threads/libpthread.so.0"
+    check "$name without threads" refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$WORK/threads" "$odraz" --dump - --threads 2
+    check "$name without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
+    check "$name needs none of the window's libraries to dump" bash -c "LD_LIBRARY_PATH='$WORK/libX11.so.6.d:$WORK/libGL.so.1.d' '$odraz' --dump - --from 20 --to 20.04 --size 64x36 | cksum >'$WORK/$name.sum'"
+    check "$name without address randomisation" bash -c "setarch -R '$odraz' --dump - --from 20 --to 20.04 --size 64x36 | cksum | cmp - '$WORK/$name.sum'"
+    if command -v qemu-x86_64 >/dev/null; then
+        check "$name on a processor of 2008" refuses 1 "AVX2" qemu-x86_64 -cpu Nehalem "$odraz" --version
+        check "$name on a processor of 2013" bash -c "qemu-x86_64 -cpu Haswell '$odraz' --version 2>/dev/null | grep -q ^odraz"
+    else
+        echo "skipped: qemu-x86_64 is not installed"
+    fi
+done
+finish
