@@ -18,7 +18,7 @@ constexpr char kStrings[] = "\0libdl.so.2\0dlopen\0dlsym";
 struct Front {
     Elf64_Ehdr header;
     Elf64_Phdr segments[5];
-    Elf64_Dyn dynamic[7];
+    Elf64_Dyn dynamic[8];
     Elf64_Sym symbols[3];
     Elf64_Rela relocations[2];
     char strings[sizeof kStrings];
@@ -67,7 +67,8 @@ std::vector<uint8_t> writePacked(const Program &program, const std::vector<uint8
     f.dynamic[3] = {DT_RELA, {address(offsetof(Front, relocations))}};
     f.dynamic[4] = {DT_RELASZ, {sizeof f.relocations}};
     f.dynamic[5] = {DT_RELAENT, {sizeof(Elf64_Rela)}};
-    f.dynamic[6] = {DT_NULL, {0}};
+    f.dynamic[6] = {DT_STRSZ, {sizeof kStrings}}; // for ldd and readelf
+    f.dynamic[7] = {DT_NULL, {0}};
     for (uint32_t i = 0; i < 2; ++i) {
         f.symbols[i + 1].st_name = i ? 19 : 12; // "dlsym", "dlopen" in kStrings
         f.symbols[i + 1].st_info = ELF64_ST_INFO(STB_GLOBAL, STT_FUNC);
