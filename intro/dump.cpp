@@ -16,7 +16,8 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     if (toStdout && stdoutClosed) return failed("standard output", "it is closed");
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return failed(o.dump, wrong);
-    const Quality &quality = kQualities[(int)(o.quality == QualityName::Count ? QualityName::Film : o.quality)];
+    const Quality &quality =
+        kQualities[(int)(o.quality == QualityName::Count ? QualityName::Film : o.quality)];
 
     for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
         const Frame &picture = frame(intro, frameTime(n, o.fps), quality);

@@ -6,7 +6,8 @@
 
 namespace odraz {
 
-// Writes the frames that the options name; exit status. `stdoutClosed`: standard output was closed at the start.
+// Writes the frames that the options name; exit status. `stdoutClosed`: standard output was closed at the
+// start.
 int dump(Intro &intro, const Options &options, bool stdoutClosed);
 
 } // namespace odraz

@@ -12,7 +12,8 @@ bool load(Intro &intro, Arena &arena, Workers &workers, int width, int height, c
     intro.workers = &workers;
     intro.facts = facts;
     intro.scene = arena.take<Scene>(1);
-    if (!intro.scene || !makeTracer(intro.tracer, arena, workers.count) || !makeFrame(intro.picture, arena, width, height))
+    if (!intro.scene || !makeTracer(intro.tracer, arena, workers.count) ||
+        !makeFrame(intro.picture, arena, width, height))
         return false;
     if (progress) progress(1, context);
     return !workers.aborted();

@@ -40,8 +40,9 @@ void takeOver(Maker &m) {
 
 void printCamera(const Maker &m) {
     CameraKey c = m.flying ? m.camera : cameraAt(m.time);
-    std::printf("{%.0f, {%.3ff, %.3ff, %.3ff}, {%.3ff, %.3ff, %.3ff}, %.2ff, %.2ff},\n", (double)cameraAt(m.time).row, (double)c.eye.x,
-                (double)c.eye.y, (double)c.eye.z, (double)c.target.x, (double)c.target.y, (double)c.target.z, (double)c.roll, (double)c.fov);
+    std::printf("{%.0f, {%.3ff, %.3ff, %.3ff}, {%.3ff, %.3ff, %.3ff}, %.2ff, %.2ff},\n",
+                (double)cameraAt(m.time).row, (double)c.eye.x, (double)c.eye.y, (double)c.eye.z,
+                (double)c.target.x, (double)c.target.y, (double)c.target.z, (double)c.roll, (double)c.fov);
     std::fflush(stdout);
 }
 
@@ -50,19 +51,36 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
     Maker &m = theMaker;
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
     switch (key) {
-    case GLFW_KEY_ESCAPE: glfwSetWindowShouldClose(window, 1); break;
-    case GLFW_KEY_SPACE: m.paused = !m.paused; break;
-    case GLFW_KEY_RIGHT: m.time = std::fmin(m.time + step, duration()); break;
-    case GLFW_KEY_LEFT: m.time = std::fmax(m.time - step, 0); break;
-    case GLFW_KEY_R: m.flying = false; break;
-    case GLFW_KEY_C: printCamera(m); break;
-    case GLFW_KEY_1: case GLFW_KEY_2: case GLFW_KEY_3: m.quality = key - GLFW_KEY_1; break;
+    case GLFW_KEY_ESCAPE:
+        glfwSetWindowShouldClose(window, 1);
+        break;
+    case GLFW_KEY_SPACE:
+        m.paused = !m.paused;
+        break;
+    case GLFW_KEY_RIGHT:
+        m.time = std::fmin(m.time + step, duration());
+        break;
+    case GLFW_KEY_LEFT:
+        m.time = std::fmax(m.time - step, 0);
+        break;
+    case GLFW_KEY_R:
+        m.flying = false;
+        break;
+    case GLFW_KEY_C:
+        printCamera(m);
+        break;
+    case GLFW_KEY_1:
+    case GLFW_KEY_2:
+    case GLFW_KEY_3:
+        m.quality = key - GLFW_KEY_1;
+        break;
     }
 }
 
 void fly(GLFWwindow *window, Maker &m, float seconds) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
-    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A), up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
+    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
+          up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
     double x, y;
     glfwGetCursorPos(window, &x, &y);
     float dx = (float)(x - m.mouseX), dy = (float)(y - m.mouseY);
@@ -74,7 +92,8 @@ void fly(GLFWwindow *window, Maker &m, float seconds) {
 
     // Turn about the eye, keeping the distance to the target
     Vec3 to = m.camera.target - m.camera.eye;
-    float distance = length(to), yaw = std::atan2(to.x, -to.z), pitch = std::asin(clamp(to.y / distance, -1.f, 1.f));
+    float distance = length(to), yaw = std::atan2(to.x, -to.z),
+          pitch = std::asin(clamp(to.y / distance, -1.f, 1.f));
     if (looking) {
         yaw += dx * 0.004f;
         pitch = clamp(pitch - dy * 0.004f, -1.5f, 1.5f);
@@ -97,14 +116,19 @@ int main(int argc, char **argv) {
     Options o;
     Message wrong;
     if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
-    if (o.help) return std::printf("usage: odraz-debug [--from S] [--size WxH] [--threads N]\nkeys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"), 0;
+    if (o.help)
+        return std::printf("usage: odraz-debug [--from S] [--size WxH] [--threads N]\nkeys: space, arrows, W "
+                           "A S D Q E, mouse, R, C, 1 2 3, ESC\n"),
+               0;
     static const int never = 0;
     Workers workers;
-    if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never)) return fail(missing);
+    if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never))
+        return fail(missing);
     size_t bytes = memoryNeeded(o.width, o.height, workers.count);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     static Intro intro;
-    if (!arena.base || !load(intro, arena, workers, o.width, o.height, {}, nullptr, nullptr)) return fail("not enough memory: try a smaller --size");
+    if (!arena.base || !load(intro, arena, workers, o.width, o.height, {}, nullptr, nullptr))
+        return fail("not enough memory: try a smaller --size");
 
     if (!glfwInit()) return fail("no display: set DISPLAY");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -138,13 +162,16 @@ int main(int argc, char **argv) {
         const Frame &picture = frame(intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
         int w, h;
         glfwGetFramebufferSize(window, &w, &h);
-        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba);
+        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE,
+                           picture.rgba);
         gl.glBlitFramebuffer(0, 0, o.width, o.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
         glfwSwapBuffers(window);
         // The overlay: where and how fast we are
         char title[160];
-        std::snprintf(title, sizeof title, "odraz-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms", kScenes[sceneAt(m.time)].name, (int)m.time / 60,
-                      std::fmod(m.time, 60), m.time * kRowsPerSecond, kQualityNames[m.quality], m.paused ? "  paused" : "", passed * 1e3);
+        std::snprintf(title, sizeof title, "odraz-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
+                      kScenes[sceneAt(m.time)].name, (int)m.time / 60, std::fmod(m.time, 60),
+                      m.time * kRowsPerSecond, kQualityNames[m.quality], m.paused ? "  paused" : "",
+                      passed * 1e3);
         glfwSetWindowTitle(window, title);
     }
     glfwTerminate();

@@ -6,7 +6,8 @@ namespace odraz {
 
 const char kHelp[] =
     "usage: odraz [--window] [--stats]                 watch the film; ESC leaves\n"
-    "       odraz --dump DIR|- [--fps N]               write its frames as binary PPM, into DIR or to stdout\n"
+    "       odraz --dump DIR|- [--fps N]               write its frames as binary PPM, into DIR or to "
+    "stdout\n"
     "\n"
     "  --window           play in a window, not on the full screen\n"
     "  --stats            print at the end how fast every scene was traced and shown\n"
@@ -60,13 +61,14 @@ bool readRate(const char *p, Rate &fps) {
         if (top.scale > 1 || !readInteger(++p, 1000000, bottom.value)) return false;
     }
     fps = {top.value, bottom.value * top.scale};
-    return !*p && fps.numerator <= 10000000 && fps.numerator * 1000 >= fps.denominator && fps.numerator <= fps.denominator * 1000 &&
-           fps.denominator > 0;
+    return !*p && fps.numerator <= 10000000 && fps.numerator * 1000 >= fps.denominator &&
+           fps.numerator <= fps.denominator * 1000 && fps.denominator > 0;
 }
 
 bool readSize(const char *p, Options &o) {
     int64_t w, h;
-    if (!readInteger(p, kMaxWidth, w) || *p++ != 'x' || !readInteger(p, kMaxHeight, h) || *p || !w || !h) return false;
+    if (!readInteger(p, kMaxWidth, w) || *p++ != 'x' || !readInteger(p, kMaxHeight, h) || *p || !w || !h)
+        return false;
     o.width = (int)w;
     o.height = (int)h;
     return true;
@@ -93,7 +95,8 @@ bool readValue(const char *name, const char *value, Options &o, const char *&rig
         return true;
     };
     if (is("--dump", "a directory, or - for standard output")) return (o.dump = value) && *value;
-    if (is("--fps", "frames a second from 1/1000 to 1000, like 25 or 30000/1001")) return readRate(value, o.fps);
+    if (is("--fps", "frames a second from 1/1000 to 1000, like 25 or 30000/1001"))
+        return readRate(value, o.fps);
     if (is("--from", "seconds, like 12.5")) return readSeconds(value, o.from);
     if (is("--to", "seconds, like 12.5")) return readSeconds(value, o.to);
     if (is("--size", "WxH from 1x1 to 7680x4320, like 1280x720")) return readSize(value, o);
@@ -107,10 +110,14 @@ bool readValue(const char *name, const char *value, Options &o, const char *&rig
 bool parseOptions(int argc, const char *const *argv, double duration, Options &o, Message &wrong) {
     for (int i = 1; i < argc; ++i) {
         const char *name = argv[i];
-        if (same(name, "--help")) o.help = true;
-        else if (same(name, "--version")) o.version = true;
-        else if (same(name, "--window")) o.window = true;
-        else if (same(name, "--stats")) o.stats = true;
+        if (same(name, "--help"))
+            o.help = true;
+        else if (same(name, "--version"))
+            o.version = true;
+        else if (same(name, "--window"))
+            o.window = true;
+        else if (same(name, "--stats"))
+            o.stats = true;
         else {
             const char *right = nullptr, *value = i + 1 < argc ? argv[i + 1] : "";
             bool good = readValue(name, value, o, right);

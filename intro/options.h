@@ -20,7 +20,7 @@ struct Options {
     bool help = false, version = false, window = false, stats = false;
     const char *dump = nullptr; // a directory, "-" for standard output, null to play
     int width = 1280, height = 720;
-    int threads = 0; // 0: as many as there are processors
+    int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
@@ -28,7 +28,8 @@ struct Options {
 
 using Message = Text<256>;
 
-// Reads the arguments after the program's name; false with one line that says what is wrong and what would be right.
+// Reads the arguments after the program's name; false with one line that says what is wrong and what would be
+// right.
 bool parseOptions(int argc, const char *const *argv, double duration, Options &options, Message &wrong);
 
 // The number of the first frame at or after a time: the smallest n with n / fps >= time.

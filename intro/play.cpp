@@ -9,7 +9,8 @@ namespace odraz {
 namespace {
 
 constexpr int kBins = 5000; // of a tenth of a millisecond
-constexpr int kSlots = 30;  // pictures a second that a viewer should see; a slot without a new one is a dropped frame
+constexpr int kSlots =
+    30; // pictures a second that a viewer should see; a slot without a new one is a dropped frame
 
 struct Histogram {
     int bins[kBins];
@@ -34,8 +35,8 @@ struct SceneStats {
     int shown, dropped;
 };
 
-// Keeps up with the clock by asking for less: first reflections and shadows at half the resolution, then silhouettes.
-// The two limits are far enough apart that a step down never makes a step up due.
+// Keeps up with the clock by asking for less: first reflections and shadows at half the resolution, then
+// silhouettes. The two limits are far enough apart that a step down never makes a step up due.
 struct Governor {
     static constexpr float kTooSlow = 0.055f, kFast = 0.018f; // seconds a frame
     int strain = 0;                                           // 0 .. 2
@@ -80,7 +81,8 @@ void printStats() {
 int play(Intro &intro, const Options &o, int *leave) {
     FilmWindow window;
     if (const char *wrong = openWindow(window, !o.window, o.width, o.height, leave)) return refuse(wrong);
-    const Quality &quality = kQualities[(int)(o.quality == QualityName::Count ? QualityName::Play : o.quality)];
+    const Quality &quality =
+        kQualities[(int)(o.quality == QualityName::Count ? QualityName::Play : o.quality)];
     double from = (double)o.from.value / (double)o.from.scale, to = (double)o.to.value / (double)o.to.scale;
 
     Governor governor;
@@ -89,7 +91,8 @@ int play(Intro &intro, const Options &o, int *leave) {
         int64_t before = nanoseconds();
         double passed = (double)(before - start) * 1e-9, time = from + passed;
         if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
-        const Frame &picture = frame(intro, time, o.quality == QualityName::Count ? governor.quality(quality) : quality);
+        const Frame &picture =
+            frame(intro, time, o.quality == QualityName::Count ? governor.quality(quality) : quality);
         if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         int64_t traced = nanoseconds();
         present(window, picture.rgba, picture.width, picture.height);

@@ -5,9 +5,10 @@
 
 namespace pack {
 
-// Binary arithmetic coding over the 32-bit interval [low, high]; leading bytes leave when they agree (as in lpaq).
-// The model must be zeroed.
-__attribute__((always_inline)) static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size, Model &model) {
+// Binary arithmetic coding over the 32-bit interval [low, high]; leading bytes leave when they agree (as in
+// lpaq). The model must be zeroed.
+__attribute__((always_inline)) static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size,
+                                                         Model &model) {
     uint32_t low = 0, high = 0xffffffffu, code = 0;
     for (int i = 0; i < 4; ++i) code = code << 8 | *in++;
     uint64_t before = 0;

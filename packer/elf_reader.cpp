@@ -52,16 +52,19 @@ struct Memory {
 
 std::vector<Elf64_Phdr> readHeaders(const Reader &in, Elf64_Ehdr &header) {
     need(in.file.size() >= 4 && !std::memcmp(in.file.data(), ELFMAG, SELFMAG), "not an ELF file");
-    need(in.file.size() > EI_DATA && in.file[EI_CLASS] == ELFCLASS64, "a 32-bit ELF file: only x86-64 is packed");
+    need(in.file.size() > EI_DATA && in.file[EI_CLASS] == ELFCLASS64,
+         "a 32-bit ELF file: only x86-64 is packed");
     need(in.file[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
     header = in.at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
     need(header.e_machine == EM_X86_64, "not for x86-64");
     need(header.e_type != ET_DYN, "position-independent: link it with -no-pie");
     need(header.e_type == ET_EXEC, "not an executable: link it first");
-    need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64, "its program headers make no sense");
+    need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
+         "its program headers make no sense");
     std::vector<Elf64_Phdr> all;
     for (int i = 0; i < header.e_phnum; ++i)
-        all.push_back(in.at<Elf64_Phdr>(header.e_phoff + (uint64_t)i * sizeof(Elf64_Phdr), "cut short: program headers are missing"));
+        all.push_back(in.at<Elf64_Phdr>(header.e_phoff + (uint64_t)i * sizeof(Elf64_Phdr),
+                                        "cut short: program headers are missing"));
     return all;
 }
 
@@ -76,8 +79,10 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     std::sort(loads.begin(), loads.end(), [](auto &a, auto &b) { return a.p_vaddr < b.p_vaddr; });
     uint64_t end = 0, fileEnd = 0, codeEnd = 0, firstWritten = UINT64_MAX;
     for (const Elf64_Phdr &h : loads) {
-        need(h.p_vaddr < UINT32_MAX && h.p_memsz <= kMost && h.p_filesz <= h.p_memsz, "a segment of an absurd size or address");
-        need(h.p_offset <= in.file.size() && h.p_filesz <= in.file.size() - h.p_offset, "cut short: a segment's bytes are missing");
+        need(h.p_vaddr < UINT32_MAX && h.p_memsz <= kMost && h.p_filesz <= h.p_memsz,
+             "a segment of an absurd size or address");
+        need(h.p_offset <= in.file.size() && h.p_filesz <= in.file.size() - h.p_offset,
+             "cut short: a segment's bytes are missing");
         need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X), "a segment is both writable and executable");
         need(h.p_vaddr >= end, "its segments overlap");
         end = h.p_vaddr + h.p_memsz;
@@ -88,15 +93,18 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
             codeEnd = end;
     }
     uint64_t base = loads[0].p_vaddr & ~(kPage - 1), writtenPage = firstWritten & ~(kPage - 1);
-    need(base >= 0x210000, "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
+    need(base >= 0x210000,
+         "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
     need(end - base <= kMost, "its segments lie too far apart");
-    need(codeEnd <= writtenPage, "writable data shares a page with code or lies before it: link data behind code, on a page of its own");
+    need(codeEnd <= writtenPage, "writable data shares a page with code or lies before it: link data behind "
+                                 "code, on a page of its own");
     program.base = (uint32_t)base;
     program.span = (uint32_t)(end - base);
     program.bytes.assign(fileEnd - base, 0);
     program.codeSize = (uint32_t)((codeEnd - base + kPage - 1) & ~(kPage - 1));
     for (const Elf64_Phdr &h : loads)
-        std::copy_n(in.file.begin() + (long)h.p_offset, h.p_filesz, program.bytes.begin() + (long)(h.p_vaddr - base));
+        std::copy_n(in.file.begin() + (long)h.p_offset, h.p_filesz,
+                    program.bytes.begin() + (long)(h.p_vaddr - base));
 }
 
 // Finds the two imports, refuses all else, and wipes what only the loader reads.
@@ -105,22 +113,43 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
     uint64_t strings = 0, symbols = 0, relocations = 0, relocationSize = 0, stringSize = 0, hash = 0;
     std::vector<uint64_t> needed;
     need(dynamic.p_memsz < 4096, "its dynamic section makes no sense");
-    for (uint64_t a = dynamic.p_vaddr; a + sizeof(Elf64_Dyn) <= dynamic.p_vaddr + dynamic.p_memsz; a += sizeof(Elf64_Dyn)) {
+    for (uint64_t a = dynamic.p_vaddr; a + sizeof(Elf64_Dyn) <= dynamic.p_vaddr + dynamic.p_memsz;
+         a += sizeof(Elf64_Dyn)) {
         auto d = memory.at<Elf64_Dyn>(a);
         switch (d.d_tag) {
-        case DT_NEEDED: needed.push_back(d.d_un.d_val); break;
-        case DT_STRTAB: strings = d.d_un.d_ptr; break;
-        case DT_STRSZ: stringSize = d.d_un.d_val; break;
-        case DT_SYMTAB: symbols = d.d_un.d_ptr; break;
-        case DT_RELA: relocations = d.d_un.d_ptr; break;
-        case DT_RELASZ: relocationSize = d.d_un.d_val; break;
-        case DT_HASH: hash = d.d_un.d_ptr; break;
-        case DT_JMPREL: throw Unsuitable("it calls through a PLT: compile with -fno-plt");
-        case DT_INIT: case DT_FINI: case DT_INIT_ARRAY: case DT_FINI_ARRAY: case DT_PREINIT_ARRAY:
+        case DT_NEEDED:
+            needed.push_back(d.d_un.d_val);
+            break;
+        case DT_STRTAB:
+            strings = d.d_un.d_ptr;
+            break;
+        case DT_STRSZ:
+            stringSize = d.d_un.d_val;
+            break;
+        case DT_SYMTAB:
+            symbols = d.d_un.d_ptr;
+            break;
+        case DT_RELA:
+            relocations = d.d_un.d_ptr;
+            break;
+        case DT_RELASZ:
+            relocationSize = d.d_un.d_val;
+            break;
+        case DT_HASH:
+            hash = d.d_un.d_ptr;
+            break;
+        case DT_JMPREL:
+            throw Unsuitable("it calls through a PLT: compile with -fno-plt");
+        case DT_INIT:
+        case DT_FINI:
+        case DT_INIT_ARRAY:
+        case DT_FINI_ARRAY:
+        case DT_PREINIT_ARRAY:
             throw Unsuitable("it has constructors or destructors, which would not run");
         }
     }
-    need(needed.size() == 1 && memory.text(strings + needed[0]) == "libdl.so.2", "it must need libdl.so.2 and no other library");
+    need(needed.size() == 1 && memory.text(strings + needed[0]) == "libdl.so.2",
+         "it must need libdl.so.2 and no other library");
     need(relocationSize == 2 * sizeof(Elf64_Rela), "it must import dlopen and dlsym and nothing else");
     bool found[2] = {};
     for (int i = 0; i < 2; ++i) {
@@ -128,8 +157,10 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
         auto symbol = memory.at<Elf64_Sym>(symbols + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
         std::string name = memory.text(strings + symbol.st_name);
         need(name == "dlopen" || name == "dlsym", "it must import dlopen and dlsym and nothing else");
-        need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0, "an import is not of type GLOB_DAT");
-        need(r.r_offset >= program.base + program.codeSize && r.r_offset + 8 <= program.base + program.span, "an import's slot is not in writable memory");
+        need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
+             "an import is not of type GLOB_DAT");
+        need(r.r_offset >= program.base + program.codeSize && r.r_offset + 8 <= program.base + program.span,
+             "an import's slot is not in writable memory");
         program.slots[name == "dlsym"] = (uint32_t)r.r_offset;
         found[name == "dlsym"] = true;
     }
@@ -137,7 +168,8 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
     memory.wipe(relocations, relocationSize);
     memory.wipe(symbols, 3 * sizeof(Elf64_Sym));
     memory.wipe(strings, stringSize);
-    if (hash) memory.wipe(hash, 4 * (2 + uint64_t(memory.at<uint32_t>(hash)) + memory.at<uint32_t>(hash + 4)));
+    if (hash)
+        memory.wipe(hash, 4 * (2 + uint64_t(memory.at<uint32_t>(hash)) + memory.at<uint32_t>(hash + 4)));
     memory.wipe(dynamic.p_vaddr, dynamic.p_memsz);
 }
 
@@ -156,8 +188,10 @@ Program readProgram(const std::vector<uint8_t> &file) {
     }
     need(interpreter && dynamic, "statically linked: it must import dlopen and dlsym from libdl.so.2");
     Memory memory = {program};
-    need(memory.text(interpreter->p_vaddr) == kInterpreter, "its interpreter is not /lib64/ld-linux-x86-64.so.2");
-    need(header.e_entry >= program.base && header.e_entry < program.base + program.codeSize, "its entry point lies outside its code");
+    need(memory.text(interpreter->p_vaddr) == kInterpreter,
+         "its interpreter is not /lib64/ld-linux-x86-64.so.2");
+    need(header.e_entry >= program.base && header.e_entry < program.base + program.codeSize,
+         "its entry point lies outside its code");
     program.entry = (uint32_t)header.e_entry;
     readDynamic(*dynamic, program);
     memory.wipe(interpreter->p_vaddr, interpreter->p_memsz);

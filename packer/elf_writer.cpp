@@ -51,13 +51,18 @@ std::vector<uint8_t> writePacked(const Program &program, const std::vector<uint8
     f.header.e_phentsize = sizeof(Elf64_Phdr);
     f.header.e_phnum = 5;
 
-    auto segment = [&](uint32_t type, uint32_t flags, uint64_t offset, uint64_t at, uint64_t inFile, uint64_t inMemory, uint64_t align) {
+    auto segment = [&](uint32_t type, uint32_t flags, uint64_t offset, uint64_t at, uint64_t inFile,
+                       uint64_t inMemory, uint64_t align) {
         return Elf64_Phdr{type, flags, offset, at, at, inFile, inMemory, align};
     };
-    f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter), address(offsetof(Front, interpreter)), sizeof kInterpreter, sizeof kInterpreter, 1);
+    f.segments[0] =
+        segment(PT_INTERP, PF_R, offsetof(Front, interpreter), address(offsetof(Front, interpreter)),
+                sizeof kInterpreter, sizeof kInterpreter, 1);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
-    f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, model - program.base + sizeof(Model), kPage);
-    f.segments[3] = segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), address(offsetof(Front, dynamic)), sizeof f.dynamic, sizeof f.dynamic, 8);
+    f.segments[2] =
+        segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, model - program.base + sizeof(Model), kPage);
+    f.segments[3] = segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), address(offsetof(Front, dynamic)),
+                            sizeof f.dynamic, sizeof f.dynamic, 8);
     f.segments[4] = segment(PT_GNU_STACK, PF_R | PF_W, 0, 0, 0, 0, 16);
 
     // glibc needs no hash table to run a program, but it does need a symbol table
@@ -77,8 +82,14 @@ std::vector<uint8_t> writePacked(const Program &program, const std::vector<uint8
     std::memcpy(f.strings, kStrings, sizeof kStrings);
     std::memcpy(f.interpreter, kInterpreter, sizeof kInterpreter);
 
-    Parameters p = {(uint32_t)address(overhead()), program.base, (uint32_t)program.bytes.size(), program.codeSize, program.span, model,
-                    {program.slots[0], program.slots[1]}, program.entry};
+    Parameters p = {(uint32_t)address(overhead()),
+                    program.base,
+                    (uint32_t)program.bytes.size(),
+                    program.codeSize,
+                    program.span,
+                    model,
+                    {program.slots[0], program.slots[1]},
+                    program.entry};
     std::vector<uint8_t> out(size);
     std::memcpy(out.data(), &f, sizeof f);
     std::memcpy(out.data() + sizeof f, kStub, sizeof kStub);

@@ -1,10 +1,12 @@
-// The address filter: displacements of calls and jumps (E8, E9) become addresses within the program, high byte first,
-// so that the same target looks the same wherever it is named.
+// The address filter: displacements of calls and jumps (E8, E9) become addresses within the program, high
+// byte first, so that the same target looks the same wherever it is named.
 //
-// It looks at bytes, not at instructions. A wrong guess costs a little compression, never correctness: for values in
-// [-position, limit) the mapping is a permutation (those that would fall outside the program wrap around), all
-// others stay; and after a displacement the search goes on behind it. So the inverse meets the same bytes and decides
-// alike, on any input. (Guessing at RIP-relative operands and at 0F 8x jumps as well made the film larger.)
+// It looks at bytes, not at instructions. A wrong guess costs a little compression, never correctness: for
+// values in
+// [-position, limit) the mapping is a permutation (those that would fall outside the program wrap around),
+// all others stay; and after a displacement the search goes on behind it. So the inverse meets the same bytes
+// and decides alike, on any input. (Guessing at RIP-relative operands and at 0F 8x jumps as well made the
+// film larger.)
 #pragma once
 
 #include <stdint.h>

@@ -1,8 +1,9 @@
 // The container: what a packed program consists of, shared by the packer and the stub that unpacks it.
 //
-// A packed file is one R-X segment (ELF header, loader's tables, stub, parameters, payload) and one RW segment
-// without file bytes that spans the program's own addresses and, behind them, the model's memory. The loader writes
-// dlopen and dlsym into the program's own slots before the stub runs; the stub keeps them across the decoding.
+// A packed file is one R-X segment (ELF header, loader's tables, stub, parameters, payload) and one RW
+// segment without file bytes that spans the program's own addresses and, behind them, the model's memory. The
+// loader writes dlopen and dlsym into the program's own slots before the stub runs; the stub keeps them
+// across the decoding.
 #pragma once
 
 #include <stdint.h>

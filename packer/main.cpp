@@ -1,7 +1,7 @@
 // pack: makes a small self-unpacking executable out of a freestanding one.
-#include "program.h"
 #include "encoder.h"
 #include "filter.h"
+#include "program.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -62,13 +62,16 @@ int run(const char *in, const char *out, long budget) {
     std::vector<uint8_t> payload = pack::encode(filtered);
     std::vector<uint8_t> again = pack::decodeAgain(payload, filtered.size());
     pack::filterAddresses<false>(again.data(), code, program.span);
-    if (again != program.bytes) return refuse("the packed bytes do not decode to the program; nothing was written", 3);
+    if (again != program.bytes)
+        return refuse("the packed bytes do not decode to the program; nothing was written", 3);
 
     std::vector<uint8_t> packed = pack::writePacked(program, payload);
     long size = (long)packed.size(), before = sizeOf(out);
     if (size > budget) return refuse("over budget by " + std::to_string(size - budget) + " bytes", 1);
-    if (!writeExecutable(out, packed)) return refuse(std::string("cannot write ") + out + ": " + std::strerror(errno), 2);
-    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", out, size, pack::overhead(), program.bytes.size());
+    if (!writeExecutable(out, packed))
+        return refuse(std::string("cannot write ") + out + ": " + std::strerror(errno), 2);
+    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", out, size, pack::overhead(),
+                program.bytes.size());
     if (before >= 0) std::printf(", before %ld (%+ld)", before, size - before);
     std::printf(", %ld bytes left of %ld\n", budget - size, budget);
     return 0;
@@ -81,13 +84,17 @@ int main(int argc, char **argv) {
     long budget = 65536;
     for (int i = 1; i < argc; ++i) {
         if (!std::strcmp(argv[i], "--help")) return std::printf("%s\n", kUsage), 0;
-        if (!std::strcmp(argv[i], "-o") && i + 1 < argc && !out) out = argv[++i];
+        if (!std::strcmp(argv[i], "-o") && i + 1 < argc && !out)
+            out = argv[++i];
         else if (!std::strcmp(argv[i], "--budget") && i + 1 < argc) {
             char *end;
             budget = std::strtol(argv[++i], &end, 10);
-            if (*end || end == argv[i] || budget < 0) return refuse(std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2);
-        } else if (argv[i][0] != '-' && !in) in = argv[i];
-        else return refuse(std::string("cannot use '") + argv[i] + "'; " + kUsage, 2);
+            if (*end || end == argv[i] || budget < 0)
+                return refuse(std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2);
+        } else if (argv[i][0] != '-' && !in)
+            in = argv[i];
+        else
+            return refuse(std::string("cannot use '") + argv[i] + "'; " + kUsage, 2);
     }
     if (!in || !out) return refuse(kUsage, 2);
     try {

@@ -1,12 +1,13 @@
 // The model: a probability for the next bit, from eight contexts of the bytes before it, mixed.
 //
-// Every context names, hashed with the bits of the byte so far, a slot with two memories: an adaptive probability,
-// and the last few bits that followed there, which name a second adaptive probability, shared by all slots of that
-// context with the same history. Probabilities enter the mixer as x = u / sqrt(1 - u^2), u = 2p - 1, and leave it
-// the inverse way: close enough to the logistic function, and without tables. Weights follow the error.
+// Every context names, hashed with the bits of the byte so far, a slot with two memories: an adaptive
+// probability, and the last few bits that followed there, which name a second adaptive probability, shared by
+// all slots of that context with the same history. Probabilities enter the mixer as x = u / sqrt(1 - u^2), u
+// = 2p - 1, and leave it the inverse way: close enough to the logistic function, and without tables. Weights
+// follow the error.
 //
-// Encoder and stub must agree to the last bit: single floats, one operation at a time in the order written, square
-// root and division as IEEE 754 rounds them. Compile without contraction.
+// Encoder and stub must agree to the last bit: single floats, one operation at a time in the order written,
+// square root and division as IEEE 754 rounds them. Compile without contraction.
 #pragma once
 
 #include <stddef.h>
@@ -19,14 +20,14 @@ constexpr int kContexts = 8, kInputs = 2 * kContexts, kSlotBits = 22;
 // Which of the last eight bytes a context sees, the last one in the lowest bit.
 constexpr uint8_t kMasks[kContexts] = {0x00, 0x01, 0x03, 0x07, 0x0a, 0x05, 0x06, 0x1c};
 
-// A counter is a probability of a one over the number of bits seen: 22 bits, signed, 2^21 units from 0 to certainty,
-// and 10 bits.
+// A counter is a probability of a one over the number of bits seen: 22 bits, signed, 2^21 units from 0 to
+// certainty, and 10 bits.
 struct Model {
     uint32_t direct[1 << kSlotBits];
     uint8_t history[1 << kSlotBits]; // the last bits seen behind a leading one; the lowest bit flipped
     uint32_t mapped[kContexts][256];
     float weights[256][kInputs]; // by the bits of the byte so far, less kFirstWeight
-}; // all zero at first
+};                               // all zero at first
 
 constexpr float kFirstWeight = 0.1f, kRate = 0.01f / 65536;
 constexpr int32_t kCertain = (1 << 21) - 1, kMostSeen = 60;
@@ -46,7 +47,8 @@ struct Prediction {
 };
 
 // `before`: the last eight bytes, the latest lowest; `bits`: the byte so far behind a leading one.
-__attribute__((always_inline)) static inline void predict(Model &m, uint64_t before, uint32_t bits, Prediction &q) {
+__attribute__((always_inline)) static inline void predict(Model &m, uint64_t before, uint32_t bits,
+                                                          Prediction &q) {
     for (uint32_t i = 0; i < kContexts; ++i) {
         // Hash what the context sees, and the bits
         uint32_t hash = i;

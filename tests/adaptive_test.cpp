@@ -37,9 +37,11 @@ struct Picture {
     int64_t samples;
 };
 
-Picture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width, int height, int threads = 2) {
+Picture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width, int height,
+               int threads = 2) {
     Picture p;
-    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192 + sizeof(Scene));
+    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192 +
+                    sizeof(Scene));
     Arena arena = {p.memory.data() + (64 - (uintptr_t)p.memory.data() % 64), p.memory.size() - 64, 0};
     Threads pool(threads);
     Tracer tracer;
@@ -98,11 +100,13 @@ TEST(Adaptive, IsTheSameForEveryNumberOfThreads) {
 
 TEST(Adaptive, TakesEverySize) {
     for (auto [w, h] : {std::pair{1, 1}, {1, 64}, {7, 3}, {8, 8}, {9, 65}, {63, 64}, {130, 1}, {257, 129}})
-        for (const Quality &q : {named(QualityName::Draft), named(QualityName::Play), named(QualityName::Film)}) {
+        for (const Quality &q :
+             {named(QualityName::Draft), named(QualityName::Play), named(QualityName::Film)}) {
             Picture p = traced(kCourt, 300, {0, {9, 5, 4}, {0, 1, -1}, 0, 34}, q, w, h);
             for (int y = 0; y < h; ++y)
                 for (int x = 0; x < w; ++x)
-                    for (float *plane : p.frame.plane) ASSERT_TRUE(plane[y * p.frame.stride + x] >= 0) << w << "x" << h;
+                    for (float *plane : p.frame.plane)
+                        ASSERT_TRUE(plane[y * p.frame.stride + x] >= 0) << w << "x" << h;
         }
 }
 
@@ -115,7 +119,8 @@ TEST(Adaptive, LosesNothingSmall) {
     scene->add(m);
     std::vector<std::pair<float, float>> at;
     for (int i = 0; i < 60; ++i) {
-        float x = (float)(i % 10) * 0.9f - 4.1f + 0.013f * (float)i, y = (float)(i / 10) * 0.85f - 2.1f - 0.017f * (float)i, r = 0.011f + 0.0011f * (float)(i % 30);
+        float x = (float)(i % 10) * 0.9f - 4.1f + 0.013f * (float)i,
+              y = (float)(i / 10) * 0.85f - 2.1f - 0.017f * (float)i, r = 0.011f + 0.0011f * (float)(i % 30);
         scene->add(sphere({x, y, 0}, r, 0));
         at.push_back({x, y});
     }
@@ -149,6 +154,7 @@ TEST(Adaptive, AbortLeavesAtOnce) {
     auto posed = std::make_unique<Scene>();
     posed->clear();
     posed->finish();
-    traceFrame(tracer, pool.workers, *posed, lookAt({}, {}, 0, 40, 320, 180), named(QualityName::Film), frame);
+    traceFrame(tracer, pool.workers, *posed, lookAt({}, {}, 0, 40, 320, 180), named(QualityName::Film),
+               frame);
     EXPECT_EQ(tracedSamples(tracer), 0);
 }

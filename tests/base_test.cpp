@@ -39,7 +39,8 @@ TEST(Float8, MinAndMaxTakeTheSecondOperandOfNaN) {
 }
 
 TEST(Vec3, NormalizeGivesUnitLengthOrZeroNeverNaN) {
-    for (float s : {1e-12f, 1e-3f, 1.f, 1e6f, 1e15f}) EXPECT_NEAR(length(normalize(Vec3{s, -2 * s, 0.5f * s})), 1, 2e-7);
+    for (float s : {1e-12f, 1e-3f, 1.f, 1e6f, 1e15f})
+        EXPECT_NEAR(length(normalize(Vec3{s, -2 * s, 0.5f * s})), 1, 2e-7);
     Vec3 none = normalize(Vec3{0, 0, 0}), tiny = normalize(Vec3{1e-30f, 0, 0});
     EXPECT_EQ(length(none), 0);
     EXPECT_EQ(length(tiny), 0);

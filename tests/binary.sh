@@ -34,7 +34,7 @@ check "no memory is writable and executable" bash -c "! grep -q 'rwx' <<<'$maps'
 kill $pid
 
 # The same commit makes the same bytes, in another place
-check "configure a second build" bash -c "cmake -S '$SOURCE' -B '$WORK/second/build' >/dev/null"
+check "configure a second build" bash -c "cmake -G '$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$BUILD/CMakeCache.txt")' -S '$SOURCE' -B '$WORK/second/build' >/dev/null"
 check "build it" bash -c "cmake --build '$WORK/second/build' --target film -j 2 >/dev/null"
 check "both builds are equal to the byte" cmp "$BUILD/odraz" "$WORK/second/build/odraz"
 check "unpacked too" cmp "$BUILD/odraz-safe" "$WORK/second/build/odraz-safe"

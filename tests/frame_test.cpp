@@ -68,7 +68,8 @@ TEST(Develop, BlackIsBlack) {
     Canvas c(16, 16);
     Workers workers = serialWorkers();
     develop(c.frame, workers, 1);
-    for (int i = 0; i < 256; ++i) EXPECT_EQ(c.frame.rgba[4 * i] + c.frame.rgba[4 * i + 1] + c.frame.rgba[4 * i + 2], 0);
+    for (int i = 0; i < 256; ++i)
+        EXPECT_EQ(c.frame.rgba[4 * i] + c.frame.rgba[4 * i + 1] + c.frame.rgba[4 * i + 2], 0);
 }
 
 TEST(Strokes, CoverTheirArea) {

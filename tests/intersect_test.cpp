@@ -1,4 +1,5 @@
-// Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the extremes.
+// Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
+// extremes.
 #include "trace/intersect.h"
 
 #include <cmath>
@@ -45,8 +46,8 @@ TEST(Sphere, IsHitFromOutsideAndInside) {
     EXPECT_EQ(hit(s, {2.1f, 0, 5}, {0, 0, -1}), kInfinity);
 }
 
-// The oracle sees the same float inputs. Misjudging is allowed only where the inputs' own rounding (4e-7 of the
-// distance) decides; the usual b^2 - c is wrong far beyond that.
+// The oracle sees the same float inputs. Misjudging is allowed only where the inputs' own rounding (4e-7 of
+// the distance) decides; the usual b^2 - c is wrong far beyond that.
 TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
     Dice dice;
     for (float ratio : {1.5f, 10.f, 1e2f, 1e3f, 1e4f, 1e6f})
@@ -61,7 +62,8 @@ TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
                 float t = hit(sphere({0, 0, 0}, radius, 0), o, d);
                 if (near2 < (r - doubt) * (r - doubt) && r > doubt) {
                     ASSERT_LT(t, kInfinity) << ratio << " " << radius;
-                    double root = std::sqrt(r * r - near2), exact = (b / std::sqrt(vv) - root) / std::sqrt(vv);
+                    double root = std::sqrt(r * r - near2),
+                           exact = (b / std::sqrt(vv) - root) / std::sqrt(vv);
                     // Across the surface the same doubt, along the ray that over the cosine
                     ASSERT_NEAR(t, exact, doubt * (2 + 2 * r / root)) << ratio << " " << radius;
                 } else if (near2 > (r + doubt) * (r + doubt)) {
@@ -90,7 +92,9 @@ TEST(Box, AgreesWithDoublePrecisionUnderRotation) {
         const Vec3 *axes = &s.frame.u;
         double half[3] = {s.half.x, s.half.y, s.half.z}, enter = -1e30, leave = 1e30;
         for (int k = 0; k < 3; ++k) {
-            auto along = [&](Vec3 p) { return (double)axes[k].x * p.x + (double)axes[k].y * p.y + (double)axes[k].z * p.z; };
+            auto along = [&](Vec3 p) {
+                return (double)axes[k].x * p.x + (double)axes[k].y * p.y + (double)axes[k].z * p.z;
+            };
             double at = along(o) - along(s.centre), step = along(d);
             double a = (-half[k] - at) / step, b = (half[k] - at) / step;
             enter = std::fmax(enter, std::fmin(a, b));
@@ -155,10 +159,11 @@ TEST(Polygon, AgreesWithTheWindingNumber) {
             float x = dice(-2, 2), z = dice(-2, 2);
             double winding = 0;
             for (int k = 0; k < 9; ++k) {
-                double ax = outline[2 * k] - x, az = outline[2 * k + 1] - z, bx = outline[2 * ((k + 1) % 9)] - x, bz = outline[2 * ((k + 1) % 9) + 1] - z;
+                double ax = outline[2 * k] - x, az = outline[2 * k + 1] - z,
+                       bx = outline[2 * ((k + 1) % 9)] - x, bz = outline[2 * ((k + 1) % 9) + 1] - z;
                 winding += std::atan2(ax * bz - az * bx, ax * bx + az * bz);
             }
-            EXPECT_EQ(distance(*scene, s, ray({x, 1, z}, {0, -1, 0}))[0] < kInfinity, std::fabs(winding) > 3);
+            EXPECT_EQ(distance(*scene, s, ray({x, 1, z}, {0, -1, 0}))[0]<kInfinity, std::fabs(winding)> 3);
         }
     }
 }
@@ -174,7 +179,9 @@ TEST(Tree, FindsWhatBruteForceFinds) {
         int count = round * 20;
         for (int i = 0; i < count; ++i) {
             Vec3 c = dice.point(20);
-            Shape s = i % 3 == 0 ? sphere(c, dice(0.1f, 2), 0) : i % 3 == 1 ? box(c, {dice(0.1f, 2), dice(0.1f, 2), dice(0.1f, 2)}, 0) : cylinder(c, dice(0.1f, 2), dice(0.1f, 2), 0);
+            Shape s = i % 3 == 0   ? sphere(c, dice(0.1f, 2), 0)
+                      : i % 3 == 1 ? box(c, {dice(0.1f, 2), dice(0.1f, 2), dice(0.1f, 2)}, 0)
+                                   : cylinder(c, dice(0.1f, 2), dice(0.1f, 2), 0);
             if (i % 2) s.frame = dice.rotation();
             scene->add(s);
         }
@@ -190,11 +197,13 @@ TEST(Tree, FindsWhatBruteForceFinds) {
             if (i % 5 == 0) r.d = broadcast(Vec3{i % 2 ? 1.f : 0.f, i % 2 ? 0.f : -1.f, 0}); // along an axis
             Hit8 h = intersect(*scene, r, kLanes >= 0);
             Float8 nearest = broadcast(kInfinity);
-            for (int s = 0; s < scene->shapeCount; ++s) nearest = min(nearest, distance(*scene, scene->shapes[s], r));
+            for (int s = 0; s < scene->shapeCount; ++s)
+                nearest = min(nearest, distance(*scene, scene->shapes[s], r));
             for (int k = 0; k < 8; ++k) ASSERT_EQ(h.t[k], nearest[k]) << round;
             // Whatever is tried first as a blocker, the light that passes is the same
             int none = -1, some = count ? i % count : -1;
-            Rgb8 a = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, none), b = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, some);
+            Rgb8 a = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, none),
+                 b = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, some);
             for (int k = 0; k < 8; ++k) {
                 ASSERT_EQ(a.x[k], nearest[k] < 25 ? 0 : 1);
                 ASSERT_EQ(b.x[k], a.x[k]);
@@ -215,8 +224,8 @@ TEST(Tree, TakesCoincidentShapes) {
 
 // --- Surfaces ---
 
-// From a hit, a ray along the outward normal must leave the shape, one against it must stay inside, whatever the size
-// and however far the camera: no acne, no leak.
+// From a hit, a ray along the outward normal must leave the shape, one against it must stay inside, whatever
+// the size and however far the camera: no acne, no leak.
 TEST(Surface, OffsetOriginsLieOnTheirSide) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -224,7 +233,9 @@ TEST(Surface, OffsetOriginsLieOnTheirSide) {
         for (float away : {3.f, 100.f, 1e4f})
             for (int i = 0; i < 1500; ++i) {
                 Vec3 c = dice.point(size);
-                Shape s = i % 3 == 0 ? sphere(c, size, 0) : i % 3 == 1 ? box(c, {size, size * 0.5f, size}, 0) : cylinder(c, size, size, 0);
+                Shape s = i % 3 == 0   ? sphere(c, size, 0)
+                          : i % 3 == 1 ? box(c, {size, size * 0.5f, size}, 0)
+                                       : cylinder(c, size, size, 0);
                 s.frame = dice.rotation();
                 s.aligned = false;
                 Vec3 o = c + dice.direction() * (size * away);
@@ -233,7 +244,8 @@ TEST(Surface, OffsetOriginsLieOnTheirSide) {
                 if (!(t[0] < kInfinity)) continue;
                 Surface8 at = surfaceAt(s, r, t);
                 float inside = distance(*scene, s, {offsetOrigin(s, at, broadcast(-1.f)), -at.n})[0];
-                ASSERT_EQ(distance(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), at.n})[0], kInfinity) << size << " " << away;
+                ASSERT_EQ(distance(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), at.n})[0], kInfinity)
+                    << size << " " << away;
                 ASSERT_LT(inside, kInfinity) << size << " " << away;
                 ASSERT_GT(inside, size * 1e-3f) << size << " " << away;
                 ASSERT_NEAR(length(at.n)[0], 1, 1e-5);
@@ -248,7 +260,9 @@ TEST(Surface, NamesFacesApart) {
         return surfaceAt(s, r, distance(*scene, s, r)).face[0];
     };
     bool seen[8] = {};
-    for (Vec3 o : {Vec3{5, 0, 0}, Vec3{-5, 0, 0}, Vec3{0, 5, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{0, 0, -5}}) seen[face(s, o)] = true;
+    for (Vec3 o :
+         {Vec3{5, 0, 0}, Vec3{-5, 0, 0}, Vec3{0, 5, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{0, 0, -5}})
+        seen[face(s, o)] = true;
     EXPECT_EQ(seen[0] + seen[1] + seen[2] + seen[3] + seen[4] + seen[5] + seen[6] + seen[7], 6);
     EXPECT_NE(face(c, {0, 5, 0}), face(c, {0, -5, 0}));
     EXPECT_NE(face(c, {0, 5, 0}), face(c, {5, 0, 0}));

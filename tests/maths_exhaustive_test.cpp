@@ -1,4 +1,5 @@
-// Every float of each function's stated range against libm in double precision: the errors that base/maths.h states.
+// Every float of each function's stated range against libm in double precision: the errors that base/maths.h
+// states.
 #include "base/maths.h"
 
 #include <algorithm>
@@ -23,8 +24,10 @@ template <class Excess> double worst(uint32_t first, uint32_t last, Excess exces
             constexpr uint64_t kBlock = 1 << 20;
             for (uint64_t begin; (begin = next.fetch_add(kBlock)) <= last;)
                 for (uint64_t i = begin; i < begin + kBlock && i <= last; i += 8) {
-                    int32_t past = (int32_t)std::min<uint64_t>(7, last - i); // lanes beyond the range repeat its end
-                    Float8 x = fromBits(select(kLanes < past, kLanes, broadcast(past)) + (int32_t)(uint32_t)i);
+                    int32_t past =
+                        (int32_t)std::min<uint64_t>(7, last - i); // lanes beyond the range repeat its end
+                    Float8 x =
+                        fromBits(select(kLanes < past, kLanes, broadcast(past)) + (int32_t)(uint32_t)i);
                     most[t] = std::max(most[t], excess(x));
                 }
         });
@@ -83,7 +86,8 @@ TEST(Exhaustive, log2) {
     EXPECT_LE(worst(of(1.17549435e-38f), of(3.4028234e38f), excess), 1);
 }
 
-// Two arguments are too many to exhaust: every x of [2^-20, 2] for the exponents that the film uses and some around.
+// Two arguments are too many to exhaust: every x of [2^-20, 2] for the exponents that the film uses and some
+// around.
 TEST(Exhaustive, pow) {
     for (float y : {1 / 2.4f, 1.f, 5.f, 20.f, 64.f, 400.f}) {
         auto excess = [y](Float8 x) {

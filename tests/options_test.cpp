@@ -42,7 +42,8 @@ TEST(Options, DefaultsPlayTheWholeFilm) {
 }
 
 TEST(Options, ReadsEveryOption) {
-    Options o = good({"--dump", "-", "--fps", "30000/1001", "--from", "1.5", "--to", "2.25", "--size", "7680x4320", "--quality", "reference", "--threads", "64"});
+    Options o = good({"--dump", "-", "--fps", "30000/1001", "--from", "1.5", "--to", "2.25", "--size",
+                      "7680x4320", "--quality", "reference", "--threads", "64"});
     EXPECT_STREQ(o.dump, "-");
     EXPECT_EQ(o.fps.numerator, 30000);
     EXPECT_EQ(o.fps.denominator, 1001);
@@ -55,12 +56,40 @@ TEST(Options, ReadsEveryOption) {
 
 TEST(Options, RefusesWithALineThatHelps) {
     EXPECT_NE(bad({"--frames"}).find("--frames"), std::string::npos);
-    EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film or reference, not 'best'"), std::string::npos);
-    for (std::vector<const char *> args : std::vector<std::vector<const char *>>{
-             {"film"}, {"--fps"}, {"--fps", "0"}, {"--fps", "-1"}, {"--fps", "1e3"}, {"--fps", "25/0"}, {"--fps", "25/"}, {"--fps", "2000"}, {"--fps", "1/2000"},
-             {"--fps", "99999999999999999999"}, {"--from", "1,5"}, {"--from", "."}, {"--from", "1."}, {"--from", "-1"}, {"--from", "1.1234567"}, {"--to", "163"},
-             {"--from", "3", "--to", "2"}, {"--size", "0x5"}, {"--size", "5"}, {"--size", "5x"}, {"--size", "5x5x5"}, {"--size", "7681x1"}, {"--size", "1x4321"},
-             {"--threads", "0"}, {"--threads", "65"}, {"--threads", "two"}, {"--dump"}, {"--dump", ""}, {"--dump", "x", "--window"}, {"--dump", "x", "--stats"}, {""}})
+    EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film or reference, not 'best'"),
+              std::string::npos);
+    for (std::vector<const char *> args :
+         std::vector<std::vector<const char *>>{{"film"},
+                                                {"--fps"},
+                                                {"--fps", "0"},
+                                                {"--fps", "-1"},
+                                                {"--fps", "1e3"},
+                                                {"--fps", "25/0"},
+                                                {"--fps", "25/"},
+                                                {"--fps", "2000"},
+                                                {"--fps", "1/2000"},
+                                                {"--fps", "99999999999999999999"},
+                                                {"--from", "1,5"},
+                                                {"--from", "."},
+                                                {"--from", "1."},
+                                                {"--from", "-1"},
+                                                {"--from", "1.1234567"},
+                                                {"--to", "163"},
+                                                {"--from", "3", "--to", "2"},
+                                                {"--size", "0x5"},
+                                                {"--size", "5"},
+                                                {"--size", "5x"},
+                                                {"--size", "5x5x5"},
+                                                {"--size", "7681x1"},
+                                                {"--size", "1x4321"},
+                                                {"--threads", "0"},
+                                                {"--threads", "65"},
+                                                {"--threads", "two"},
+                                                {"--dump"},
+                                                {"--dump", ""},
+                                                {"--dump", "x", "--window"},
+                                                {"--dump", "x", "--stats"},
+                                                {""}})
         EXPECT_FALSE(bad(args).empty()) << args[0] << " " << (args.size() > 1 ? args[1] : "");
 }
 
@@ -87,7 +116,8 @@ TEST(Frames, ShardsJoinWithoutGapOrOverlap) {
         Options whole = good({"--fps", fps});
         int64_t next = 0;
         for (int i = 0; i < 162; ++i) {
-            Options shard = good({"--fps", fps, "--from", std::to_string(i).c_str(), "--to", std::to_string(i + 1).c_str()});
+            Options shard = good(
+                {"--fps", fps, "--from", std::to_string(i).c_str(), "--to", std::to_string(i + 1).c_str()});
             EXPECT_EQ(firstFrame(shard.from, shard.fps), next);
             next = firstFrame(shard.to, shard.fps);
         }

@@ -42,7 +42,8 @@ TEST(Filter, MakesOneTargetLookTheSame) {
         std::memcpy(&code[at + 1], &displacement, 4);
     }
     Bytes f = filtered(code, 64);
-    for (uint32_t at : {3u, 20u, 41u}) EXPECT_EQ(Bytes(f.begin() + at + 1, f.begin() + at + 5), (Bytes{0, 0, 0, 0x30}));
+    for (uint32_t at : {3u, 20u, 41u})
+        EXPECT_EQ(Bytes(f.begin() + at + 1, f.begin() + at + 5), (Bytes{0, 0, 0, 0x30}));
 }
 
 TEST(Filter, IsInvertibleOnAnyBytes) {
@@ -53,7 +54,14 @@ TEST(Filter, IsInvertibleOnAnyBytes) {
         uint32_t limit = (uint32_t)b.size() + random() % 1000;
         for (size_t i = 0; i + 5 <= b.size(); i += 1 + random() % 9) {
             b[i] = 0xe8 | (random() & 1);
-            uint32_t edges[] = {0, limit, limit - 1, (uint32_t)-(int)(i + 5), (uint32_t)-(int)(i + 4), limit - (uint32_t)i - 5, 0x7fffffff, 0x80000000};
+            uint32_t edges[] = {0,
+                                limit,
+                                limit - 1,
+                                (uint32_t) - (int)(i + 5),
+                                (uint32_t) - (int)(i + 4),
+                                limit - (uint32_t)i - 5,
+                                0x7fffffff,
+                                0x80000000};
             uint32_t v = edges[random() % 8];
             std::memcpy(&b[i + 1], &v, 4);
         }
@@ -124,13 +132,16 @@ struct Example {
         image.header.e_phoff = offsetof(Image, segments);
         image.header.e_phentsize = sizeof(Elf64_Phdr);
         image.header.e_phnum = 4;
-        auto segment = [](uint32_t type, uint32_t flags, uint64_t offset, uint64_t at, uint64_t file, uint64_t memory) {
+        auto segment = [](uint32_t type, uint32_t flags, uint64_t offset, uint64_t at, uint64_t file,
+                          uint64_t memory) {
             return Elf64_Phdr{type, flags, offset, at, at, file, memory, 4096};
         };
-        image.segments[0] = segment(PT_INTERP, PF_R, offsetof(Image, interpreter), kCode + offsetof(Image, interpreter), 28, 28);
+        image.segments[0] = segment(PT_INTERP, PF_R, offsetof(Image, interpreter),
+                                    kCode + offsetof(Image, interpreter), 28, 28);
         image.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, kCode, sizeof image, sizeof image);
         image.segments[2] = segment(PT_LOAD, PF_R | PF_W, 4096, kData, sizeof data, sizeof data + 100);
-        image.segments[3] = segment(PT_DYNAMIC, PF_R | PF_W, 4096, kData, sizeof data.dynamic, sizeof data.dynamic);
+        image.segments[3] =
+            segment(PT_DYNAMIC, PF_R | PF_W, 4096, kData, sizeof data.dynamic, sizeof data.dynamic);
         std::memcpy(image.interpreter, "/lib64/ld-linux-x86-64.so.2", 28);
         std::memcpy(data.strings, "\0libdl.so.2\0dlopen\0dlsym", 25);
         data.dynamic[0] = {DT_NEEDED, {1}};
@@ -141,7 +152,9 @@ struct Example {
         data.dynamic[5] = {DT_STRSZ, {25}};
         data.symbols[1].st_name = 12;
         data.symbols[2].st_name = 19;
-        for (uint32_t i = 0; i < 2; ++i) data.relocations[i] = {kData + offsetof(Data, slots) + 8 * i, ELF64_R_INFO(i + 1, R_X86_64_GLOB_DAT), 0};
+        for (uint32_t i = 0; i < 2; ++i)
+            data.relocations[i] = {kData + offsetof(Data, slots) + 8 * i,
+                                   ELF64_R_INFO(i + 1, R_X86_64_GLOB_DAT), 0};
     }
     Bytes file() const {
         Bytes b(4096 + sizeof data);
@@ -181,32 +194,63 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
 TEST(Reader, SaysWhatIsUnsuitable) {
     EXPECT_EQ(complaint({}), "not an ELF file");
     EXPECT_EQ(complaint(randomBytes(5000, 1)), "not an ELF file");
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; }).find("32-bit"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; }).find("big-endian"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_machine = EM_AARCH64; }).find("x86-64"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_DYN; }).find("no-pie"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_REL; }).find("link it"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode + 64; }).find("overlap"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_flags |= PF_X; }).find("both writable and executable"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; }).find("absurd"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_offset = 1 << 20; }).find("cut short"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }).find("statically"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_TLS; }).find("thread-local"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.interpreter[3] = 'x'; }).find("interpreter"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }).find("entry"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[3] = 'c'; }).find("libdl.so.2"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[13] = 'c'; }).find("dlopen and dlsym"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[4].d_un.d_val = 72; }).find("nothing else"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[6] = {DT_INIT_ARRAY, {0}}; }).find("constructors"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT); }).find("GLOB_DAT"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.relocations[0].r_offset = Example::kCode; }).find("slot"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; }).find("outside"), std::string::npos);
+    EXPECT_NE(
+        complaintAfter([](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; }).find("32-bit"),
+        std::string::npos);
+    EXPECT_NE(
+        complaintAfter([](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; }).find("big-endian"),
+        std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_machine = EM_AARCH64; }).find("x86-64"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_DYN; }).find("no-pie"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_REL; }).find("link it"),
+              std::string::npos);
+    EXPECT_NE(
+        complaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode + 64; }).find("overlap"),
+        std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.image.segments[2].p_flags |= PF_X;
+              }).find("both writable and executable"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; }).find("absurd"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_offset = 1 << 20; }).find("cut short"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }).find("statically"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_TLS; }).find("thread-local"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.interpreter[3] = 'x'; }).find("interpreter"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }).find("entry"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[3] = 'c'; }).find("libdl.so.2"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[13] = 'c'; }).find("dlopen and dlsym"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[4].d_un.d_val = 72; }).find("nothing else"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.data.dynamic[6] = {DT_INIT_ARRAY, {0}};
+              }).find("constructors"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT);
+              }).find("GLOB_DAT"),
+              std::string::npos);
+    EXPECT_NE(
+        complaintAfter([](Example &e) { e.data.relocations[0].r_offset = Example::kCode; }).find("slot"),
+        std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; }).find("outside"),
+              std::string::npos);
 }
 
 // Every file cut short and every byte damaged: a complaint or a program, never a crash (run it under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
-    for (size_t size = 0; size < whole.size(); ++size) complaint(Bytes(whole.begin(), whole.begin() + (long)size));
+    for (size_t size = 0; size < whole.size(); ++size)
+        complaint(Bytes(whole.begin(), whole.begin() + (long)size));
     for (size_t i = 0; i < whole.size(); ++i)
         for (uint8_t flip : {0x01, 0x80, 0xff}) {
             if (i >= sizeof(Example::Image) && i < 4096) continue;

@@ -1,5 +1,5 @@
-// The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in things, and no
-// picture with a NaN or nothing in it.
+// The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
+// things, and no picture with a NaN or nothing in it.
 #include "intro.h"
 
 #include <cmath>
@@ -47,7 +47,8 @@ TEST(Film, EveryPathSpansItsShot) {
     }
 }
 
-// Within a shot the eye never moves faster than a run, turns faster than the head does, or stops between its ends.
+// Within a shot the eye never moves faster than a run, turns faster than the head does, or stops between its
+// ends.
 TEST(Film, CamerasNeitherJumpNorStopDead) {
     for (int i = 0; i < kFilm.count; ++i) {
         float start = kFilm.shots[i].row, end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
@@ -55,7 +56,9 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
         for (double t = start / kRowsPerSecond + kStep; t + kStep < end / kRowsPerSecond; t += kStep) {
             CameraKey a = cameraAt(t - kStep), b = cameraAt(t);
             double speed = (double)length(b.eye - a.eye) / kStep;
-            double turn = std::acos(std::fmin(1., (double)dot(normalize(a.target - a.eye), normalize(b.target - b.eye)))) * 57.3 / kStep;
+            double turn = std::acos(std::fmin(
+                              1., (double)dot(normalize(a.target - a.eye), normalize(b.target - b.eye)))) *
+                          57.3 / kStep;
             EXPECT_LT(speed, 2.5) << t;
             EXPECT_LT(turn, 40) << t;
             bool edge = t < start / kRowsPerSecond + 1 || t > end / kRowsPerSecond - 1;
@@ -78,12 +81,16 @@ TEST(Film, TheCameraIsNeverInsideAThing) {
             const Shape &s = scene->shapes[i];
             Vec3 q = s.frame * (eye - s.centre);
             constexpr float kRoom = 0.1f;
-            bool inside = s.kind == ShapeKind::Sphere     ? length(q) < s.half.x + kRoom
-                          : s.kind == ShapeKind::Box      ? std::fabs(q.x) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom && std::fabs(q.z) < s.half.z + kRoom
-                          : s.kind == ShapeKind::Cylinder ? std::hypot(q.x, q.z) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom
-                          : s.kind == ShapeKind::Plane    ? q.y < kRoom
-                                                          : false;
-            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of " << kScenes[m.shot->scene].name;
+            bool inside = s.kind == ShapeKind::Sphere ? length(q) < s.half.x + kRoom
+                          : s.kind == ShapeKind::Box
+                              ? std::fabs(q.x) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom &&
+                                    std::fabs(q.z) < s.half.z + kRoom
+                          : s.kind == ShapeKind::Cylinder
+                              ? std::hypot(q.x, q.z) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom
+                          : s.kind == ShapeKind::Plane ? q.y < kRoom
+                                                       : false;
+            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of "
+                                 << kScenes[m.shot->scene].name;
         }
     }
 }
@@ -97,16 +104,21 @@ TEST(Film, BallsDoNotRollThroughThings) {
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
-                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane || b.kind == ShapeKind::Polygon) continue;
+                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane || b.kind == ShapeKind::Polygon)
+                    continue;
                 Vec3 q = b.frame * (a.centre - b.centre);
                 float gap;
                 if (b.kind == ShapeKind::Sphere)
                     gap = length(q) - b.half.x;
                 else if (b.kind == ShapeKind::Box)
-                    gap = length(Vec3{std::fmax(std::fabs(q.x) - b.half.x, 0.f), std::fmax(std::fabs(q.y) - b.half.y, 0.f), std::fmax(std::fabs(q.z) - b.half.z, 0.f)});
+                    gap = length(Vec3{std::fmax(std::fabs(q.x) - b.half.x, 0.f),
+                                      std::fmax(std::fabs(q.y) - b.half.y, 0.f),
+                                      std::fmax(std::fabs(q.z) - b.half.z, 0.f)});
                 else
-                    gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f), std::fmax(std::fabs(q.y) - b.half.y, 0.f));
-                EXPECT_GT(gap - a.half.x, -1e-3f) << "at " << t << " s: shapes " << i << " and " << j << " of " << kScenes[m.shot->scene].name;
+                    gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f),
+                                     std::fmax(std::fabs(q.y) - b.half.y, 0.f));
+                EXPECT_GT(gap - a.half.x, -1e-3f) << "at " << t << " s: shapes " << i << " and " << j
+                                                  << " of " << kScenes[m.shot->scene].name;
             }
     }
 }

@@ -10,19 +10,25 @@ using namespace odraz;
 
 namespace {
 
-float noiseAt(double x, double y, double z) { return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0]; }
+float noiseAt(double x, double y, double z) {
+    return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0];
+}
 
 // Perlin's improved noise written out, in double, corner by corner.
 double plainNoise(double x, double y, double z) {
-    double cell[3] = {std::floor(x), std::floor(y), std::floor(z)}, f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
+    double cell[3] = {std::floor(x), std::floor(y), std::floor(z)},
+           f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
     auto fade = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
     for (int corner = 0; corner < 8; ++corner) {
         int o[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
-        uint32_t h = (uint32_t)(int)(cell[0] + o[0]) * 0x8da6b343u + (uint32_t)(int)(cell[1] + o[1]) * 0xd8163841u + (uint32_t)(int)(cell[2] + o[2]) * 0xcb1ab31fu;
+        uint32_t h = (uint32_t)(int)(cell[0] + o[0]) * 0x8da6b343u +
+                     (uint32_t)(int)(cell[1] + o[1]) * 0xd8163841u +
+                     (uint32_t)(int)(cell[2] + o[2]) * 0xcb1ab31fu;
         h = (h ^ h >> 15) * 0x2c1b3c6du;
         double p[3] = {f[0] - o[0], f[1] - o[1], f[2] - o[2]}, weight = 1;
         for (int k = 0; k < 3; ++k) weight *= o[k] ? fade(f[k]) : 1 - fade(f[k]);
-        double u = h >> 29 & 1 ? p[1] : p[0], other = h >> 29 & 1 ? p[0] : p[1], v = h >> 27 & 3 ? p[2] : other;
+        double u = h >> 29 & 1 ? p[1] : p[0], other = h >> 29 & 1 ? p[0] : p[1],
+               v = h >> 27 & 3 ? p[2] : other;
         sum += weight * ((h >> 31 ? -u : u) + (h >> 30 & 1 ? -v : v));
     }
     return sum;
@@ -70,12 +76,14 @@ TEST(Noise, LooksAlikeAlongEveryAxis) {
         }
     }
     EXPECT_NEAR(slope[0] / slope[1], 1, 0.1);
-    EXPECT_NEAR(slope[2] / slope[1], 1, 0.35); // z is chosen a little more often, as it is by Perlin's own twelve
+    EXPECT_NEAR(slope[2] / slope[1], 1,
+                0.35); // z is chosen a little more often, as it is by Perlin's own twelve
 }
 
 TEST(Noise, IsContinuousAcrossCells) {
     for (int i = -50; i < 50; ++i)
-        for (double d : {1e-3, 1e-2}) EXPECT_LT(std::fabs(noiseAt(i + d, 0.3, 0.6) - noiseAt(i - d, 0.3, 0.6)), 6 * d);
+        for (double d : {1e-3, 1e-2})
+            EXPECT_LT(std::fabs(noiseAt(i + d, 0.3, 0.6) - noiseAt(i - d, 0.3, 0.6)), 6 * d);
 }
 
 TEST(Noise, StaysFiniteFarOut) {
@@ -111,7 +119,8 @@ TEST(Checker, IsFilteredLikeManySamples) {
         constexpr int kSide = 64;
         for (int a = 0; a < kSide; ++a)
             for (int b = 0; b < kSide; ++b) {
-                float u = x + w * (((float)a + 0.5f) / kSide - 0.5f), v = z + w * (((float)b + 0.5f) / kSide - 0.5f);
+                float u = x + w * (((float)a + 0.5f) / kSide - 0.5f),
+                      v = z + w * (((float)b + 0.5f) / kSide - 0.5f);
                 sum += ((int)std::floor(u / 0.5f) + (int)std::floor(v / 0.5f)) & 1 ? 0 : 1;
             }
         ASSERT_NEAR(filtered, sum / (kSide * kSide), 0.035);
@@ -119,13 +128,15 @@ TEST(Checker, IsFilteredLikeManySamples) {
 }
 
 TEST(Materials, AreColoursEverywhere) {
-    for (const Material &m : {darkMarble(), paleMarble(), polishedFloor(), boards(), granite(), oak(), glass(), mirror(), copper()})
+    for (const Material &m : {darkMarble(), paleMarble(), polishedFloor(), boards(), granite(), oak(),
+                              glass(), mirror(), copper()})
         for (float far : {0.f, 3.3f, 1e3f, 1e9f})
             for (float width : {0.f, 1e-3f, 1.f, 1e6f})
                 for (float cosine : {0.f, 1e-4f, 1.f}) {
                     Int8 cell;
                     Vec3x8 p = {toFloat(kLanes) * 0.3f + far, toFloat(kLanes) * 0.1f, broadcast(-far)};
-                    Rgb8 c = albedo(m, p, broadcast(Vec3{0.6f, -0.8f, 0}), broadcast(cosine), broadcast(width), cell);
+                    Rgb8 c = albedo(m, p, broadcast(Vec3{0.6f, -0.8f, 0}), broadcast(cosine),
+                                    broadcast(width), cell);
                     for (int k = 0; k < 8; ++k)
                         for (float v : {c.x[k], c.y[k], c.z[k]}) ASSERT_TRUE(v >= 0 && v <= 1) << v;
                 }

@@ -27,7 +27,8 @@ TEST(Track, MeetsEveryKeyAndInterpolatesAsRocketDoes) {
     struct {
         Interpolation kind;
         float quarter, half;
-    } const expected[] = {{Step, 0, 0}, {Linear, 0.25f, 0.5f}, {Smooth, 0.15625f, 0.5f}, {Ramp, 0.0625f, 0.25f}};
+    } const expected[] = {
+        {Step, 0, 0}, {Linear, 0.25f, 0.5f}, {Smooth, 0.15625f, 0.5f}, {Ramp, 0.0625f, 0.25f}};
     for (auto e : expected) {
         const Key keys[] = {{10, 0, e.kind}, {14, 1, e.kind}, {20, -3, e.kind}};
         Track t = {keys, 3};
@@ -50,8 +51,9 @@ TEST(Track, TakesTheLaterOfTwoKeysOnOneRow) {
 // --- Camera ---
 
 static constexpr CameraKey kKeys[] = {
-    {0, {0, 1, 5}, {0, 0, 0}, 0, 40},    {8, {3, 1, 4}, {0.5f, 0, 0}, 5, 42},  {11, {4, 2, 0}, {1, 0, 0}, -4, 40},
-    {40, {-2, 3, -6}, {0, 1, 0}, 0, 30}, {41, {-2.2f, 3, -6}, {0, 1, 0}, 0, 30},
+    {0, {0, 1, 5}, {0, 0, 0}, 0, 40},       {8, {3, 1, 4}, {0.5f, 0, 0}, 5, 42},
+    {11, {4, 2, 0}, {1, 0, 0}, -4, 40},     {40, {-2, 3, -6}, {0, 1, 0}, 0, 30},
+    {41, {-2.2f, 3, -6}, {0, 1, 0}, 0, 30},
 };
 
 TEST(Camera, MeetsItsKeysAndHoldsOutside) {
@@ -77,7 +79,10 @@ TEST(Camera, IsContinuousInPlaceAndVelocity) {
 }
 
 TEST(Camera, EasesInAndOut) {
-    auto speed = [](double row) { return std::fabs((double)pose(path(kKeys), row + 0.01).eye.x - (double)pose(path(kKeys), row).eye.x) / 0.01; };
+    auto speed = [](double row) {
+        return std::fabs((double)pose(path(kKeys), row + 0.01).eye.x - (double)pose(path(kKeys), row).eye.x) /
+               0.01;
+    };
     EXPECT_LT(speed(0), 0.02);
     EXPECT_LT(speed(40.985), 0.02);
     EXPECT_GT(speed(8), 0.2); // but does not stop at inner keys
@@ -85,15 +90,19 @@ TEST(Camera, EasesInAndOut) {
 
 TEST(Camera, DegeneratePathsGiveAPose) {
     EXPECT_EQ(pose(CameraPath{nullptr, 0}, 3).target.z, -1);
-    static constexpr CameraKey twice[] = {{0, {0, 0, 0}, {0, 0, -1}, 0, 40}, {4, {1, 0, 0}, {0, 0, -1}, 0, 40},
-                                          {4, {2, 0, 0}, {0, 0, -1}, 0, 40}, {8, {3, 0, 0}, {0, 0, -1}, 0, 40}};
-    for (double row = -1; row < 10; row += 0.25) EXPECT_TRUE(std::isfinite(pose(path(twice), row).eye.x)) << row;
+    static constexpr CameraKey twice[] = {{0, {0, 0, 0}, {0, 0, -1}, 0, 40},
+                                          {4, {1, 0, 0}, {0, 0, -1}, 0, 40},
+                                          {4, {2, 0, 0}, {0, 0, -1}, 0, 40},
+                                          {8, {3, 0, 0}, {0, 0, -1}, 0, 40}};
+    for (double row = -1; row < 10; row += 0.25)
+        EXPECT_TRUE(std::isfinite(pose(path(twice), row).eye.x)) << row;
 }
 
 // --- Shots ---
 
 TEST(Shots, CutHardAndFadeAtTheirEdges) {
-    static constexpr Shot shots[] = {{0, 7, 0, {nullptr, 0}, 4, 2}, {16, 8, 16, {nullptr, 0}, 0, 8}, {48, 8, 16, {nullptr, 0}, 0, 0}};
+    static constexpr Shot shots[] = {
+        {0, 7, 0, {nullptr, 0}, 4, 2}, {16, 8, 16, {nullptr, 0}, 0, 8}, {48, 8, 16, {nullptr, 0}, 0, 0}};
     ShotList list = {shots, 3, 64};
     EXPECT_EQ(momentAt(list, 15.999).shot->scene, 7);
     EXPECT_EQ(momentAt(list, 16).shot->scene, 8);

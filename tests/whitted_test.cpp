@@ -229,27 +229,34 @@ TEST(Extremes, GiveNoNaN) {
     for (float scale : {1e-4f, 1e-2f, 1.f, 1e3f, 1e6f})
         for (int variant = 0; variant < 6; ++variant) {
             Stage g;
-            int a = g.scene->add(glass), b = g.scene->add(mirror), c = g.scene->add(matte({0.5f, 0.5f, 0.5f}));
+            int a = g.scene->add(glass), b = g.scene->add(mirror),
+                c = g.scene->add(matte({0.5f, 0.5f, 0.5f}));
             g.scene->add(plane({0, 0, 0}, variant & 1 ? b : c));
             g.scene->add(sphere({0, scale, 0}, scale, a));
-            g.scene->add(sphere({0, scale, 0}, scale, b));               // coincident
-            g.scene->add(sphere({0, scale, 0}, scale * 0.999999f, a));   // nested, nearly touching
+            g.scene->add(sphere({0, scale, 0}, scale, b));                      // coincident
+            g.scene->add(sphere({0, scale, 0}, scale * 0.999999f, a));          // nested, nearly touching
             g.scene->add(box({2 * scale, scale, 0}, {scale, scale, scale}, a)); // touching the ball
             g.scene->add(cylinder({-2 * scale, scale, 0}, scale, scale, b));
-            g.scene->add(pointLight({0, 2 * scale, 0}, {1, 1, 1}));      // on a surface
-            g.scene->add(pointLight({0, 0, 0}, {1, 1, 1}));              // on the floor
+            g.scene->add(pointLight({0, 2 * scale, 0}, {1, 1, 1})); // on a surface
+            g.scene->add(pointLight({0, 0, 0}, {1, 1, 1}));         // on the floor
             g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
             g.scene->finish();
-            Vec3 eyes[6] = {{0, scale, 5 * scale}, {0, scale, 0}, {0, -scale, 3 * scale}, {0, 2 * scale, 0}, {1e5f * scale, scale, 0}, {0, 1e-7f * scale, 4 * scale}};
+            Vec3 eyes[6] = {{0, scale, 5 * scale},    {0, scale, 0},
+                            {0, -scale, 3 * scale},   {0, 2 * scale, 0},
+                            {1e5f * scale, scale, 0}, {0, 1e-7f * scale, 4 * scale}};
             View view = lookAt(eyes[variant], {0, scale, 0}, 30, 60, 40, 40);
             std::vector<float> x, y;
             std::vector<uint32_t> index;
-            for (int i = 0; i < 1600; ++i) x.push_back((float)(i % 40) + 0.5f), y.push_back((float)(i / 40) + 0.5f), index.push_back((uint32_t)i);
+            for (int i = 0; i < 1600; ++i)
+                x.push_back((float)(i % 40) + 0.5f), y.push_back((float)(i / 40) + 0.5f),
+                    index.push_back((uint32_t)i);
             std::vector<Sample> samples(1600);
-            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, 1600, x.data(), y.data(), index.data(), samples.data());
+            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, 1600, x.data(),
+                         y.data(), index.data(), samples.data());
             for (const Sample &s : samples) {
                 Rgb r = s.radiance();
-                ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0) << scale << " " << variant << ": " << r.x; // false for NaN
+                ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0)
+                    << scale << " " << variant << ": " << r.x; // false for NaN
             }
         }
 }

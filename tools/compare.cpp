@@ -9,8 +9,10 @@
 static constexpr char kUsage[] =
     "usage: compare A B [--max N=0] [--psnr DB] [--diff OUT.png]\n"
     "       compare --png IN OUT.png\n"
-    "A and B are PNG or PPM. Prints the PSNR, the largest difference of a channel (0..255) and the number of pixels\n"
-    "that differ. Exit 1 when the largest difference is over --max and the PSNR is under --psnr (if given); --diff\n"
+    "A and B are PNG or PPM. Prints the PSNR, the largest difference of a channel (0..255) and the number of "
+    "pixels\n"
+    "that differ. Exit 1 when the largest difference is over --max and the PSNR is under --psnr (if given); "
+    "--diff\n"
     "writes the differences, eight times enlarged. --png writes the picture IN as PNG.";
 
 static int refuse(const std::string &line) {
@@ -40,10 +42,14 @@ int main(int argc, char **argv) {
             if (!number(value)) return refuse(std::string("--max needs a number, not '") + argv[i] + "'");
             most = (long)value;
         } else if (!std::strcmp(argv[i], "--psnr") && i + 1 < argc) {
-            if (!number(leastPsnr)) return refuse(std::string("--psnr needs a number, not '") + argv[i] + "'");
-        } else if (!std::strcmp(argv[i], "--diff") && i + 1 < argc) diff = argv[++i];
-        else if (argv[i][0] != '-' && given < 2) paths[given++] = argv[i];
-        else return refuse(std::string("cannot use '") + argv[i] + "'; see compare --help");
+            if (!number(leastPsnr))
+                return refuse(std::string("--psnr needs a number, not '") + argv[i] + "'");
+        } else if (!std::strcmp(argv[i], "--diff") && i + 1 < argc)
+            diff = argv[++i];
+        else if (argv[i][0] != '-' && given < 2)
+            paths[given++] = argv[i];
+        else
+            return refuse(std::string("cannot use '") + argv[i] + "'; see compare --help");
     }
     if (given != 2) return refuse("two pictures are needed; see compare --help");
 
@@ -51,8 +57,8 @@ int main(int argc, char **argv) {
     if (!readPicture(paths[0], a)) return refuse(std::string("cannot read a picture from ") + paths[0]);
     if (!readPicture(paths[1], b)) return refuse(std::string("cannot read a picture from ") + paths[1]);
     if (a.width != b.width || a.height != b.height)
-        return refuse("the sizes differ: " + std::to_string(a.width) + "x" + std::to_string(a.height) + " and " +
-                      std::to_string(b.width) + "x" + std::to_string(b.height));
+        return refuse("the sizes differ: " + std::to_string(a.width) + "x" + std::to_string(a.height) +
+                      " and " + std::to_string(b.width) + "x" + std::to_string(b.height));
     double squares = 0;
     int largest = 0;
     size_t pixels = 0;
@@ -69,7 +75,8 @@ int main(int argc, char **argv) {
         pixels += differs;
     }
     double psnr = squares > 0 ? 10 * std::log10(255. * 255. * (double)a.rgb.size() / squares) : HUGE_VAL;
-    std::printf("psnr %.2f dB, largest difference %d, %zu of %zu pixels differ\n", psnr, largest, pixels, a.rgb.size() / 3);
+    std::printf("psnr %.2f dB, largest difference %d, %zu of %zu pixels differ\n", psnr, largest, pixels,
+                a.rgb.size() / 3);
     if (diff && !writePng(diff, difference)) return refuse(std::string("cannot write ") + diff);
     bool tooFar = leastPsnr < HUGE_VAL ? psnr < leastPsnr && largest > most : largest > most;
     return tooFar ? 1 : 0;

@@ -25,14 +25,14 @@ need_for_building() {
     need "building" g++ binutils cmake ninja-build git ca-certificates libx11-dev libgl-dev libegl-dev libgl1 libgl1-mesa-dri libegl1
 }
 
-# build TARGET...: configures where needed and builds in build/
+# build TARGET... [-DOPTION...]: configures where needed and builds in $BUILD (build/ if not set)
 build() {
-    cmake -S "$ODRAZ" -B "$ODRAZ/build" -G "$(generator)" >"$ODRAZ/build.log" 2>&1 && cmake --build "$ODRAZ/build" -j "$(nproc)" --target "$@" >>"$ODRAZ/build.log" 2>&1 ||
-        { tail -n 40 "$ODRAZ/build.log" >&2; echo "${0##*/}: the build failed; its whole output is in build.log" >&2; exit 1; }
-    mv "$ODRAZ/build.log" "$ODRAZ/build/build.log"
-}
-
-# What build/ was configured with stays.
-generator() {
-    sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$ODRAZ/build/CMakeCache.txt" 2>/dev/null | grep . || echo Ninja
+    local to=${BUILD:-$ODRAZ/build} targets=() options=() word generator
+    for word in "$@"; do case $word in -D*) options+=("$word") ;; *) targets+=("$word") ;; esac; done
+    # What was configured with one generator stays with it
+    generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$to/CMakeCache.txt" 2>/dev/null || true)
+    mkdir -p "$to"
+    cmake -S "$ODRAZ" -B "$to" -G "${generator:-Ninja}" "${options[@]}" >"$to/build.log" 2>&1 &&
+        cmake --build "$to" -j "$(nproc)" --target "${targets[@]}" >>"$to/build.log" 2>&1 ||
+        { tail -n 40 "$to/build.log" >&2; echo "${0##*/}: the build failed; its whole output is in $to/build.log" >&2; exit 1; }
 }

@@ -24,7 +24,9 @@ bool readPicture(const std::string &path, Picture &p) {
 
 bool readPpm(std::FILE *stream, Picture &p) {
     int most;
-    if (std::fscanf(stream, "P6 %d %d %d", &p.width, &p.height, &most) != 3 || most != 255 || std::fgetc(stream) == EOF) return false;
+    if (std::fscanf(stream, "P6 %d %d %d", &p.width, &p.height, &most) != 3 || most != 255 ||
+        std::fgetc(stream) == EOF)
+        return false;
     if (p.width < 1 || p.height < 1 || p.width > 32768 || p.height > 32768) return false;
     p.rgb.resize((size_t)p.width * (size_t)p.height * 3);
     return std::fread(p.rgb.data(), 1, p.rgb.size(), stream) == p.rgb.size();
@@ -33,7 +35,8 @@ bool readPpm(std::FILE *stream, Picture &p) {
 bool writePng(const std::string &path, const Picture &p) {
     stbi_write_png_compression_level = 9;
     std::string part = path + ".part";
-    bool good = stbi_write_png(part.c_str(), p.width, p.height, 3, p.rgb.data(), p.width * 3) && rename(part.c_str(), path.c_str()) == 0;
+    bool good = stbi_write_png(part.c_str(), p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
+                rename(part.c_str(), path.c_str()) == 0;
     if (!good) unlink(part.c_str());
     return good;
 }
@@ -50,8 +53,10 @@ Picture shrink(const Picture &p, int width) {
             for (int c = 0; c < 3; ++c) {
                 int sum = 0, area = (x1 - x0) * (y1 - y0);
                 for (int v = y0; v < y1; ++v)
-                    for (int u = x0; u < x1; ++u) sum += p.rgb[((size_t)v * (size_t)p.width + (size_t)u) * 3 + (size_t)c];
-                small.rgb[((size_t)y * (size_t)small.width + (size_t)x) * 3 + (size_t)c] = (uint8_t)((sum + area / 2) / area);
+                    for (int u = x0; u < x1; ++u)
+                        sum += p.rgb[((size_t)v * (size_t)p.width + (size_t)u) * 3 + (size_t)c];
+                small.rgb[((size_t)y * (size_t)small.width + (size_t)x) * 3 + (size_t)c] =
+                    (uint8_t)((sum + area / 2) / area);
             }
         }
     return small;

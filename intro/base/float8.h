@@ -36,7 +36,8 @@ inline Float8 floor(Float8 x) { return _mm256_floor_ps(x); }
 
 // To the nearest integer, halves to even.
 inline float round(float x) {
-    return _mm_cvtss_f32(_mm_round_ss(_mm_set_ss(x), _mm_set_ss(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
+    return _mm_cvtss_f32(
+        _mm_round_ss(_mm_set_ss(x), _mm_set_ss(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
 inline Float8 round(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
 

@@ -6,9 +6,7 @@
 
 namespace odraz {
 
-template <class T> struct Vec3T {
-    T x, y, z;
-};
+template <class T> struct Vec3T { T x, y, z; };
 using Vec3 = Vec3T<float>;
 using Vec3x8 = Vec3T<Float8>;
 using Rgb = Vec3;
@@ -30,7 +28,9 @@ inline Vec3x8 operator-(Vec3 a, Vec3x8 b) { return {a.x - b.x, a.y - b.y, a.z - 
 inline Vec3x8 operator-(Vec3x8 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3x8 operator+(Vec3x8 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
-template <class A, class B> auto dot(Vec3T<A> a, Vec3T<B> b) { return fmadd(a.x, b.x, fmadd(a.y, b.y, a.z * b.z)); }
+template <class A, class B> auto dot(Vec3T<A> a, Vec3T<B> b) {
+    return fmadd(a.x, b.x, fmadd(a.y, b.y, a.z * b.z));
+}
 template <class T> Vec3T<T> cross(Vec3T<T> a, Vec3T<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
@@ -52,13 +52,13 @@ template <class T> T maxComponent(Vec3T<T> a) { return max(a.x, max(a.y, a.z)); 
 template <class T> T sumAbs(Vec3T<T> a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 
 // A rotation: rows are the unit axes of the local frame, so that local = M * world.
-template <class T> struct Mat3T {
-    Vec3T<T> u, v, w;
-};
+template <class T> struct Mat3T { Vec3T<T> u, v, w; };
 using Mat3 = Mat3T<float>;
 inline constexpr Mat3 kIdentity = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-template <class T> Vec3T<T> operator*(const Mat3 &m, Vec3T<T> p) { return {dot(m.u, p), dot(m.v, p), dot(m.w, p)}; }
+template <class T> Vec3T<T> operator*(const Mat3 &m, Vec3T<T> p) {
+    return {dot(m.u, p), dot(m.v, p), dot(m.w, p)};
+}
 // World = transpose * local.
 template <class T> Vec3T<T> transposeTimes(const Mat3 &m, Vec3T<T> p) {
     return {m.u.x * p.x + m.v.x * p.y + m.w.x * p.z, m.u.y * p.x + m.v.y * p.y + m.w.y * p.z,

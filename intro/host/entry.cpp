@@ -1,5 +1,5 @@
-// Where the shipped program starts: no crt1, no libc start-up. ld.so has run libc's own initialisation by now,
-// because the program has an interpreter, so malloc and threads of the libraries work.
+// Where the shipped program starts: no crt1, no libc start-up. ld.so has run libc's own initialisation by
+// now, because the program has an interpreter, so malloc and threads of the libraries work.
 #include "host/sys.h"
 
 // At entry rsp is 16-aligned and points to argc; a plain call gives the alignment that a function expects.

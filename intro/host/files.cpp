@@ -8,15 +8,25 @@ namespace odraz {
 
 static const char *reason(long error) {
     switch (-error) {
-    case sys::kEnoent: return "no such directory";
-    case sys::kEbadf: return "it is closed";
-    case sys::kEacces: return "permission denied";
-    case sys::kEexist: case sys::kEnotdir: return "not a directory";
-    case sys::kEisdir: return "it is a directory";
-    case sys::kEnospc: return "no space left on the device";
-    case sys::kErofs: return "the file system is read-only";
-    case sys::kEpipe: return "the pipe was closed";
-    default: return "the system refused";
+    case sys::kEnoent:
+        return "no such directory";
+    case sys::kEbadf:
+        return "it is closed";
+    case sys::kEacces:
+        return "permission denied";
+    case sys::kEexist:
+    case sys::kEnotdir:
+        return "not a directory";
+    case sys::kEisdir:
+        return "it is a directory";
+    case sys::kEnospc:
+        return "no space left on the device";
+    case sys::kErofs:
+        return "the file system is read-only";
+    case sys::kEpipe:
+        return "the pipe was closed";
+    default:
+        return "the system refused";
     }
 }
 

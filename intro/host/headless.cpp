@@ -7,7 +7,9 @@
 
 namespace odraz {
 
-#define ODRAZ_EGL(F) F(eglGetPlatformDisplay) F(eglInitialize) F(eglBindAPI) F(eglCreateContext) F(eglMakeCurrent) F(eglGetProcAddress)
+#define ODRAZ_EGL(F)                                                                                         \
+    F(eglGetPlatformDisplay)                                                                                 \
+    F(eglInitialize) F(eglBindAPI) F(eglCreateContext) F(eglMakeCurrent) F(eglGetProcAddress)
 struct Egl {
     ODRAZ_EGL(ODRAZ_MEMBER)
 };
@@ -17,9 +19,15 @@ const char *openHeadlessGl(Gl &gl) {
     static Egl egl;
     if (loadFunctions("libEGL.so.1", ODRAZ_EGL(ODRAZ_NAME), (void **)&egl)) return kMissing;
     EGLDisplay display = egl.eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
-    if (!display || !egl.eglInitialize(display, nullptr, nullptr) || !egl.eglBindAPI(EGL_OPENGL_API)) return kMissing;
-    static const EGLint kVersion[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                                      EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+    if (!display || !egl.eglInitialize(display, nullptr, nullptr) || !egl.eglBindAPI(EGL_OPENGL_API))
+        return kMissing;
+    static const EGLint kVersion[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_MINOR_VERSION,
+                                      3,
+                                      EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                      EGL_NONE};
     EGLContext context = egl.eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion);
     if (!context || !egl.eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return kMissing;
     auto find = [](const char *name) { return (void *)egl.eglGetProcAddress(name); };

@@ -9,7 +9,8 @@ __attribute__((noplt)) void *dlsym(void *library, const char *name);
 namespace odraz {
 
 static const char *next(const char *name) {
-    while (*name++) {}
+    while (*name++) {
+    }
     return name;
 }
 

@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Fills table[] with the functions of library `soname`, named one after the other in `names` (each with its zero,
-// an empty one at the end). Returns null, or the name of what is missing: the library or a function.
+// Fills table[] with the functions of library `soname`, named one after the other in `names` (each with its
+// zero, an empty one at the end). Returns null, or the name of what is missing: the library or a function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
 // The same, from an already known way to find a function.

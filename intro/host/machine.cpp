@@ -9,7 +9,8 @@ namespace odraz {
 bool cpuSuffices() {
     // AVX2 and BMI are leaf 7, the rest leaf 1 and 0x80000001; the kernel must save the wide registers
     unsigned a, b, c, d;
-    constexpr unsigned kLeaf1 = bit_FMA | bit_AVX | bit_F16C | bit_MOVBE | bit_OSXSAVE | bit_POPCNT | bit_SSE4_2;
+    constexpr unsigned kLeaf1 =
+        bit_FMA | bit_AVX | bit_F16C | bit_MOVBE | bit_OSXSAVE | bit_POPCNT | bit_SSE4_2;
     if (!__get_cpuid(1, &a, &b, &c, &d) || (c & kLeaf1) != kLeaf1) return false;
     unsigned low, high;
     __asm__("xgetbv" : "=a"(low), "=d"(high) : "c"(0));
@@ -65,7 +66,8 @@ int guardStandardDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (sys::call(sys::kFcntl, fd, 1 /* F_GETFD */) == -sys::kEbadf) {
             closed |= 1 << fd;
-            sys::call(sys::kOpen, (long)"/dev/null", 2 /* O_RDWR */); // takes the lowest free number: this one
+            sys::call(sys::kOpen, (long)"/dev/null",
+                      2 /* O_RDWR */); // takes the lowest free number: this one
         }
     return closed;
 }

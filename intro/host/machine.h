@@ -27,8 +27,8 @@ int complain(const char *line);
 // For viewers who double-clicked and see no standard error. Any processor.
 int refuse(const char *line);
 
-// Opens /dev/null in place of closed standard descriptors, so that no file ends up as standard error. Returns a
-// bit for every one that was closed.
+// Opens /dev/null in place of closed standard descriptors, so that no file ends up as standard error. Returns
+// a bit for every one that was closed.
 int guardStandardDescriptors();
 
 void ignoreBrokenPipes(); // a closed pipe becomes an error of write()

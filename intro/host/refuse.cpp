@@ -17,8 +17,9 @@ int refuse(const char *line) {
     XSetWindowAttributes attributes = {};
     attributes.background_pixel = BlackPixel(display, screen);
     attributes.event_mask = ExposureMask | KeyPressMask | ButtonPressMask;
-    Window window = x.XCreateWindow(display, RootWindow(display, screen), 40, 40, (unsigned)width, (unsigned)height, 0,
-                                    CopyFromParent, InputOutput, nullptr, CWBackPixel | CWEventMask, &attributes);
+    Window window =
+        x.XCreateWindow(display, RootWindow(display, screen), 40, 40, (unsigned)width, (unsigned)height, 0,
+                        CopyFromParent, InputOutput, nullptr, CWBackPixel | CWEventMask, &attributes);
     x.XStoreName(display, window, "odraz");
     Atom close = x.XInternAtom(display, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(display, window, &close, 1);

@@ -7,6 +7,7 @@ int odrazMain(int argc, char **argv) {
     int closed = odraz::guardStandardDescriptors();
     odraz::ignoreBrokenPipes();
     if (!odraz::cpuSuffices())
-        return odraz::refuse("this film needs a processor with AVX2 and FMA (x86-64-v3: Intel since 2013, AMD since 2015)");
+        return odraz::refuse(
+            "this film needs a processor with AVX2 and FMA (x86-64-v3: Intel since 2013, AMD since 2015)");
     return odrazRun(argc, argv, closed);
 }

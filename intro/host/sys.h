@@ -1,7 +1,7 @@
 // The kernel's calls, without libc. Results are the kernel's: negative is -errno.
 //
-// Everything here is static: these functions also run before the processor has been checked, so no copy of them
-// compiled for a newer one may be linked in.
+// Everything here is static: these functions also run before the processor has been checked, so no copy of
+// them compiled for a newer one may be linked in.
 #pragma once
 
 #include <stddef.h>
@@ -10,13 +10,39 @@
 namespace odraz::sys {
 
 enum Number : long {
-    kRead = 0, kWrite = 1, kOpen = 2, kClose = 3, kFstat = 5, kPoll = 7, kMmap = 9, kSigaction = 13, kIoctl = 16,
-    kNanosleep = 35, kFcntl = 72, kRename = 82, kMkdir = 83, kUnlink = 87, kReadlink = 89, kFutex = 202,
-    kGetAffinity = 204, kClockGettime = 228, kExitGroup = 231,
+    kRead = 0,
+    kWrite = 1,
+    kOpen = 2,
+    kClose = 3,
+    kFstat = 5,
+    kPoll = 7,
+    kMmap = 9,
+    kSigaction = 13,
+    kIoctl = 16,
+    kNanosleep = 35,
+    kFcntl = 72,
+    kRename = 82,
+    kMkdir = 83,
+    kUnlink = 87,
+    kReadlink = 89,
+    kFutex = 202,
+    kGetAffinity = 204,
+    kClockGettime = 228,
+    kExitGroup = 231,
 };
 
-enum Error : long { kEnoent = 2, kEintr = 4, kEbadf = 9, kEacces = 13, kEexist = 17, kEnotdir = 20, kEisdir = 21,
-                    kEnospc = 28, kErofs = 30, kEpipe = 32 };
+enum Error : long {
+    kEnoent = 2,
+    kEintr = 4,
+    kEbadf = 9,
+    kEacces = 13,
+    kEexist = 17,
+    kEnotdir = 20,
+    kEisdir = 21,
+    kEnospc = 28,
+    kErofs = 30,
+    kEpipe = 32
+};
 
 static inline long call(long number, long a = 0, long b = 0, long c = 0, long d = 0, long e = 0, long f = 0) {
     long result;

@@ -23,10 +23,10 @@ struct Pool {
     void (*body)(void *, int, int);
     void *context;
     int pieces;
-    int next;       // the first piece that nobody has taken
-    int busy;       // threads not yet done with this round
-    int round;      // counts rounds; threads sleep on it
-    int idNext;     // hands out worker numbers
+    int next;   // the first piece that nobody has taken
+    int busy;   // threads not yet done with this round
+    int round;  // counts rounds; threads sleep on it
+    int idNext; // hands out worker numbers
 };
 
 void sleepWhile(int *word, int value) { sys::call(sys::kFutex, (long)word, 128 /* WAIT | PRIVATE */, value); }
@@ -45,7 +45,8 @@ void *threadMain(void *context) {
     int worker = __atomic_add_fetch(&pool.idNext, 1, __ATOMIC_RELAXED);
     for (int seen = 0;;) {
         int round;
-        while ((round = __atomic_load_n(&pool.round, __ATOMIC_ACQUIRE)) == seen) sleepWhile(&pool.round, seen);
+        while ((round = __atomic_load_n(&pool.round, __ATOMIC_ACQUIRE)) == seen)
+            sleepWhile(&pool.round, seen);
         seen = round;
         work(pool, worker);
         if (__atomic_sub_fetch(&pool.busy, 1, __ATOMIC_ACQ_REL) == 0) wake(&pool.busy, 1);

@@ -7,8 +7,8 @@ namespace odraz {
 
 inline constexpr int kMaxThreads = 64;
 
-// Starts count - 1 threads, which sleep until there is work; they live as long as the process. Returns null, or what
-// is missing. `abort` is watched as Workers has it.
+// Starts count - 1 threads, which sleep until there is work; they live as long as the process. Returns null,
+// or what is missing. `abort` is watched as Workers has it.
 const char *startWorkers(Workers &workers, int count, const int *abort);
 
 // Runs body(context) on a thread of its own. Returns null, or what is missing.

@@ -12,7 +12,8 @@ namespace odraz {
 
 namespace {
 
-#define ODRAZ_GLX(F) F(glXChooseFBConfig) F(glXGetVisualFromFBConfig) F(glXMakeCurrent) F(glXSwapBuffers) F(glXGetProcAddress)
+#define ODRAZ_GLX(F)                                                                                         \
+    F(glXChooseFBConfig) F(glXGetVisualFromFBConfig) F(glXMakeCurrent) F(glXSwapBuffers) F(glXGetProcAddress)
 struct Glx {
     ODRAZ_GLX(ODRAZ_MEMBER)
 };
@@ -23,7 +24,8 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // belongs to the thread that traces and draws
-    Display *events;  // belongs to the thread that listens; the window is its child, so the close button tells it
+    Display
+        *events; // belongs to the thread that listens; the window is its child, so the close button tells it
     Window window;
     Atom closeRequest;
     int *leave;
@@ -83,7 +85,8 @@ void *listen(void *context) {
     }
 }
 
-// Holds off screen savers that listen to the MIT extension; where its library is absent the reset above must do.
+// Holds off screen savers that listen to the MIT extension; where its library is absent the reset above must
+// do.
 void suspendScreenSaver(Display *display) {
     void (*suspend)(Display *, Bool);
     if (!loadFunctions("libXss.so.1", "XScreenSaverSuspend\0", (void **)&suspend)) suspend(display, True);
@@ -93,7 +96,8 @@ void hidePointer(WindowState &w) {
     static const char kNothing[1] = {};
     Pixmap blank = w.x.XCreateBitmapFromData(w.events, w.window, kNothing, 1, 1);
     XColor black = {};
-    w.x.XDefineCursor(w.events, w.window, w.x.XCreatePixmapCursor(w.events, blank, blank, &black, &black, 0, 0));
+    w.x.XDefineCursor(w.events, w.window,
+                      w.x.XCreatePixmapCursor(w.events, blank, blank, &black, &black, 0, 0));
 }
 
 bool hasWindowManager(WindowState &w) {
@@ -101,8 +105,8 @@ bool hasWindowManager(WindowState &w) {
     int format;
     unsigned long items = 0, rest;
     unsigned char *data = nullptr;
-    w.x.XGetWindowProperty(w.events, DefaultRootWindow(w.events), check, 0, 1, False, AnyPropertyType, &type, &format,
-                           &items, &rest, &data);
+    w.x.XGetWindowProperty(w.events, DefaultRootWindow(w.events), check, 0, 1, False, AnyPropertyType, &type,
+                           &format, &items, &rest, &data);
     if (data) w.x.XFree(data);
     return items > 0;
 }
@@ -116,8 +120,9 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     XSetWindowAttributes attributes = {};
     attributes.colormap = x.XCreateColormap(w.events, root, visual->visual, AllocNone);
     attributes.event_mask = KeyPressMask | StructureNotifyMask;
-    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)w.width, (unsigned)w.height, 0, visual->depth, InputOutput,
-                               visual->visual, CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
+    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)w.width, (unsigned)w.height, 0, visual->depth,
+                               InputOutput, visual->visual,
+                               CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
     x.XStoreName(w.events, w.window, "odraz");
     w.closeRequest = x.XInternAtom(w.events, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(w.events, w.window, &w.closeRequest, 1);
@@ -125,7 +130,8 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
         // Asked for before mapping, so that it never appears as a window first
         Atom state = x.XInternAtom(w.events, "_NET_WM_STATE", False);
         Atom full = x.XInternAtom(w.events, "_NET_WM_STATE_FULLSCREEN", False);
-        x.XChangeProperty(w.events, w.window, state, 4 /* XA_ATOM */, 32, PropModeReplace, (unsigned char *)&full, 1);
+        x.XChangeProperty(w.events, w.window, state, 4 /* XA_ATOM */, 32, PropModeReplace,
+                          (unsigned char *)&full, 1);
     }
     hidePointer(w);
     x.XMapRaised(w.events, w.window);
@@ -156,23 +162,29 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.x.XSetIOErrorHandler(displayGone);
 
     // A context of OpenGL 3.3 on a window of the listening connection
-    static const int kFormat[] = {GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8, GLX_BLUE_SIZE, 8, None};
-    static const int kVersion[] = {GLX_CONTEXT_MAJOR_VERSION_ARB, 3, GLX_CONTEXT_MINOR_VERSION_ARB, 3,
-                                   GLX_CONTEXT_PROFILE_MASK_ARB, GLX_CONTEXT_CORE_PROFILE_BIT_ARB, None};
+    static const int kFormat[] = {GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8,
+                                  GLX_BLUE_SIZE,    8,    None};
+    static const int kVersion[] = {
+        GLX_CONTEXT_MAJOR_VERSION_ARB,    3,   GLX_CONTEXT_MINOR_VERSION_ARB, 3, GLX_CONTEXT_PROFILE_MASK_ARB,
+        GLX_CONTEXT_CORE_PROFILE_BIT_ARB, None};
     static const char kNoGl[] = "no OpenGL 3.3 on this display: install libgl1-mesa-dri, or use --dump";
     int count = 0;
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
     XVisualInfo *visual = count ? w.glx.glXGetVisualFromFBConfig(w.drawing, configs[0]) : nullptr;
-    auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress((const GLubyte *)"glXCreateContextAttribsARB");
+    auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
+        (const GLubyte *)"glXCreateContextAttribsARB");
     if (!visual || !createContext) return kNoGl;
     GLXContext context = createContext(w.drawing, configs[0], nullptr, True, kVersion);
     if (!context) return kNoGl;
     createWindow(w, visual, fullScreen, width, height);
     suspendScreenSaver(w.events);
     if (!w.glx.glXMakeCurrent(w.drawing, w.window, context)) return kNoGl;
-    auto find = [](const char *name) { return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name); };
+    auto find = [](const char *name) {
+        return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
+    };
     if (findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&window.gl)) return kNoGl;
-    if (startThread(listen, &w)) return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
+    if (startThread(listen, &w))
+        return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
     return nullptr;
 }
 
@@ -192,8 +204,10 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     }
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 
-    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is first
-    int toWidth = __atomic_load_n(&w.width, __ATOMIC_RELAXED), toHeight = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
+    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is
+    // first
+    int toWidth = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
+        toHeight = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
     int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
     int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
     int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;

@@ -14,9 +14,9 @@ struct FilmWindow {
     Gl gl; // current on the thread that opened the window
 };
 
-// Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the close button
-// set *leave from a thread of their own, whatever the others do; a tenth of a second later at most the process
-// ends, with status 0. Returns null, or a line that says what is missing and what to do.
+// Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the close
+// button set *leave from a thread of their own, whatever the others do; a tenth of a second later at most the
+// process ends, with status 0. Returns null, or a line that says what is missing and what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.

@@ -18,10 +18,8 @@ static constexpr CameraKey kPushIn[] = {
 
 // A long orbit that sinks to the table's height.
 static constexpr CameraKey kOrbit[] = {
-    {0, {-3.6f, 3.1f, 5.6f}, {0, 0.35f, 0}, 0, 37.8f},
-    {60, {2.0f, 2.5f, 5.9f}, {0, 0.4f, 0}, -1.5f, 36},
-    {120, {5.6f, 1.6f, 2.2f}, {0, 0.45f, 0}, -2, 36},
-    {184, {4.4f, 0.85f, -3.1f}, {0, 0.5f, 0}, -1, 36},
+    {0, {-3.6f, 3.1f, 5.6f}, {0, 0.35f, 0}, 0, 37.8f},      {60, {2.0f, 2.5f, 5.9f}, {0, 0.4f, 0}, -1.5f, 36},
+    {120, {5.6f, 1.6f, 2.2f}, {0, 0.45f, 0}, -2, 36},       {184, {4.4f, 0.85f, -3.1f}, {0, 0.5f, 0}, -1, 36},
     {240, {0.4f, 0.55f, -4.6f}, {-0.15f, 0.55f, 0}, 0, 36},
 };
 
@@ -54,12 +52,9 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 0, 12},
-    {144, kTable, 144, path(kOrbit), 12, 8},
-    {384, kCourt, 384, path(kAisle), 12, 0},
-    {576, kCourt, 384, path(kAbove), 0, 0},
-    {768, kCourt, 384, path(kWalk), 0, 0},
-    {1056, kCourt, 384, path(kLastBall), 0, 16},
+    {0, kPoint, 0, path(kPushIn), 0, 12},        {144, kTable, 144, path(kOrbit), 12, 8},
+    {384, kCourt, 384, path(kAisle), 12, 0},     {576, kCourt, 384, path(kAbove), 0, 0},
+    {768, kCourt, 384, path(kWalk), 0, 0},       {1056, kCourt, 384, path(kLastBall), 0, 16},
     {1232, kCredits, 1232, path(kStill), 8, 16},
 };
 

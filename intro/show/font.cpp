@@ -12,6 +12,7 @@ enum : int8_t { kEnd = -100, kLine, kArc };
 #define L kLine,
 #define A kArc,
 
+// clang-format off
 const int8_t kGlyphs[] = {
     'a', A 4, 4, 4, 0, 8, L 8, 8, 8, 0, kEnd,
     'b', A 4, 4, 4, 0, 8, L 0, 12, 0, 0, kEnd,
@@ -57,6 +58,7 @@ const int8_t kGlyphs[] = {
     '/', L 0, -2, 6, 13, kEnd,
     kEnd,
 };
+// clang-format on
 #undef L
 #undef A
 
@@ -103,8 +105,8 @@ Glyph glyph(char letter) {
 
 } // namespace
 
-void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking, Align align,
-              Rgb radiance, float opacity) {
+void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
+              Align align, Rgb radiance, float opacity) {
     if (opacity <= 0) return;
     float unit = size / 12, width = 0;
     for (const char *c = text; *c; ++c) width += (glyph(*c).advance + tracking) * unit;
@@ -115,7 +117,8 @@ void drawText(Frame &frame, const char *text, float x, float y, float size, floa
             Stroke &s = g.strokes[i];
             s = {x + s.x0 * unit, y - s.y0 * unit, x + s.x1 * unit, y - s.y1 * unit};
         }
-        if (g.count) drawStrokes(frame, g.strokes, g.count, max(size * weight * 0.5f, 0.35f), radiance, opacity);
+        if (g.count)
+            drawStrokes(frame, g.strokes, g.count, max(size * weight * 0.5f, 0.35f), radiance, opacity);
         x += (g.advance + tracking) * unit;
     }
 }

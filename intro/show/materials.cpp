@@ -5,35 +5,35 @@ namespace odraz {
 static constexpr Texture plain(Rgb c) { return {Pattern::Plain, 1, {c, c, c, c}}; }
 
 static constexpr Texture kBlackMarble = {
-    Pattern::Marble, 1.1f, {{0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.55f, 0.52f, 0.48f}}};
+    Pattern::Marble,
+    1.1f,
+    {{0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.55f, 0.52f, 0.48f}}};
 static constexpr Texture kWhiteMarble = {
-    Pattern::Marble, 0.9f, {{0.72f, 0.69f, 0.65f}, {0.62f, 0.59f, 0.55f}, {0.44f, 0.42f, 0.40f}, {0.30f, 0.29f, 0.28f}}};
+    Pattern::Marble,
+    0.9f,
+    {{0.72f, 0.69f, 0.65f}, {0.62f, 0.59f, 0.55f}, {0.44f, 0.42f, 0.40f}, {0.30f, 0.29f, 0.28f}}};
 static constexpr Texture kGranite = {
-    Pattern::Stone, 1.6f, {{0.10f, 0.10f, 0.105f}, {0.20f, 0.195f, 0.19f}, {0.34f, 0.33f, 0.32f}, {0.52f, 0.50f, 0.48f}}};
+    Pattern::Stone,
+    1.6f,
+    {{0.10f, 0.10f, 0.105f}, {0.20f, 0.195f, 0.19f}, {0.34f, 0.33f, 0.32f}, {0.52f, 0.50f, 0.48f}}};
 static constexpr Texture kSlate = {
-    Pattern::Stone, 1.1f, {{0.05f, 0.055f, 0.065f}, {0.09f, 0.095f, 0.11f}, {0.14f, 0.145f, 0.16f}, {0.24f, 0.24f, 0.25f}}};
+    Pattern::Stone,
+    1.1f,
+    {{0.05f, 0.055f, 0.065f}, {0.09f, 0.095f, 0.11f}, {0.14f, 0.145f, 0.16f}, {0.24f, 0.24f, 0.25f}}};
 static constexpr Texture kOak = {
-    Pattern::Wood, 2.6f, {{0.50f, 0.31f, 0.15f}, {0.40f, 0.225f, 0.10f}, {0.25f, 0.13f, 0.055f}, {0.13f, 0.065f, 0.028f}}};
+    Pattern::Wood,
+    2.6f,
+    {{0.50f, 0.31f, 0.15f}, {0.40f, 0.225f, 0.10f}, {0.25f, 0.13f, 0.055f}, {0.13f, 0.065f, 0.028f}}};
 
 // {texture, other, cell, diffuse, specular, exponent, reflect, fresnel, ior, absorb, tint, emit}
-Material darkMarble() {
-    return {kBlackMarble, {}, 0, 1, 0.25f, 90, 0.04f, true, 0, {}, {1, 1, 1}, {}};
-}
-Material paleMarble() {
-    return {kWhiteMarble, {}, 0, 1, 0.12f, 40, 0, false, 0, {}, {1, 1, 1}, {}};
-}
+Material darkMarble() { return {kBlackMarble, {}, 0, 1, 0.25f, 90, 0.04f, true, 0, {}, {1, 1, 1}, {}}; }
+Material paleMarble() { return {kWhiteMarble, {}, 0, 1, 0.12f, 40, 0, false, 0, {}, {1, 1, 1}, {}}; }
 Material polishedFloor() {
     return {kWhiteMarble, kSlate, 1.0f, 0.8f, 0.2f, 120, 0.07f, true, 0, {}, {1, 1, 1}, {}};
 }
-Material boards() {
-    return {kGranite, kOak, 0.6f, 1, 0.15f, 60, 0.035f, true, 0, {}, {1, 1, 1}, {}};
-}
-Material granite() {
-    return {kGranite, {}, 0, 1, 0.05f, 20, 0, false, 0, {}, {1, 1, 1}, {}};
-}
-Material oak() {
-    return {kOak, {}, 0, 1, 0.2f, 50, 0.03f, true, 0, {}, {1, 1, 1}, {}};
-}
+Material boards() { return {kGranite, kOak, 0.6f, 1, 0.15f, 60, 0.035f, true, 0, {}, {1, 1, 1}, {}}; }
+Material granite() { return {kGranite, {}, 0, 1, 0.05f, 20, 0, false, 0, {}, {1, 1, 1}, {}}; }
+Material oak() { return {kOak, {}, 0, 1, 0.2f, 50, 0.03f, true, 0, {}, {1, 1, 1}, {}}; }
 Material glass() {
     return {plain({}), {}, 0, 0, 0.9f, 400, 0, false, 1.5f, {0.22f, 0.10f, 0.13f}, {0.72f, 0.80f, 0.78f}, {}};
 }
@@ -43,8 +43,6 @@ Material mirror() {
 Material copper() {
     return {plain({0.72f, 0.34f, 0.18f}), {}, 0, 0.25f, 0.7f, 120, 0.55f, true, 0, {}, {1, 0.62f, 0.42f}, {}};
 }
-Material lamp(Rgb radiance) {
-    return {plain({}), {}, 0, 0, 0, 1, 0, false, 0, {}, {1, 1, 1}, radiance};
-}
+Material lamp(Rgb radiance) { return {plain({}), {}, 0, 0, 0, 1, 0, false, 0, {}, {1, 1, 1}, radiance}; }
 
 } // namespace odraz

@@ -5,10 +5,10 @@
 
 namespace odraz {
 
-Material darkMarble();   // black stone with pale veins, polished
-Material paleMarble();   // columns
+Material darkMarble();    // black stone with pale veins, polished
+Material paleMarble();    // columns
 Material polishedFloor(); // a checker of two stones, more mirror than marble
-Material boards();       // a checker of stone and wood
+Material boards();        // a checker of stone and wood
 Material granite();
 Material oak();
 Material glass();

@@ -1,5 +1,5 @@
-// The stretch between the table and the credits: a court of columns at nightfall, its lamps, and balls that roll
-// down its aisle. It holds the place of the flake and of the hall until these are built.
+// The stretch between the table and the credits: a court of columns at nightfall, its lamps, and balls that
+// roll down its aisle. It holds the place of the flake and of the hall until these are built.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/show.h"
@@ -9,7 +9,8 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr Key kDusk[] = {{0, 1, Smooth}, {192, 0.75f, Smooth}, {576, 0.2f, Smooth}, {688, 0, Linear}};
-static constexpr Key kLamps[] = {{40, 0, Smooth}, {120, 0.7f, Linear}, {384, 0.8f, Smooth}, {520, 1.15f, Linear}, {690, 1, Smooth}, {840, 0.12f, Linear}};
+static constexpr Key kLamps[] = {{40, 0, Smooth},      {120, 0.7f, Linear}, {384, 0.8f, Smooth},
+                                 {520, 1.15f, Linear}, {690, 1, Smooth},    {840, 0.12f, Linear}};
 static constexpr Key kRolling[] = {{0, 0, Linear}, {848, 26, Linear}}; // metres rolled
 
 static constexpr int kPairs = 4;
@@ -25,20 +26,23 @@ static void addColumn(Scene &scene, Vec3 foot, int shaft, int block) {
 void poseCourt(double row, Scene &scene) {
     float dusk = value(track(kDusk), row), lamps = value(track(kLamps), row);
     int floor = scene.add(polishedFloor()), shaft = scene.add(paleMarble()), block = scene.add(granite());
-    int beam = scene.add(oak()), silver = scene.add(mirror()), clear = scene.add(glass()), red = scene.add(copper());
+    int beam = scene.add(oak()), silver = scene.add(mirror()), clear = scene.add(glass()),
+        red = scene.add(copper());
     int glow = scene.add(lamp(Rgb{7, 5.0f, 2.9f} * lamps));
 
     // Floor, columns in pairs, beams along and across, a wall with a round opening at the end
     scene.add(plane({0, 0, 0}, floor));
     for (int i = 0; i < kPairs; ++i) {
         float z = kFirst - kSpacing * (float)i;
-        for (int side = -1; side <= 1; side += 2) addColumn(scene, {kAside * (float)side, 0, z}, shaft, block);
+        for (int side = -1; side <= 1; side += 2)
+            addColumn(scene, {kAside * (float)side, 0, z}, shaft, block);
         Shape *s = scene.add(box({0, 3.86f, z}, {0.13f, 0.14f, 2.9f}, beam));
         s->frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
         s->textureShift = {0.8f, 0.4f, 3.1f * (float)i};
     }
     for (int side = -1; side <= 1; side += 2)
-        scene.add(box({kAside * (float)side, 3.63f, 0.8f}, {0.17f, 0.09f, 6.1f}, beam))->textureShift = {0.2f, 1.1f, (float)side};
+        scene.add(box({kAside * (float)side, 3.63f, 0.8f}, {0.17f, 0.09f, 6.1f}, beam))->textureShift = {
+            0.2f, 1.1f, (float)side};
     float outline[2 * 44];
     int points = 0;
     auto point = [&](float x, float y) {
@@ -74,8 +78,9 @@ void poseCourt(double row, Scene &scene) {
         float x, z, radius, speed; // where it starts, and the share of the way it goes down the aisle
         int material;
     } rollers[] = {
-        {-1.2f, 4.4f, 0.34f, 0.30f, red},  {1.25f, 3.0f, 0.42f, -0.22f, clear}, {1.15f, -3.4f, 0.3f, -0.09f, red},
-        {-1.3f, -3.0f, 0.45f, -0.05f, clear}, {0.3f, -5.2f, 0.36f, 0.02f, silver},
+        {-1.2f, 4.4f, 0.34f, 0.30f, red},    {1.25f, 3.0f, 0.42f, -0.22f, clear},
+        {1.15f, -3.4f, 0.3f, -0.09f, red},   {-1.3f, -3.0f, 0.45f, -0.05f, clear},
+        {0.3f, -5.2f, 0.36f, 0.02f, silver},
     };
     for (const Roller &r : rollers) {
         float way = rolled * r.speed, turn = way / r.radius;

@@ -29,7 +29,8 @@ static constexpr Key kLine3[] = {{20, 0, Smooth}, {30, 1, Linear}};
 void letterCredits(double row, const Facts &facts, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](const char *text, float y, float size, Track fade, Rgb colour) {
-        drawText(frame, text, w * 0.5f, h * y, h * size, 0.085f, 1.6f, Align::Centre, colour, value(fade, row));
+        drawText(frame, text, w * 0.5f, h * y, h * size, 0.085f, 1.6f, Align::Centre, colour,
+                 value(fade, row));
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f}, grey = {0.36f, 0.36f, 0.38f};
     line("odraz", 0.17f, 0.055f, track(kLine1), pale);

@@ -8,7 +8,8 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kKeyLight[] = {{4, 0, Smooth}, {12, 0.035f, Smooth}, {20, 0.02f, Smooth}, {56, 1, Linear}};
+static constexpr Key kKeyLight[] = {
+    {4, 0, Smooth}, {12, 0.035f, Smooth}, {20, 0.02f, Smooth}, {56, 1, Linear}};
 static constexpr Key kRimLight[] = {{48, 0, Smooth}, {96, 1, Linear}};
 static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; // its x as it rolls in
 

@@ -16,14 +16,16 @@ static float stepped(double row) {
 
 void poseTable(double row, Scene &scene) {
     int board = scene.add(boards()), edge = scene.add(oak()), ground = scene.add(granite());
-    int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()), stone = scene.add(darkMarble());
+    int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()),
+        stone = scene.add(darkMarble());
 
     scene.add(box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, board));
     for (int i = 0; i < 4; ++i) {
         // The frame of the table: mitred enough for the eye, the grain along each side
         float side = i & 1 ? -3.11f : 3.11f;
         bool alongX = i < 2;
-        Shape *s = scene.add(box(alongX ? Vec3{0, -0.09f, side} : Vec3{side, -0.09f, 0}, {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, edge));
+        Shape *s = scene.add(box(alongX ? Vec3{0, -0.09f, side} : Vec3{side, -0.09f, 0},
+                                 {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, edge));
         if (alongX) s->frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
         s->textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
     }
@@ -37,10 +39,10 @@ void poseTable(double row, Scene &scene) {
         float angle, distance, radius, speed, lift;
         int material;
     } movers[] = {
-        {0.3f, 1.75f, 0.46f, 1, 0, clear},    {1.9f, 1.85f, 0.38f, 1, 0, red},
-        {3.2f, 1.8f, 0.42f, 1, 0, stone},     {4.5f, 1.75f, 0.46f, 1, 0, clear},
-        {5.5f, 1.9f, 0.28f, 1, 0, silver},    {0.9f, 2.55f, 0.2f, -1, 0, silver},
-        {4.0f, 2.55f, 0.2f, -1, 0, edge},     {2.4f, 0.95f, 0.24f, 2, 1.35f, clear},
+        {0.3f, 1.75f, 0.46f, 1, 0, clear}, {1.9f, 1.85f, 0.38f, 1, 0, red},
+        {3.2f, 1.8f, 0.42f, 1, 0, stone},  {4.5f, 1.75f, 0.46f, 1, 0, clear},
+        {5.5f, 1.9f, 0.28f, 1, 0, silver}, {0.9f, 2.55f, 0.2f, -1, 0, silver},
+        {4.0f, 2.55f, 0.2f, -1, 0, edge},  {2.4f, 0.95f, 0.24f, 2, 1.35f, clear},
     };
     for (const Mover &m : movers) {
         float angle = m.angle + turn * m.speed;

@@ -1,7 +1,8 @@
-// The film's content, as the engine sees it: a list of shots, and for every scene how it is posed and lettered.
+// The film's content, as the engine sees it: a list of shots, and for every scene how it is posed and
+// lettered.
 //
-// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function of the
-// row: no scene remembers anything.
+// Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function
+// of the row: no scene remembers anything.
 #pragma once
 
 #include "timeline/shot.h"
@@ -18,8 +19,8 @@ struct Facts {
 
 struct SceneEntry {
     const char *name;
-    void (*pose)(double row, Scene &scene);                             // fills a cleared scene
-    void (*letter)(double row, const Facts &facts, Frame &frame);       // draws over the linear picture; or null
+    void (*pose)(double row, Scene &scene);                       // fills a cleared scene
+    void (*letter)(double row, const Facts &facts, Frame &frame); // draws over the linear picture; or null
 };
 
 enum SceneId { kPoint, kTable, kCourt, kCredits, kSceneCount };

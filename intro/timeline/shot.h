@@ -7,7 +7,8 @@
 namespace odraz {
 
 // A shot runs from its row to the next shot's, the last one to the film's end; cuts between them are hard.
-// A scene counts its story time from the first of its shots, so that a cut inside it does not break its motion.
+// A scene counts its story time from the first of its shots, so that a cut inside it does not break its
+// motion.
 struct Shot {
     float row;       // film row at which it starts
     int scene;       // index of the scene it shows
@@ -29,7 +30,8 @@ struct Moment {
     float fade;      // 0 black .. 1 full
 };
 
-// What is on at a film row. Before the start it is the first shot's first picture, after the end the last's last.
+// What is on at a film row. Before the start it is the first shot's first picture, after the end the last's
+// last.
 Moment momentAt(ShotList list, double row);
 
 } // namespace odraz

@@ -26,7 +26,8 @@ struct TileScratch {
     uint32_t wanted[kCorners * kCorners];
     int wantedCount;
     Square squares[2][kTile * kTile];
-    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them (kMixed: none)
+    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them (kMixed:
+    // none)
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile];
     uint16_t pixels[kTile * kTile]; // to super-sample
@@ -118,7 +119,8 @@ void findGrains(Tile &t) {
 bool mayHideGrain(const TileScratch &s, Square q, int size) {
     for (int i = 0; i < s.grainCount; ++i) {
         const Grain &g = s.grains[i];
-        float x = clamp(g.x, (float)q.x, (float)(q.x + size)) - g.x, y = clamp(g.y, (float)q.y, (float)(q.y + size)) - g.y;
+        float x = clamp(g.x, (float)q.x, (float)(q.x + size)) - g.x,
+              y = clamp(g.y, (float)q.y, (float)(q.y + size)) - g.y;
         if ((float)size > g.radius && x * x + y * y <= g.radius * g.radius) return true;
     }
     return false;
@@ -176,14 +178,15 @@ void fill(Tile &t, Square q, int size) {
         Rgb l0 = lerp(light[0], light[2], v), l1 = lerp(light[1], light[3], v);
         Rgb r0 = lerp(rest[0], rest[2], v), r1 = lerp(rest[1], rest[3], v);
         int p = (q.y + y) * kTile + q.x;
-        spread(s.light[0], p, l0.x, l1.x), spread(s.light[1], p, l0.y, l1.y), spread(s.light[2], p, l0.z, l1.z);
+        spread(s.light[0], p, l0.x, l1.x), spread(s.light[1], p, l0.y, l1.y),
+            spread(s.light[2], p, l0.z, l1.z);
         spread(s.rest[0], p, r0.x, r1.x), spread(s.rest[1], p, r0.y, r1.y), spread(s.rest[2], p, r0.z, r1.z);
         for (int x = 0; x < size; ++x) s.owner[p + x] = owner;
     }
 }
 
-// Replaces listed pixels by the mean of side x side samples each; returns how many are left listed because their
-// samples still differ by more than the threshold.
+// Replaces listed pixels by the mean of side x side samples each; returns how many are left listed because
+// their samples still differ by more than the threshold.
 int superSample(Tile &t, int count, int side, float threshold) {
     TileScratch &s = t.s;
     int perPixel = side * side, batch = kChunk / perPixel, left = 0;
@@ -227,7 +230,8 @@ void finishTile(Tile &t) {
             const int p = y * kTile + x;
             Rgb8 sum = {load(s.rest[0] + p), load(s.rest[1] + p), load(s.rest[2] + p)};
             Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
-            Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
+            Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f),
+                   py = broadcast((float)(t.y0 + y) + 0.5f);
             int owners[8];
             for (int k = 0; k < 8; ++k) owners[k] = s.owner[p + k];
             Int8 owner = loadInts(owners);
@@ -260,7 +264,8 @@ void traceAdaptive(Tile &t) {
         for (int x = 0; x < t.width; x += q.coarse) squares[count++] = {(uint8_t)x, (uint8_t)y};
     for (int i = 0; i < count; ++i) {
         int x = squares[i].x, y = squares[i].y;
-        want(s, x, y), want(s, x + q.coarse, y), want(s, x, y + q.coarse), want(s, x + q.coarse, y + q.coarse);
+        want(s, x, y), want(s, x + q.coarse, y), want(s, x, y + q.coarse),
+            want(s, x + q.coarse, y + q.coarse);
     }
     traceWanted(t);
 
@@ -343,13 +348,15 @@ bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
     return true;
 }
 
-void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
-                   Frame &frame) {
+void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,
+                const Quality &quality, Frame &frame) {
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
     parallelFor(workers, across * down, [&](int piece, int worker) {
         int x = piece % across * kTile, y = piece / across * kTile;
-        Tile tile = {*tracer.scratch[worker], scene, view, quality, frame, x, y, min(kTile, frame.width - x), min(kTile, frame.height - y)};
+        Tile tile = {
+            *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
+            min(kTile, frame.height - y)};
         if (quality.grid > 0)
             traceGrid(tile);
         else

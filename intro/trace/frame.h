@@ -28,7 +28,8 @@ Float8 filmic(Float8 x);
 // Encodes [0, 1] after IEC 61966-2-1.
 Float8 encodeSrgb(Float8 x);
 
-// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Half a bit of fixed noise hides the steps.
+// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Half a bit of fixed noise hides the
+// steps.
 void develop(Frame &frame, Workers &workers, float exposure);
 
 } // namespace odraz

@@ -76,18 +76,21 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, bool wholeP
     Vec3x8 toOrigin = ray.o - s.centre;
     Vec3x8 o = s.aligned ? toOrigin : s.frame * toOrigin, d = s.aligned ? ray.d : s.frame * ray.d;
     switch (s.kind) {
-    case ShapeKind::Plane: return hitPlane(o.y, d.y);
+    case ShapeKind::Plane:
+        return hitPlane(o.y, d.y);
     case ShapeKind::Box: {
         Interval inside = both(slab(o.x, d.x, s.half.x), slab(o.y, d.y, s.half.y));
         return nearest(both(inside, slab(o.z, d.z, s.half.z)));
     }
-    case ShapeKind::Cylinder: return hitCylinder(s, o, d);
+    case ShapeKind::Cylinder:
+        return hitCylinder(s, o, d);
     default: {
         Float8 t = hitPlane(o.y, d.y);
         Int8 hit = t < kInfinity;
         if (wholePlane || !any(hit)) return t;
         Float8 finite = select(hit, t, 0.f);
-        return select(hit & inOutline(scene, s, fmadd(finite, d.x, o.x), fmadd(finite, d.z, o.z)), t, kInfinity);
+        return select(hit & inOutline(scene, s, fmadd(finite, d.x, o.x), fmadd(finite, d.z, o.z)), t,
+                      kInfinity);
     }
     }
 }
@@ -112,7 +115,8 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         Int8 isY = ~isX & (over.y >= over.z), isZ = ~isX & ~isY;
         auto towards = [](Float8 x) { return select(x < 0.f, -1.f, 1.f); };
         n = {select(isX, towards(q.x), 0.f), select(isY, towards(q.y), 0.f), select(isZ, towards(q.z), 0.f)};
-        q = {select(isX, n.x * s.half.x, q.x), select(isY, n.y * s.half.y, q.y), select(isZ, n.z * s.half.z, q.z)};
+        q = {select(isX, n.x * s.half.x, q.x), select(isY, n.y * s.half.y, q.y),
+             select(isZ, n.z * s.half.z, q.z)};
         face = (isY & 2) + (isZ & 4) + (((n.x + n.y + n.z) < 0.f) & 1);
         break;
     }
@@ -121,7 +125,8 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         Int8 cap = abs(q.y) - s.half.y >= r - s.half.x;
         Float8 inverse = 1.f / max(r, 1e-20f), up = select(q.y < 0.f, -1.f, 1.f);
         n = {select(cap, 0.f, q.x * inverse), select(cap, up, 0.f), select(cap, 0.f, q.z * inverse)};
-        q = {select(cap, q.x, n.x * s.half.x), select(cap, up * s.half.y, q.y), select(cap, q.z, n.z * s.half.x)};
+        q = {select(cap, q.x, n.x * s.half.x), select(cap, up * s.half.y, q.y),
+             select(cap, q.z, n.z * s.half.x)};
         face = cap & (1 + ((up < 0.f) & 1));
         break;
     }
@@ -139,16 +144,17 @@ Vec3x8 offsetOrigin(const Shape &s, const Surface8 &at, Float8 side) {
     return fmadd(at.n, error * side, at.p);
 }
 
-// Calls visit(shape) for every shape whose box an active ray enters before its limit, near boxes first if kSorted.
-// visit may lower `limit` and clear lanes of `active`.
+// Calls visit(shape) for every shape whose box an active ray enters before its limit, near boxes first if
+// kSorted. visit may lower `limit` and clear lanes of `active`.
 template <bool kSorted, class Visit>
 static void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &active, Visit &&visit) {
     for (int i = 0; i < scene.unboundedCount; ++i) visit(scene.unbounded[i]);
     if (!scene.nodeCount) return;
     auto invert = [](Float8 d) { return 1.f / select(abs(d) < 1e-20f, 1e-20f, d); };
     Vec3x8 inverse = {invert(ray.d.x), invert(ray.d.y), invert(ray.d.z)};
-    // Box planes are met at plane / d - o / d. The quotients' rounding is what a box must be widened by; with the
-    // three roundings behind them (Ize, "Robust BVH Ray Traversal", JCGT 2013) no ray slips between shape and box
+    // Box planes are met at plane / d - o / d. The quotients' rounding is what a box must be widened by; with
+    // the three roundings behind them (Ize, "Robust BVH Ray Traversal", JCGT 2013) no ray slips between shape
+    // and box
     Vec3x8 shift = ray.o * inverse;
     Float8 slack = max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f;
     auto enters = [&](const Node &n) {
@@ -160,7 +166,8 @@ static void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &a
         Float8 az = meet(n.lo.z, inverse.z, shift.z), bz = meet(n.hi.z, inverse.z, shift.z);
         Float8 enter = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
         Float8 leave = min(min(max(ax, bx), max(ay, by)), max(az, bz));
-        return select((enter <= fmadd(leave, 1.0000004f, slack)) & (enter < limit) & active, enter, kInfinity);
+        return select((enter <= fmadd(leave, 1.0000004f, slack)) & (enter < limit) & active, enter,
+                      kInfinity);
     };
     auto nearestLane = [](Float8 x) {
         Float8 m = min(x, (Float8)_mm256_permute2f128_ps(x, x, 1));
@@ -168,7 +175,8 @@ static void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &a
         return min(m, (Float8)_mm256_permute_ps(m, 0xb1))[0];
     };
 
-    // Of two boxes the one that begins farther away waits, and is looked at again if some ray still reaches it
+    // Of two boxes the one that begins farther away waits, and is looked at again if some ray still reaches
+    // it
     struct Waiting {
         int node;
         float enter;

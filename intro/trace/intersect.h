@@ -1,10 +1,10 @@
 // Rays against shapes, eight rays at a time.
 //
 // Directions have unit length. A hit counts at t > 0 and t < kFar; origins on surfaces are moved off them by
-// the caller (offsetOrigin). Solid shapes are met from inside too, at their far side. The forms are chosen for
-// floats: a sphere is judged by the perpendicular distance from its centre to the ray (Haines, Guenther and
-// Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019), the others as
-// intersections of intervals in their local frames.
+// the caller (offsetOrigin). Solid shapes are met from inside too, at their far side. The forms are chosen
+// for floats: a sphere is judged by the perpendicular distance from its centre to the ray (Haines, Guenther
+// and Akenine-Moeller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems, 2019), the
+// others as intersections of intervals in their local frames.
 #pragma once
 
 #include "trace/scene.h"
@@ -24,8 +24,8 @@ struct Hit8 {
 // result is undefined.
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
 
-// What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass. `blocker`
-// is an opaque shape to try first, or -1; it becomes the last one met. It changes the speed only.
+// What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass.
+// `blocker` is an opaque shape to try first, or -1; it becomes the last one met. It changes the speed only.
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, int &blocker);
 
 // Distance to one shape, kInfinity where it is missed. `wholePlane`: takes a polygon without its outline.

@@ -16,7 +16,8 @@ static Float8 marble(Vec3x8 p, Float8 width) {
         return inside * inside * (halfWidth / wide);
     };
     Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
-    Float8 veins = fmadd(vein(broad, 0.02f + 0.1f * strength, width), strength, vein(thin, broadcast(0.1f), width * 2.3f) * 0.35f);
+    Float8 veins = fmadd(vein(broad, 0.02f + 0.1f * strength, width), strength,
+                         vein(thin, broadcast(0.1f), width * 2.3f) * 0.35f);
     return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.8f);
 }
 
@@ -46,9 +47,15 @@ static Rgb8 colour(const Texture &t, Vec3x8 q, Float8 width) {
     Vec3x8 p = q * broadcast(t.scale);
     Float8 w = width * t.scale, v;
     switch (t.pattern) {
-    case Pattern::Marble: v = marble(p, w); break;
-    case Pattern::Wood: v = wood(p, w); break;
-    default: v = stone(p, w); break;
+    case Pattern::Marble:
+        v = marble(p, w);
+        break;
+    case Pattern::Wood:
+        v = wood(p, w);
+        break;
+    default:
+        v = stone(p, w);
+        break;
     }
     // Look the number up in the palette
     Rgb8 c = broadcast(t.palette[0]);
@@ -81,7 +88,8 @@ Rgb8 albedo(const Material &m, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, 
     Float8 wz = sqrt(fmadd(wide * wide, 1.f - alongX, narrow * narrow * alongX));
     Float8 even = fmadd(squareWave(x, wx) * squareWave(z, wz), 0.5f, 0.5f);
     Int8 sharp = max(wx, wz) < 1.f;
-    cell = (toInt(floor(clamp(x, -1e6f, 1e6f))) * 73 + toInt(floor(clamp(z, -1e6f, 1e6f))) * 1031 + 1) & sharp;
+    cell =
+        (toInt(floor(clamp(x, -1e6f, 1e6f))) * 73 + toInt(floor(clamp(z, -1e6f, 1e6f))) * 1031 + 1) & sharp;
 
     Rgb8 result = {};
     if (any(even > 0.f)) result = colour(m.texture, q, mean) * even;

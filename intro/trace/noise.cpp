@@ -2,9 +2,9 @@
 
 namespace odraz {
 
-// Dot product of (x, y, z) with one of the twelve edge gradients: two different coordinates, each with a sign.
-// The hash's high bits choose: 31, 30 signs; 29 whether the first is x or y; 28, 27 whether the second is z (if either)
-// or the other of x and y. Bitwise selection: blends are dear, and there are eight corners.
+// Dot product of (x, y, z) with one of the twelve edge gradients: two different coordinates, each with a
+// sign. The hash's high bits choose: 31, 30 signs; 29 whether the first is x or y; 28, 27 whether the second
+// is z (if either) or the other of x and y. Bitwise selection: blends are dear, and there are eight corners.
 static Float8 gradient(Uint8 hash, Float8 x, Float8 y, Float8 z) {
     Int8 h = (Int8)hash, differ = bits(x) ^ bits(y);
     Int8 first = bits(x) ^ ((h << 2) >> 31 & differ);

@@ -2,7 +2,8 @@
 
 namespace odraz {
 
-void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance, float opacity) {
+void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance,
+                 float opacity) {
     // Bound the figure
     float lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};
     for (int i = 0; i < count; ++i) {

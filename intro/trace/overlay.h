@@ -10,8 +10,9 @@ struct Stroke {
     float x0, y0, x1, y1;
 };
 
-// Lays strokes of the given half width (pixels) over the frame as one figure: overlaps do not add up. Edges are
-// anti-aliased; opacity 0 .. 1 mixes `radiance` with what is there.
-void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance, float opacity);
+// Lays strokes of the given half width (pixels) over the frame as one figure: overlaps do not add up. Edges
+// are anti-aliased; opacity 0 .. 1 mixes `radiance` with what is there.
+void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance,
+                 float opacity);
 
 } // namespace odraz

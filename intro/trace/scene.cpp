@@ -17,7 +17,15 @@ Shape *Scene::add(const Shape &s) {
 
 Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material) {
     if (outlineCount + count > kMaxOutline) count = kMaxOutline - outlineCount;
-    Shape s = {ShapeKind::Polygon, (uint8_t)material, (uint16_t)outlineCount, (uint16_t)count, centre, {}, frame, false, {}};
+    Shape s = {ShapeKind::Polygon,
+               (uint8_t)material,
+               (uint16_t)outlineCount,
+               (uint16_t)count,
+               centre,
+               {},
+               frame,
+               false,
+               {}};
     for (int i = 0; i < 2 * count; ++i) outline[2 * outlineCount + i] = points[i];
     outlineCount += count;
     return add(s);
@@ -56,8 +64,8 @@ static float halfArea(const Bounds &b) {
 }
 
 // Splits a node's shapes along the axis on which their middles spread most, where the surface area heuristic
-// (Goldsmith and Salmon, 1987) is least, down to leaves of two. Recursion is at most kMaxDeep deep: below that, and
-// so for shapes that coincide, leaves hold what is left.
+// (Goldsmith and Salmon, 1987) is least, down to leaves of two. Recursion is at most kMaxDeep deep: below
+// that, and so for shapes that coincide, leaves hold what is left.
 static constexpr int kMaxDeep = 28;
 static void build(Scene &s, const Bounds *b, int node, int first, int count, int deep) {
     // Bound shapes and their middles
@@ -68,7 +76,8 @@ static void build(Scene &s, const Bounds *b, int node, int first, int count, int
         include(middles, middle(i), middle(i));
     }
     // Grow by the slab test's rounding
-    Vec3 size = {max(abs(all.lo.x), abs(all.hi.x)), max(abs(all.lo.y), abs(all.hi.y)), max(abs(all.lo.z), abs(all.hi.z))};
+    Vec3 size = {max(abs(all.lo.x), abs(all.hi.x)), max(abs(all.lo.y), abs(all.hi.y)),
+                 max(abs(all.lo.z), abs(all.hi.z))};
     Vec3 margin = size * 4e-6f + Vec3{1e-7f, 1e-7f, 1e-7f};
     Node &n = s.nodes[node];
     n = {all.lo - margin, first, all.hi + margin, count};
@@ -123,7 +132,8 @@ void Scene::finish() {
         }
         box[i] = bounds(*this, s);
         order[bounded++] = (uint16_t)i;
-        if (s.kind == ShapeKind::Sphere && occluderCount < kMaxOccluders && maxComponent(materials[s.material].emit) == 0) {
+        if (s.kind == ShapeKind::Sphere && occluderCount < kMaxOccluders &&
+            maxComponent(materials[s.material].emit) == 0) {
             occluder[occluderCount] = s.centre;
             occluderRadius[occluderCount++] = s.half.x;
         }

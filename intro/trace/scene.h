@@ -9,15 +9,16 @@
 
 namespace odraz {
 
-inline constexpr int kMaxShapes = 1024, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024, kMaxOccluders = 24;
+inline constexpr int kMaxShapes = 1024, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
+                     kMaxOccluders = 24;
 
 // A point or spot light, with a hard shadow. Irradiance at distance r is intensity / r^2.
 struct Light {
     Vec3 position;
     Rgb intensity;
-    Vec3 direction;  // unit, where a spot looks
-    float cosOuter;  // no light beyond this angle; -2: a point light
-    float cosInner;  // full light within this angle, cosOuter < cosInner
+    Vec3 direction; // unit, where a spot looks
+    float cosOuter; // no light beyond this angle; -2: a point light
+    float cosInner; // full light within this angle, cosOuter < cosInner
 };
 
 inline Light pointLight(Vec3 position, Rgb intensity) { return {position, intensity, {0, -1, 0}, -2, -1.5f}; }
@@ -38,10 +39,10 @@ struct Scene {
     float outline[kMaxOutline * 2]; // the polygons' points
     int shapeCount, materialCount, lightCount, outlineCount;
 
-    Rgb skyLow, skyHigh;  // radiance towards the horizon and below, and towards the zenith
+    Rgb skyLow, skyHigh;         // radiance towards the horizon and below, and towards the zenith
     Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
-    float fog;            // how fast things turn into the horizon: share left = 2^(-fog distance)
-    float exposure;       // factor before tone mapping
+    float fog;                   // how fast things turn into the horizon: share left = 2^(-fog distance)
+    float exposure;              // factor before tone mapping
 
     // Made by finish()
     Node nodes[2 * kMaxShapes];
@@ -62,7 +63,8 @@ struct Scene {
     void add(const Light &l) {
         if (lightCount < kMaxLights) lights[lightCount++] = l;
     }
-    // A polygon in the plane through `centre` with frame's v as its normal; `points` are `count` pairs (x, z).
+    // A polygon in the plane through `centre` with frame's v as its normal; `points` are `count` pairs (x,
+    // z).
     Shape *addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material);
     // Builds the tree; after it the scene may be traced.
     void finish();

@@ -20,18 +20,19 @@ enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon };
 
 struct Shape {
     ShapeKind kind;
-    uint8_t material;      // index into Scene::materials
-    uint16_t firstVertex;  // polygons: the outline in Scene::outline, two floats a point
-    uint16_t vertexCount;  //
-    Vec3 centre;           // world
-    Vec3 half;             // see above; positive
-    Mat3 frame;            // a rotation
-    bool aligned;          // the frame is the world's; Scene::finish() sees to it
-    Vec3 textureShift;     // added to local coordinates before texturing: no two balls cut from one place
+    uint8_t material;     // index into Scene::materials
+    uint16_t firstVertex; // polygons: the outline in Scene::outline, two floats a point
+    uint16_t vertexCount; //
+    Vec3 centre;          // world
+    Vec3 half;            // see above; positive
+    Mat3 frame;           // a rotation
+    bool aligned;         // the frame is the world's; Scene::finish() sees to it
+    Vec3 textureShift;    // added to local coordinates before texturing: no two balls cut from one place
 };
 
 inline Shape sphere(Vec3 centre, float radius, int material) {
-    return {ShapeKind::Sphere, (uint8_t)material, 0, 0, centre, {radius, radius, radius}, kIdentity, true, {}};
+    return {ShapeKind::Sphere,        (uint8_t)material, 0,    0, centre,
+            {radius, radius, radius}, kIdentity,         true, {}};
 }
 // Through `point`, facing up.
 inline Shape plane(Vec3 point, int material) {
@@ -42,7 +43,8 @@ inline Shape box(Vec3 centre, Vec3 half, int material) {
 }
 // Upright, about its middle.
 inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
-    return {ShapeKind::Cylinder, (uint8_t)material, 0, 0, middle, {radius, halfHeight, radius}, kIdentity, true, {}};
+    return {ShapeKind::Cylinder,          (uint8_t)material, 0,    0, middle,
+            {radius, halfHeight, radius}, kIdentity,         true, {}};
 }
 
 struct Bounds {

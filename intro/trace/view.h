@@ -7,21 +7,23 @@ namespace odraz {
 
 struct View {
     Vec3 eye;
-    Vec3 forward;      // unit
-    Vec3 right, down;  // across the whole picture, at distance 1
+    Vec3 forward;        // unit
+    Vec3 right, down;    // across the whole picture, at distance 1
     float width, height; // of the picture in pixels
-    float spread;      // how much a pixel widens per unit of distance
+    float spread;        // how much a pixel widens per unit of distance
 
-    // The direction (not of unit length) through the point (x, y) of the picture, in pixels from its top left.
+    // The direction (not of unit length) through the point (x, y) of the picture, in pixels from its top
+    // left.
     template <class T> Vec3T<T> direction(T x, T y) const {
         T u = x * (1.f / width) - 0.5f, v = y * (1.f / height) - 0.5f;
-        return {fmadd(u, right.x, fmadd(v, down.x, forward.x)), fmadd(u, right.y, fmadd(v, down.y, forward.y)),
+        return {fmadd(u, right.x, fmadd(v, down.x, forward.x)),
+                fmadd(u, right.y, fmadd(v, down.y, forward.y)),
                 fmadd(u, right.z, fmadd(v, down.z, forward.z))};
     }
 };
 
-// Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the eye
-// looks along -z, a view straight up or down takes -z or z as its upper edge: there is always a picture.
+// Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the
+// eye looks along -z, a view straight up or down takes -z or z as its upper edge: there is always a picture.
 View lookAt(Vec3 eye, Vec3 target, float roll, float fov, int width, int height);
 
 } // namespace odraz

@@ -40,13 +40,14 @@ struct Lighting {
     Int8 states; // as Sample::lights
 };
 
-// Ambient light, less what the balls around take from it (each by the form factor of a sphere wholly above the
-// horizon, (r/d)^2 cos), then every light by Phong's formula and a shadow ray.
-// Lights that would add less than a twentieth of the cutoff to the picture are left out, by `share`, the ray's own.
-Lighting illuminate(const Context &c, const Shape &shape, const Material &m, const Surface8 &at, Vec3x8 n, Float8 side,
-                    Vec3x8 d, Int8 active, Float8 share) {
+// Ambient light, less what the balls around take from it (each by the form factor of a sphere wholly above
+// the horizon, (r/d)^2 cos), then every light by Phong's formula and a shadow ray. Lights that would add less
+// than a twentieth of the cutoff to the picture are left out, by `share`, the ray's own.
+Lighting illuminate(const Context &c, const Shape &shape, const Material &m, const Surface8 &at, Vec3x8 n,
+                    Float8 side, Vec3x8 d, Int8 active, Float8 share) {
     const Scene &scene = c.scene;
-    float reflectance = maxComponent(scene.mean[shape.material]), least = c.quality.cutoff * 0.05f / scene.exposure;
+    float reflectance = maxComponent(scene.mean[shape.material]),
+          least = c.quality.cutoff * 0.05f / scene.exposure;
     Float8 open = broadcast(1.f);
     for (int i = 0; i < scene.occluderCount; ++i) {
         Vec3x8 to = scene.occluder[i] - at.p;
@@ -56,7 +57,9 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         open *= 1.f - clamp(facing * r2 / (square * sqrt(square)) - 0.0025f, 0.f, 0.95f);
     }
     Lighting result = {};
-    result.diffuse = (broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f)) * open;
+    result.diffuse =
+        (broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f)) *
+        open;
 
     Vec3x8 origin = offsetOrigin(shape, at, side);
     Vec3x8 mirrored = fmadd(n, dot(n, d) * -2.f, d);
@@ -71,10 +74,13 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Float8 strength = 1.f / square;
         if (light.cosOuter > -1.5f)
             strength *= smoothstep(light.cosOuter, light.cosInner, -dot(light.direction, l));
-        // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100 cycles each
+        // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100 cycles
+        // each
         Float8 lobe = {}, towards = dot(mirrored, l);
-        if (any(towards > lobeEnd)) lobe = select(towards > lobeEnd, pow(towards, m.exponent) * m.specular, 0.f);
-        Float8 promised = fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
+        if (any(towards > lobeEnd))
+            lobe = select(towards > lobeEnd, pow(towards, m.exponent) * m.specular, 0.f);
+        Float8 promised =
+            fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
         Int8 lit = active & (cosine > 0.f) & (promised > least);
         if (!any(lit)) continue;
         // Add what its shadow ray lets through
@@ -85,7 +91,8 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;
         result.diffuse += arriving * cosine;
         result.highlight += arriving * lobe;
-        Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3), select(lobe > 0.02f, broadcast(2), broadcast(1)));
+        Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3),
+                            select(lobe > 0.02f, broadcast(2), broadcast(1)));
         result.states |= (lit & state) << (2 * i);
     }
     return result;
@@ -94,8 +101,8 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
 void addTo(Rgb &sum, const Rgb8 &value, int lane) { sum += Rgb{value.x[lane], value.y[lane], value.z[lane]}; }
 
 // Appends the lanes of `active` to a stream.
-void emit(const Context &c, RayStream &out, const RayStream &in, const Packet &p, Vec3x8 o, Vec3x8 d, Rgb8 weight,
-          Float8 width, Float8 spread, uint32_t branch) {
+void emit(const Context &c, RayStream &out, const RayStream &in, const Packet &p, Vec3x8 o, Vec3x8 d,
+          Rgb8 weight, Float8 width, Float8 spread, uint32_t branch) {
     int lanes = laneBits(p.active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff));
     for (; lanes; lanes &= lanes - 1) {
         int k = __builtin_ctz(lanes), i = out.count++;
@@ -120,7 +127,8 @@ void shadeSky(const Context &c, const RayStream &in, const Packet &p) {
 
 // Reflects and refracts where the surface does.
 void scatter(const Context &c, const RayStream &in, RayStream &out, const Packet &p, const Shape &shape,
-             const Material &m, const Surface8 &at, Vec3x8 n, Float8 side, Float8 cosine, Float8 width, Rgb8 weight) {
+             const Material &m, const Surface8 &at, Vec3x8 n, Float8 side, Float8 cosine, Float8 width,
+             Rgb8 weight) {
     const Vec3x8 &d = p.r.d;
     // A curved mirror widens what it throws back
     Float8 curve = broadcast(shape.kind == ShapeKind::Sphere ? 1.f / shape.half.x : 0.f);
@@ -138,7 +146,8 @@ void scatter(const Context &c, const RayStream &in, RayStream &out, const Packet
         Vec3x8 bent = normalize(fmadd(n, eta * cosine - cosineT, d * eta));
         emit(c, out, in, p, outside, mirrored, weight * reflected, width, mirrorSpread, 0);
         Float8 bentSpread = min(fmadd(width * curve, abs(eta - 1.f), p.spread), 1.f);
-        emit(c, out, in, p, offsetOrigin(shape, at, -side), bent, weight * (1.f - reflected), width, bentSpread, 1);
+        emit(c, out, in, p, offsetOrigin(shape, at, -side), bent, weight * (1.f - reflected), width,
+             bentSpread, 1);
     } else if (m.reflect > 0) {
         Float8 reflected = broadcast(m.reflect);
         if (m.fresnel) {
@@ -180,7 +189,8 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
                       broadcast(m.diffuse);
         // Inside glass there are no highlights: its lights come by refraction
         Int8 litSide = m.ior > 0 ? p.active & (side > 0.f) : p.active;
-        if (any(litSide)) lighting = illuminate(c, shape, m, at, n, side, p.r.d, litSide, maxComponent(weight));
+        if (any(litSide))
+            lighting = illuminate(c, shape, m, at, n, side, p.r.d, litSide, maxComponent(weight));
     }
     Rgb8 rest = haze + weight * (lighting.highlight + broadcast(m.emit));
     Rgb8 light = lighting.diffuse * weight;
@@ -200,7 +210,8 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
         } else {
             addTo(s.rest, diffuse * light, k);
             if (marked >> k & 1)
-                s.secondary += pcg(in.path[p.ray[k]] ^ pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
+                s.secondary += pcg(in.path[p.ray[k]] ^
+                                   pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
         }
     }
     bool mayGoOn = in.path[p.ray[0]] >> c.quality.depth == 0;
@@ -279,8 +290,8 @@ void traceStream(const Context &c, int level) {
 
 } // namespace
 
-void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch, int count,
-                  const float *x, const float *y, const uint32_t *index, Sample *samples) {
+void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
+                  int count, const float *x, const float *y, const uint32_t *index, Sample *samples) {
     Context c = {scene, quality, scratch, samples};
     for (int &blocker : scratch.blocker) blocker = -1; // of another scene, perhaps
     RayStream &stream = scratch.streams[0];
@@ -304,7 +315,8 @@ void traceSamples(const Scene &scene, const View &view, const Quality &quality, 
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y) {
     const Material &m = scene.materials[shape.material];
     if (m.diffuse == 0) return broadcast(Rgb{});
-    if (m.texture.pattern == Pattern::Plain && m.cell == 0) return broadcast(m.texture.palette[0] * m.diffuse);
+    if (m.texture.pattern == Pattern::Plain && m.cell == 0)
+        return broadcast(m.texture.palette[0] * m.diffuse);
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Float8 t = distance(scene, shape, ray, true);
     Surface8 at = surfaceAt(shape, ray, t);

@@ -1,10 +1,10 @@
 // Whitted ray tracing over streams of rays.
 //
-// A stream of primary rays is intersected in packets of eight; its hits are sorted by shape, so that a packet is
-// shaded by one shape and one material; the rays that reflect and refract there form the next stream. Recursion
-// ends at a depth, and where a ray's share of the picture falls below a cutoff. Phong shading with clamped
-// cosines, hard shadows dimmed by glass, exact Fresnel weights and total internal reflection in glass.
-// Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
+// A stream of primary rays is intersected in packets of eight; its hits are sorted by shape, so that a packet
+// is shaded by one shape and one material; the rays that reflect and refract there form the next stream.
+// Recursion ends at a depth, and where a ray's share of the picture falls below a cutoff. Phong shading with
+// clamped cosines, hard shadows dimmed by glass, exact Fresnel weights and total internal reflection in
+// glass. Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
 #pragma once
 
 #include "trace/quality.h"
@@ -12,7 +12,8 @@
 
 namespace odraz {
 
-// What a primary ray brought: radiance = albedo * light + rest, and the marks by which neighbours are compared.
+// What a primary ray brought: radiance = albedo * light + rest, and the marks by which neighbours are
+// compared.
 struct Sample {
     Rgb albedo;         // diffuse colour at the primary hit
     Rgb light;          // diffuse light on it
@@ -29,22 +30,22 @@ inline constexpr int kStream = 2 * kChunk; // each may leave two
 
 struct RayStream {
     int count;
-    float o[3][kStream], d[3][kStream]; // origin, unit direction
-    float weight[3][kStream];           // share of the picture per channel
+    float o[3][kStream], d[3][kStream];    // origin, unit direction
+    float weight[3][kStream];              // share of the picture per channel
     float width[kStream], spread[kStream]; // of the sample at the origin, and its growth per unit
-    uint32_t sample[kStream];           // index of the Sample it adds to
-    uint32_t path[kStream];             // 1, then a bit for every bounce: 0 reflected, 1 refracted
+    uint32_t sample[kStream];              // index of the Sample it adds to
+    uint32_t path[kStream];                // 1, then a bit for every bounce: 0 reflected, 1 refracted
 };
 
 struct TraceScratch {
     RayStream streams[kMaxDepth + 2];
-    int blocker[kMaxLights]; // what last stood before each light
+    int blocker[kMaxLights];       // what last stood before each light
     int shapeRays[kMaxShapes + 1]; // counts while sorting; all zero in between
 };
 
 // Traces count rays through the picture points (x, y), pixels from the top left, into samples[index].
-void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch, int count,
-                  const float *x, const float *y, const uint32_t *index, Sample *samples);
+void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
+                  int count, const float *x, const float *y, const uint32_t *index, Sample *samples);
 
 // The diffuse colour that eight picture points show of one shape's surface.
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y);
