@@ -35,24 +35,29 @@ struct SceneStats {
     int shown, dropped;
 };
 
-// Keeps up with the clock by asking for less: first reflections and shadows at half the resolution, then
-// silhouettes. The two limits are far enough apart that a step down never makes a step up due.
+// Keeps up with the clock by asking for less: reflections and shadows first by five samples in four pixels,
+// then by one in four, and last the silhouettes too. The limits are so far apart (a step is at most a factor
+// of 1.8) that a step down never makes a step up due.
 struct Governor {
-    static constexpr float kTooSlow = 0.055f, kFast = 0.018f; // seconds a frame
-    int strain = 0;                                           // 0 .. 2
-    float average = 0.03f;
+    static constexpr int kMostStrain = 3;
+    static constexpr float kTooSlow[kMostStrain] = {0.062f, 0.062f, 0.08f}; // seconds a frame, by strain
+    static constexpr float kFast = 0.03f;
+    int strain = 0;
+    float average = 0.04f;
 
     Quality quality(Quality q) const {
         q.inner = max(q.inner, strain > 0 ? 2 : 1);
-        q.fine = max(q.fine, strain > 1 ? 2 : 1);
+        q.middle = strain == 1;
+        q.fine = max(q.fine, strain > 2 ? 2 : 1);
         return q;
     }
     void spent(float seconds) {
         average += (seconds - average) * 0.2f;
-        int step = average > kTooSlow && strain < 2 ? 1 : average < kFast && strain > 0 ? -1 : 0;
+        bool slow = strain < kMostStrain && average > kTooSlow[strain], fast = strain > 0 && average < kFast;
+        int step = slow ? 1 : fast ? -1 : 0;
         if (!step) return;
         strain += step;
-        average = 0.03f; // judge the new choice by its own frames
+        average = 0.04f; // judge the new choice by its own frames
     }
 };
 

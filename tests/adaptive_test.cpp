@@ -2,7 +2,9 @@
 #include "show/show.h"
 #include "trace/adaptive.h"
 
+#include <atomic>
 #include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
 #include <thread>
@@ -81,6 +83,22 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     EXPECT_GT(play, draft + 3);
     EXPECT_GT(film, play + 2);
     EXPECT_GT(film, 40);
+}
+
+// The steps that the governor takes: each saves samples and costs accuracy, the sample in the middle less
+// than none.
+TEST(Adaptive, StepsDownInOrder) {
+    Picture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
+    Quality q = named(QualityName::Play);
+    Picture full = traced(kTable, 100, kTableView, q, 320, 180);
+    q.inner = 2;
+    Picture without = traced(kTable, 100, kTableView, q, 320, 180);
+    q.middle = true;
+    Picture with = traced(kTable, 100, kTableView, q, 320, 180);
+    EXPECT_GT(full.samples, with.samples);
+    EXPECT_GT(with.samples, without.samples);
+    EXPECT_GT(psnr(reference, full), psnr(reference, with));
+    EXPECT_GT(psnr(reference, with), psnr(reference, without) + 0.5);
 }
 
 TEST(Adaptive, TakesFewerSamplesThanPixels) {

@@ -11,7 +11,7 @@ using namespace odraz;
 
 namespace {
 
-constexpr Quality kExact = {1, 0, 0, 0, 0, 0, 0, 0, 12, 1e-6f};
+constexpr Quality kExact = {1, 0, 0, 0, false, 0, 0, 0, 0, 12, 1e-6f};
 
 Material matte(Rgb c) {
     Material m = {};

@@ -30,7 +30,8 @@ struct TileScratch {
     // none)
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile];
-    uint16_t pixels[kTile * kTile]; // to super-sample
+    uint16_t pixels[kTile * kTile];    // to super-sample
+    Square middles[kTile * kTile / 4]; // squares of 2 pixels with a sample in the middle
     Sample fine[kChunk];
     Grain grains[kGrains];
     int grainCount;
@@ -185,6 +186,25 @@ void fill(Tile &t, Square q, int size) {
     }
 }
 
+// Fills a square of 2x2 pixels that has a fifth sample in its middle: every pixel lies between that and a
+// corner.
+void fillByMiddle(Tile &t, Square q) {
+    TileScratch &s = t.s;
+    int c[4];
+    cornersOf(q, 2, c);
+    const Sample &middle = s.corners[c[0] + kCorners + 1];
+    for (int i = 0; i < 4; ++i) {
+        const Sample &corner = s.corners[c[i]];
+        int p = (q.y + i / 2) * kTile + q.x + i % 2;
+        bool same = corner.id == middle.id && corner.id;
+        Rgb light = same ? (corner.light + middle.light) * 0.5f : Rgb{};
+        Rgb rest = (same ? corner.rest + middle.rest : corner.radiance() + middle.radiance()) * 0.5f;
+        s.light[0][p] = light.x, s.light[1][p] = light.y, s.light[2][p] = light.z;
+        s.rest[0][p] = rest.x, s.rest[1][p] = rest.y, s.rest[2][p] = rest.z;
+        s.owner[p] = same ? (uint16_t)((corner.id - 1) / 8) : kMixed;
+    }
+}
+
 // Replaces listed pixels by the mean of side x side samples each; returns how many are left listed because
 // their samples still differ by more than the threshold.
 int superSample(Tile &t, int count, int side, float threshold) {
@@ -270,7 +290,7 @@ void traceAdaptive(Tile &t) {
     traceWanted(t);
 
     // Split what differs, level by level; fill the rest
-    int rough = 0;
+    int rough = 0, middles = 0;
     for (int size = q.coarse; count; size /= 2) {
         int splits = 0, half = size / 2;
         for (int i = 0; i < count; ++i) {
@@ -279,6 +299,11 @@ void traceAdaptive(Tile &t) {
             cornersOf(a, size, c);
             bool split = size > q.fine && (size > q.inner ? differ(s, c, q.threshold) : onSilhouette(s, c));
             split |= size > q.fine && mayHideGrain(s, a, size);
+            if (!split && size == 2 && q.middle && differ(s, c, q.threshold)) {
+                want(s, a.x + 1, a.y + 1);
+                s.middles[middles++] = a;
+                continue;
+            }
             if (!split) {
                 fill(t, a, size);
                 if (size > 1 || q.levels == 0) continue;
@@ -303,6 +328,8 @@ void traceAdaptive(Tile &t) {
         next = done;
         count = splits;
     }
+
+    for (int i = 0; i < middles; ++i) fillByMiddle(t, s.middles[i]);
 
     // Super-sample pixels whose corners differ, and once more those whose samples still do
     for (int level = 1; level <= q.levels && rough; ++level)

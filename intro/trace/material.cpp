@@ -7,12 +7,12 @@ namespace odraz {
 
 // Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds.
 static Float8 marble(Vec3x8 p, Float8 width) {
-    Float8 warp = fractalNoise(p * broadcast(0.7f), 3, width * 0.7f);
+    Float8 warp = fractalNoise(p * broadcast(0.7f), 2, width * 0.7f);
     Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
     Float8 broad = abs(noise(bent)), thin = abs(noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f}));
     // A vein widens to what a sample sees, and pales in proportion
     auto vein = [](Float8 distance, Float8 halfWidth, Float8 seen) {
-        Float8 wide = max(halfWidth, seen), inside = saturate(1.f - distance / wide);
+        Float8 wide = max(halfWidth, seen * 1.5f), inside = saturate(1.f - distance / wide);
         return inside * inside * (halfWidth / wide);
     };
     Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
@@ -37,7 +37,7 @@ static Float8 wood(Vec3x8 p, Float8 width) {
 
 // Grains of several sizes.
 static Float8 stone(Vec3x8 p, Float8 width) {
-    Float8 coarse = fractalNoise(p, 4, width);
+    Float8 coarse = fractalNoise(p, 3, width);
     Float8 grain = noise(p * broadcast(11.f)) * bandLimit(width, 0.09f);
     return saturate(fmadd(coarse, 0.38f, fmadd(grain, 0.2f, 0.5f)));
 }
