@@ -44,7 +44,8 @@ const Frame &frame(Intro &intro, double seconds, const Quality &quality, const C
     View view = lookAt(c.eye, c.target, c.roll, c.fov, picture.width, picture.height);
     traceFrame(intro.tracer, *intro.workers, scene, view, quality, picture);
     if (entry.letter) entry.letter(m.storyRow, intro.facts, picture);
-    develop(picture, *intro.workers, scene.exposure * m.fade);
+    // Squared, a fade looks even: the eye is quick to see the first light
+    develop(picture, *intro.workers, scene.exposure * m.fade * m.fade);
     return picture;
 }
 
