@@ -28,7 +28,7 @@ void poseCourt(double row, Scene &scene) {
     int floor = scene.add(polishedFloor()), shaft = scene.add(paleMarble()), block = scene.add(granite());
     int beam = scene.add(oak()), silver = scene.add(mirror()), clear = scene.add(glass()),
         red = scene.add(copper());
-    int glow = scene.add(lamp(Rgb{7, 5.0f, 2.9f} * lamps));
+    int glow = scene.add(lamp(Rgb{3.0f, 2.3f, 1.4f} * lamps));
 
     // Floor, columns in pairs, beams along and across, a wall with a round opening at the end
     scene.add(plane({0, 0, 0}, floor));

@@ -16,7 +16,7 @@ static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; //
 void posePoint(double row, Scene &scene) {
     float key = value(track(kKeyLight), row), rim = value(track(kRimLight), row);
     int marble = scene.add(darkMarble()), clear = scene.add(glass()), silver = scene.add(mirror());
-    int glow = scene.add(lamp(Rgb{9, 7.2f, 5.0f} * (0.05f + key)));
+    int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (0.05f + key)));
 
     scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, clear));
@@ -25,7 +25,7 @@ void posePoint(double row, Scene &scene) {
     float turn = x / 0.36f;
     ball->frame = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
 
-    Vec3 point = {-1.05f, 1.52f, 0.75f};
+    Vec3 point = {-1.12f, 1.22f, 0.3f};
     if (key > 0) scene.add(sphere(point, 0.022f, glow));
     scene.add(pointLight(point, Rgb{8.2f, 6.5f, 4.6f} * key));
     scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim));

@@ -134,9 +134,12 @@ bool onSilhouette(const TileScratch &s, const int *c) {
     return false;
 }
 
-// All four.
-bool differ(const TileScratch &s, const int *c, float threshold) {
+// All four. Where a mirror or glass shows a texture, the corners of a larger square cannot tell what lies
+// between.
+bool differ(const TileScratch &s, const int *c, int size, float threshold) {
     if (onSilhouette(s, c)) return true;
+    for (int i = 0; i < 4 && size > 2; ++i)
+        if (s.corners[c[i]].textured) return true;
     const Sample &a = s.corners[c[0]];
     for (int i = 1; i < 4; ++i)
         if (s.corners[c[i]].lights != a.lights) return true;
@@ -297,9 +300,10 @@ void traceAdaptive(Tile &t) {
             Square a = squares[i];
             int c[4];
             cornersOf(a, size, c);
-            bool split = size > q.fine && (size > q.inner ? differ(s, c, q.threshold) : onSilhouette(s, c));
+            bool split =
+                size > q.fine && (size > q.inner ? differ(s, c, size, q.threshold) : onSilhouette(s, c));
             split |= size > q.fine && mayHideGrain(s, a, size);
-            if (!split && size == 2 && q.middle && differ(s, c, q.threshold)) {
+            if (!split && size == 2 && q.middle && differ(s, c, size, q.threshold)) {
                 want(s, a.x + 1, a.y + 1);
                 s.middles[middles++] = a;
                 continue;
@@ -310,7 +314,7 @@ void traceAdaptive(Tile &t) {
                 Rgb seen[4];
                 for (int k = 0; k < 4; ++k) seen[k] = shown(t.scene, s.corners[c[k]].radiance());
                 const Rgb *v[4] = {&seen[0], &seen[1], &seen[2], &seen[3]};
-                bool textureOnly = s.owner[a.y * kTile + a.x] != kMixed && !differ(s, c, q.edge);
+                bool textureOnly = s.owner[a.y * kTile + a.x] != kMixed && !differ(s, c, size, q.edge);
                 if ((!textureOnly && range(v, 4) > q.edge) || mayHideGrain(s, a, size))
                     s.pixels[rough++] = (uint16_t)(a.y * kTile + a.x);
                 continue;

@@ -209,9 +209,10 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
             s.lights = (uint32_t)lighting.states[k];
         } else {
             addTo(s.rest, diffuse * light, k);
-            if (marked >> k & 1)
-                s.secondary += pcg(in.path[p.ray[k]] ^
-                                   pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
+            if (!(marked >> k & 1)) continue;
+            s.textured |= m.diffuse > 0 && m.texture.pattern != Pattern::Plain;
+            s.secondary += pcg(in.path[p.ray[k]] ^
+                               pcg(id ^ pcg((uint32_t)cell[k] ^ (uint32_t)lighting.states[k] << 16)));
         }
     }
     bool mayGoOn = in.path[p.ray[0]] >> c.quality.depth == 0;

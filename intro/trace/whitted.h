@@ -22,6 +22,8 @@ struct Sample {
     uint32_t lights;    // two bits a light: 0 dark, 1 lit, 2 lit with a highlight, 3 dimmed by glass
     uint32_t secondary; // sum of hashes of what every secondary ray hit, and of the texture cell there
 
+    bool textured; // a secondary ray of weight met a texture, whose detail corners cannot tell
+
     Rgb radiance() const { return albedo * light + rest; }
 };
 
