@@ -43,6 +43,8 @@ TEST(Machine, KnowsItself) {
     char name[49];
     cpuName(name);
     EXPECT_LT(std::string(name).size(), 49u);
+    EXPECT_EQ(std::string(name).find_first_of("(@)"), std::string::npos) << name;
+    EXPECT_EQ(std::string(name).find("  "), std::string::npos) << name;
     EXPECT_GT(ownSize(), 0);
     auto *p = (unsigned char *)takeMemory(1 << 20);
     ASSERT_NE(p, nullptr);

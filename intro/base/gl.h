@@ -8,11 +8,11 @@
 namespace odraz {
 
 #define ODRAZ_GL(F)                                                                                          \
-    F(glGetString)                                                                                           \
-    F(glGetError) F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D)               \
-        F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer)                      \
-            F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels)       \
-                F(glFinish)
+                                                                                                             \
+    F(glGetError)                                                                                            \
+    F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) F(glTexSubImage2D)          \
+        F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) F(glFramebufferTexture2D)               \
+            F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels)
 
 struct Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;

@@ -24,10 +24,15 @@ void cpuName(char name[49]) {
     unsigned words[12] = {};
     for (unsigned i = 0; i < 3; ++i)
         __get_cpuid(0x80000002 + i, words + 4 * i, words + 4 * i + 1, words + 4 * i + 2, words + 4 * i + 3);
+    // Leave out trademarks in parentheses, the clock rate, and blanks that repeat
     const char *from = (const char *)words;
     int size = 0;
-    for (int i = 0; i < 48 && from[i]; ++i)
-        if (from[i] != ' ' || (size && name[size - 1] != ' ')) name[size++] = from[i];
+    bool aside = false;
+    for (int i = 0; i < 48 && from[i] && from[i] != '@'; ++i) {
+        aside |= from[i] == '(';
+        if (!aside && (from[i] != ' ' || (size && name[size - 1] != ' '))) name[size++] = from[i];
+        aside &= from[i] != ')';
+    }
     while (size && name[size - 1] == ' ') --size;
     name[size] = 0;
 }

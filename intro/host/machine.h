@@ -10,7 +10,7 @@ namespace odraz {
 // Runs on any x86-64.
 bool cpuSuffices();
 
-// The processor's name without the blanks around it, at most 48 characters and a zero.
+// The processor's name without trademarks and clock rate, at most 48 characters and a zero.
 void cpuName(char name[49]);
 
 // Processors that this process may run on; >= 1.

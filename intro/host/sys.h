@@ -10,7 +10,7 @@
 namespace odraz::sys {
 
 enum Number : long {
-    kRead = 0,
+
     kWrite = 1,
     kOpen = 2,
     kClose = 3,
@@ -18,13 +18,13 @@ enum Number : long {
     kPoll = 7,
     kMmap = 9,
     kSigaction = 13,
-    kIoctl = 16,
+
     kNanosleep = 35,
     kFcntl = 72,
     kRename = 82,
     kMkdir = 83,
     kUnlink = 87,
-    kReadlink = 89,
+
     kFutex = 202,
     kGetAffinity = 204,
     kClockGettime = 228,
