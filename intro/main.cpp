@@ -35,14 +35,15 @@ int run(int argc, char **argv, bool stdoutClosed) {
         return say(t.data, t.size);
     }
 
-    // Threads, memory, film
+    // Threads, memory, film. What a dump lacks is told to the script that runs it, not in a window
+    auto refuseOrComplain = o.dump ? complain : refuse;
     Workers workers;
     int count = o.threads ? o.threads : cpuCount();
     if (count > kMaxThreads) count = kMaxThreads;
     if (const char *missing = startWorkers(workers, count, &theViewerLeft)) {
         Message m;
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
-        return refuse(m.data);
+        return refuseOrComplain(m.data);
     }
     size_t bytes = memoryNeeded(o.width, o.height, count);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
@@ -52,7 +53,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     if (!arena.base || !load(theIntro, arena, workers, o.width, o.height, facts, nullptr, nullptr)) {
         Message m;
         m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed; try a smaller --size";
-        return refuse(m.data);
+        return refuseOrComplain(m.data);
     }
     return o.dump ? dump(theIntro, o, stdoutClosed) : play(theIntro, o, &theViewerLeft);
 }

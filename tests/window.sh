@@ -88,6 +88,10 @@ wait $pid
 check "... which leaves with status 1" test $? = 1
 check "... and says it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
 
+begin=$(date +%s)
+check "a dump tells its script, without a window" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
+check "... at once" test $(($(date +%s) - begin)) -le 5
+
 # Under a window manager
 openbox >/dev/null 2>&1 &
 PIDS+=($!)

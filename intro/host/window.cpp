@@ -170,11 +170,18 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     static const char kNoGl[] = "no OpenGL 3.3 on this display: install libgl1-mesa-dri, or use --dump";
     int count = 0;
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
-    XVisualInfo *visual = count ? w.glx.glXGetVisualFromFBConfig(w.drawing, configs[0]) : nullptr;
+    // One of the screen's own depth: a deeper visual has alpha, and compositors would show what is behind the
+    // film
+    XVisualInfo *visual = nullptr;
+    int chosen = -1;
+    while (++chosen < count) {
+        visual = w.glx.glXGetVisualFromFBConfig(w.drawing, configs[chosen]);
+        if (visual && visual->depth == DefaultDepth(w.drawing, DefaultScreen(w.drawing))) break;
+    }
     auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
         (const GLubyte *)"glXCreateContextAttribsARB");
-    if (!visual || !createContext) return kNoGl;
-    GLXContext context = createContext(w.drawing, configs[0], nullptr, True, kVersion);
+    if (chosen >= count || !createContext) return kNoGl;
+    GLXContext context = createContext(w.drawing, configs[chosen], nullptr, True, kVersion);
     if (!context) return kNoGl;
     createWindow(w, visual, fullScreen, width, height);
     suspendScreenSaver(w.events);
