@@ -14,6 +14,10 @@ static int failed(const char *what, const char *why) {
 int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     bool toStdout = o.dump[0] == '-' && !o.dump[1];
     if (toStdout && stdoutClosed) return failed("standard output", "it is closed");
+    if (toStdout && isTerminal(1)) {
+        complain("--dump - writes pictures, not text: send it to a program or a file, not to the terminal");
+        return 2;
+    }
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return failed(o.dump, wrong);
     const Quality &quality =

@@ -16,6 +16,7 @@ for odraz in "$BUILD/odraz" "$BUILD/odraz-safe"; do
     check "$name dumps to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "'$odraz' --dump - ${small[*]} >/dev/full"
     check "$name dumps into a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
     check "$name dumps to a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "'$odraz' --dump - ${small[*]} >&-"
+    check "$name does not dump to a terminal" bash -c "script -qec '$odraz --dump - ${small[*]}' /dev/null | grep -q 'not to the terminal'"
     check "$name dumps into a file's place" refuses 1 "not a directory" "$odraz" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
     check "$name dumps below nowhere" refuses 1 "no such directory" "$odraz" --dump "$WORK/no/where" "${small[@]}"
     check "$name dumps into a directory it may not write" refuses 1 "cannot write /proc/frame-000500.ppm" "$odraz" --dump /proc "${small[@]}"

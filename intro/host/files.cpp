@@ -70,6 +70,11 @@ const char *makeDirectory(const char *path) {
     return nullptr;
 }
 
+bool isTerminal(int descriptor) {
+    char settings[64];
+    return sys::call(sys::kIoctl, descriptor, 0x5401 /* TCGETS */, (long)settings) == 0;
+}
+
 long ownSize() {
     struct stat s;
     long fd = sys::call(sys::kOpen, (long)"/proc/self/exe", 0x80000);

@@ -13,6 +13,8 @@ const char *writeFile(const char *path, const void *data, size_t size);
 
 const char *makeDirectory(const char *path); // fine when it is there already
 
+bool isTerminal(int descriptor);
+
 // Size of the running program's file, 0 if unknown.
 long ownSize();
 

@@ -18,6 +18,7 @@ enum Number : long {
     kPoll = 7,
     kMmap = 9,
     kSigaction = 13,
+    kIoctl = 16,
 
     kNanosleep = 35,
     kFcntl = 72,

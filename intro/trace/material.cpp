@@ -75,7 +75,7 @@ static Float8 squareWave(Float8 x, Float8 w) {
 
 Rgb8 albedo(const Material &m, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, Int8 &cell) {
     Float8 stretch = 1.f / max(cosine, 0.02f);
-    Float8 mean = width * sqrt(stretch);
+    Float8 root = sqrt(stretch), mean = width * root * sqrt(root);
     cell = Int8{};
     if (m.cell == 0) return colour(m.texture, q, mean);
 
