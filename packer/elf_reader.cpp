@@ -8,8 +8,7 @@ namespace pack {
 
 namespace {
 
-constexpr uint64_t kPage = 4096, kMost = 64 << 20; // no program of ours is larger
-constexpr char kInterpreter[] = "/lib64/ld-linux-x86-64.so.2";
+constexpr uint64_t kMost = 64 << 20; // no program of ours is larger
 
 void need(bool condition, const char *otherwise) {
     if (!condition) throw Unsuitable(otherwise);
@@ -101,7 +100,7 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     program.base = (uint32_t)base;
     program.span = (uint32_t)(end - base);
     program.bytes.assign(fileEnd - base, 0);
-    program.codeSize = (uint32_t)((codeEnd - base + kPage - 1) & ~(kPage - 1));
+    program.codeSize = (uint32_t)wholePages(codeEnd - base);
     for (const Elf64_Phdr &h : loads)
         std::copy_n(in.file.begin() + (long)h.p_offset, h.p_filesz,
                     program.bytes.begin() + (long)(h.p_vaddr - base));

@@ -10,8 +10,7 @@ namespace pack {
 
 namespace {
 
-constexpr uint32_t kPage = 4096, kBelow = 0x200000; // the packed file lies so far below the program
-constexpr char kInterpreter[] = "/lib64/ld-linux-x86-64.so.2";
+constexpr uint32_t kBelow = 0x200000; // the packed file lies so far below the program
 constexpr char kStrings[] = "\0libdl.so.2\0dlopen\0dlsym";
 
 // Everything in front of the stub, in the order of the file.
@@ -25,8 +24,6 @@ struct Front {
     char interpreter[sizeof kInterpreter];
 };
 
-uint32_t pages(uint64_t bytes) { return (uint32_t)((bytes + kPage - 1) & ~uint64_t(kPage - 1)); }
-
 } // namespace
 
 size_t overhead() { return sizeof(Front) + sizeof kStub; }
@@ -34,7 +31,7 @@ size_t overhead() { return sizeof(Front) + sizeof kStub; }
 std::vector<uint8_t> writePacked(const Program &program, const std::vector<uint8_t> &payload) {
     uint32_t base = program.base - kBelow, size = (uint32_t)(overhead() + payload.size());
     if (size > kBelow) throw Unsuitable("too large to pack");
-    uint32_t model = program.base + pages(program.span);
+    uint32_t model = program.base + (uint32_t)wholePages(program.span);
     auto address = [&](size_t offset) { return base + offset; };
 
     Front f = {};
