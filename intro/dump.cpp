@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-static int failed(const char *what, const char *why) {
+int cannotWrite(const char *what, const char *why) {
     Message m;
     m << "cannot write " << what << ": " << why;
     return complain(m.data);
@@ -13,15 +13,14 @@ static int failed(const char *what, const char *why) {
 
 int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     bool toStdout = o.dump[0] == '-' && !o.dump[1];
-    if (toStdout && stdoutClosed) return failed("standard output", "it is closed");
+    if (toStdout && stdoutClosed) return cannotWrite("standard output", "it is closed");
     if (toStdout && isTerminal(1)) {
         complain("--dump - writes pictures, not text: send it to a program or a file, not to the terminal");
         return 2;
     }
     if (!toStdout)
-        if (const char *wrong = makeDirectory(o.dump)) return failed(o.dump, wrong);
-    const Quality &quality =
-        kQualities[(int)(o.quality == QualityName::Count ? QualityName::Film : o.quality)];
+        if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
+    const Quality &quality = o.qualityOr(QualityName::Film);
 
     for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
         const Frame &picture = frame(intro, frameTime(n, o.fps), quality);
@@ -37,11 +36,11 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
         size_t size = (size_t)(to - file);
 
         if (toStdout) {
-            if (const char *wrong = writeAll(1, file, size)) return failed("standard output", wrong);
+            if (const char *wrong = writeAll(1, file, size)) return cannotWrite("standard output", wrong);
         } else {
             Text<4096> path;
             (path << o.dump << "/frame-").number((uint64_t)n, 6) << ".ppm";
-            if (const char *wrong = writeFile(path.data, file, size)) return failed(path.data, wrong);
+            if (const char *wrong = writeFile(path.data, file, size)) return cannotWrite(path.data, wrong);
         }
     }
     return 0;

@@ -15,10 +15,7 @@ int theViewerLeft;
 
 int say(const char *text, int size) {
     const char *wrong = writeAll(1, text, (size_t)size);
-    if (!wrong) return 0;
-    Message m;
-    m << "cannot write standard output: " << wrong;
-    return complain(m.data);
+    return wrong ? cannotWrite("standard output", wrong) : 0;
 }
 
 int run(int argc, char **argv, bool stdoutClosed) {
@@ -29,7 +26,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
         return 2;
     }
     if (o.help || o.version) {
-        if (stdoutClosed) return complain("cannot write standard output: it is closed");
+        if (stdoutClosed) return cannotWrite("standard output", "it is closed");
         Text<4096> t;
         t << (o.help ? kHelp : "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n");
         return say(t.data, t.size);
@@ -39,13 +36,12 @@ int run(int argc, char **argv, bool stdoutClosed) {
     auto refuseOrComplain = o.dump ? complain : refuse;
     Workers workers;
     int count = o.threads ? o.threads : cpuCount();
-    if (count > kMaxThreads) count = kMaxThreads;
     if (const char *missing = startWorkers(workers, count, &theViewerLeft)) {
         Message m;
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
         return refuseOrComplain(m.data);
     }
-    size_t bytes = memoryNeeded(o.width, o.height, count);
+    size_t bytes = memoryNeeded(o.width, o.height, workers.count);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     char name[49];
     cpuName(name);

@@ -151,7 +151,7 @@ int main(int argc, char **argv) {
     gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
 
     Maker &m = theMaker;
-    m.time = (double)o.from.value / (double)o.from.scale;
+    m.time = seconds(o.from);
     glfwGetCursorPos(window, &m.mouseX, &m.mouseY);
     for (double last = glfwGetTime(); !glfwWindowShouldClose(window);) {
         glfwPollEvents();

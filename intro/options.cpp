@@ -134,7 +134,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
         }
     }
     if (o.to.scale == 0) o.to = {(int64_t)(duration * 1e6), 1000000};
-    double from = (double)o.from.value / (double)o.from.scale, to = (double)o.to.value / (double)o.to.scale;
+    double from = seconds(o.from), to = seconds(o.to);
     if (to > duration) {
         (wrong << "--to is beyond the film's end at ").decimal(duration, 1) << " s";
         return false;

@@ -11,6 +11,8 @@ struct Decimal {
     int64_t value, scale;
 };
 
+inline double seconds(Decimal d) { return (double)d.value / (double)d.scale; }
+
 // Frames a second: numerator / denominator, both positive and at most 10^7; 1/1000 .. 1000.
 struct Rate {
     int64_t numerator, denominator;
@@ -24,6 +26,11 @@ struct Options {
     QualityName quality = QualityName::Count; // Count: not given
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
+
+    // The quality asked for, or another where none is.
+    const Quality &qualityOr(QualityName otherwise) const {
+        return kQualities[(int)(quality == QualityName::Count ? otherwise : quality)];
+    }
 };
 
 using Message = Text<256>;

@@ -9,8 +9,8 @@ namespace odraz {
 namespace {
 
 constexpr int kBins = 5000; // of a tenth of a millisecond
-constexpr int kSlots =
-    30; // pictures a second that a viewer should see; a slot without a new one is a dropped frame
+// Pictures a second that a viewer should see; a slot without a new one is a dropped frame.
+constexpr int kSlots = 30;
 
 struct Histogram {
     int bins[kBins];
@@ -35,8 +35,8 @@ struct SceneStats {
     int shown, dropped;
 };
 
-// Keeps up with the clock by asking for less: reflections and shadows first by five samples in four pixels,
-// then by one in four, and last the silhouettes too. The limits are so far apart (a step is at most a factor
+// Keeps up with the clock by asking for less: reflections and shadows first by two samples for four pixels,
+// then by one, and last the silhouettes too. The limits are so far apart (a step is at most a factor
 // of 1.8) that a step down never makes a step up due.
 struct Governor {
     static constexpr int kMostStrain = 3;
@@ -86,9 +86,8 @@ void printStats() {
 int play(Intro &intro, const Options &o, int *leave) {
     FilmWindow window;
     if (const char *wrong = openWindow(window, !o.window, o.width, o.height, leave)) return refuse(wrong);
-    const Quality &quality =
-        kQualities[(int)(o.quality == QualityName::Count ? QualityName::Play : o.quality)];
-    double from = (double)o.from.value / (double)o.from.scale, to = (double)o.to.value / (double)o.to.scale;
+    const Quality &quality = o.qualityOr(QualityName::Play);
+    double from = seconds(o.from), to = seconds(o.to);
 
     Governor governor;
     int64_t start = nanoseconds(), lastSlot = -1;

@@ -7,12 +7,12 @@
 
 namespace odraz {
 
-#define ODRAZ_GL(F)                                                                                          \
-                                                                                                             \
-    F(glGetError)                                                                                            \
-    F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) F(glTexSubImage2D)          \
-        F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) F(glFramebufferTexture2D)               \
-            F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels)
+// clang-format off
+#define ODRAZ_GL(F) \
+    F(glGetError) F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
+    F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
+    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels)
+// clang-format on
 
 struct Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;

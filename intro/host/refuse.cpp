@@ -27,13 +27,9 @@ int refuse(const char *line) {
     x.XSetForeground(display, pen, WhitePixel(display, screen));
     x.XMapRaised(display, window);
     // Half a minute at most: a script that runs us on somebody's display must not hang
-    struct {
-        int fd;
-        short events, revents;
-    } connection = {ConnectionNumber(display), 1 /* POLLIN */, 0};
     for (;;) {
         x.XFlush(display);
-        if (!x.XPending(display) && sys::call(sys::kPoll, (long)&connection, 1, 30000) == 0) break;
+        if (!x.XPending(display) && !sys::waitForInput(ConnectionNumber(display), 30000)) break;
         XEvent event;
         x.XNextEvent(display, &event);
         if (event.type == Expose) x.XDrawString(display, window, pen, 24, 40, line, length);

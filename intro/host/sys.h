@@ -57,6 +57,15 @@ static inline long call(long number, long a = 0, long b = 0, long c = 0, long d 
     return result;
 }
 
+// Waits until a descriptor has something to read, at most so long; false when nothing came.
+static inline bool waitForInput(int descriptor, long milliseconds) {
+    struct {
+        int fd;
+        short events, revents;
+    } input = {descriptor, 1 /* POLLIN */, 0};
+    return call(kPoll, (long)&input, 1, milliseconds) != 0;
+}
+
 [[noreturn]] static inline void exit(int status) {
     for (;;) call(kExitGroup, status);
 }

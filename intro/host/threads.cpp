@@ -79,8 +79,8 @@ const char *startThread(void *(*body)(void *), void *context) {
 }
 
 const char *startWorkers(Workers &workers, int count, const int *abort) {
-    workers = {count, run, abort, &thePool};
-    for (int i = 1; i < count; ++i)
+    workers = {count < kMaxThreads ? count : kMaxThreads, run, abort, &thePool};
+    for (int i = 1; i < workers.count; ++i)
         if (const char *missing = startThread(threadMain, &thePool)) return missing;
     return nullptr;
 }

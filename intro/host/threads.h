@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-inline constexpr int kMaxThreads = 64;
+inline constexpr int kMaxThreads = 64; // more are not started, however many are asked for
 
 // Starts count - 1 threads, which sleep until there is work; they live as long as the process. Returns null,
 // or what is missing. `abort` is watched as Workers has it.

@@ -24,14 +24,13 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // belongs to the thread that traces and draws
-    Display
-        *events; // belongs to the thread that listens; the window is its child, so the close button tells it
+    // Belongs to the thread that listens; the window is its child, so the close button tells it
+    Display *events;
     Window window;
     Atom closeRequest;
     int *leave;
     int width, height; // of the window, as last told
     GLuint picture, framebuffer;
-    int pictureWidth;
 };
 
 namespace {
@@ -60,10 +59,6 @@ void pause(long milliseconds) {
 void *listen(void *context) {
     WindowState &w = *(WindowState *)context;
     // Wait for events, waking now and then to hold off the screen saver
-    struct {
-        int fd;
-        short events, revents;
-    } connection = {ConnectionNumber(w.events), 1 /* POLLIN */, 0};
     for (;;) {
         while (w.x.XPending(w.events)) {
             XEvent event;
@@ -81,7 +76,7 @@ void *listen(void *context) {
         }
         w.x.XResetScreenSaver(w.events);
         w.x.XFlush(w.events);
-        sys::call(sys::kPoll, (long)&connection, 1, 20000);
+        sys::waitForInput(ConnectionNumber(w.events), 20000);
     }
 }
 
@@ -198,9 +193,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     WindowState &w = *window.state;
     const Gl &gl = window.gl;
-    if (!w.pictureWidth) {
+    if (!w.picture) {
         // A texture to fill and a framebuffer to read it through
-        w.pictureWidth = width;
         gl.glGenTextures(1, &w.picture);
         gl.glBindTexture(GL_TEXTURE_2D, w.picture);
         gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);

@@ -8,15 +8,15 @@
 
 namespace odraz {
 
-#define ODRAZ_XLIB(F)                                                                                        \
-    F(XInitThreads)                                                                                          \
-    F(XOpenDisplay)                                                                                          \
-    F(XCloseDisplay)                                                                                         \
-    F(XCreateWindow) F(XMapRaised) F(XSelectInput) F(XNextEvent) F(XPending) F(XSync) F(XFlush)              \
-        F(XInternAtom) F(XSetWMProtocols) F(XChangeProperty) F(XGetWindowProperty) F(XFree) F(XStoreName)    \
-            F(XSetInputFocus) F(XCreateColormap) F(XCreateBitmapFromData) F(XCreatePixmapCursor)             \
-                F(XDefineCursor) F(XResetScreenSaver) F(XSetErrorHandler) F(XSetIOErrorHandler)              \
-                    F(XLookupKeysym) F(XCreateGC) F(XDrawString) F(XSetForeground)
+// clang-format off
+#define ODRAZ_XLIB(F) \
+    F(XInitThreads) F(XOpenDisplay) F(XCloseDisplay) F(XCreateWindow) F(XMapRaised) F(XSelectInput) \
+    F(XNextEvent) F(XPending) F(XSync) F(XFlush) F(XInternAtom) F(XSetWMProtocols) F(XChangeProperty) \
+    F(XGetWindowProperty) F(XFree) F(XStoreName) F(XSetInputFocus) F(XCreateColormap) \
+    F(XCreateBitmapFromData) F(XCreatePixmapCursor) F(XDefineCursor) F(XResetScreenSaver) \
+    F(XSetErrorHandler) F(XSetIOErrorHandler) F(XLookupKeysym) F(XCreateGC) F(XDrawString) \
+    F(XSetForeground)
+// clang-format on
 
 struct Xlib {
     ODRAZ_XLIB(ODRAZ_MEMBER)
