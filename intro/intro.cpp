@@ -36,8 +36,7 @@ const Frame &frame(Intro &intro, double seconds, const Quality &quality, const C
     scene.clear();
     entry.pose(m.storyRow, scene);
     scene.finish();
-    CameraKey scripted = pose(m.shot->path, m.storyRow);
-    const CameraKey &c = camera ? *camera : scripted;
+    CameraKey c = camera ? *camera : pose(m.shot->path, m.storyRow);
 
     // Trace, letter, develop
     Frame &picture = intro.picture;

@@ -26,7 +26,7 @@ void traceWanted(Tile &t) {
         for (int i = 0; i < count; ++i) {
             uint32_t k = s.wanted[first + i];
             const Sample &c = s.corners[k];
-            Rgb mean = c.id ? t.scene.mean[t.scene.shapes[(c.id - 1) / 8].material] : Rgb{};
+            Rgb mean = c.id ? t.scene.mean[t.scene.shapes[c.shape()].material] : Rgb{};
             s.shown[k] = shown(t.scene, mean * c.light + c.rest);
         }
     }
@@ -43,7 +43,7 @@ void findGrains(Tile &t) {
         const Shape &shape = t.scene.shapes[i];
         if (shape.kind == ShapeKind::Plane) continue;
         // Project the ball about it
-        Bounds b = bounds(t.scene, shape);
+        const Bounds &b = t.scene.box[i];
         Vec3 to = (b.lo + b.hi) * 0.5f - v.eye;
         float r = length(b.hi - b.lo) * (shape.kind == ShapeKind::Sphere ? 0.28868f : 0.5f);
         float ahead = dot(to, v.forward);
@@ -68,15 +68,8 @@ bool mayHideGrain(const TileScratch &s, Square q, int size) {
     return false;
 }
 
-// The first of the four tests of a square's corners, in the thesis's order.
-bool onSilhouette(const TileScratch &s, const int *c) {
-    for (int i = 1; i < 4; ++i)
-        if (s.corners[c[i]].id != s.corners[c[0]].id) return true;
-    return false;
-}
-
-// All four. Where a mirror or glass shows a texture, the corners of a larger square cannot tell what lies
-// between.
+// The four tests of a square's corners, in the thesis's order. Where a mirror or glass shows a texture, the
+// corners of a larger square cannot tell what lies between.
 bool differ(const TileScratch &s, const int *c, int size, float threshold) {
     if (onSilhouette(s, c)) return true;
     for (int i = 0; i < 4 && size > 2; ++i)
@@ -159,30 +152,11 @@ void traceAdaptive(Tile &t) {
 }
 
 void traceGrid(Tile &t) {
-    TileScratch &s = t.s;
-    float x[kChunk], y[kChunk];
-    uint32_t index[kChunk];
-    int side = t.quality.grid, total = side * side;
-    for (int py = 0; py < t.height; ++py)
-        for (int px = 0; px < t.width; ++px) {
-            Rgb sum = {};
-            for (int first = 0; first < total; first += kChunk) {
-                int count = min(total - first, kChunk);
-                for (int i = 0; i < count; ++i) {
-                    x[i] = (float)(t.x0 + px) + ((float)((first + i) % side) + 0.5f) / (float)side;
-                    y[i] = (float)(t.y0 + py) + ((float)((first + i) / side) + 0.5f) / (float)side;
-                    index[i] = (uint32_t)i;
-                }
-                traceSamples(t.scene, t.view, t.quality, s.trace, count, x, y, index, s.fine);
-                for (int i = 0; i < count; ++i) sum += s.fine[i].radiance();
-            }
-            s.sampleCount += total;
-            size_t out = (size_t)(t.y0 + py) * (size_t)t.frame.stride + (size_t)(t.x0 + px);
-            Rgb mean = sum * (1.f / (float)total);
-            t.frame.plane[0][out] = mean.x;
-            t.frame.plane[1][out] = mean.y;
-            t.frame.plane[2][out] = mean.z;
-        }
+    int count = 0;
+    for (int y = 0; y < t.height; ++y)
+        for (int x = 0; x < t.width; ++x) t.s.pixels[count++] = (uint16_t)(y * kTile + x);
+    superSample(t, count, t.quality.grid, kInfinity);
+    finishTile(t);
 }
 
 } // namespace
@@ -190,7 +164,8 @@ void traceGrid(Tile &t) {
 const size_t kTileScratchBytes = sizeof(TileScratch) + 64;
 
 bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
-    tracer.workers = min(workers, 64);
+    if (workers > kMaxWorkers) return false;
+    tracer.workers = workers;
     for (int i = 0; i < tracer.workers; ++i)
         if (!(tracer.scratch[i] = arena.take<TileScratch>(1))) return false;
     return true;

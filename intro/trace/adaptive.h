@@ -18,9 +18,11 @@ inline constexpr int kTile = 64;
 
 struct TileScratch;
 
+inline constexpr int kMaxWorkers = 64;
+
 // What tracing needs beyond the scene: scratch for every worker, taken once.
 struct Tracer {
-    TileScratch *scratch[64];
+    TileScratch *scratch[kMaxWorkers];
     int workers;
 };
 

@@ -2,20 +2,26 @@
 
 namespace odraz {
 
+// What a pixel gets: radiance `rest` and `light` on the surface of the shape `owner`, or of none (kMixed).
+static void setPixel(TileScratch &s, int p, Rgb light, Rgb rest, uint16_t owner) {
+    s.light[0][p] = light.x, s.light[1][p] = light.y, s.light[2][p] = light.z;
+    s.rest[0][p] = rest.x, s.rest[1][p] = rest.y, s.rest[2][p] = rest.z;
+    s.owner[p] = owner;
+}
+
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     int c[4];
     cornersOf(q, size, c);
-    uint32_t id = s.corners[c[0]].id;
-    bool same = true;
-    for (int i = 1; i < 4; ++i) same &= s.corners[c[i]].id == id;
+    const Sample &first = s.corners[c[0]];
+    bool same = !onSilhouette(s, c);
     Rgb light[4], rest[4];
     for (int i = 0; i < 4; ++i) {
         const Sample &k = s.corners[c[i]];
         light[i] = same ? k.light : Rgb{};
         rest[i] = same ? k.rest : k.radiance();
     }
-    uint16_t owner = same && id ? (uint16_t)((id - 1) / 8) : kMixed;
+    uint16_t owner = same && first.id ? (uint16_t)first.shape() : kMixed;
     // A row of the square is one packet; along it and down the sides everything is linear
     Int8 inside = kLanes < size;
     Float8 u = (toFloat(kLanes) + 0.5f) * (1.f / (float)size);
@@ -45,9 +51,7 @@ void fillByMiddle(Tile &t, Square q) {
         bool same = corner.id == middle.id && corner.id;
         Rgb light = same ? (corner.light + middle.light) * 0.5f : Rgb{};
         Rgb rest = (same ? corner.rest + middle.rest : corner.radiance() + middle.radiance()) * 0.5f;
-        s.light[0][p] = light.x, s.light[1][p] = light.y, s.light[2][p] = light.z;
-        s.rest[0][p] = rest.x, s.rest[1][p] = rest.y, s.rest[2][p] = rest.z;
-        s.owner[p] = same ? (uint16_t)((corner.id - 1) / 8) : kMixed;
+        setPixel(s, p, light, rest, same ? (uint16_t)corner.shape() : kMixed);
     }
 }
 
@@ -67,8 +71,8 @@ int superSample(Tile &t, int count, int side, float threshold) {
         traceSamples(t.scene, t.view, t.quality, s.trace, pixels * perPixel, x, y, index, s.fine);
         s.sampleCount += pixels * perPixel;
         for (int i = 0; i < pixels; ++i) {
-            Rgb sum = {}, seen[16];
-            const Rgb *v[16];
+            Rgb sum = {}, seen[kChunk];
+            const Rgb *v[kChunk];
             for (int k = 0; k < perPixel; ++k) {
                 Rgb c = s.fine[i * perPixel + k].radiance();
                 seen[k] = shown(t.scene, c);
@@ -76,10 +80,7 @@ int superSample(Tile &t, int count, int side, float threshold) {
                 sum += c;
             }
             int p = s.pixels[first + i];
-            Rgb mean = sum * (1.f / (float)perPixel);
-            s.light[0][p] = s.light[1][p] = s.light[2][p] = 0;
-            s.rest[0][p] = mean.x, s.rest[1][p] = mean.y, s.rest[2][p] = mean.z;
-            s.owner[p] = kMixed;
+            setPixel(s, p, {}, sum * (1.f / (float)perPixel), kMixed);
             if (range(v, perPixel) > threshold) s.pixels[left++] = (uint16_t)p;
         }
     }

@@ -24,7 +24,7 @@ static Float8 marble(Vec3x8 p, Float8 width) {
 // Growth rings about the local z axis, wavering, with fibres along it.
 static Float8 wood(Vec3x8 p, Float8 width) {
     Float8 waver = noise(p * broadcast(0.35f));
-    Float8 radius = fmadd(waver, 0.55f, sqrt(fmadd(p.x, p.x, p.y * p.y)) * 1.f);
+    Float8 radius = fmadd(waver, 0.55f, sqrt(fmadd(p.x, p.x, p.y * p.y)));
     Float8 ring = radius * 2.2f;
     Float8 f = ring - floor(ring);
     // Early wood darkens slowly, late wood ends abruptly

@@ -4,12 +4,12 @@
 namespace odraz {
 
 struct Quality {
-    int grid;        // > 0: grid x grid samples in every pixel and nothing adaptive; 0: as below
-    int coarse;      // side of the largest square in pixels: 8, 4, 2 or 1
-    int fine;        // side of the smallest square: 1 or 2
-    int inner;       // ... where no silhouette runs through it, >= fine
-    bool middle;     // where such a square is 2 pixels wide and its corners differ, one more sample in its middle
-    int levels;      // super-sampling below a pixel: 0 none, 1 up to 2x2, 2 up to 4x4 samples
+    int grid;    // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
+    int coarse;  // side of the largest square in pixels: 8, 4, 2 or 1
+    int fine;    // side of the smallest square: 1 or 2
+    int inner;   // ... where no silhouette runs through it, >= fine
+    bool middle; // where such a square is 2 pixels wide and its corners differ, one more sample in its middle
+    int levels;  // super-sampling below a pixel: 0 none, 1 up to 2x2, 2 up to 4x4 samples
     float threshold; // difference of shown intensity (0 .. 1) that splits a square
     float edge;      // ... and that super-samples a pixel; doubled a level below
     float mark;      // rays of less than this share of the intensity do not split squares by what they hit

@@ -38,7 +38,7 @@ static void include(Bounds &b, Vec3 lo, Vec3 hi) {
     b.hi = {max(b.hi.x, hi.x), max(b.hi.y, hi.y), max(b.hi.z, hi.z)};
 }
 
-Bounds bounds(const Scene &scene, const Shape &s) {
+static Bounds bounds(const Scene &scene, const Shape &s) {
     if (s.kind == ShapeKind::Polygon) {
         Bounds b = kNothing;
         for (int i = 0; i < s.vertexCount; ++i) {
@@ -67,8 +67,9 @@ static float halfArea(const Bounds &b) {
 // (Goldsmith and Salmon, 1987) is least, down to leaves of two. Recursion is at most kMaxDeep deep: below
 // that, and so for shapes that coincide, leaves hold what is left.
 static constexpr int kMaxDeep = 28;
-static void build(Scene &s, const Bounds *b, int node, int first, int count, int deep) {
+static void build(Scene &s, int node, int first, int count, int deep) {
     // Bound shapes and their middles
+    const Bounds *b = s.box;
     Bounds all = kNothing, middles = kNothing;
     auto middle = [&](int i) { return (b[s.order[i]].lo + b[s.order[i]].hi) * 0.5f; };
     for (int i = first; i < first + count; ++i) {
@@ -115,12 +116,11 @@ static void build(Scene &s, const Bounds *b, int node, int first, int count, int
     s.nodeCount += 2;
     n.first = child;
     n.count = 0;
-    build(s, b, child, first, best, deep + 1);
-    build(s, b, child + 1, first + best, count - best, deep + 1);
+    build(s, child, first, best, deep + 1);
+    build(s, child + 1, first + best, count - best, deep + 1);
 }
 
 void Scene::finish() {
-    Bounds box[kMaxShapes];
     int bounded = 0;
     unboundedCount = occluderCount = nodeCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
@@ -140,7 +140,7 @@ void Scene::finish() {
     }
     if (bounded) {
         nodeCount = 1;
-        build(*this, box, 0, 0, bounded, 0);
+        build(*this, 0, 0, bounded, 0);
     }
     for (int i = 0; i < materialCount; ++i) mean[i] = meanAlbedo(materials[i]) * materials[i].diffuse;
 }

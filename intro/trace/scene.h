@@ -49,6 +49,7 @@ struct Scene {
     uint16_t order[kMaxShapes];
     uint16_t unbounded[8]; // the planes
     int nodeCount, unboundedCount;
+    Bounds box[kMaxShapes];       // of each shape but the planes
     Vec3 occluder[kMaxOccluders]; // balls that darken what ambient light reaches around them
     float occluderRadius[kMaxOccluders];
     int occluderCount;
@@ -69,7 +70,5 @@ struct Scene {
     // Builds the tree; after it the scene may be traced.
     void finish();
 };
-
-Bounds bounds(const Scene &scene, const Shape &shape); // of anything but a plane
 
 } // namespace odraz

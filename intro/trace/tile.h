@@ -79,6 +79,13 @@ inline void cornersOf(Square q, int size, int *c) {
     c[3] = c[2] + size;
 }
 
+// Whether a square's corners show different things: the first of the thesis's four tests.
+inline bool onSilhouette(const TileScratch &s, const int *c) {
+    for (int i = 1; i < 4; ++i)
+        if (s.corners[c[i]].id != s.corners[c[0]].id) return true;
+    return false;
+}
+
 // --- fill.cpp: from corners to pixels ---
 
 // Interpolates a square over the pixels it covers.
@@ -88,8 +95,8 @@ void fill(Tile &t, Square q, int size);
 // corner.
 void fillByMiddle(Tile &t, Square q);
 
-// Replaces the first `count` of the listed pixels by the mean of side x side samples each; returns how many
-// are left listed because their samples still differ by more than the threshold.
+// Lets the first `count` of the listed pixels be the mean of side x side samples each (side <= 16); returns
+// how many are left listed because their samples still differ by more than the threshold.
 int superSample(Tile &t, int count, int side, float threshold);
 
 // Multiplies every pixel's light by the albedo it sees, and writes the tile into the frame.

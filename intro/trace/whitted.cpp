@@ -222,8 +222,8 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
 // Intersects and shades rays [begin, end) of a stream.
 void shadeChunk(const Context &c, const RayStream &in, RayStream &out, int begin, int end) {
     // Find what each ray hits
-    alignas(32) float t[kChunk];
-    alignas(32) int shape[kChunk];
+    float t[kChunk];
+    int shape[kChunk];
     for (int i = begin; i < end; i += 8) {
         Ray8 ray = {{load(in.o[0] + i), load(in.o[1] + i), load(in.o[2] + i)},
                     {load(in.d[0] + i), load(in.d[1] + i), load(in.d[2] + i)}};
@@ -259,9 +259,9 @@ void shadeChunk(const Context &c, const RayStream &in, RayStream &out, int begin
         rays[present[run]] = 0;
         for (int first = start[run]; first < start[run + 1]; first += 8) {
             Packet p;
-            p.count = start[run + 1] - first < 8 ? start[run + 1] - first : 8;
+            p.count = min(start[run + 1] - first, 8);
             p.active = kLanes < p.count;
-            alignas(32) int local[8];
+            int local[8];
             for (int k = 0; k < 8; ++k) {
                 local[k] = sorted[first + (k < p.count ? k : 0)];
                 p.ray[k] = begin + local[k];
@@ -282,7 +282,7 @@ void shadeChunk(const Context &c, const RayStream &in, RayStream &out, int begin
 void traceStream(const Context &c, int level) {
     RayStream &in = c.scratch.streams[level], &out = c.scratch.streams[level + 1];
     for (int begin = 0; begin < in.count; begin += kChunk) {
-        int end = begin + kChunk < in.count ? begin + kChunk : in.count;
+        int end = min(begin + kChunk, in.count);
         out.count = 0;
         shadeChunk(c, in, out, begin, end);
         if (out.count) traceStream(c, level + 1);
@@ -297,7 +297,7 @@ void traceSamples(const Scene &scene, const View &view, const Quality &quality, 
     for (int &blocker : scratch.blocker) blocker = -1; // of another scene, perhaps
     RayStream &stream = scratch.streams[0];
     for (int first = 0; first < count; first += kChunk) {
-        stream.count = count - first < kChunk ? count - first : kChunk;
+        stream.count = min(count - first, kChunk);
         for (int i = 0; i < stream.count; ++i) {
             Vec3 d = normalize(view.direction(x[first + i], y[first + i]));
             stream.o[0][i] = view.eye.x, stream.o[1][i] = view.eye.y, stream.o[2][i] = view.eye.z;

@@ -24,6 +24,7 @@ struct Sample {
 
     bool textured; // a secondary ray of weight met a texture, whose detail corners cannot tell
 
+    uint32_t shape() const { return (id - 1) / 8; } // where id != 0
     Rgb radiance() const { return albedo * light + rest; }
 };
 
