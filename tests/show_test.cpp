@@ -24,6 +24,14 @@ struct Loaded {
     }
 };
 
+// The scene that is on at a time, posed.
+Moment poseAt(double seconds, Scene &scene) {
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    scene.clear();
+    kScenes[m.shot->scene].pose(m.storyRow, scene);
+    return m;
+}
+
 } // namespace
 
 TEST(Film, CutsOnBarsAndHoldsShotsForTwo) {
@@ -72,10 +80,7 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
 TEST(Film, TheCameraIsNeverInsideAThing) {
     auto scene = std::make_unique<Scene>();
     for (double t = 0; t < duration(); t += 0.1) {
-        Moment m = momentAt(kFilm, t * kRowsPerSecond);
-        scene->clear();
-        kScenes[m.shot->scene].pose(m.storyRow, *scene);
-        scene->finish();
+        Moment m = poseAt(t, *scene);
         Vec3 eye = pose(m.shot->path, m.storyRow).eye;
         for (int i = 0; i < scene->shapeCount; ++i) {
             const Shape &s = scene->shapes[i];
@@ -98,9 +103,7 @@ TEST(Film, TheCameraIsNeverInsideAThing) {
 TEST(Film, BallsDoNotRollThroughThings) {
     auto scene = std::make_unique<Scene>();
     for (double t = 0; t < duration(); t += 0.25) {
-        Moment m = momentAt(kFilm, t * kRowsPerSecond);
-        scene->clear();
-        kScenes[m.shot->scene].pose(m.storyRow, *scene);
+        Moment m = poseAt(t, *scene);
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];

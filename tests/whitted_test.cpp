@@ -22,6 +22,14 @@ Material matte(Rgb c) {
     return m;
 }
 
+// Glass that is nothing else.
+Material clearGlass(float ior) {
+    Material m = matte({0, 0, 0});
+    m.diffuse = 0;
+    m.ior = ior;
+    return m;
+}
+
 struct Stage {
     std::unique_ptr<Scene> scene = std::make_unique<Scene>();
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
@@ -86,9 +94,7 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     g.scene->add(pointLight({0, 10, 0}, {100, 100, 100}));
     float open = g.look({0, 1, 3}, {0, 0, 0}).light.x;
     EXPECT_NEAR(open, 1, 1e-4);
-    Material glass = matte({0, 0, 0});
-    glass.diffuse = 0;
-    glass.ior = 1.5f;
+    Material glass = clearGlass(1.5f);
     glass.tint = {0.5f, 0.25f, 1};
     g.scene->add(sphere({0, 5, 0}, 1, g.scene->add(glass)));
     Sample through = g.look({0, 1, 3}, {0, 0, 0});
@@ -148,9 +154,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
 // A glass ball, met on its axis: Fresnel's R at both surfaces, all orders of inner reflection.
 TEST(Glass, KeepsEnergyOnTheAxis) {
     Stage g;
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.ior = 1.5f;
+    Material m = clearGlass(1.5f);
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
     g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
     Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
@@ -159,9 +163,7 @@ TEST(Glass, KeepsEnergyOnTheAxis) {
 
 TEST(Glass, FollowsSnell) {
     Stage g;
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.ior = 1.5f;
+    Material m = clearGlass(1.5f);
     g.scene->add(box({0, -5, 0}, {100, 5, 100}, g.scene->add(m))); // a lake, its surface at y = 0
     Material glow = matte({0, 0, 0});
     glow.emit = {1, 0, 0};
@@ -174,9 +176,7 @@ TEST(Glass, FollowsSnell) {
 
 TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
     Stage g;
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.ior = 1.5f;
+    Material m = clearGlass(1.5f);
     g.scene->add(box({0, -5, 0}, {1000, 5, 1000}, g.scene->add(m)));
     g.scene->skyLow = {0, 0, 0};
     g.scene->skyHigh = {1, 1, 1};
@@ -192,9 +192,7 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
 
 TEST(Glass, AbsorbsByPathLength) {
     Stage g;
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.ior = 1.0001f; // hardly reflects
+    Material m = clearGlass(1.0001f); // hardly reflects
     m.absorb = {1, 2, 0};
     g.scene->add(sphere({0, 0, 0}, 0.5f, g.scene->add(m)));
     g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
