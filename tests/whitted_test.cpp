@@ -125,7 +125,7 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     m.reflect = 0.8f;
     m.tint = {1, 0.5f, 0.25f};
     g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
-    g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     Rgb c = g.look({0, 3, 3}, {0, 0, 0}).radiance();
     EXPECT_NEAR(c.x, 0.8f, 1e-5);
     EXPECT_NEAR(c.y, 0.4f, 1e-5);
@@ -156,7 +156,7 @@ TEST(Glass, KeepsEnergyOnTheAxis) {
     Stage g;
     Material m = clearGlass(1.5f);
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
-    g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
     EXPECT_NEAR(c.x, 1, 1e-4); // what is not reflected goes through
 }
@@ -178,8 +178,7 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
     Stage g;
     Material m = clearGlass(1.5f);
     g.scene->add(box({0, -5, 0}, {1000, 5, 1000}, g.scene->add(m)));
-    g.scene->skyLow = {0, 0, 0};
-    g.scene->skyHigh = {1, 1, 1};
+    g.scene->sky = plainSky({0, 0, 0}, {1, 1, 1});
     Material glow = matte({0, 0, 0});
     glow.emit = {0, 1, 0};
     g.scene->add(sphere({4, -1, 0}, 0.3f, g.scene->add(glow)));
@@ -195,7 +194,7 @@ TEST(Glass, AbsorbsByPathLength) {
     Material m = clearGlass(1.0001f); // hardly reflects
     m.absorb = {1, 2, 0};
     g.scene->add(sphere({0, 0, 0}, 0.5f, g.scene->add(m)));
-    g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
     EXPECT_NEAR(c.x, 0.5, 1e-3); // 2^-1 through one unit
     EXPECT_NEAR(c.y, 0.25, 1e-3);
@@ -237,7 +236,7 @@ TEST(Extremes, GiveNoNaN) {
             g.scene->add(cylinder({-2 * scale, scale, 0}, scale, scale, b));
             g.scene->add(pointLight({0, 2 * scale, 0}, {1, 1, 1})); // on a surface
             g.scene->add(pointLight({0, 0, 0}, {1, 1, 1}));         // on the floor
-            g.scene->skyLow = g.scene->skyHigh = {1, 1, 1};
+            g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
             g.scene->finish();
             Vec3 eyes[6] = {{0, scale, 5 * scale},    {0, scale, 0},
                             {0, -scale, 3 * scale},   {0, 2 * scale, 0},

@@ -16,8 +16,7 @@ void poseCredits(double, Scene &scene) {
     scene.add(pointLight({2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}));
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
-    scene.skyLow = {0.004f, 0.005f, 0.008f};
-    scene.skyHigh = {0.012f, 0.016f, 0.026f};
+    scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});
     scene.fog = 0.09f;
     scene.exposure = 1.3f;
 }

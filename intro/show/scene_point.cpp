@@ -31,8 +31,7 @@ void posePoint(double row, Scene &scene) {
     scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim));
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
-    scene.skyLow = Rgb{0.004f, 0.005f, 0.008f} * key;
-    scene.skyHigh = Rgb{0.016f, 0.021f, 0.034f} * key;
+    scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);
     scene.fog = 0.09f;
     scene.exposure = 1.5f;
 }

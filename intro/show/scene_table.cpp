@@ -61,8 +61,7 @@ void poseTable(double row, Scene &scene) {
     scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
     scene.ambientLow = {0.075f, 0.065f, 0.055f};
     scene.ambientHigh = {0.11f, 0.135f, 0.18f};
-    scene.skyLow = {0.27f, 0.34f, 0.43f};
-    scene.skyHigh = {0.035f, 0.075f, 0.17f};
+    scene.sky = plainSky({0.27f, 0.34f, 0.43f}, {0.035f, 0.075f, 0.17f});
     scene.fog = 0.02f;
     scene.exposure = 0.9f;
 }

@@ -44,6 +44,17 @@ static Float8 hitPlane(Float8 height, Float8 slope) {
     return select((t > 0.f) & (t < kFar), t, kInfinity);
 }
 
+// Within a rectangle widened by more than the rounding of the point: neighbours overlap, and no ray passes
+// between them.
+static Float8 hitRect(const Shape &s, Vec3x8 o, Vec3x8 d) {
+    Float8 t = select(d.y < 0.f, hitPlane(o.y, d.y), kInfinity);
+    Float8 finite = select(t < kInfinity, t, 0.f);
+    float slack = (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f;
+    Int8 inside = (abs(fmadd(finite, d.x, o.x)) <= s.half.x + slack) &
+                  (abs(fmadd(finite, d.z, o.z)) <= s.half.z + slack);
+    return select(inside, t, kInfinity);
+}
+
 static Float8 hitCylinder(const Shape &s, Vec3x8 o, Vec3x8 d) {
     // About the axis, in the plane across it: nearest approach, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
@@ -84,6 +95,8 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, bool wholeP
     }
     case ShapeKind::Cylinder:
         return hitCylinder(s, o, d);
+    case ShapeKind::Rect:
+        return wholePlane ? hitPlane(o.y, d.y) : hitRect(s, o, d);
     default: {
         Float8 t = hitPlane(o.y, d.y);
         Int8 hit = t < kInfinity;
@@ -135,7 +148,7 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         q.y = Float8{};
     }
     Vec3x8 world = transposeTimes(s.frame, q) + s.centre;
-    return {world, transposeTimes(s.frame, n), q, face};
+    return {world, transposeTimes(s.frame, n), s.kind == ShapeKind::Rect ? world : q, face};
 }
 
 Vec3x8 offsetOrigin(const Shape &s, const Surface8 &at, Float8 side) {

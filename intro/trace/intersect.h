@@ -35,7 +35,7 @@ Float8 distance(const Scene &scene, const Shape &shape, const Ray8 &ray, bool wh
 struct Surface8 {
     Vec3x8 p;     // world, projected back onto the shape: its error depends on coordinates, not on t
     Vec3x8 n;     // outward unit normal
-    Vec3x8 local; // p in the shape's frame
+    Vec3x8 local; // p in the shape's frame; a rectangle's is the world's
     Int8 face;    // 0..6: which side of a box or cylinder
 };
 Surface8 surfaceAt(const Shape &shape, const Ray8 &ray, Float8 t);

@@ -4,8 +4,10 @@ namespace odraz {
 
 void Scene::clear() {
     shapeCount = materialCount = lightCount = outlineCount = 0;
-    skyLow = skyHigh = ambientLow = ambientHigh = {};
-    fog = 0;
+    sky = {};
+    ambientLow = ambientHigh = {};
+    fog = lines = 0;
+    lightmap = nullptr;
     exposure = 1;
 }
 
@@ -25,7 +27,8 @@ Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, in
                {},
                frame,
                false,
-               {}};
+               {},
+               -1};
     for (int i = 0; i < 2 * count; ++i) outline[2 * outlineCount + i] = points[i];
     outlineCount += count;
     return add(s);

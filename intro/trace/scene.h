@@ -4,8 +4,10 @@
 // custom, y is up, coordinates right-handed. A scene that outgrows its arrays drops what does not fit.
 #pragma once
 
+#include "trace/lightmap.h"
 #include "trace/material.h"
 #include "trace/shape.h"
+#include "trace/sky.h"
 
 namespace odraz {
 
@@ -39,10 +41,12 @@ struct Scene {
     float outline[kMaxOutline * 2]; // the polygons' points
     int shapeCount, materialCount, lightCount, outlineCount;
 
-    Rgb skyLow, skyHigh;         // radiance towards the horizon and below, and towards the zenith
+    Sky sky;
     Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
     float fog;                   // how fast things turn into the horizon: share left = 2^(-fog distance)
     float exposure;              // factor before tone mapping
+    const Lightmap *lightmap;    // for shapes with a chart; may be null where none has
+    float lines;                 // 0 .. 1: how dark the lines between patches are drawn
 
     // Made by finish()
     Node nodes[2 * kMaxShapes];

@@ -29,20 +29,14 @@ Vec3x8 pick(const float (&values)[3][kStream], const int *index) {
     return {pick(values[0], index), pick(values[1], index), pick(values[2], index)};
 }
 
-// The sky by elevation: the horizon's colour, above it turning into the zenith's.
-Rgb8 sky(const Scene &scene, Vec3x8 d) {
-    Float8 up = max(d.y, 0.f);
-    return broadcast(scene.skyLow) + (scene.skyHigh - scene.skyLow) * (up * (2.f - up));
-}
-
 struct Lighting {
     Rgb8 diffuse, highlight;
     Int8 states; // as Sample::lights
 };
 
-// Ambient light, less what the balls around take from it (each by the form factor of a sphere wholly above
-// the horizon, (r/d)^2 cos), then every light by Phong's formula and a shadow ray. Lights that would add less
-// than a twentieth of the cutoff to the picture are left out, by `share`, the ray's own.
+// Light from all around, by the lightmap or ambient, less what the balls around take from it, then every light
+// by Phong's formula and a shadow ray. Lights that would add less than a twentieth of the cutoff to the picture
+// are left out, by `share`, the ray's own.
 Lighting illuminate(const Context &c, const Shape &shape, const Material &m, const Surface8 &at, Vec3x8 n,
                     Float8 side, Vec3x8 d, Int8 active, Float8 share) {
     const Scene &scene = c.scene;
@@ -57,9 +51,12 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         open *= 1.f - clamp(facing * r2 / (square * sqrt(square)) - 0.0025f, 0.f, 0.95f);
     }
     Lighting result = {};
-    result.diffuse =
-        (broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f)) *
-        open;
+    if (shape.chart >= 0)
+        result.diffuse = lightAt(*scene.lightmap, scene.lightmap->charts[shape.chart], at.p) * open;
+    else
+        result.diffuse =
+            (broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f)) *
+            open;
 
     Vec3x8 origin = offsetOrigin(shape, at, side);
     Vec3x8 mirrored = fmadd(n, dot(n, d) * -2.f, d);
@@ -117,7 +114,7 @@ void emit(const Context &c, RayStream &out, const RayStream &in, const Packet &p
 }
 
 void shadeSky(const Context &c, const RayStream &in, const Packet &p) {
-    Rgb8 light = sky(c.scene, p.r.d) * p.weight;
+    Rgb8 light = radiance(c.scene.sky, p.r.d) * p.weight;
     for (int k = 0; k < p.count; ++k) {
         Sample &s = c.samples[in.sample[p.ray[k]]];
         addTo(s.rest, light, k);
@@ -158,6 +155,21 @@ void scatter(const Context &c, const RayStream &in, RayStream &out, const Packet
     }
 }
 
+// The diffuse colour of a place. In a scene that shows its patches it has the lines between them, and `cell` tells
+// the patches apart.
+Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Surface8 &at, Vec3x8 d, Float8 cosine,
+                   Float8 width, Int8 &cell) {
+    const Material &m = scene.materials[shape.material];
+    Vec3x8 local = shape.kind == ShapeKind::Rect ? d : shape.frame * d;
+    Rgb8 colour = albedo(m, at.local + shape.textureShift, local, cosine, width, cell) * broadcast(m.diffuse);
+    if (scene.lines > 0 && shape.chart >= 0) {
+        Float8 clear;
+        cell = patchAt(scene.lightmap->charts[shape.chart], at.p, width / sqrt(max(cosine, 0.02f)), clear);
+        colour = colour * fmadd(clear - 1.f, scene.lines, 1.f);
+    }
+    return colour;
+}
+
 void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &p, int shapeIndex) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[shapeIndex];
@@ -171,10 +183,12 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
 
     // Weaken by what was passed: fog on the way, glass if the ray comes from inside
     Rgb8 weight = p.weight;
-    Float8 clear = broadcast(1.f);
-    if (scene.fog > 0) clear = exp2(p.t * -scene.fog);
-    Rgb8 haze = sky(scene, p.r.d) * weight * (1.f - clear);
-    weight = weight * clear;
+    Rgb8 haze = {};
+    if (scene.fog > 0) {
+        Float8 clear = exp2(p.t * -scene.fog);
+        haze = radiance(scene.sky, p.r.d) * weight * (1.f - clear);
+        weight = weight * clear;
+    }
     if (m.ior > 0) {
         auto through = [&](float absorb) { return select(side < 0.f, exp2(p.t * -absorb), 1.f); };
         weight = weight * Rgb8{through(m.absorb.x), through(m.absorb.y), through(m.absorb.z)};
@@ -185,8 +199,7 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
     Lighting lighting = {};
     if (m.diffuse > 0 || m.specular > 0) {
         if (m.diffuse > 0)
-            diffuse = albedo(m, at.local + shape.textureShift, shape.frame * p.r.d, cosine, width, cell) *
-                      broadcast(m.diffuse);
+            diffuse = diffuseColour(scene, shape, at, p.r.d, cosine, width, cell);
         // Inside glass there are no highlights: its lights come by refraction
         Int8 litSide = m.ior > 0 ? p.active & (side > 0.f) : p.active;
         if (any(litSide))
@@ -207,6 +220,7 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
             addTo(s.light, light, k);
             s.id = id;
             s.lights = (uint32_t)lighting.states[k];
+            if (scene.lines > 0) s.lights += (uint32_t)cell[k] << 16; // a mosaic: patches end abruptly
         } else {
             addTo(s.rest, diffuse * light, k);
             if (!(marked >> k & 1)) continue;
@@ -316,15 +330,14 @@ void traceSamples(const Scene &scene, const View &view, const Quality &quality, 
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y) {
     const Material &m = scene.materials[shape.material];
     if (m.diffuse == 0) return broadcast(Rgb{});
-    if (m.texture.pattern == Pattern::Plain && m.cell == 0)
+    if (m.texture.pattern == Pattern::Plain && m.cell == 0 && scene.lines == 0)
         return broadcast(m.texture.palette[0] * m.diffuse);
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Float8 t = distance(scene, shape, ray, true);
     Surface8 at = surfaceAt(shape, ray, t);
     Float8 cosine = min(abs(dot(at.n, ray.d)), 1.f);
     Int8 cell;
-    return albedo(m, at.local + shape.textureShift, shape.frame * ray.d, cosine, t * view.spread, cell) *
-           broadcast(m.diffuse);
+    return diffuseColour(scene, shape, at, ray.d, cosine, t * view.spread, cell);
 }
 
 } // namespace odraz
