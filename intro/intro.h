@@ -13,17 +13,22 @@ struct Intro {
     Workers *workers;
     Tracer tracer;
     Scene *scene;
+    Hall *hall; // null where it was not asked for
     Frame picture;
     Facts facts;
 };
 
-// Bytes of arena that load() needs for pictures of this size and so many workers.
-size_t memoryNeeded(int width, int height, int workers);
+// Whether some scene in [from, to) seconds plays in the hall, which must then be solved.
+bool needsHall(double from, double to);
 
-// Prepares the film for pictures of this size, calling progress(0 .. 1) on the way; false when the arena is
-// too small or the viewer has left.
-bool load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
-          void (*progress)(float done, void *context), void *context);
+// Bytes of arena that load() needs for pictures of this size and so many workers.
+size_t memoryNeeded(int width, int height, int workers, bool hall);
+
+// Prepares the film for pictures of this size. With a table of OpenGL, whose context must be current, it solves
+// the hall, telling how far it is; without one, scenes that play there cannot be shown. Returns null, or a line
+// that says what is missing and what to do.
+const char *load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
+                 const Gl *gl = nullptr, const Progress &progress = {});
 
 double duration(); // seconds
 

@@ -1,6 +1,7 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "dump.h"
 #include "host/files.h"
+#include "host/headless.h"
 #include "host/machine.h"
 #include "host/threads.h"
 #include "play.h"
@@ -41,17 +42,33 @@ int run(int argc, char **argv, bool stdoutClosed) {
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
         return refuseOrComplain(m.data);
     }
-    size_t bytes = memoryNeeded(o.width, o.height, workers.count);
+    bool hall = needsHall(seconds(o.from), seconds(o.to));
+    size_t bytes = memoryNeeded(o.width, o.height, workers.count, hall);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    char name[49];
-    cpuName(name);
-    Facts facts = o.dump ? Facts{} : Facts{ownSize(), name};
-    if (!arena.base || !load(theIntro, arena, workers, o.width, o.height, facts, nullptr, nullptr)) {
+    if (!arena.base) {
         Message m;
         m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed; try a smaller --size";
         return refuseOrComplain(m.data);
     }
-    return o.dump ? dump(theIntro, o, stdoutClosed) : play(theIntro, o, &theViewerLeft);
+    char name[49];
+    cpuName(name);
+    Facts facts = o.dump ? Facts{} : Facts{ownSize(), name};
+
+    // Play: the window comes first, and shows how far loading is
+    if (!o.dump) {
+        FilmWindow window;
+        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theViewerLeft)) return refuse(wrong);
+        const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts, hall ? &window.gl : nullptr,
+                                 {showLoading, &window});
+        if (theViewerLeft) return 0;
+        return wrong ? refuse(wrong) : play(theIntro, o, window, &theViewerLeft);
+    }
+    Gl gl;
+    if (hall)
+        if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
+    if (const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts, hall ? &gl : nullptr))
+        return complain(wrong);
+    return dump(theIntro, o, stdoutClosed);
 }
 
 } // namespace

@@ -124,12 +124,6 @@ int main(int argc, char **argv) {
     Workers workers;
     if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never))
         return fail(missing);
-    size_t bytes = memoryNeeded(o.width, o.height, workers.count);
-    Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    static Intro intro;
-    if (!arena.base || !load(intro, arena, workers, o.width, o.height, {}, nullptr, nullptr))
-        return fail("not enough memory: try a smaller --size");
-
     if (!glfwInit()) return fail("no display: set DISPLAY");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -142,6 +136,12 @@ int main(int argc, char **argv) {
     void **table = (void **)&gl;
 #define ODRAZ_FIND(name) *table++ = (void *)glfwGetProcAddress(#name);
     ODRAZ_GL(ODRAZ_FIND)
+    size_t bytes = memoryNeeded(o.width, o.height, workers.count, true);
+    Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
+    static Intro intro;
+    if (!arena.base) return fail("not enough memory: try a smaller --size");
+    if (const char *problem = load(intro, arena, workers, o.width, o.height, {}, &gl)) return fail(problem);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
     GLuint texture, framebuffer;
     gl.glGenTextures(1, &texture);
     gl.glBindTexture(GL_TEXTURE_2D, texture);

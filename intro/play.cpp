@@ -2,7 +2,6 @@
 
 #include "host/files.h"
 #include "host/machine.h"
-#include "host/window.h"
 
 namespace odraz {
 
@@ -83,9 +82,7 @@ void printStats() {
 
 } // namespace
 
-int play(Intro &intro, const Options &o, int *leave) {
-    FilmWindow window;
-    if (const char *wrong = openWindow(window, !o.window, o.width, o.height, leave)) return refuse(wrong);
+int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave) {
     const Quality &quality = o.qualityOr(QualityName::Play);
     double from = seconds(o.from), to = seconds(o.to);
 

@@ -89,6 +89,7 @@ inline void store(int32_t *p, Int8 x) { _mm256_storeu_si256((__m256i *)p, (__m25
 inline Float8 gather(const float *base, Int8 index) { return _mm256_i32gather_ps(base, (__m256i)index, 4); }
 
 template <class T> T clamp(T x, float lo, float hi) { return min(max(x, lo), hi); }
+inline int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
 template <class T> T saturate(T x) { return clamp(x, 0.f, 1.f); }
 
 // From a (t = 0) to b (t = 1).

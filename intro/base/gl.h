@@ -1,4 +1,5 @@
-// The functions of OpenGL 3.3 that we use, as a table; the host fills it. Windows need only blits.
+// The functions of OpenGL that we use, as a table; the host fills it. All are of version 3.3 but glClipControl,
+// which may be called only where GL_ARB_clip_control is there.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -11,7 +12,15 @@ namespace odraz {
 #define ODRAZ_GL(F) \
     F(glGetError) F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
-    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels)
+    F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
+    F(glGetIntegerv) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
+    F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
+    F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
+    F(glUniform1f) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
+    F(glBufferData) F(glVertexAttribPointer) F(glVertexAttribIPointer) F(glEnableVertexAttribArray) \
+    F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClipControl) F(glClearBufferuiv) \
+    F(glClearBufferfv) F(glDrawArrays) F(glScissor) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
+    F(glDeleteBuffers)
 // clang-format on
 
 struct Gl {

@@ -1,7 +1,8 @@
-// sin, cos, exp2, log2 and pow without libm, for one float or for eight, bit-identical between the two.
+// sin, cos, acos, exp2, log2 and pow without libm, for one float or for eight, bit-identical between the two.
 //
 //   function   range                        maximum error over all floats of that range
 //   sin, cos   |x| <= 8192                  absolute 1.0e-7
+//   acos       -1 <= x <= 1                 absolute 4.5e-7
 //   exp2       -126 <= x <= 127.999         relative 1.5e-7; x outside is clamped to the range
 //   log2       2^-126 <= x < infinity       absolute 1.2e-7 + 1.2e-7 |log2 x|; x below is taken as 2^-126
 //   pow        x >= 0, |y log2 x| <= 126    relative 2.5e-7 (1 + |y log2 x|); pow(0, y > 0) is below 2^-126 y
@@ -34,6 +35,15 @@ template <class T> T sinQuadrant(T x, int quadrant) {
 }
 template <class T> T sin(T x) { return sinQuadrant(x, 0); }
 template <class T> T cos(T x) { return sinQuadrant(x, 1); }
+
+// Source: Abramowitz and Stegun, 4.4.46.
+template <class T> T acos(T x) {
+    T a = abs(x);
+    T p = fmadd(fmadd(fmadd(a, -0.0012624911f, 0.0066700901f), a, -0.0170881256f), a, 0.0308918810f);
+    p = fmadd(fmadd(fmadd(p, a, -0.0501743046f), a, 0.0889789874f), a, -0.2145988016f);
+    p = fmadd(p, a, 1.5707963050f) * sqrt(max(1.f - a, 0.f));
+    return select(x < 0.f, kPi - p, p);
+}
 
 template <class T> T exp2(T x) {
     x = clamp(x, -126.f, 127.999f);

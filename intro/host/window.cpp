@@ -31,6 +31,7 @@ struct WindowState {
     int *leave;
     int width, height; // of the window, as last told
     GLuint picture, framebuffer;
+    int64_t loadingShown; // when, in nanoseconds
 };
 
 namespace {
@@ -202,6 +203,7 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
         gl.glGenFramebuffers(1, &w.framebuffer);
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, w.framebuffer);
         gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, w.picture, 0);
+        gl.glClearColor(0, 0, 0, 1);
     }
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 
@@ -215,6 +217,31 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     gl.glClear(GL_COLOR_BUFFER_BIT);
     gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
                          w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
+    w.glx.glXSwapBuffers(w.drawing, w.window);
+}
+
+void showLoading(float done, void *context) {
+    FilmWindow &window = *(FilmWindow *)context;
+    WindowState &w = *window.state;
+    int64_t now = nanoseconds();
+    if (done < 1 && now - w.loadingShown < 33000000) return;
+    w.loadingShown = now;
+    // A line in the middle, two fifths of the window long
+    const Gl &gl = window.gl;
+    int width = __atomic_load_n(&w.width, __ATOMIC_RELAXED), height = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
+    int full = width * 2 / 5, thick = height / 240 + 1;
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    auto bar = [&](int length, float red, float green, float blue) {
+        gl.glScissor((width - full) / 2, (height - thick) / 2, length, thick);
+        gl.glClearColor(red, green, blue, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+    };
+    gl.glClearColor(0, 0, 0, 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glEnable(GL_SCISSOR_TEST);
+    bar(full, 0.1f, 0.1f, 0.11f);
+    bar((int)((float)full * done), 0.8f, 0.42f, 0.24f);
+    gl.glDisable(GL_SCISSOR_TEST);
     w.glx.glXSwapBuffers(w.drawing, w.window);
 }
 

@@ -4,10 +4,10 @@
 namespace odraz {
 
 const SceneEntry kScenes[kSceneCount] = {
-    {"point", posePoint, letterPoint},
-    {"table", poseTable, nullptr},
-    {"court", poseCourt, nullptr},
-    {"credits", poseCredits, letterCredits},
+    {"point", posePoint, letterPoint, false},     {"table", poseTable, nullptr, false},
+    {"court", poseCourt, nullptr, false},         {"patches", posePatches, letterPatches, true},
+    {"hall", poseDay, nullptr, true},             {"odraz", poseOdraz, nullptr, true},
+    {"credits", poseCredits, letterCredits, false},
 };
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
@@ -28,22 +28,19 @@ static constexpr CameraKey kAisle[] = {
     {100, {-0.5f, 1.15f, 7.5f}, {0.1f, 1.5f, -4}, 1, 42},
     {192, {0.2f, 1.3f, 2.6f}, {0, 1.3f, -6}, 0, 42},
 };
-static constexpr CameraKey kAbove[] = {
-    {192, {9.0f, 8.5f, 10.5f}, {0, 1.0f, -1.5f}, 0, 34},
-    {290, {9.8f, 5.2f, 3.5f}, {0, 1.1f, -1.5f}, 1.5f, 34},
-    {384, {7.4f, 2.2f, -3.5f}, {0, 1.2f, -1.5f}, 0, 36},
+static constexpr CameraKey kAxonometry[] = {
+    {0, {-26, 24, 30}, {0, 2.0f, 0}, 0, 20},
+    {192, {0.8f, 1.7f, 7.0f}, {0, 2.2f, -3}, 0, 46},
 };
 static constexpr CameraKey kWalk[] = {
-    {384, {-5.6f, 1.7f, 7.6f}, {-0.8f, 1.5f, 1.6f}, 0, 40},
-    {470, {-4.7f, 1.55f, 3.4f}, {-0.2f, 1.35f, 0.4f}, 0, 40},
-    {545, {-2.1f, 1.4f, 0.45f}, {0.2f, 1.1f, -0.3f}, -1, 42},
-    {610, {-0.75f, 1.45f, -2.5f}, {0.05f, 1.0f, 0.2f}, -1, 42},
-    {672, {1.2f, 1.2f, -3.6f}, {-0.05f, 1.15f, 0.5f}, 0, 42},
+    {0, {3.4f, 1.65f, 8.0f}, {-1.0f, 2.2f, -2}, 0, 46},
+    {120, {1.0f, 1.6f, 2.5f}, {-2.0f, 2.0f, -6}, 0, 46},
+    {200, {-0.5f, 1.6f, 1.0f}, {-1.0f, 2.6f, -8}, 0, 46},
+    {288, {0.2f, 1.7f, 0.0f}, {0, 2.6f, -9}, 0, 46},
 };
-static constexpr CameraKey kLastBall[] = {
-    {672, {1.2f, 0.8f, 4.3f}, {0, 0.8f, 0}, 0, 36},
-    {760, {0.2f, 2.5f, 4.2f}, {0, 0.8f, 0}, 0, 36},
-    {848, {-1.1f, 0.95f, 3.3f}, {0, 0.75f, 0}, 0, 34},
+static constexpr CameraKey kCrane[] = {
+    {0, {-1.0f, 1.2f, 7.5f}, {0, 1.4f, -1}, 0, 44},
+    {176, {1.0f, 3.0f, 6.0f}, {0, 1.0f, -1}, 0, 40},
 };
 
 static constexpr CameraKey kStill[] = {
@@ -53,8 +50,8 @@ static constexpr CameraKey kStill[] = {
 
 static constexpr Shot kShots[] = {
     {0, kPoint, 0, path(kPushIn), 0, 12},        {144, kTable, 144, path(kOrbit), 12, 8},
-    {384, kCourt, 384, path(kAisle), 12, 0},     {576, kCourt, 384, path(kAbove), 0, 0},
-    {768, kCourt, 384, path(kWalk), 0, 0},       {1056, kCourt, 384, path(kLastBall), 0, 16},
+    {384, kCourt, 384, path(kAisle), 12, 8},     {576, kPatches, 576, path(kAxonometry), 8, 0},
+    {768, kHall, 768, path(kWalk), 0, 0},        {1056, kOdraz, 1056, path(kCrane), 0, 16},
     {1232, kCredits, 1232, path(kStill), 8, 16},
 };
 

@@ -32,6 +32,17 @@ Material polishedFloor() {
     return {kWhiteMarble, kSlate, 1.0f, 0.8f, 0.2f, 120, 0.07f, true, 0, {}, {1, 1, 1}, {}};
 }
 Material boards() { return {kGranite, kOak, 0.6f, 1, 0.15f, 60, 0.035f, true, 0, {}, {1, 1, 1}, {}}; }
+Material hallFloor() {
+    return {kWhiteMarble, kSlate, 1.125f, 0.85f, 0.1f, 160, 0.06f, true, 0, {}, {1, 1, 1}, {}};
+}
+Material plaster(Rgb colour) { return {plain(colour), {}, 0, 1, 0, 1, 0, false, 0, {}, {1, 1, 1}, {}}; }
+static Material beam(Pattern pattern) {
+    Material m = {kOak, {}, 0, 1, 0, 1, 0, false, 0, {}, {1, 1, 1}, {}};
+    m.texture.pattern = pattern;
+    return m;
+}
+Material beamAlong() { return beam(Pattern::Wood); }
+Material beamAcross() { return beam(Pattern::WoodAcross); }
 Material granite() { return {kGranite, {}, 0, 1, 0.05f, 20, 0, false, 0, {}, {1, 1, 1}, {}}; }
 Material oak() { return {kOak, {}, 0, 1, 0.2f, 50, 0.03f, true, 0, {}, {1, 1, 1}, {}}; }
 Material glass() {

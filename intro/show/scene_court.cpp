@@ -23,7 +23,7 @@ static void addColumn(Scene &scene, Vec3 foot, int shaft, int block) {
     scene.add(box(foot + Vec3{0, 3.44f, 0}, {0.38f, 0.1f, 0.38f}, block));
 }
 
-void poseCourt(double row, Scene &scene) {
+void poseCourt(double row, Hall *, Scene &scene) {
     float dusk = value(track(kDusk), row), lamps = value(track(kLamps), row);
     int floor = scene.add(polishedFloor()), shaft = scene.add(paleMarble()), block = scene.add(granite());
     int beam = scene.add(oak()), silver = scene.add(mirror()), clear = scene.add(glass()),

@@ -13,7 +13,7 @@ static constexpr Key kKeyLight[] = {
 static constexpr Key kRimLight[] = {{48, 0, Smooth}, {96, 1, Linear}};
 static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; // its x as it rolls in
 
-void posePoint(double row, Scene &scene) {
+void posePoint(double row, Hall *, Scene &scene) {
     float key = value(track(kKeyLight), row), rim = value(track(kRimLight), row);
     int marble = scene.add(darkMarble()), clear = scene.add(glass()), silver = scene.add(mirror());
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (0.05f + key)));
@@ -38,7 +38,7 @@ void posePoint(double row, Scene &scene) {
 
 static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};
 
-void letterPoint(double row, const Facts &, Frame &frame) {
+void letterPoint(double row, const Hall *, const Facts &, Frame &frame) {
     float h = (float)frame.height;
     drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.17f, h * 0.034f, 0.085f, 5, Align::Centre,
              {0.75f, 0.72f, 0.68f}, value(track(kTitle), row));

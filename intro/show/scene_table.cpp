@@ -14,7 +14,7 @@ static float stepped(double row) {
     return ((float)whole + 0.35f * part + 0.65f * smoothstep(0.f, 1.f, part)) * (kPi / 8);
 }
 
-void poseTable(double row, Scene &scene) {
+void poseTable(double row, Hall *, Scene &scene) {
     int board = scene.add(boards()), edge = scene.add(oak()), ground = scene.add(granite());
     int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()),
         stone = scene.add(darkMarble());

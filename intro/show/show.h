@@ -5,6 +5,7 @@
 // of the row: no scene remembers anything.
 #pragma once
 
+#include "show/hall.h"
 #include "timeline/shot.h"
 #include "trace/frame.h"
 #include "trace/scene.h"
@@ -19,20 +20,27 @@ struct Facts {
 
 struct SceneEntry {
     const char *name;
-    void (*pose)(double row, Scene &scene);                       // fills a cleared scene
-    void (*letter)(double row, const Facts &facts, Frame &frame); // draws over the linear picture; or null
+    // Fills a cleared scene; the hall may be null where it is not needed
+    void (*pose)(double row, Hall *hall, Scene &scene);
+    // Draws over the linear picture; or null
+    void (*letter)(double row, const Hall *hall, const Facts &facts, Frame &frame);
+    bool needsHall;
 };
 
-enum SceneId { kPoint, kTable, kCourt, kCredits, kSceneCount };
+enum SceneId { kPoint, kTable, kCourt, kPatches, kHall, kOdraz, kCredits, kSceneCount };
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
 // Each in a file of its own.
-void posePoint(double row, Scene &scene);
-void letterPoint(double row, const Facts &facts, Frame &frame);
-void poseTable(double row, Scene &scene);
-void poseCourt(double row, Scene &scene);
-void poseCredits(double row, Scene &scene);
-void letterCredits(double row, const Facts &facts, Frame &frame);
+void posePoint(double row, Hall *, Scene &scene);
+void letterPoint(double row, const Hall *, const Facts &facts, Frame &frame);
+void poseTable(double row, Hall *, Scene &scene);
+void poseCourt(double row, Hall *, Scene &scene);
+void posePatches(double row, Hall *hall, Scene &scene);
+void letterPatches(double row, const Hall *hall, const Facts &facts, Frame &frame);
+void poseDay(double row, Hall *hall, Scene &scene);
+void poseOdraz(double row, Hall *hall, Scene &scene);
+void poseCredits(double row, Hall *, Scene &scene);
+void letterCredits(double row, const Hall *, const Facts &facts, Frame &frame);
 
 } // namespace odraz

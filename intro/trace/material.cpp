@@ -53,6 +53,9 @@ static Rgb8 colour(const Texture &t, Vec3x8 q, Float8 width) {
     case Pattern::Wood:
         v = wood(p, w);
         break;
+    case Pattern::WoodAcross:
+        v = wood({p.z, p.y, p.x}, w);
+        break;
     default:
         v = stone(p, w);
         break;
@@ -99,8 +102,15 @@ Rgb8 albedo(const Material &m, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, 
 
 Rgb meanAlbedo(const Material &m) {
     auto mean = [](const Texture &t) {
-        if (t.pattern == Pattern::Plain) return t.palette[0];
-        return (t.palette[0] + t.palette[1] + t.palette[2] + t.palette[3]) * 0.25f;
+        // How often each colour of the palette comes up, as counted
+        static constexpr float kShares[][4] = {{1, 0, 0, 0},
+                                               {0.26f, 0.65f, 0.08f, 0.01f},
+                                               {0.25f, 0.53f, 0.21f, 0.01f},
+                                               {0.25f, 0.53f, 0.21f, 0.01f},
+                                               {0.02f, 0.48f, 0.48f, 0.02f}};
+        Rgb sum = {};
+        for (int i = 0; i < 4; ++i) sum += t.palette[i] * kShares[(int)t.pattern][i];
+        return sum;
     };
     return m.cell == 0 ? mean(m.texture) : (mean(m.texture) + mean(m.other)) * 0.5f;
 }

@@ -9,7 +9,7 @@
 
 namespace odraz {
 
-enum class Pattern : uint8_t { Plain, Marble, Wood, Stone };
+enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone }; // wood grows along z; across: x
 
 // A pattern gives a number in [0, 1]; the palette's four evenly spaced colours make it a colour.
 struct Texture {
@@ -37,7 +37,7 @@ struct Material {
 // units, across the direction), and in `cell` a number that tells cells of a checker apart.
 Rgb8 albedo(const Material &material, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, Int8 &cell);
 
-// The average colour, for judging how much a change of light shows.
+// The average colour: for judging how much a change of light shows, and for radiosity.
 Rgb meanAlbedo(const Material &material);
 
 } // namespace odraz

@@ -2,6 +2,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "trace/ball.h"
 
 namespace odraz {
 
@@ -47,8 +48,9 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Vec3x8 to = scene.occluder[i] - at.p;
         Float8 square = max(dot(to, to), 1e-12f), facing = dot(n, to);
         float r2 = scene.occluderRadius[i] * scene.occluderRadius[i];
-        if (!any((facing > 0.f) & (square < r2 * 400.f))) continue; // takes less than a four-hundredth
-        open *= 1.f - clamp(facing * r2 / (square * sqrt(square)) - 0.0025f, 0.f, 0.95f);
+        if (!any((facing > -scene.occluderRadius[i]) & (square < r2 * 400.f))) continue; // takes a four-hundredth
+        if (shape.kind == ShapeKind::Sphere && sumAbs(shape.centre - scene.occluder[i]) == 0) continue; // itself
+        open *= 1.f - clamp(ballFormFactor(facing / sqrt(square), r2 / square) - 0.0025f, 0.f, 0.95f);
     }
     Lighting result = {};
     if (shape.chart >= 0)

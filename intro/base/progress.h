@@ -1,0 +1,19 @@
+// Telling how far a long piece of work has come: 0 .. 1.
+#pragma once
+
+namespace odraz {
+
+struct Progress {
+    void (*report)(float done, void *context) = nullptr; // may be null; called on the thread that began the work
+    void *context = nullptr;
+    float from = 0, to = 1; // the part of the whole that this work is
+
+    void operator()(float done) const {
+        if (report) report(from + (to - from) * done, context);
+    }
+    Progress part(float a, float b) const {
+        return {report, context, from + (to - from) * a, from + (to - from) * b};
+    }
+};
+
+} // namespace odraz

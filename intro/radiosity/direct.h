@@ -1,0 +1,49 @@
+// Direct light on every element: from the sky through windows, from the sun, from lamps. Shadow rays are the
+// tracer's.
+//
+// Every element is looked at from four places, those that can be seen; areas that shine are divided into 32 cells,
+// of which each place takes every fourth, so that penumbrae are even and need no random numbers. A cell counts as
+// a disc (cos cos' A / (pi r^2 + A)), which stays finite however near it is (Wallace, Elmquist and Haines, "A Ray
+// Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989); a ball by its exact form factor.
+#pragma once
+
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "radiosity/model.h"
+
+namespace odraz {
+
+inline constexpr int kMaxSkies = 12, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxLamps;
+
+// A sky that stands in all windows, and the sun, a point so far away that its light is parallel.
+struct SkyKey {
+    Sky sky;
+    Vec3 sunAt;   // world
+    Rgb sunlight; // irradiance / pi on what faces it
+};
+
+// Something that shines with radiance 1: a ball, or where radius is 0 a chart, on its lit side.
+struct Lamp {
+    Vec3 centre;
+    float radius;
+    int chart;
+};
+
+struct Lights {
+    SkyKey skies[kMaxSkies];
+    Lamp lamps[kMaxLamps];
+    int skyCount, lampCount;
+
+    int bases() const { return skyCount + lampCount; } // skies first
+};
+
+// Planes of texelCount floats, zeroed: what each texel gets from each sky (red, green, blue), and what share of
+// each sky's sunlight or each lamp's radiance. The scene holds the posed model, finished.
+struct DirectLight {
+    float *sky[kMaxSkies][3];
+    float *single[kMaxBases]; // sun of each sky, then lamps
+};
+void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
+                     DirectLight &out, const Progress &progress);
+
+} // namespace odraz

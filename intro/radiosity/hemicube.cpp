@@ -1,0 +1,250 @@
+#include "radiosity/hemicube.h"
+
+#include "base/maths.h"
+#include "base/random.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr int kVertices = 1 << 16; // laid out before they are drawn
+constexpr int kFloats = 7; // x, y, w in the atlas; place on the chart in patches; first patch + 1; patches across, down
+
+constexpr char kVertexShader[] = "#version 330\n"
+                                 "layout(location=0)in vec3 p;"
+                                 "layout(location=1)in vec2 q;"
+                                 "layout(location=2)in uvec2 c;"
+                                 "out vec2 s;flat out uvec2 f;"
+                                 "uniform float n;"
+                                 "void main(){gl_Position=vec4(p.xy,n,p.z);s=q;f=c;}";
+// The second version writes 1/w itself
+constexpr char kFragmentShader[] = "#version 330\n"
+                                   "in vec2 s;flat in uvec2 f;out uint o;"
+                                   "void main(){"
+                                   "uint a=f.y&65535u;"
+                                   "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
+constexpr char kFragmentDepth[] = "#version 330\n"
+                                  "in vec2 s;flat in uvec2 f;out uint o;uniform float n;"
+                                  "void main(){"
+                                  "uint a=f.y&65535u;gl_FragDepth=n*gl_FragCoord.w;"
+                                  "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
+
+struct Corner {
+    float x, y, w, s, t; // on a face: |x| <= w, y <= w, -w or 0 <= y; place on the chart
+};
+
+// Cuts a convex polygon by a x + b y + c w >= 0. New corners are found from the inside outwards, so that
+// neighbours that share an edge find the same ones.
+int clip(const Corner *in, int count, Corner *out, float a, float b, float c) {
+    int n = 0;
+    auto side = [&](const Corner &k) { return a * k.x + b * k.y + c * k.w; };
+    for (int i = 0; i < count; ++i) {
+        const Corner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
+        float dp = side(p), dq = side(q);
+        if (dp >= 0) out[n++] = p;
+        if ((dp >= 0) == (dq >= 0)) continue;
+        const Corner &inner = dp >= 0 ? p : q, &outer = dp >= 0 ? q : p;
+        float di = dp >= 0 ? dp : dq, t = di / (di - (dp >= 0 ? dq : dp));
+        out[n++] = {lerp(inner.x, outer.x, t), lerp(inner.y, outer.y, t), lerp(inner.w, outer.w, t),
+                    lerp(inner.s, outer.s, t), lerp(inner.t, outer.t, t)};
+    }
+    return n;
+}
+
+struct Writer {
+    Hemicubes &h;
+    float scaleX, scaleY; // half a face in the atlas, in clip units
+    int vertices;
+
+    void flush() {
+        const Gl &gl = *h.gl;
+        gl.glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)vertices * kFloats * 4, h.vertices, GL_STREAM_DRAW);
+        gl.glDrawArrays(GL_TRIANGLES, 0, vertices);
+        vertices = 0;
+    }
+};
+
+// Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas.
+void layOut(Writer &out, const Corner *corners, bool top, float x, float y, uint32_t first, uint32_t shape) {
+    // Reject what lies beyond a plane, clip what crosses some
+    float low = top ? -1.f : 0.f;
+    const float planes[4][3] = {{1, 0, 1}, {-1, 0, 1}, {0, 1, -low}, {0, -1, 1}};
+    int crossed = 0;
+    for (int k = 0; k < 4; ++k) {
+        int outside = 0;
+        for (int i = 0; i < 4; ++i)
+            outside += planes[k][0] * corners[i].x + planes[k][1] * corners[i].y + planes[k][2] * corners[i].w < 0;
+        if (outside == 4) return;
+        if (outside) crossed |= 1 << k;
+    }
+    Corner buffers[2][4 + 4]; // every plane adds one corner at most
+    const Corner *polygon = corners;
+    int count = 4, turn = 0;
+    for (int k = 0; k < 4; ++k) {
+        if (!(crossed >> k & 1)) continue;
+        count = clip(polygon, count, buffers[turn], planes[k][0], planes[k][1], planes[k][2]);
+        polygon = buffers[turn];
+        turn ^= 1;
+    }
+    // As a fan of triangles
+    if (out.vertices + 3 * (count - 2) > kVertices) out.flush();
+    for (int i = 2; i < count; ++i)
+        for (int k = 0; k < 3; ++k) {
+            const Corner &c = polygon[k ? i - 2 + k : 0];
+            float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
+            v[0] = fmadd(c.x, out.scaleX, x * c.w);
+            v[1] = fmadd(c.y, out.scaleY, y * c.w);
+            v[2] = c.w;
+            v[3] = c.s;
+            v[4] = c.t;
+            v[5] = fromBits((int32_t)first);
+            v[6] = fromBits((int32_t)shape);
+        }
+}
+
+void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, float y0, float scale) {
+    for (int i = 0; i < model.facetCount; ++i) {
+        const Facet &f = model.facets[i];
+        const Chart &c = model.charts[f.chart];
+        float height = dot(eye.p - c.corner, c.n);
+        if (abs(height) <= scale) continue; // in the patch's own plane, or edge on
+        // Into the hemicube's frame, unless all of it lies under the horizon
+        Vec3 local[4];
+        float s[4], t[4];
+        bool above = false;
+        for (int k = 0; k < 4; ++k) {
+            float u = k == 0 || k == 3 ? f.u0 : f.u1, v = k < 2 ? f.v0 : f.v1;
+            local[k] = eye.frame * (c.at(u, v) - eye.p);
+            s[k] = u * (float)c.patchesAcross() / c.width;
+            t[k] = v * (float)c.patchesDown() / c.height;
+            above |= local[k].z > 0;
+        }
+        if (!above) continue;
+        uint32_t first = height < 0 ? kBackSide : (uint32_t)c.firstPatch + 1;
+        uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
+        Corner corners[4];
+        for (int side = -1; side < 4; ++side) {
+            for (int k = 0; k < 4; ++k) {
+                Vec3 p = local[k];
+                float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y;
+                if (side == -1)
+                    corners[k] = {p.x, p.y, p.z, s[k], t[k]};
+                else if (side < 2)
+                    corners[k] = {y, p.z, x, s[k], t[k]};
+                else
+                    corners[k] = {-y, p.z, -x, s[k], t[k]};
+            }
+            float y = side == -1 ? 1 : (float)(2 + side);
+            layOut(out, corners, side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first, shape);
+        }
+    }
+}
+
+} // namespace
+
+Eye hemicubeEye(Vec3 p, Vec3 n, uint32_t number) {
+    float angle = unitFloat(pcg(number)) * (2 * kPi), c = cos(angle), s = sin(angle);
+    Vec3 a = normalize(cross(abs(n.y) < 0.9f ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)), b = cross(n, a);
+    return {p, {a * c + b * s, b * c - a * s, n}};
+}
+
+size_t hemicubeBytes(int px) {
+    return (size_t)kHemicubeBatch * (size_t)(3 * px * px) * 4 + (size_t)kVertices * kFloats * 4 + 128;
+}
+
+bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
+    h = {};
+    h.gl = &gl;
+    h.px = px;
+    h.vertices = arena.take<float>((size_t)kVertices * kFloats);
+    h.ids = arena.take<uint32_t>((size_t)kHemicubeBatch * (size_t)(3 * px * px));
+    if (!h.vertices || !h.ids) return false;
+
+    // Look for reversed depth
+    GLint extensions = 0;
+    gl.glGetIntegerv(GL_NUM_EXTENSIONS, &extensions);
+    for (int i = 0; i < extensions; ++i) {
+        auto *name = (const char *)gl.glGetStringi(GL_EXTENSIONS, (GLuint)i);
+        const char *wanted = "GL_ARB_clip_control";
+        while (*wanted && *name == *wanted) ++name, ++wanted;
+        h.clipControl |= *wanted == *name;
+    }
+
+    // An atlas of numbers and depths
+    int width = kHemicubeColumns * px, height = kHemicubeRows * 3 * px;
+    gl.glGenFramebuffers(1, &h.framebuffer);
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
+    gl.glGenRenderbuffers(2, h.images);
+    for (int i = 0; i < 2; ++i) {
+        gl.glBindRenderbuffer(GL_RENDERBUFFER, h.images[i]);
+        gl.glRenderbufferStorage(GL_RENDERBUFFER, i ? GL_DEPTH_COMPONENT32F : GL_R32UI, width, height);
+        gl.glFramebufferRenderbuffer(GL_FRAMEBUFFER, i ? GL_DEPTH_ATTACHMENT : GL_COLOR_ATTACHMENT0,
+                                     GL_RENDERBUFFER, h.images[i]);
+    }
+    if (gl.glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) return false;
+
+    h.program = gl.glCreateProgram();
+    for (int i = 0; i < 2; ++i) {
+        GLuint shader = gl.glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
+        const char *source = !i ? kVertexShader : h.clipControl ? kFragmentShader : kFragmentDepth;
+        gl.glShaderSource(shader, 1, &source, nullptr);
+        gl.glCompileShader(shader);
+        gl.glAttachShader(h.program, shader);
+    }
+    gl.glLinkProgram(h.program);
+    GLint linked = 0;
+    gl.glGetProgramiv(h.program, GL_LINK_STATUS, &linked);
+
+    gl.glGenVertexArrays(1, &h.vertexArray);
+    gl.glBindVertexArray(h.vertexArray);
+    gl.glGenBuffers(1, &h.buffer);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
+    gl.glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, kFloats * 4, nullptr);
+    gl.glVertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, kFloats * 4, (void *)12);
+    gl.glVertexAttribIPointer(2, 2, GL_UNSIGNED_INT, kFloats * 4, (void *)20);
+    for (GLuint i = 0; i < 3; ++i) gl.glEnableVertexAttribArray(i);
+    return linked;
+}
+
+void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count) {
+    // The scene's size decides what counts as lying in a plane
+    float size = 0;
+    for (int i = 0; i < model.chartCount; ++i) {
+        const Chart &c = model.charts[i];
+        size = max(size, sumAbs(c.corner) + c.width + c.height);
+    }
+    const Gl &gl = *h.gl;
+    int width = kHemicubeColumns * h.px, height = kHemicubeRows * 3 * h.px;
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
+    gl.glViewport(0, 0, width, height);
+    gl.glEnable(GL_DEPTH_TEST);
+    gl.glEnable(GL_DEPTH_CLAMP);
+    gl.glDepthFunc(GL_GREATER);
+    if (h.clipControl) gl.glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    static const GLuint kZero[4] = {};
+    static const GLfloat kFarthest = 0;
+    gl.glClearBufferuiv(GL_COLOR, 0, kZero);
+    gl.glClearBufferfv(GL_DEPTH, 0, &kFarthest);
+    gl.glUseProgram(h.program);
+    gl.glUniform1f(gl.glGetUniformLocation(h.program, "n"), size * 1e-7f);
+    gl.glBindVertexArray(h.vertexArray);
+    gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
+    Writer out = {h, 1.f / kHemicubeColumns, 1.f / (3 * kHemicubeRows), 0};
+    for (int i = 0; i < count; ++i)
+        layOutHemicube(out, model, eyes[i], -1 + 2 * out.scaleX * (float)(i % kHemicubeColumns),
+                       -1 + 6 * out.scaleY * (float)(i / kHemicubeColumns), size * 4e-7f);
+    out.flush();
+    gl.glReadPixels(0, 0, width, (count + kHemicubeColumns - 1) / kHemicubeColumns * 3 * h.px, GL_RED_INTEGER,
+                    GL_UNSIGNED_INT, h.ids);
+}
+
+void closeHemicubes(Hemicubes &h) {
+    const Gl &gl = *h.gl;
+    gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.glDisable(GL_DEPTH_TEST);
+    gl.glDeleteFramebuffers(1, &h.framebuffer);
+    gl.glDeleteRenderbuffers(2, h.images);
+    gl.glDeleteBuffers(1, &h.buffer);
+}
+
+} // namespace odraz

@@ -1,0 +1,109 @@
+#include "radiosity/radiosity.h"
+
+namespace odraz {
+
+static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
+    size_t padded = texels + 8;
+    for (int k = 0; k < r.lights.bases(); ++k) {
+        for (float *&plane : r.bounced[k])
+            if (!(plane = arena.take<float>(padded))) return false;
+        if (!(r.direct[k] = arena.take<float>(padded))) return false;
+    }
+    return true;
+}
+
+// Patches reflect what arrives: the mean of their elements' direct light.
+static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Workers &workers) {
+    const Lights &lights = r.lights;
+    System &s = r.system;
+    size_t columns = (size_t)s.columns;
+    for (int i = 0; i < model.patchCount; ++i) {
+        Rgb mean = scene.mean[model.charts[model.patches[i].chart].material];
+        float *to = s.reflectance + (size_t)i * columns;
+        for (int k = 0; k < lights.bases(); ++k) to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;
+    }
+    parallelFor(workers, lights.bases(), [&](int k, int) {
+        bool sky = k < lights.skyCount;
+        Rgb light = sky ? lights.skies[k].sunlight : Rgb{1, 1, 1};
+        float strength[3] = {light.x, light.y, light.z};
+        float *column = s.direct + 3 * k;
+        meanOfPatches(model, r.direct[k], column, s.columns);
+        for (int c = 2; c >= 0; --c) {
+            // The single number of the first column becomes each channel's
+            for (size_t i = 0; i < (size_t)model.patchCount; ++i) {
+                float *d = column + i * columns;
+                d[c] = d[0] * strength[c];
+            }
+        }
+        if (!sky) return;
+        for (int c = 0; c < 3; ++c) {
+            // The radiosity's column serves as scratch: it is not solved yet
+            float *scratch = s.radiosity + 3 * k + c;
+            meanOfPatches(model, r.bounced[k][c], scratch, s.columns);
+            for (size_t i = 0; i < (size_t)model.patchCount; ++i) column[i * columns + (size_t)c] += scratch[i * columns];
+        }
+    });
+}
+
+bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
+                    Arena &arena, Workers &workers, const Progress &progress) {
+    // Divide, and see what is hidden
+    if (!model.divide(arena, workers, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount))
+        return false;
+    progress(0.02f);
+
+    // Form factors
+    bool reflects[kMaxMaterials];
+    for (int i = 0; i < scene.materialCount; ++i) reflects[i] = maxComponent(scene.mean[i]) > 0;
+    r.factors.capacity = settings.links;
+    r.factors.links = arena.take<Link>(settings.links);
+    if (!r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+    bool found = findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors, progress.part(0.02f, 0.6f));
+    closeHemicubes(r.hemicubes);
+    if (!found) return false;
+
+    // Direct light
+    DirectLight direct;
+    for (int k = 0; k < r.lights.bases(); ++k) {
+        direct.single[k] = r.direct[k];
+        for (int c = 0; c < 3 && k < r.lights.skyCount; ++c) direct.sky[k][c] = r.bounced[k][c];
+    }
+    findDirectLight(model, scene, r.lights, workers, direct, progress.part(0.6f, 0.85f));
+    if (workers.aborted()) return false;
+
+    // Bounces, brought to the elements
+    if (!makeSystem(r.system, arena, r.factors, model.patchCount, 3 * r.lights.bases())) return false;
+    float *gathered = arena.take<float>((size_t)model.patchCount * (size_t)r.system.columns);
+    if (!gathered) return false;
+    fillSystem(r, model, scene, workers);
+    solve(r.system, workers, settings.residual, settings.sweeps);
+    progress(0.95f);
+    gather(r.factors, model.patchCount, r.system.columns, r.system.radiosity, gathered, workers);
+    parallelFor(workers, r.lights.bases(), [&](int k, int) {
+        for (int c = 0; c < 3; ++c) {
+            addToElements(model, gathered + 3 * k + c, r.system.columns, r.bounced[k][c]);
+            closeGaps(model, r.bounced[k][c]);
+        }
+        closeGaps(model, r.direct[k]);
+    });
+    progress(1);
+    return !workers.aborted();
+}
+
+void blend(const Radiosity &r, const Model &model, const Blend &weights, float *const plane[3]) {
+    for (int c = 0; c < 3; ++c) {
+        auto channel = [&](Rgb w) { return c == 0 ? w.x : c == 1 ? w.y : w.z; };
+        for (int t = 0; t < model.texelCount; ++t) plane[c][t] = 0;
+        auto add = [&](const float *from, float weight) {
+            if (weight == 0) return;
+            for (int t = 0; t < model.texelCount; t += 8)
+                store(plane[c] + t, fmadd(load(from + t), weight, load(plane[c] + t)));
+        };
+        for (int k = 0; k < r.lights.bases(); ++k) {
+            add(r.bounced[k][c], channel(weights.bounced[k]));
+            add(r.direct[k], channel(weights.direct[k]));
+        }
+    }
+}
+
+} // namespace odraz

@@ -1,0 +1,28 @@
+// Scene 5. A day in the hall: dawn, noon, dusk; lanterns, night, the door of light.
+#include "show/show.h"
+
+namespace odraz {
+
+using enum Interpolation;
+
+static constexpr Key kHour[] = {{0, 0, Linear}, {20, 0.2f, Linear}, {168, 6, Linear}, {200, 7, Linear}};
+static constexpr Key kLantern1[] = {{148, 0, Smooth}, {156, 1, Linear}, {224, 1, Smooth}, {244, 0, Linear}};
+static constexpr Key kLantern2[] = {{164, 0, Smooth}, {172, 0.8f, Linear}, {220, 0.8f, Smooth}, {240, 0, Linear}};
+static constexpr Key kLantern3[] = {{180, 0, Smooth}, {188, 0.6f, Linear}, {216, 0.6f, Smooth}, {236, 0, Linear}};
+static constexpr Key kExposure[] = {{0, 2.0f, Smooth}, {60, 1.1f, Linear}, {130, 1.1f, Smooth}, {180, 2.2f, Linear}};
+
+void poseDay(double row, Hall *hall, Scene &scene) {
+    HallLight light = {};
+    light.hour = value(track(kHour), row);
+    light.lanterns[2] = value(track(kLantern1), row);
+    light.lanterns[1] = value(track(kLantern2), row);
+    light.lanterns[0] = value(track(kLantern3), row);
+    light.sun = 1;
+    // The strips rise in turn, one every half bar
+    static constexpr Key kRise[] = {{0, 0, Smooth}, {7, 1, Linear}};
+    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), row - 226 - 5 * i);
+    poseHall(*hall, light, 0, scene);
+    scene.exposure = value(track(kExposure), row);
+}
+
+} // namespace odraz
