@@ -28,7 +28,8 @@ const char *load(Intro &intro, Arena &arena, Workers &workers, int width, int he
         return "not enough memory: try a smaller --size";
     if (!gl) return nullptr;
     intro.hall = arena.take<Hall>(1);
-    return intro.hall ? loadHall(*intro.hall, *intro.scene, *gl, arena, workers, progress) : "not enough memory";
+    return intro.hall ? loadHall(*intro.hall, *intro.scene, *gl, arena, workers, progress)
+                      : "not enough memory";
 }
 
 double duration() { return kFilm.endRow / kRowsPerSecond; }
@@ -54,7 +55,7 @@ const Frame &frame(Intro &intro, double seconds, const Quality &quality, const C
     Frame &picture = intro.picture;
     View view = lookAt(c.eye, c.target, c.roll, c.fov, picture.width, picture.height);
     traceFrame(intro.tracer, *intro.workers, scene, view, quality, picture);
-    if (entry.letter) entry.letter(m.storyRow, intro.hall, intro.facts, picture);
+    if (entry.letter) entry.letter(m.storyRow, intro.hall, intro.facts, view, picture);
     // Squared, a fade looks even: the eye is quick to see the first light
     develop(picture, *intro.workers, scene.exposure * m.fade * m.fade);
     return picture;

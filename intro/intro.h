@@ -24,9 +24,9 @@ bool needsHall(double from, double to);
 // Bytes of arena that load() needs for pictures of this size and so many workers.
 size_t memoryNeeded(int width, int height, int workers, bool hall);
 
-// Prepares the film for pictures of this size. With a table of OpenGL, whose context must be current, it solves
-// the hall, telling how far it is; without one, scenes that play there cannot be shown. Returns null, or a line
-// that says what is missing and what to do.
+// Prepares the film for pictures of this size. With a table of OpenGL, whose context must be current, it
+// solves the hall, telling how far it is; without one, scenes that play there cannot be shown. Returns null,
+// or a line that says what is missing and what to do.
 const char *load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
                  const Gl *gl = nullptr, const Progress &progress = {});
 

@@ -57,9 +57,10 @@ int run(int argc, char **argv, bool stdoutClosed) {
     // Play: the window comes first, and shows how far loading is
     if (!o.dump) {
         FilmWindow window;
-        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theViewerLeft)) return refuse(wrong);
-        const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts, hall ? &window.gl : nullptr,
-                                 {showLoading, &window});
+        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theViewerLeft))
+            return refuse(wrong);
+        const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts,
+                                 hall ? &window.gl : nullptr, {showLoading, &window});
         if (theViewerLeft) return 0;
         return wrong ? refuse(wrong) : play(theIntro, o, window, &theViewerLeft);
     }

@@ -49,7 +49,7 @@ Picture traced(int scene, double row, const CameraKey &camera, const Quality &qu
     Tracer tracer;
     auto posed = std::make_unique<Scene>();
     posed->clear();
-    kScenes[scene].pose(row, *posed);
+    kScenes[scene].pose(row, nullptr, *posed);
     posed->finish();
     EXPECT_TRUE(makeTracer(tracer, arena, threads) && makeFrame(p.frame, arena, width, height));
     View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);

@@ -1,5 +1,6 @@
 // The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
 // things, and no picture with a NaN or nothing in it.
+#include "host/headless.h"
 #include "intro.h"
 
 #include <cmath>
@@ -15,20 +16,29 @@ struct Loaded {
     Workers workers = serialWorkers();
     std::unique_ptr<unsigned char[], decltype(&free)> memory{nullptr, free};
     Intro intro = {};
-    Loaded(int width, int height) {
-        size_t bytes = (memoryNeeded(width, height, 1) + 63) & ~(size_t)63;
+    explicit Loaded(const Gl &gl) {
+        size_t bytes = (memoryNeeded(160, 90, 1, true) + 63) & ~(size_t)63;
         memory.reset((unsigned char *)aligned_alloc(64, bytes));
         memset(memory.get(), 0, bytes);
         Arena arena = {memory.get(), bytes, 0};
-        EXPECT_TRUE(load(intro, arena, workers, width, height, {}, nullptr, nullptr));
+        EXPECT_STREQ(load(intro, arena, workers, 160, 90, {}, &gl), nullptr);
     }
 };
+
+// The film, loaded once for all tests.
+Loaded &film() {
+    static Gl gl;
+    static const char *missing = openHeadlessGl(gl);
+    EXPECT_STREQ(missing, nullptr);
+    static Loaded loaded(gl);
+    return loaded;
+}
 
 // The scene that is on at a time, posed.
 Moment poseAt(double seconds, Scene &scene) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
     scene.clear();
-    kScenes[m.shot->scene].pose(m.storyRow, scene);
+    kScenes[m.shot->scene].pose(m.storyRow, film().intro.hall, scene);
     return m;
 }
 
@@ -127,10 +137,9 @@ TEST(Film, BallsDoNotRollThroughThings) {
 }
 
 TEST(Film, EveryPictureIsThereWithoutNaN) {
-    Loaded film(160, 90);
     int dark = 0;
     for (double t = 0; t < duration(); t += 1) {
-        const Frame &f = frame(film.intro, t, kQualities[(int)QualityName::Play]);
+        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Play]);
         double sum = 0;
         for (int y = 0; y < f.height; ++y)
             for (int x = 0; x < f.width; ++x)
@@ -144,9 +153,8 @@ TEST(Film, EveryPictureIsThereWithoutNaN) {
 }
 
 TEST(Film, APictureDependsOnItsTimeAlone) {
-    Loaded film(160, 90);
     auto picture = [&](double t) {
-        const Frame &f = frame(film.intro, t, kQualities[(int)QualityName::Film]);
+        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Film]);
         return std::vector<uint8_t>(f.rgba, f.rgba + 160 * 90 * 4);
     };
     auto first = picture(30.04);
@@ -160,5 +168,5 @@ TEST(Load, SaysNoWhenTheArenaIsTooSmall) {
     Intro intro = {};
     alignas(64) static unsigned char block[4096];
     Arena arena = {block, sizeof block, 0};
-    EXPECT_FALSE(load(intro, arena, workers, 1280, 720, {}, nullptr, nullptr));
+    EXPECT_NE(load(intro, arena, workers, 1280, 720, {}), nullptr);
 }

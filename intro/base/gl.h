@@ -1,5 +1,5 @@
-// The functions of OpenGL that we use, as a table; the host fills it. All are of version 3.3 but glClipControl,
-// which may be called only where GL_ARB_clip_control is there.
+// The functions of OpenGL that we use, as a table; the host fills it. All are of version 3.3 but
+// glClipControl, which may be called only where GL_ARB_clip_control is there.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES

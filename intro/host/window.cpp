@@ -228,7 +228,8 @@ void showLoading(float done, void *context) {
     w.loadingShown = now;
     // A line in the middle, two fifths of the window long
     const Gl &gl = window.gl;
-    int width = __atomic_load_n(&w.width, __ATOMIC_RELAXED), height = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
+    int width = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
+        height = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
     int full = width * 2 / 5, thick = height / 240 + 1;
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     auto bar = [&](int length, float red, float green, float blue) {

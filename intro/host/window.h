@@ -22,7 +22,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 
-// Shows how far loading is, 0 .. 1; `window` is a FilmWindow. Called often, it draws a few dozen times a second.
+// Shows how far loading is, 0 .. 1; `window` is a FilmWindow. Called often, it draws a few dozen times a
+// second.
 void showLoading(float done, void *window);
 
 } // namespace odraz

@@ -38,7 +38,8 @@ struct Context {
         for (int k = 0; k < 32; ++k) {
             int i = k % across, j = k / across;
             if (((i + 2 * j) & 3) != at.place) continue;
-            Vec3 q = c.at(((float)i + 0.5f) * c.width / (float)across, ((float)j + 0.5f) * c.height / (float)down);
+            Vec3 q =
+                c.at(((float)i + 0.5f) * c.width / (float)across, ((float)j + 0.5f) * c.height / (float)down);
             Vec3x8 to = q - at.p;
             Float8 square = dot(to, to), cosines = max(dot(to, at.n), 0.f) * max(-dot(to, c.n), 0.f);
             Int8 faces = at.active & (cosines > 0.f);
@@ -100,9 +101,7 @@ void look(Context &c, const Places &at, Sums &sums) {
 }
 
 // Stores the first `count` lanes.
-void put(float *plane, Float8 x, int count) {
-    _mm256_maskstore_ps(plane, (__m256i)(kLanes < count), x);
-}
+void put(float *plane, Float8 x, int count) { _mm256_maskstore_ps(plane, (__m256i)(kLanes < count), x); }
 
 } // namespace
 

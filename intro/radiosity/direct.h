@@ -1,10 +1,11 @@
 // Direct light on every element: from the sky through windows, from the sun, from lamps. Shadow rays are the
 // tracer's.
 //
-// Every element is looked at from four places, those that can be seen; areas that shine are divided into 32 cells,
-// of which each place takes every fourth, so that penumbrae are even and need no random numbers. A cell counts as
-// a disc (cos cos' A / (pi r^2 + A)), which stays finite however near it is (Wallace, Elmquist and Haines, "A Ray
-// Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989); a ball by its exact form factor.
+// Every element is looked at from four places, those that can be seen; areas that shine are divided into 32
+// cells, of which each place takes every fourth, so that penumbrae are even and need no random numbers. A
+// cell counts as a disc (cos cos' A / (pi r^2 + A)), which stays finite however near it is (Wallace, Elmquist
+// and Haines, "A Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989); a ball by its exact form
+// factor.
 #pragma once
 
 #include "base/parallel.h"
@@ -37,8 +38,8 @@ struct Lights {
     int bases() const { return skyCount + lampCount; } // skies first
 };
 
-// Planes of texelCount floats, zeroed: what each texel gets from each sky (red, green, blue), and what share of
-// each sky's sunlight or each lamp's radiance. The scene holds the posed model, finished.
+// Planes of texelCount floats, zeroed: what each texel gets from each sky (red, green, blue), and what share
+// of each sky's sunlight or each lamp's radiance. The scene holds the posed model, finished.
 struct DirectLight {
     float *sky[kMaxSkies][3];
     float *single[kMaxBases]; // sun of each sky, then lamps

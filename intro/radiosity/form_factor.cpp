@@ -16,8 +16,8 @@ double arcTangent(double x) {
 
 constexpr double kTwoPi = 6.283185307179586;
 
-// Integrals of the hemicube's kernels, 1 / (pi (1 + a^2 + b^2)^2) on the top face and b times that on a side, over
-// [0, a] x [0, b] up to what cancels in the differences below.
+// Integrals of the hemicube's kernels, 1 / (pi (1 + a^2 + b^2)^2) on the top face and b times that on a side,
+// over [0, a] x [0, b] up to what cancels in the differences below.
 double topIntegral(double a, double b) {
     double ra = root(1 + a * a), rb = root(1 + b * b);
     return (a / ra * arcTangent(b / ra) + b / rb * arcTangent(a / rb)) / kTwoPi;
@@ -35,8 +35,8 @@ void deltaFormFactors(int px, float *delta) {
             bool top = row < px;
             auto *integral = top ? topIntegral : sideIntegral;
             double size = 2.0 / px, a = column * size - 1, b = top ? row * size - 1 : (row - px) * size;
-            double d = integral(a + size, b + size) - integral(a, b + size) - integral(a + size, b) +
-                       integral(a, b);
+            double d =
+                integral(a + size, b + size) - integral(a, b + size) - integral(a + size, b) + integral(a, b);
             for (int side = 0; side < (top ? 1 : 4); ++side)
                 delta[(row + side * (px / 2)) * px + column] = (float)d;
         }

@@ -8,7 +8,8 @@ namespace odraz {
 namespace {
 
 constexpr int kVertices = 1 << 16; // laid out before they are drawn
-constexpr int kFloats = 7; // x, y, w in the atlas; place on the chart in patches; first patch + 1; patches across, down
+constexpr int kFloats =
+    7; // x, y, w in the atlas; place on the chart in patches; first patch + 1; patches across, down
 
 constexpr char kVertexShader[] = "#version 330\n"
                                  "layout(location=0)in vec3 p;"
@@ -18,16 +19,18 @@ constexpr char kVertexShader[] = "#version 330\n"
                                  "uniform float n;"
                                  "void main(){gl_Position=vec4(p.xy,n,p.z);s=q;f=c;}";
 // The second version writes 1/w itself
-constexpr char kFragmentShader[] = "#version 330\n"
-                                   "in vec2 s;flat in uvec2 f;out uint o;"
-                                   "void main(){"
-                                   "uint a=f.y&65535u;"
-                                   "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
-constexpr char kFragmentDepth[] = "#version 330\n"
-                                  "in vec2 s;flat in uvec2 f;out uint o;uniform float n;"
-                                  "void main(){"
-                                  "uint a=f.y&65535u;gl_FragDepth=n*gl_FragCoord.w;"
-                                  "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
+constexpr char kFragmentShader[] =
+    "#version 330\n"
+    "in vec2 s;flat in uvec2 f;out uint o;"
+    "void main(){"
+    "uint a=f.y&65535u;"
+    "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
+constexpr char kFragmentDepth[] =
+    "#version 330\n"
+    "in vec2 s;flat in uvec2 f;out uint o;uniform float n;"
+    "void main(){"
+    "uint a=f.y&65535u;gl_FragDepth=n*gl_FragCoord.w;"
+    "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
 
 struct Corner {
     float x, y, w, s, t; // on a face: |x| <= w, y <= w, -w or 0 <= y; place on the chart
@@ -73,7 +76,8 @@ void layOut(Writer &out, const Corner *corners, bool top, float x, float y, uint
     for (int k = 0; k < 4; ++k) {
         int outside = 0;
         for (int i = 0; i < 4; ++i)
-            outside += planes[k][0] * corners[i].x + planes[k][1] * corners[i].y + planes[k][2] * corners[i].w < 0;
+            outside +=
+                planes[k][0] * corners[i].x + planes[k][1] * corners[i].y + planes[k][2] * corners[i].w < 0;
         if (outside == 4) return;
         if (outside) crossed |= 1 << k;
     }

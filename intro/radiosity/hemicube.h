@@ -1,11 +1,11 @@
 // Hemicubes: what a patch sees, as numbers of patches, drawn by OpenGL.
 //
-// The large rectangles are drawn, not the patches: they are transformed, clipped to the five faces and laid out on
-// the processor, and a fragment finds its patch's number from where it lies on the rectangle. Many hemicubes
-// share one picture (an atlas) and one read-back. A hemicube is a column of px columns and 3 px rows: the top face
-// (px x px), then four half faces (px x px/2) looking to +x, +y, -x, -y of its frame, the horizon at their first
-// row. Depth is reversed floats with GL_DEPTH_CLAMP, so that nothing is cut off however near it is. Without
-// ARB_clip_control a fragment writes its depth itself.
+// The large rectangles are drawn, not the patches: they are transformed, clipped to the five faces and laid
+// out on the processor, and a fragment finds its patch's number from where it lies on the rectangle. Many
+// hemicubes share one picture (an atlas) and one read-back. A hemicube is a column of px columns and 3 px
+// rows: the top face (px x px), then four half faces (px x px/2) looking to +x, +y, -x, -y of its frame, the
+// horizon at their first row. Depth is reversed floats with GL_DEPTH_CLAMP, so that nothing is cut off
+// however near it is. Without ARB_clip_control a fragment writes its depth itself.
 //
 // Source: Cohen and Greenberg, "The Hemi-Cube", SIGGRAPH 1985; delta form factors are form_factor.h's.
 #pragma once
@@ -15,7 +15,8 @@
 
 namespace odraz {
 
-inline constexpr int kHemicubeColumns = 16, kHemicubeRows = 4, kHemicubeBatch = kHemicubeColumns * kHemicubeRows;
+inline constexpr int kHemicubeColumns = 16, kHemicubeRows = 4,
+                     kHemicubeBatch = kHemicubeColumns * kHemicubeRows;
 inline constexpr int kMaxHemicube = 128; // pixels of a top face's side; even
 
 // Numbers in the pictures: a patch's plus one; or these.
@@ -40,12 +41,13 @@ struct Hemicubes {
     uint32_t *ids; // the atlas as read back: kHemicubeColumns px wide
 };
 
-// Makes what drawing needs on the context that is current; false when the arena is full or the context cannot do
-// it. Pixels: even, 4 .. kMaxHemicube.
+// Makes what drawing needs on the context that is current; false when the arena is full or the context cannot
+// do it. Pixels: even, 4 .. kMaxHemicube.
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
 size_t hemicubeBytes(int px);
 
-// Draws up to kHemicubeBatch hemicubes; h.ids then holds them. The context's framebuffer and viewport are changed.
+// Draws up to kHemicubeBatch hemicubes; h.ids then holds them. The context's framebuffer and viewport are
+// changed.
 void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count);
 void closeHemicubes(Hemicubes &h);
 

@@ -27,12 +27,12 @@ void Model::addBox(Vec3 lo, Vec3 hi, int material, float element, unsigned sides
     Vec3 x = {hi.x - lo.x, 0, 0}, y = {0, hi.y - lo.y, 0}, z = {0, 0, hi.z - lo.z};
     struct {
         Vec3 corner, u, v;
-    } const all[] = {{lo, z, y},                        // left: -x
-                     {{hi.x, lo.y, hi.z}, -z, y},       // right: +x
-                     {lo, x, z},                        // bottom: -y
-                     {{lo.x, hi.y, hi.z}, x, -z},       // top: +y
-                     {{hi.x, lo.y, lo.z}, -x, y},       // back: -z
-                     {{lo.x, lo.y, hi.z}, x, y}};       // front: +z
+    } const all[] = {{lo, z, y},                  // left: -x
+                     {{hi.x, lo.y, hi.z}, -z, y}, // right: +x
+                     {lo, x, z},                  // bottom: -y
+                     {{lo.x, hi.y, hi.z}, x, -z}, // top: +y
+                     {{hi.x, lo.y, lo.z}, -x, y}, // back: -z
+                     {{lo.x, lo.y, hi.z}, x, y}}; // front: +z
     for (int i = 0; i < 6; ++i)
         if (sides >> i & 1) addRect(all[i].corner, all[i].u, all[i].v, material, element);
 }

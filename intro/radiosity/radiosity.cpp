@@ -20,7 +20,8 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
     for (int i = 0; i < model.patchCount; ++i) {
         Rgb mean = scene.mean[model.charts[model.patches[i].chart].material];
         float *to = s.reflectance + (size_t)i * columns;
-        for (int k = 0; k < lights.bases(); ++k) to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;
+        for (int k = 0; k < lights.bases(); ++k)
+            to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;
     }
     parallelFor(workers, lights.bases(), [&](int k, int) {
         bool sky = k < lights.skyCount;
@@ -40,7 +41,8 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
             // The radiosity's column serves as scratch: it is not solved yet
             float *scratch = s.radiosity + 3 * k + c;
             meanOfPatches(model, r.bounced[k][c], scratch, s.columns);
-            for (size_t i = 0; i < (size_t)model.patchCount; ++i) column[i * columns + (size_t)c] += scratch[i * columns];
+            for (size_t i = 0; i < (size_t)model.patchCount; ++i)
+                column[i * columns + (size_t)c] += scratch[i * columns];
         }
     });
 }
@@ -58,9 +60,8 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     r.factors.capacity = settings.links;
     r.factors.links = arena.take<Link>(settings.links);
     if (!r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
-    bool found = findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors, progress.part(0.02f, 0.6f));
-    closeHemicubes(r.hemicubes);
-    if (!found) return false;
+    if (!findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors, progress.part(0.02f, 0.6f)))
+        return false;
 
     // Direct light
     DirectLight direct;

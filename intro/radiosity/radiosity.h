@@ -1,8 +1,8 @@
 // A room, solved: for every light its light on every element, bounces and all.
 //
-// Light is linear: the picture at any time is a weighted sum of these bases, the skies with the bounces of their
-// suns, then the lamps. Direct light of suns and lamps is kept apart, as one number an element, so that it can be
-// left out where the tracer draws it, or put in.
+// Light is linear: the picture at any time is a weighted sum of these bases, the skies with the bounces of
+// their suns, then the lamps. Direct light of suns and lamps is kept apart, as one number an element, so that
+// it can be left out where the tracer draws it, or put in.
 #pragma once
 
 #include "base/progress.h"
@@ -11,10 +11,10 @@
 namespace odraz {
 
 struct RadiositySettings {
-    int px = 64;           // of a hemicube
-    int block = 3;         // a patch is so many elements wide and high
+    int px = 64;   // of a hemicube
+    int block = 3; // a patch is so many elements wide and high
     float residual = 1e-4f;
-    int sweeps = 100;      // no more than these
+    int sweeps = 100;       // no more than these
     size_t links = 6 << 20; // room for form factors
 };
 
@@ -24,7 +24,7 @@ struct Radiosity {
     System system;                // of all bases; columns 3 basis + channel
     float *bounced[kMaxBases][3]; // planes of texels; with a sky's light through the windows
     float *direct[kMaxBases];     // planes: what share of the sunlight or the lamp's radiance arrives
-    Hemicubes hemicubes;          // closed, but for ids and their size
+    Hemicubes hemicubes;          // open as long as the context is
 };
 
 // Divides the model and solves it; `scene` is used for shadow rays. False when the arena is too small, OpenGL
@@ -35,7 +35,8 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
 // How much of each basis there is.
 struct Blend {
     Rgb bounced[kMaxBases]; // weights of skies (0 .. 1), radiances of lamps
-    Rgb direct[kMaxBases];  // ... of what they light directly: sunlight, radiance; {} where the tracer draws it
+    Rgb direct[kMaxBases];  // ... of what they light directly: sunlight, radiance; {} where the tracer draws
+                            // it
 };
 void blend(const Radiosity &r, const Model &model, const Blend &weights, float *const plane[3]);
 

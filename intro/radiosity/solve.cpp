@@ -10,8 +10,8 @@ struct Pair {
     Float8 a, b;
 };
 
-// F B of one patch, for a block of columns. Links are summed four at a time, in four sums: the additions need not
-// wait for each other.
+// F B of one patch, for a block of columns. Links are summed four at a time, in four sums: the additions need
+// not wait for each other.
 Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.links + f.start[patch], *end = f.links + f.start[patch + 1];
@@ -128,6 +128,17 @@ void addToElements(const Model &model, const float *values, int stride, float *p
     }
 }
 
+void fillRings(const Model &model, float *plane) {
+    for (int index = 0; index < model.chartCount; ++index) {
+        const Chart &c = model.charts[index];
+        auto copy = [&](int i, int j) {
+            plane[c.texel(i, j)] = plane[c.texel(clamp(i, 0, c.across - 1), clamp(j, 0, c.down - 1))];
+        };
+        for (int i = -1; i <= c.across; ++i) copy(i, -1), copy(i, c.down);
+        for (int j = 0; j < c.down; ++j) copy(-1, j), copy(c.across, j);
+    }
+}
+
 void closeGaps(const Model &model, float *plane) {
     for (int index = 0; index < model.chartCount; ++index) {
         const Chart &c = model.charts[index];
@@ -166,12 +177,9 @@ void closeGaps(const Model &model, float *plane) {
                     --unknown;
                 }
         }
-        for (int j = -1; j <= c.down; ++j)
-            for (int i = -1; i <= c.across; ++i) {
-                float v = plane[c.texel(clamp(i, 0, c.across - 1), clamp(j, 0, c.down - 1))];
-                plane[c.texel(i, j)] = max(v, 0.f);
-            }
+        for (int i = c.firstTexel; i < c.firstTexel + c.texels(); ++i) plane[i] = max(plane[i], 0.f);
     }
+    fillRings(model, plane);
 }
 
 void meanOfPatches(const Model &model, const float *plane, float *values, int stride) {

@@ -1,9 +1,9 @@
 // The radiosity system B = rho (D + F B), for many right-hand sides at once, and its light on the elements.
 //
-// D is direct light and F B the light that comes by reflection, both as irradiance / pi. Solved by Gauss-Seidel:
-// one sweep after the other over all patches, every new value used at once, until what a sweep changes is less than
-// the residual asked, as a share of what the sources put in. Right-hand sides do not touch each other, so the
-// result does not depend on how they are shared out to threads.
+// D is direct light and F B the light that comes by reflection, both as irradiance / pi. Solved by
+// Gauss-Seidel: one sweep after the other over all patches, every new value used at once, until what a sweep
+// changes is less than the residual asked, as a share of what the sources put in. Right-hand sides do not
+// touch each other, so the result does not depend on how they are shared out to threads.
 #pragma once
 
 #include "radiosity/direct.h"
@@ -32,9 +32,12 @@ int solve(System &system, Workers &workers, float residual, int most);
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
             Workers &workers);
 
-// Spreads values of patches ([patches][stride], one column) over the elements of all charts: bilinear between the
-// patches' middles, straight on outside of them. Added to `plane`.
+// Spreads values of patches ([patches][stride], one column) over the elements of all charts: bilinear between
+// the patches' middles, straight on outside of them. Added to `plane`.
 void addToElements(const Model &model, const float *values, int stride, float *plane);
+
+// Repeats the borders in the rings.
+void fillRings(const Model &model, float *plane);
 
 // Gives hidden elements the mean of their neighbours, and fills the rings.
 void closeGaps(const Model &model, float *plane);

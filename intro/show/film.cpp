@@ -4,9 +4,12 @@
 namespace odraz {
 
 const SceneEntry kScenes[kSceneCount] = {
-    {"point", posePoint, letterPoint, false},     {"table", poseTable, nullptr, false},
-    {"court", poseCourt, nullptr, false},         {"patches", posePatches, letterPatches, true},
-    {"hall", poseDay, nullptr, true},             {"odraz", poseOdraz, nullptr, true},
+    {"point", posePoint, letterPoint, false},
+    {"table", poseTable, nullptr, false},
+    {"court", poseCourt, nullptr, false},
+    {"patches", posePatches, letterPatches, true},
+    {"hall", poseDay, nullptr, true},
+    {"odraz", poseOdraz, nullptr, true},
     {"credits", poseCredits, letterCredits, false},
 };
 
@@ -29,14 +32,20 @@ static constexpr CameraKey kAisle[] = {
     {192, {0.2f, 1.3f, 2.6f}, {0, 1.3f, -6}, 0, 42},
 };
 static constexpr CameraKey kAxonometry[] = {
-    {0, {-26, 24, 30}, {0, 2.0f, 0}, 0, 20},
-    {192, {0.8f, 1.7f, 7.0f}, {0, 2.2f, -3}, 0, 46},
+    {0, {33, 29, 37}, {0, 2.0f, 0.4f}, 0, 17.5f},
+    {128, {31.5f, 29, 38.5f}, {0, 2.0f, 0.4f}, 0, 17.5f},
+};
+static constexpr CameraKey kWalkIn[] = {
+    {128, {0.6f, 1.7f, 14.5f}, {-0.4f, 2.3f, 0}, 0, 44},
+    {192, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
 };
 static constexpr CameraKey kWalk[] = {
-    {0, {3.4f, 1.65f, 8.0f}, {-1.0f, 2.2f, -2}, 0, 46},
-    {120, {1.0f, 1.6f, 2.5f}, {-2.0f, 2.0f, -6}, 0, 46},
-    {200, {-0.5f, 1.6f, 1.0f}, {-1.0f, 2.6f, -8}, 0, 46},
-    {288, {0.2f, 1.7f, 0.0f}, {0, 2.6f, -9}, 0, 46},
+    {0, {1.0f, 1.5f, 8.3f}, {-1.3f, 1.9f, -2}, 0, 46},
+    {100, {0.6f, 1.5f, 3.0f}, {-1.6f, 2.0f, -5}, 0, 46},
+    {160, {-0.3f, 1.5f, 0.5f}, {-3.0f, 2.5f, -4.5f}, 0, 46},
+    {205, {-0.2f, 1.5f, -0.6f}, {0.3f, 3.6f, -5.0f}, 0, 46},
+    {245, {0, 1.55f, -1.2f}, {0, 2.3f, -9}, 0, 46},
+    {288, {0, 1.6f, -2.4f}, {0, 2.2f, -9}, 0, 46},
 };
 static constexpr CameraKey kCrane[] = {
     {0, {-1.0f, 1.2f, 7.5f}, {0, 1.4f, -1}, 0, 44},
@@ -49,10 +58,10 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 0, 12},        {144, kTable, 144, path(kOrbit), 12, 8},
-    {384, kCourt, 384, path(kAisle), 12, 8},     {576, kPatches, 576, path(kAxonometry), 8, 0},
-    {768, kHall, 768, path(kWalk), 0, 0},        {1056, kOdraz, 1056, path(kCrane), 0, 16},
-    {1232, kCredits, 1232, path(kStill), 8, 16},
+    {0, kPoint, 0, path(kPushIn), 0, 12},      {144, kTable, 144, path(kOrbit), 12, 8},
+    {384, kCourt, 384, path(kAisle), 12, 8},   {576, kPatches, 576, path(kAxonometry), 8, 0},
+    {704, kPatches, 576, path(kWalkIn), 0, 8}, {768, kHall, 768, path(kWalk), 8, 0},
+    {1056, kOdraz, 1056, path(kCrane), 0, 16}, {1232, kCredits, 1232, path(kStill), 8, 16},
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, 1296};

@@ -9,7 +9,18 @@ namespace odraz {
 
 namespace {
 
-enum Part { kFloor, kPlaster, kWarm, kShaft, kBlock, kBeamX, kBeamZ, kStep, kLantern, kStrip = kLantern + kLanterns };
+enum Part {
+    kFloor,
+    kPlaster,
+    kWarm,
+    kShaft,
+    kBlock,
+    kBeamX,
+    kBeamZ,
+    kStep,
+    kLantern,
+    kStrip = kLantern + kLanterns
+};
 
 constexpr float kX = 4.5f, kY = 6.5f, kZ = 9; // half width, height, half length
 constexpr float kSill = 1.75f, kLintel = 5.25f, kWindow = 0.625f, kDeep = 0.5f;
@@ -18,7 +29,8 @@ constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f}, kLanternRadius = 0.15f;
 
 void addColumn(Model &m, float x, float z) {
-    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.2f, Model::kUpright | Model::kTop);
+    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.2f,
+             Model::kUpright | Model::kTop);
     constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = 0.32f;
     for (int k = 0; k < 8; ++k) {
         auto corner = [&](int i) {
@@ -62,9 +74,9 @@ void build(Model &m) {
         from = kWindows[i] - kWindow;
         Vec3 lo = {-kX - kDeep, kSill, from}, deep = {kDeep, 0, 0}, tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        m.addRect(lo, wide, deep, kPlaster, 0.15f);                    // sill
-        m.addRect(lo + tall, deep, wide, kPlaster, 0.15f);             // lintel
-        m.addRect(lo, deep, tall, kPlaster, 0.15f);                    // jambs
+        m.addRect(lo, wide, deep, kPlaster, 0.15f);        // sill
+        m.addRect(lo + tall, deep, wide, kPlaster, 0.15f); // lintel
+        m.addRect(lo, deep, tall, kPlaster, 0.15f);        // jambs
         m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.15f);
         m.addRect(lo + wide, -wide, tall, kPlaster, 0.5f, Model::kOpen);
     }
@@ -89,7 +101,8 @@ void addLamps(Model &m, Lights &lights) {
     }
 }
 
-// {sun's angle from the windows' normal towards the entrance, its height, sunlight, sky: low, high, glow}; degrees
+// {sun's angle from the windows' normal towards the entrance, its height, sunlight, sky: low, high, glow};
+// degrees
 struct Hour {
     float aside, height;
     Rgb sunlight, low, high, glow;
@@ -108,7 +121,8 @@ constexpr Hour kDay[kHours] = {
 SkyKey keyOf(const Hour &h) {
     float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
-    return {{h.low, h.high, h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f)), sun, h.glow}, sun * 3000.f,
+    return {{h.low, h.high, h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f)), sun, h.glow},
+            sun * 3000.f,
             h.sunlight};
 }
 
@@ -133,8 +147,8 @@ Material faded(Material m, float grey) {
 }
 
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
-    for (const Material &m : {hallFloor(), plaster({0.70f, 0.67f, 0.62f}), plaster({0.60f, 0.31f, 0.17f}), paleMarble(),
-                              granite(), beamAcross(), beamAlong(), granite()})
+    for (const Material &m : {hallFloor(), plaster({0.70f, 0.67f, 0.62f}), plaster({0.60f, 0.31f, 0.17f}),
+                              paleMarble(), granite(), beamAcross(), beamAlong(), granite()})
         scene.add(faded(m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
@@ -144,21 +158,43 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
     const Radiosity &r = hall.radiosity;
     size_t patches = (size_t)hall.model.patchCount, columns = (size_t)r.system.columns;
-    float *radiosity = arena.take<float>(patches * kSolveBlock), *gathered = arena.take<float>(patches * kSolveBlock);
+    float *radiosity = arena.take<float>(patches * kSolveBlock),
+          *gathered = arena.take<float>(patches * kSolveBlock);
     if (!radiosity || !gathered) return false;
     for (int b = 0; b <= kBounces; ++b) {
         if (!(hall.bounce[b] = arena.take<Rgb>(patches))) return false;
         for (size_t i = 0; i < patches; ++i) {
             const float *direct = r.system.direct + i * columns + 3 * kNoon;
             Rgb light = {direct[0], direct[1], direct[2]};
-            if (b > 0) light += Rgb{gathered[i * kSolveBlock], gathered[i * kSolveBlock + 1], gathered[i * kSolveBlock + 2]};
+            if (b > 0)
+                light += Rgb{gathered[i * kSolveBlock], gathered[i * kSolveBlock + 1],
+                             gathered[i * kSolveBlock + 2]};
             hall.bounce[b][i] = light;
             Rgb out = light * scene.mean[hall.model.charts[hall.model.patches[i].chart].material];
-            radiosity[i * kSolveBlock] = out.x, radiosity[i * kSolveBlock + 1] = out.y, radiosity[i * kSolveBlock + 2] = out.z;
+            radiosity[i * kSolveBlock] = out.x, radiosity[i * kSolveBlock + 1] = out.y,
+                          radiosity[i * kSolveBlock + 2] = out.z;
         }
         gather(r.factors, hall.model.patchCount, kSolveBlock, radiosity, gathered, workers);
     }
     return true;
+}
+
+// Finds a patch of the floor in the nave, and keeps what it sees.
+void visit(Hall &hall, Arena &arena) {
+    const Model &m = hall.model;
+    float least = kInfinity;
+    for (int i = 0; i < m.patchCount; ++i) {
+        float distance = length(m.patches[i].p - Vec3{0.5f, 0, 0.6f});
+        if (distance >= least) continue;
+        least = distance;
+        hall.visited = i;
+    }
+    Hemicubes &h = hall.radiosity.hemicubes;
+    Eye eye = {m.patches[hall.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    drawHemicubes(h, m, &eye, 1);
+    hall.seen = arena.take<uint32_t>((size_t)(3 * h.px * h.px));
+    for (int i = 0; hall.seen && i < 3 * h.px * h.px; ++i)
+        hall.seen[i] = hemicubeIds(h, 0)[i / h.px * hemicubeStride(h) + i % h.px];
 }
 
 } // namespace
@@ -180,6 +216,9 @@ const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Worke
     if (!solveRadiosity(hall.radiosity, hall.model, scene, {}, gl, arena, workers, progress) ||
         !followBounces(hall, scene, arena, workers))
         return "the hall cannot be solved: OpenGL 3.3 draws no integers here, or memory is short";
+    visit(hall, arena);
+    closeHemicubes(hall.radiosity.hemicubes);
+    for (int i = 0; i < scene.materialCount; ++i) hall.mean[i] = scene.mean[i];
     for (float *&plane : hall.light)
         if (!(plane = arena.take<float>((size_t)hall.model.texelCount + 8))) return "not enough memory";
     hall.map = {hall.model.charts, {hall.light[0], hall.light[1], hall.light[2]}, 1};
@@ -207,8 +246,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
     weights.direct[hour] = kDay[hour].sunlight * ((1 - t) * (1 - light.sun));
     weights.direct[hour + 1] = kDay[hour + 1].sunlight * (t * (1 - light.sun));
 
-    // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen: the third's
-    // share
+    // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
+    // the third's share
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2]));
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
@@ -222,7 +261,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
         if (drawn > 0) scene.add(pointLight(place, radiance * (drawn * kLanternRadius * kLanternRadius)));
     }
     for (int i = 0; i < kStrips; ++i)
-        weights.bounced[kHours + kLanterns + i] = weights.direct[kHours + kLanterns + i] = kStripLight * light.strips[i];
+        weights.bounced[kHours + kLanterns + i] = weights.direct[kHours + kLanterns + i] =
+            kStripLight * light.strips[i];
     blend(hall.radiosity, hall.model, weights, hall.light);
 
     // Balls get what floor and ceiling get on average

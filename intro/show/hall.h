@@ -1,5 +1,6 @@
-// The hall of scenes 4 to 6: a nave between two rows of columns under beams, high windows on one side, a stair, three
-// lanterns, and a door of light: eight upright strips in the far wall. Metres; x across, -z away from the entrance.
+// The hall of scenes 4 to 6: a nave between two rows of columns under beams, high windows on one side, a
+// stair, three lanterns, and a door of light: eight upright strips in the far wall. Metres; x across, -z away
+// from the entrance.
 #pragma once
 
 #include "radiosity/radiosity.h"
@@ -18,26 +19,29 @@ struct Hall {
     Lightmap map;
     // Irradiance / pi of every patch after so many bounces of the light of kNoon; [0] is direct light
     Rgb *bounce[kBounces + 1];
-    // What scene 4's patch sees: its hemicube as hemicube.h lays it out
+    // The patch that scene 4 visits, and what it sees: its hemicube, 3 px rows of px as hemicube.h lays them
+    // out
     int visited;
     uint32_t *seen;
+    Rgb mean[kMaxMaterials]; // each material's reflectance
 };
 
 // How the hall is lit.
 struct HallLight {
-    float hour;               // 0 .. kHours - 1, in between two are blended
+    float hour;                // 0 .. kHours - 1, in between two are blended
     float lanterns[kLanterns]; // 0 .. 1
     float strips[kStrips];
     float sun; // how much of the sun the tracer draws: 1, or less where the lightmap has its direct light
 };
 
 size_t hallBytes();
-// Builds and solves it, using `scene` for the while. Null, or a line that says what is missing and what to do.
+// Builds and solves it, using `scene` for the while. Null, or a line that says what is missing and what to
+// do.
 const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,
                      const Progress &progress);
 
-// Fills a scene with the hall and its lights: the sun and the two strongest lanterns are left to the tracer. `grey`
-// 1 .. 0 has all surfaces alike or in their own materials.
+// Fills a scene with the hall and its lights: the sun and the two strongest lanterns are left to the tracer.
+// `grey` 1 .. 0 has all surfaces alike or in their own materials.
 void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene);
 
 } // namespace odraz

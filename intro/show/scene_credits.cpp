@@ -25,7 +25,7 @@ static constexpr Key kLine1[] = {{4, 0, Smooth}, {14, 1, Linear}};
 static constexpr Key kLine2[] = {{12, 0, Smooth}, {22, 1, Linear}};
 static constexpr Key kLine3[] = {{20, 0, Smooth}, {30, 1, Linear}};
 
-void letterCredits(double row, const Hall *, const Facts &facts, Frame &frame) {
+void letterCredits(double row, const Hall *, const Facts &facts, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](const char *text, float y, float size, Track fade, Rgb colour) {
         drawText(frame, text, w * 0.5f, h * y, h * size, 0.085f, 1.6f, Align::Centre, colour,

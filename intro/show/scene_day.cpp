@@ -7,9 +7,12 @@ using enum Interpolation;
 
 static constexpr Key kHour[] = {{0, 0, Linear}, {20, 0.2f, Linear}, {168, 6, Linear}, {200, 7, Linear}};
 static constexpr Key kLantern1[] = {{148, 0, Smooth}, {156, 1, Linear}, {224, 1, Smooth}, {244, 0, Linear}};
-static constexpr Key kLantern2[] = {{164, 0, Smooth}, {172, 0.8f, Linear}, {220, 0.8f, Smooth}, {240, 0, Linear}};
-static constexpr Key kLantern3[] = {{180, 0, Smooth}, {188, 0.6f, Linear}, {216, 0.6f, Smooth}, {236, 0, Linear}};
-static constexpr Key kExposure[] = {{0, 2.0f, Smooth}, {60, 1.1f, Linear}, {130, 1.1f, Smooth}, {180, 2.2f, Linear}};
+static constexpr Key kLantern2[] = {
+    {164, 0, Smooth}, {172, 0.8f, Linear}, {220, 0.8f, Smooth}, {240, 0, Linear}};
+static constexpr Key kLantern3[] = {
+    {180, 0, Smooth}, {188, 0.6f, Linear}, {216, 0.6f, Smooth}, {236, 0, Linear}};
+static constexpr Key kExposure[] = {
+    {0, 2.0f, Smooth}, {60, 1.1f, Linear}, {130, 1.1f, Smooth}, {180, 2.2f, Linear}};
 
 void poseDay(double row, Hall *hall, Scene &scene) {
     HallLight light = {};

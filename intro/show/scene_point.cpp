@@ -38,7 +38,7 @@ void posePoint(double row, Hall *, Scene &scene) {
 
 static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};
 
-void letterPoint(double row, const Hall *, const Facts &, Frame &frame) {
+void letterPoint(double row, const Hall *, const Facts &, const View &, Frame &frame) {
     float h = (float)frame.height;
     drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.17f, h * 0.034f, 0.085f, 5, Align::Centre,
              {0.75f, 0.72f, 0.68f}, value(track(kTitle), row));

@@ -9,6 +9,7 @@
 #include "timeline/shot.h"
 #include "trace/frame.h"
 #include "trace/scene.h"
+#include "trace/view.h"
 
 namespace odraz {
 
@@ -23,7 +24,7 @@ struct SceneEntry {
     // Fills a cleared scene; the hall may be null where it is not needed
     void (*pose)(double row, Hall *hall, Scene &scene);
     // Draws over the linear picture; or null
-    void (*letter)(double row, const Hall *hall, const Facts &facts, Frame &frame);
+    void (*letter)(double row, const Hall *hall, const Facts &facts, const View &view, Frame &frame);
     bool needsHall;
 };
 
@@ -33,14 +34,14 @@ extern const ShotList kFilm;
 
 // Each in a file of its own.
 void posePoint(double row, Hall *, Scene &scene);
-void letterPoint(double row, const Hall *, const Facts &facts, Frame &frame);
+void letterPoint(double row, const Hall *, const Facts &facts, const View &, Frame &frame);
 void poseTable(double row, Hall *, Scene &scene);
 void poseCourt(double row, Hall *, Scene &scene);
 void posePatches(double row, Hall *hall, Scene &scene);
-void letterPatches(double row, const Hall *hall, const Facts &facts, Frame &frame);
+void letterPatches(double row, const Hall *hall, const Facts &, const View &view, Frame &frame);
 void poseDay(double row, Hall *hall, Scene &scene);
 void poseOdraz(double row, Hall *hall, Scene &scene);
 void poseCredits(double row, Hall *, Scene &scene);
-void letterCredits(double row, const Hall *, const Facts &facts, Frame &frame);
+void letterCredits(double row, const Hall *, const Facts &facts, const View &, Frame &frame);
 
 } // namespace odraz

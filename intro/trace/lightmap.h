@@ -11,10 +11,10 @@
 namespace odraz {
 
 struct Chart {
-    Vec3 corner;         // world; where u = v = 0
-    Vec3 u, v, n;        // unit and orthogonal; n points to the side that is lit and seen
-    float width, height; // world units along u and v
-    int16_t across, down; // elements along u and v, 1 ..
+    Vec3 corner;                   // world; where u = v = 0
+    Vec3 u, v, n;                  // unit and orthogonal; n points to the side that is lit and seen
+    float width, height;           // world units along u and v
+    int16_t across, down;          // elements along u and v, 1 ..
     int8_t patchAcross, patchDown; // elements of a patch along u and v
     uint8_t material;
     bool open;      // a window: seen by the hemicubes, passed by rays

@@ -35,7 +35,7 @@ struct Shape {
 };
 
 inline Shape sphere(Vec3 centre, float radius, int material) {
-    return {ShapeKind::Sphere,        (uint8_t)material, 0,    0, centre,
+    return {ShapeKind::Sphere,        (uint8_t)material, 0,    0,  centre,
             {radius, radius, radius}, kIdentity,         true, {}, -1};
 }
 // Through `point`, facing up.
@@ -47,7 +47,7 @@ inline Shape box(Vec3 centre, Vec3 half, int material) {
 }
 // Upright, about its middle.
 inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
-    return {ShapeKind::Cylinder,          (uint8_t)material, 0,    0, middle,
+    return {ShapeKind::Cylinder,          (uint8_t)material, 0,    0,  middle,
             {radius, halfHeight, radius}, kIdentity,         true, {}, -1};
 }
 

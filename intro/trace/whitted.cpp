@@ -35,9 +35,9 @@ struct Lighting {
     Int8 states; // as Sample::lights
 };
 
-// Light from all around, by the lightmap or ambient, less what the balls around take from it, then every light
-// by Phong's formula and a shadow ray. Lights that would add less than a twentieth of the cutoff to the picture
-// are left out, by `share`, the ray's own.
+// Light from all around, by the lightmap or ambient, less what the balls around take from it, then every
+// light by Phong's formula and a shadow ray. Lights that would add less than a twentieth of the cutoff to the
+// picture are left out, by `share`, the ray's own.
 Lighting illuminate(const Context &c, const Shape &shape, const Material &m, const Surface8 &at, Vec3x8 n,
                     Float8 side, Vec3x8 d, Int8 active, Float8 share) {
     const Scene &scene = c.scene;
@@ -48,8 +48,10 @@ Lighting illuminate(const Context &c, const Shape &shape, const Material &m, con
         Vec3x8 to = scene.occluder[i] - at.p;
         Float8 square = max(dot(to, to), 1e-12f), facing = dot(n, to);
         float r2 = scene.occluderRadius[i] * scene.occluderRadius[i];
-        if (!any((facing > -scene.occluderRadius[i]) & (square < r2 * 400.f))) continue; // takes a four-hundredth
-        if (shape.kind == ShapeKind::Sphere && sumAbs(shape.centre - scene.occluder[i]) == 0) continue; // itself
+        if (!any((facing > -scene.occluderRadius[i]) & (square < r2 * 400.f)))
+            continue; // takes a four-hundredth
+        if (shape.kind == ShapeKind::Sphere && sumAbs(shape.centre - scene.occluder[i]) == 0)
+            continue; // itself
         open *= 1.f - clamp(ballFormFactor(facing / sqrt(square), r2 / square) - 0.0025f, 0.f, 0.95f);
     }
     Lighting result = {};
@@ -157,8 +159,8 @@ void scatter(const Context &c, const RayStream &in, RayStream &out, const Packet
     }
 }
 
-// The diffuse colour of a place. In a scene that shows its patches it has the lines between them, and `cell` tells
-// the patches apart.
+// The diffuse colour of a place. In a scene that shows its patches it has the lines between them, and `cell`
+// tells the patches apart.
 Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Surface8 &at, Vec3x8 d, Float8 cosine,
                    Float8 width, Int8 &cell) {
     const Material &m = scene.materials[shape.material];
@@ -200,8 +202,7 @@ void shade(const Context &c, const RayStream &in, RayStream &out, const Packet &
     Rgb8 diffuse = {};
     Lighting lighting = {};
     if (m.diffuse > 0 || m.specular > 0) {
-        if (m.diffuse > 0)
-            diffuse = diffuseColour(scene, shape, at, p.r.d, cosine, width, cell);
+        if (m.diffuse > 0) diffuse = diffuseColour(scene, shape, at, p.r.d, cosine, width, cell);
         // Inside glass there are no highlights: its lights come by refraction
         Int8 litSide = m.ior > 0 ? p.active & (side > 0.f) : p.active;
         if (any(litSide))
