@@ -1,11 +1,12 @@
 // Direct light on every element: from the sky through windows, from the sun, from lamps. Shadow rays are the
 // tracer's.
 //
-// Every element is looked at from four places, those that can be seen; areas that shine are divided into 32
-// cells, of which each place takes every fourth, so that penumbrae are even and need no random numbers. A
-// cell counts as a disc (cos cos' A / (pi r^2 + A)), which stays finite however near it is (Wallace, Elmquist
-// and Haines, "A Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989); a ball by its exact form
-// factor.
+// Every element is looked at from four places, those that can be seen. Areas that shine are divided into 32
+// cells; from afar each place takes every fourth, so that penumbrae are even and need no random numbers, and
+// a cell counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
+// for Progressive Radiosity", SIGGRAPH 1989). From near it takes all of them, by Lambert's exact formula.
+// Balls count by their exact form factor. Visibility is one shadow ray to each cell, and one from each place
+// to a ball.
 #pragma once
 
 #include "base/parallel.h"

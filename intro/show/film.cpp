@@ -32,8 +32,8 @@ static constexpr CameraKey kAisle[] = {
     {192, {0.2f, 1.3f, 2.6f}, {0, 1.3f, -6}, 0, 42},
 };
 static constexpr CameraKey kAxonometry[] = {
-    {0, {33, 29, 37}, {0, 2.0f, 0.4f}, 0, 17.5f},
-    {128, {31.5f, 29, 38.5f}, {0, 2.0f, 0.4f}, 0, 17.5f},
+    {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
+    {128, {33.7f, 29, 36.5f}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
 };
 static constexpr CameraKey kWalkIn[] = {
     {128, {0.6f, 1.7f, 14.5f}, {-0.4f, 2.3f, 0}, 0, 44},

@@ -131,7 +131,7 @@ Hour between(const Hour &a, const Hour &b, float t) {
             lerp(a.low, b.low, t),     lerp(a.high, b.high, t),     lerp(a.glow, b.glow, t)};
 }
 
-constexpr Rgb kLanternLight = Rgb{60, 41, 24}, kStripLight = Rgb{3.2f, 3.4f, 3.9f};
+constexpr Rgb kLanternLight = Rgb{60, 41, 24}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
 // From one grey for all, by each material's own mean, to the material.
 Material faded(Material m, float grey) {
@@ -148,7 +148,7 @@ Material faded(Material m, float grey) {
 
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material &m : {hallFloor(), plaster({0.70f, 0.67f, 0.62f}), plaster({0.60f, 0.31f, 0.17f}),
-                              paleMarble(), granite(), beamAcross(), beamAlong(), granite()})
+                              limestone(), granite(), beamAcross(), beamAlong(), granite()})
         scene.add(faded(m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));

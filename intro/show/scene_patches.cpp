@@ -14,8 +14,11 @@ static constexpr float kGrey = 0.6f; // albedo of everything, at first
 static constexpr float kWave = 84;   // row at which the colours begin to spread from the visited patch
 static constexpr Key kOpen[] = {{34, 0, Smooth}, {46, 1, Linear}, {76, 1, Smooth}, {82, 0, Linear}};
 static constexpr Key kTaken[] = {{66, 0, Smooth}, {72, 1, Linear}};
-static constexpr Key kBounce[] = {{104, 1, Smooth}, {105, 2, Linear}, {112, 2, Smooth},
-                                  {113, 3, Linear}, {120, 3, Smooth}, {121, 4, Linear}};
+static constexpr Key kBounce[] = {{100, 0, Smooth},    {101.5f, 1, Linear}, {108, 1, Smooth},
+                                  {109.5f, 2, Linear}, {116, 2, Smooth},    {117.5f, 3, Linear},
+                                  {122, 3, Smooth},    {124, 4, Linear}};
+static constexpr Key kExposure[] = {
+    {84, 1.5f, Smooth}, {100, 1.9f, Linear}, {140, 1.9f, Smooth}, {180, 1.3f, Linear}};
 static constexpr Key kMelt[] = {{134, 0, Smooth}, {166, 1, Linear}};
 static constexpr Key kReal[] = {{140, 0, Smooth}, {172, 1, Linear}};
 
@@ -23,7 +26,7 @@ static constexpr Key kReal[] = {{140, 0, Smooth}, {172, 1, Linear}};
 static Rgb patchLight(const Hall &hall, int i, float bounces, float lit) {
     const Model &m = hall.model;
     const Chart &c = m.charts[m.patches[i].chart];
-    Rgb grey = Rgb{1, 1, 1.06f} * (0.2f + 0.1f * c.n.y + 0.045f * c.n.x + 0.03f * c.n.z);
+    Rgb grey = Rgb{1, 1, 1.06f} * (0.13f + 0.075f * c.n.y + 0.05f * c.n.x - 0.025f * c.n.z);
     if (lit <= 0) return grey;
     int whole = min((int)bounces, kBounces - 1);
     return lerp(grey, lerp(hall.bounce[whole][i], hall.bounce[whole + 1][i], bounces - (float)whole), lit);
@@ -35,7 +38,7 @@ void posePatches(double row, Hall *hall, Scene &scene) {
     HallLight light = {kNoon, {}, {}, real};
     poseHall(*hall, light, 1 - real, scene);
     if (row < 128) scene.sky = plainSky({0.012f, 0.013f, 0.016f}, {0.03f, 0.034f, 0.045f});
-    scene.exposure = 1.5f;
+    scene.exposure = value(track(kExposure), row);
     scene.lines = 0.75f * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
     if (melt == 1) return;
@@ -51,7 +54,7 @@ void posePatches(double row, Hall *hall, Scene &scene) {
         const Chart &c = m.charts[p.chart];
         float lit = saturate((reach - length(p.p - from)) * 0.5f);
         if (i == hall->visited) lit = max(lit, value(track(kTaken), row));
-        Rgb own = patchLight(*hall, i, bounces, lit);
+        Rgb own = patchLight(*hall, i, i == hall->visited ? max(bounces, 1.f) : bounces, lit);
         // What its own reflectance makes of the light, until surfaces have that themselves
         own = own * lerp(Rgb{1, 1, 1}, lerp(means[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
         if (i == hall->visited && row > 26 && row < 74) {
@@ -73,12 +76,12 @@ void letterPatches(double row, const Hall *hall, const Facts &, const View &view
     float open = value(track(kOpen), row);
     if (open == 0) return;
     // From the patch it grows to its place
-    float h = (float)frame.height, size = h * 0.13f * open; // half a face
+    float h = (float)frame.height, size = h * 0.14f * open; // half a face
     Vec3 to = hall->model.patches[hall->visited].p - view.eye;
     float ahead = dot(to, view.forward);
     float px = view.width * (dot(to, view.right) / (ahead * dot(view.right, view.right)) + 0.5f),
           py = view.height * (dot(to, view.down) / (ahead * dot(view.down, view.down)) + 0.5f);
-    float x0 = lerp(px, view.width - h * 0.31f, open), y0 = lerp(py, h * 0.69f, open);
+    float x0 = lerp(px, view.width - h * 0.33f, open), y0 = lerp(py, h * 0.6f, open);
     Stroke line = {px, py, lerp(px, x0, open), lerp(py, y0, open)};
     drawStrokes(frame, &line, 1, h * 0.0012f, {0.8f, 0.35f, 0.17f}, 0.8f * open);
 
@@ -109,7 +112,7 @@ void letterPatches(double row, const Hall *hall, const Facts &, const View &view
             if (id != kNothing && id != kBackSide) {
                 const Chart &c = m.charts[m.patches[id - 1].chart];
                 colour =
-                    c.open ? Rgb{0.8f, 0.9f, 1.05f} : hall->bounce[0][id - 1] * hall->mean[c.material] * 2.f;
+                    c.open ? Rgb{0.8f, 0.9f, 1.05f} : hall->bounce[0][id - 1] * hall->mean[c.material] * 3.f;
             }
             size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
             frame.plane[0][at] = colour.x, frame.plane[1][at] = colour.y, frame.plane[2][at] = colour.z;
