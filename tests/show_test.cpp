@@ -103,7 +103,10 @@ TEST(Film, TheCameraIsNeverInsideAThing) {
                           : s.kind == ShapeKind::Cylinder
                               ? std::hypot(q.x, q.z) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom
                           : s.kind == ShapeKind::Plane ? q.y < kRoom
-                                                       : false;
+                          : s.kind == ShapeKind::Rect
+                              ? std::fabs(q.y) < kRoom && std::fabs(q.x) < s.half.x + kRoom &&
+                                    std::fabs(q.z) < s.half.z + kRoom
+                              : false;
             EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of "
                                  << kScenes[m.shot->scene].name;
         }
@@ -127,6 +130,9 @@ TEST(Film, BallsDoNotRollThroughThings) {
                     gap = length(Vec3{std::fmax(std::fabs(q.x) - b.half.x, 0.f),
                                       std::fmax(std::fabs(q.y) - b.half.y, 0.f),
                                       std::fmax(std::fabs(q.z) - b.half.z, 0.f)});
+                else if (b.kind == ShapeKind::Rect)
+                    gap = std::hypot(q.y, std::hypot(std::fmax(std::fabs(q.x) - b.half.x, 0.f),
+                                                     std::fmax(std::fabs(q.z) - b.half.z, 0.f)));
                 else
                     gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f),
                                      std::fmax(std::fabs(q.y) - b.half.y, 0.f));

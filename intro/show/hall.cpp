@@ -24,6 +24,7 @@ enum Part {
 
 constexpr float kX = 4.5f, kY = 6.5f, kZ = 9; // half width, height, half length
 constexpr float kSill = 1.75f, kLintel = 5.25f, kWindow = 0.625f, kDeep = 0.5f;
+constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
 constexpr float kWindows[] = {-6.5f, -3.25f, 0, 3.25f, 6.5f};
 constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f}, kLanternRadius = 0.15f;
@@ -60,7 +61,12 @@ void build(Model &m) {
     m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.2f);
     m.addRect({-kX, kY, -kZ}, x, z, kBeamX, 0.3f);
     m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.25f);
-    m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.25f);
+    // The wall with the entrance
+    int front = m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.25f, Model::kPieces);
+    m.addFacet(front, 0, 0, kX - kDoor, kY);
+    m.addFacet(front, kX + kDoor, 0, 2 * kX, kY);
+    m.addFacet(front, kX - kDoor, kDoorHeight, kX + kDoor, kY);
+    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 0.7f, Model::kOpen);
     m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.25f);
     // The wall with the windows, in pieces, and their depth
     int wall = m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.2f, Model::kPieces);
@@ -108,13 +114,13 @@ struct Hour {
     Rgb sunlight, low, high, glow;
 };
 constexpr Hour kDay[kHours] = {
-    {62, 9, {2.6f, 1.25f, 0.5f}, {0.55f, 0.40f, 0.36f}, {0.12f, 0.18f, 0.36f}, {1.2f, 0.6f, 0.25f}},
-    {44, 24, {4.6f, 3.5f, 2.3f}, {0.75f, 0.78f, 0.85f}, {0.2f, 0.36f, 0.75f}, {1.0f, 0.8f, 0.55f}},
-    {22, 38, {5.2f, 4.6f, 3.7f}, {0.85f, 0.95f, 1.1f}, {0.24f, 0.45f, 0.95f}, {0.8f, 0.75f, 0.65f}},
-    {0, 45, {5.4f, 4.9f, 4.1f}, {0.9f, 1.0f, 1.15f}, {0.26f, 0.48f, 1.0f}, {0.8f, 0.75f, 0.7f}},
-    {-24, 36, {5.2f, 4.5f, 3.5f}, {0.85f, 0.93f, 1.05f}, {0.24f, 0.45f, 0.93f}, {0.8f, 0.7f, 0.6f}},
-    {-44, 20, {4.7f, 3.1f, 1.7f}, {0.8f, 0.7f, 0.65f}, {0.2f, 0.33f, 0.68f}, {1.2f, 0.8f, 0.45f}},
-    {-60, 7, {3.0f, 1.15f, 0.35f}, {0.62f, 0.33f, 0.22f}, {0.12f, 0.14f, 0.3f}, {1.5f, 0.55f, 0.16f}},
+    {62, 9, {2.4f, 1.3f, 0.65f}, {0.75f, 0.56f, 0.48f}, {0.2f, 0.28f, 0.52f}, {0.8f, 0.45f, 0.2f}},
+    {44, 24, {3.8f, 3.0f, 2.1f}, {0.95f, 1.0f, 1.1f}, {0.3f, 0.52f, 1.0f}, {0.7f, 0.6f, 0.4f}},
+    {22, 38, {4.2f, 3.8f, 3.1f}, {1.1f, 1.22f, 1.35f}, {0.36f, 0.64f, 1.25f}, {0.6f, 0.55f, 0.5f}},
+    {0, 45, {4.3f, 3.9f, 3.3f}, {1.15f, 1.3f, 1.45f}, {0.38f, 0.66f, 1.3f}, {0.6f, 0.55f, 0.5f}},
+    {-24, 36, {4.2f, 3.7f, 2.9f}, {1.1f, 1.2f, 1.3f}, {0.36f, 0.63f, 1.2f}, {0.6f, 0.5f, 0.45f}},
+    {-44, 20, {3.8f, 2.6f, 1.5f}, {1.0f, 0.88f, 0.8f}, {0.28f, 0.45f, 0.9f}, {0.9f, 0.6f, 0.35f}},
+    {-60, 7, {2.6f, 1.2f, 0.5f}, {0.75f, 0.42f, 0.29f}, {0.17f, 0.19f, 0.4f}, {1.1f, 0.45f, 0.16f}},
     {-60, -8, {}, {0.03f, 0.04f, 0.075f}, {0.01f, 0.018f, 0.045f}, {}},
 };
 
@@ -131,7 +137,7 @@ Hour between(const Hour &a, const Hour &b, float t) {
             lerp(a.low, b.low, t),     lerp(a.high, b.high, t),     lerp(a.glow, b.glow, t)};
 }
 
-constexpr Rgb kLanternLight = Rgb{60, 41, 24}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
+constexpr Rgb kLanternLight = Rgb{60, 45, 30}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
 // From one grey for all, by each material's own mean, to the material.
 Material faded(Material m, float grey) {
@@ -147,7 +153,7 @@ Material faded(Material m, float grey) {
 }
 
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
-    for (const Material &m : {hallFloor(), plaster({0.70f, 0.67f, 0.62f}), plaster({0.60f, 0.31f, 0.17f}),
+    for (const Material &m : {hallFloor(), plaster({0.76f, 0.73f, 0.68f}), plaster({0.62f, 0.33f, 0.19f}),
                               limestone(), granite(), beamAcross(), beamAlong(), granite()})
         scene.add(faded(m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
