@@ -1,6 +1,6 @@
 // The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
 // things, and no picture with a NaN or nothing in it.
-#include "host/headless.h"
+#include "headless_gl.h"
 #include "intro.h"
 
 #include <cmath>
@@ -14,23 +14,14 @@ namespace {
 
 struct Loaded {
     Workers workers = serialWorkers();
-    std::unique_ptr<unsigned char[], decltype(&free)> memory{nullptr, free};
+    HeapArena memory{memoryNeeded(160, 90, 1, true)};
     Intro intro = {};
-    explicit Loaded(const Gl &gl) {
-        size_t bytes = (memoryNeeded(160, 90, 1, true) + 63) & ~(size_t)63;
-        memory.reset((unsigned char *)aligned_alloc(64, bytes));
-        memset(memory.get(), 0, bytes);
-        Arena arena = {memory.get(), bytes, 0};
-        EXPECT_STREQ(load(intro, arena, workers, 160, 90, {}, &gl), nullptr);
-    }
+    Loaded() { EXPECT_STREQ(load(intro, memory.arena, workers, 160, 90, {}, &headlessGl()), nullptr); }
 };
 
 // The film, loaded once for all tests.
 Loaded &film() {
-    static Gl gl;
-    static const char *missing = openHeadlessGl(gl);
-    EXPECT_STREQ(missing, nullptr);
-    static Loaded loaded(gl);
+    static Loaded loaded;
     return loaded;
 }
 

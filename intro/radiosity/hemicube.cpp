@@ -11,45 +11,53 @@ constexpr int kVertices = 1 << 16; // laid out before they are drawn
 constexpr int kFloats =
     7; // x, y, w in the atlas; place on the chart in patches; first patch + 1; patches across, down
 
-constexpr char kVertexShader[] = "#version 330\n"
-                                 "layout(location=0)in vec3 p;"
+// Backs lie a little deeper than they are: along a silhouette, where a front has the same edge, the front
+// wins
+constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
                                  "layout(location=1)in vec2 q;"
                                  "layout(location=2)in uvec2 c;"
-                                 "out vec2 s;flat out uvec2 f;"
+                                 "out vec2 s;flat out uvec2 f;flat out float d;"
                                  "uniform float n;"
-                                 "void main(){gl_Position=vec4(p.xy,n,p.z);s=q;f=c;}";
-// The second version writes 1/w itself
+                                 "void main(){d=c.x==~0u?n*.99:n;gl_Position=vec4(p.xy,d,p.z);s=q;f=c;}";
+// Without reversed depth (D) it writes 1/w itself
 constexpr char kFragmentShader[] =
-    "#version 330\n"
-    "in vec2 s;flat in uvec2 f;out uint o;"
-    "void main(){"
+    "in vec2 s;flat in uvec2 f;flat in float d;out uint o;"
+    "void main(){\n"
+    "#ifdef D\n"
+    "gl_FragDepth=d*gl_FragCoord.w;\n"
+    "#endif\n"
     "uint a=f.y&65535u;"
-    "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
-constexpr char kFragmentDepth[] =
-    "#version 330\n"
-    "in vec2 s;flat in uvec2 f;out uint o;uniform float n;"
-    "void main(){"
-    "uint a=f.y&65535u;gl_FragDepth=n*gl_FragCoord.w;"
     "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
 
 struct Corner {
     float x, y, w, s, t; // on a face: |x| <= w, y <= w, -w or 0 <= y; place on the chart
 };
 
-// Cuts a convex polygon by a x + b y + c w >= 0. New corners are found from the inside outwards, so that
-// neighbours that share an edge find the same ones.
-int clip(const Corner *in, int count, Corner *out, float a, float b, float c) {
+// A border of a face: sign * (x or y) + limit * w >= 0.
+struct Border {
+    bool upright;
+    float sign, limit;
+
+    float inside(const Corner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
+};
+
+// Cuts a convex polygon. A new corner is found from the end of its side that lies nearer to the border: that
+// is precise, and neighbours that share the side find the same corner. Then it is put exactly onto the
+// border, which for a wall that passes within a hair of the eye it may miss by many pixels.
+int clip(const Corner *in, int count, Corner *out, const Border &border) {
     int n = 0;
-    auto side = [&](const Corner &k) { return a * k.x + b * k.y + c * k.w; };
     for (int i = 0; i < count; ++i) {
         const Corner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
-        float dp = side(p), dq = side(q);
+        float dp = border.inside(p), dq = border.inside(q);
         if (dp >= 0) out[n++] = p;
         if ((dp >= 0) == (dq >= 0)) continue;
-        const Corner &inner = dp >= 0 ? p : q, &outer = dp >= 0 ? q : p;
-        float di = dp >= 0 ? dp : dq, t = di / (di - (dp >= 0 ? dq : dp));
-        out[n++] = {lerp(inner.x, outer.x, t), lerp(inner.y, outer.y, t), lerp(inner.w, outer.w, t),
-                    lerp(inner.s, outer.s, t), lerp(inner.t, outer.t, t)};
+        bool fromP = abs(dp) < abs(dq) || (abs(dp) == abs(dq) && dp >= 0);
+        const Corner &near = fromP ? p : q, &far = fromP ? q : p;
+        float dn = fromP ? dp : dq, t = dn / (dn - (fromP ? dq : dp));
+        Corner &c = out[n++];
+        c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
+             lerp(near.t, far.t, t)};
+        (border.upright ? c.y : c.x) = -border.sign * border.limit * c.w;
     }
     return n;
 }
@@ -69,24 +77,21 @@ struct Writer {
 
 // Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas.
 void layOut(Writer &out, const Corner *corners, bool top, float x, float y, uint32_t first, uint32_t shape) {
-    // Reject what lies beyond a plane, clip what crosses some
-    float low = top ? -1.f : 0.f;
-    const float planes[4][3] = {{1, 0, 1}, {-1, 0, 1}, {0, 1, -low}, {0, -1, 1}};
+    // Reject what lies beyond a border, cut what crosses some
+    const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
     int crossed = 0;
     for (int k = 0; k < 4; ++k) {
         int outside = 0;
-        for (int i = 0; i < 4; ++i)
-            outside +=
-                planes[k][0] * corners[i].x + planes[k][1] * corners[i].y + planes[k][2] * corners[i].w < 0;
+        for (int i = 0; i < 4; ++i) outside += borders[k].inside(corners[i]) < 0;
         if (outside == 4) return;
         if (outside) crossed |= 1 << k;
     }
-    Corner buffers[2][4 + 4]; // every plane adds one corner at most
+    Corner buffers[2][4 + 4]; // every border adds one corner at most
     const Corner *polygon = corners;
     int count = 4, turn = 0;
     for (int k = 0; k < 4; ++k) {
         if (!(crossed >> k & 1)) continue;
-        count = clip(polygon, count, buffers[turn], planes[k][0], planes[k][1], planes[k][2]);
+        count = clip(polygon, count, buffers[turn], borders[k]);
         polygon = buffers[turn];
         turn ^= 1;
     }
@@ -111,7 +116,8 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         const Facet &f = model.facets[i];
         const Chart &c = model.charts[f.chart];
         float height = dot(eye.p - c.corner, c.n);
-        if (abs(height) <= scale) continue; // in the patch's own plane, or edge on
+        // Leave out what lies in the patch's own plane; walls that it stands beside, however near, are seen
+        if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         // Into the hemicube's frame, unless all of it lies under the horizon
         Vec3 local[4];
         float s[4], t[4];
@@ -124,7 +130,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
             above |= local[k].z > 0;
         }
         if (!above) continue;
-        uint32_t first = height < 0 ? kBackSide : (uint32_t)c.firstPatch + 1;
+        uint32_t first = height < -scale ? kBackSide : (uint32_t)c.firstPatch + 1;
         uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
         Corner corners[4];
         for (int side = -1; side < 4; ++side) {
@@ -190,8 +196,9 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.program = gl.glCreateProgram();
     for (int i = 0; i < 2; ++i) {
         GLuint shader = gl.glCreateShader(i ? GL_FRAGMENT_SHADER : GL_VERTEX_SHADER);
-        const char *source = !i ? kVertexShader : h.clipControl ? kFragmentShader : kFragmentDepth;
-        gl.glShaderSource(shader, 1, &source, nullptr);
+        const char *sources[2] = {h.clipControl ? "#version 330\n" : "#version 330\n#define D\n",
+                                  i ? kFragmentShader : kVertexShader};
+        gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);
         gl.glAttachShader(h.program, shader);
     }

@@ -8,7 +8,9 @@ int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float element, Kin
     c = {};
     c.corner = corner;
     c.width = length(u), c.height = length(v);
-    c.u = u * (1.f / c.width), c.v = v * (1.f / c.height);
+    // Divided, not multiplied: along an axis it is exactly 1, and neighbours' corners meet exactly
+    auto unit = [](Vec3 a, float length) { return Vec3{a.x / length, a.y / length, a.z / length}; };
+    c.u = unit(u, c.width), c.v = unit(v, c.height);
     c.n = cross(c.u, c.v);
     c.material = (uint8_t)material;
     c.open = kind == kOpen;
