@@ -1,0 +1,209 @@
+// The film's hall: its form factors against rays, its light over the day, and its bounces.
+#include "base/random.h"
+#include "headless_gl.h"
+#include "show/hall.h"
+#include "trace/intersect.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Solved {
+    HeapArena memory{hallBytes() + sizeof(Hall)};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    Hall *hall = memory.arena.take<Hall>(1);
+    Solved() { EXPECT_STREQ(loadHall(*hall, *scene, headlessGl(), memory.arena, workers, {}), nullptr); }
+};
+Solved &solved() {
+    static Solved s;
+    return s;
+}
+
+} // namespace
+
+TEST(Hall, FitsWithRoomToSpare) {
+    Solved &s = solved();
+    EXPECT_LT(s.memory.arena.used, s.memory.arena.size * 9 / 10);
+    EXPECT_LT(s.hall->model.chartCount, kMaxCharts);
+    EXPECT_LT(s.hall->model.facetCount, kMaxFacets);
+    EXPECT_LT(s.scene->shapeCount, kMaxShapes);
+}
+
+// From every patch the hall is closed: rows with windows and lamps sum to 1.
+TEST(Hall, IsClosed) {
+    Solved &s = solved();
+    const Model &m = s.hall->model;
+    HeapArena memory(hemicubeBytes(64));
+    Hemicubes h;
+    ASSERT_TRUE(openHemicubes(h, headlessGl(), memory.arena, 64));
+    std::vector<float> delta(3 * 64 * 64), row((size_t)m.patchCount);
+    deltaFormFactors(64, delta.data());
+    double worst = 0;
+    for (int i = 0; i < m.patchCount; ++i) {
+        const Patch &p = m.patches[i];
+        if (p.share == 0 || m.charts[p.chart].open) continue;
+        Eye eye = hemicubeEye(p.p, m.charts[p.chart].n, (uint32_t)i);
+        drawHemicubes(h, m, &eye, 1);
+        std::fill(row.begin(), row.end(), 0.f);
+        double dark = (double)sumHemicube(h, 0, delta.data(), row.data());
+        double sum = 0;
+        for (float f : row) sum += (double)f;
+        EXPECT_NEAR(sum + dark, 1, 1e-6);
+        EXPECT_LT(dark, 0.03) // the strips' backs, from the wall beside them
+            << "patch " << i << " of chart " << p.chart << " at " << p.p.x << ' ' << p.p.y << ' ' << p.p.z;
+        worst = std::fmax(worst, dark);
+    }
+    std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
+    closeHemicubes(h);
+}
+
+// Another method: rays by the cosine law, traced through the scene.
+TEST(Hall, HemicubesAgreeWithRays) {
+    Solved &s = solved();
+    const Model &m = s.hall->model;
+    HeapArena memory(hemicubeBytes(64));
+    Hemicubes h;
+    ASSERT_TRUE(openHemicubes(h, headlessGl(), memory.arena, 64));
+    std::vector<float> delta(3 * 64 * 64);
+    deltaFormFactors(64, delta.data());
+    double square = 0, noise = 0;
+    int compared = 0;
+    for (int i = 7; i < m.patchCount; i += m.patchCount / 60) {
+        const Patch &p = m.patches[i];
+        const Chart &c = m.charts[p.chart];
+        if (p.share == 0 || c.open) continue;
+        Eye eye = hemicubeEye(p.p, c.n, (uint32_t)i);
+        drawHemicubes(h, m, &eye, 1);
+        std::vector<float> row((size_t)m.patchCount);
+        sumHemicube(h, 0, delta.data(), row.data());
+        // By charts; windows together: rays that meet nothing leave through one
+        std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
+        for (int k = 0; k < m.patchCount; ++k) {
+            int chart = m.patches[k].chart;
+            hemicube[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)row[(size_t)k];
+        }
+        constexpr int kSide = 64; // squared: rays
+        for (int first = 0; first < kSide * kSide; first += 8) {
+            Ray8 ray;
+            ray.o = broadcast(p.p + c.n * 1e-4f);
+            for (int k = 0; k < 8; ++k) {
+                // Stratified over the disc, lifted to the hemisphere
+                uint32_t hash = pcg((uint32_t)(i * kSide * kSide + first + k));
+                float u = ((float)((first + k) % kSide) + unitFloat(hash)) / kSide,
+                      v = ((float)((first + k) / kSide) + unitFloat(pcg(hash))) / kSide;
+                float r = std::sqrt(u), a = v * 6.2831853f;
+                Vec3 d = transposeTimes(eye.frame, Vec3{r * std::cos(a), r * std::sin(a), std::sqrt(1 - u)});
+                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
+            }
+            Hit8 hit = intersect(*s.scene, ray, kLanes < 8);
+            for (int k = 0; k < 8; ++k) {
+                int chart = hit.shape[k] < 0 ? m.chartCount : s.scene->shapes[hit.shape[k]].chart;
+                rays[(size_t)chart] += 1.0 / (kSide * kSide);
+            }
+        }
+        for (size_t k = 0; k < rays.size(); ++k) {
+            double d = rays[k] - hemicube[k];
+            EXPECT_LT(std::fabs(d), 0.012) << "patch " << i << " chart " << k;
+            square += d * d;
+            noise += rays[k] * (1 - rays[k]) / (kSide * kSide);
+            ++compared;
+        }
+    }
+    std::printf("hemicubes against rays: rms %.5f, the rays' own noise at most %.5f\n",
+                std::sqrt(square / compared), std::sqrt(noise / compared));
+    EXPECT_LT(square, noise);
+    closeHemicubes(h);
+}
+
+TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    float noon = 0, night = 0;
+    for (float hour = 0; hour <= kHours - 1; hour += 0.25f) {
+        scene->clear();
+        poseHall(*s.hall, {hour, {}, {}, 1}, 0, *scene);
+        for (float *plane : s.hall->light)
+            for (int i = 0; i < s.hall->model.texelCount; ++i)
+                ASSERT_TRUE(plane[i] >= 0 && plane[i] < 100) << hour;
+        if (hour == kNoon) noon = scene->ambientHigh.y;
+        night = scene->ambientHigh.y;
+    }
+    EXPECT_GT(noon, 20 * night);
+    EXPECT_GT(night, 0);
+}
+
+// The two strongest lanterns are the tracer's, the rest is the lightmap's. Whatever the three do, what a
+// place gets from both together changes as little as they do: nothing pops when one overtakes another.
+TEST(Hall, LanternsChangeHandsUnseen) {
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    const Chart &floor = s.hall->model.charts[0];
+    int texel = floor.texel(floor.across / 2, floor.down / 2);
+    Vec3 place = floor.at(((float)(floor.across / 2) + 0.5f) * floor.width / (float)floor.across,
+                          ((float)(floor.down / 2) + 0.5f) * floor.height / (float)floor.down);
+    double last = -1;
+    int most = 0;
+    for (int step = 0; step <= 1000; ++step) {
+        float t = (float)step * 0.001f;
+        scene->clear();
+        poseHall(*s.hall, {kHours - 1, {t, 0.6f, 1 - t}, {}, 1}, 0, *scene);
+        double light = (double)s.hall->light[1][texel];
+        most = std::max(most, scene->lightCount);
+        for (int i = 0; i < scene->lightCount; ++i) {
+            const Light &l = scene->lights[i];
+            if (l.position.y > 100) continue;
+            Vec3 to = l.position - place;
+            light += (double)(l.intensity.y * to.y / (dot(to, to) * length(to)));
+        }
+        if (last >= 0) {
+            EXPECT_NEAR(light, last, 0.01 * last) << t;
+        }
+        last = light;
+    }
+    EXPECT_LE(most, 1 + kLanterns); // the sun and those that just take over
+    scene->clear();
+    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {}, 1}, 0, *scene);
+    EXPECT_EQ(scene->lightCount, 1 + 2);
+}
+
+// Each bounce adds, each less than the one before, and they run up to the solution.
+TEST(Hall, BouncesRunUpToTheSolution) {
+    Solved &s = solved();
+    const Hall &hall = *s.hall;
+    double mean[kBounces + 1] = {}, solution = 0;
+    const System &system = hall.radiosity.system;
+    for (int i = 0; i < hall.model.patchCount; ++i) {
+        const Patch &p = hall.model.patches[i];
+        const Chart &c = hall.model.charts[p.chart];
+        Rgb rho = hall.mean[c.material];
+        if (p.share == 0 || rho.y == 0) continue;
+        for (int b = 0; b <= kBounces; ++b) {
+            mean[b] += (double)(hall.bounce[b][i].y * rho.y);
+            if (b > 0) {
+                EXPECT_GE(hall.bounce[b][i].y, hall.bounce[b - 1][i].y * 0.9999f);
+            }
+        }
+        solution += (double)system.radiosity[i * system.columns + 3 * kNoon + 1];
+    }
+    for (int b = 1; b <= kBounces; ++b) {
+        std::printf("after %d bounces: %.3f of the light\n", b, mean[b] / solution);
+        EXPECT_GT(mean[b], mean[b - 1]);
+        EXPECT_LT(mean[b], solution * 1.001);
+        if (b > 1) {
+            EXPECT_LT(mean[b] - mean[b - 1], mean[b - 1] - mean[b - 2]);
+        }
+    }
+    EXPECT_GT(mean[kBounces], 0.9 * solution);
+}
+
+// A ball that rests on the floor darkens it around where they touch, and the light comes back with distance.
+TEST(Hall, ABallDarkensWhatItStandsOn) {
+    EXPECT_GE(solved().hall->visited, 0);
+    const Patch &p = solved().hall->model.patches[solved().hall->visited];
+    EXPECT_EQ(p.chart, 0);
+    EXPECT_EQ(p.share, 1);
+}

@@ -1,5 +1,7 @@
 #include "radiosity/model.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float element, Kind kind) {
@@ -39,12 +41,10 @@ void Model::addBox(Vec3 lo, Vec3 hi, int material, float element, unsigned sides
         if (sides >> i & 1) addRect(all[i].corner, all[i].u, all[i].v, material, element);
 }
 
-// Whether the nearest thing above points of a chart is the back of a facet: then they lie inside a solid. The
-// direction is off the normal, so that it runs along no wall.
-static Int8 insideSolid(const Model &model, const Chart &chart, Vec3x8 p) {
-    Vec3 d = normalize(chart.n + chart.u * 0.137f + chart.v * 0.071f);
-    Float8 nearest = broadcast(kInfinity);
-    Int8 back = {};
+// Whether the nearest thing that points see in a direction is the back of a facet: then they lie inside a
+// solid.
+static Int8 seesBack(const Model &model, Vec3x8 p, Vec3 d, float tiny) {
+    Float8 front = broadcast(kInfinity), back = front;
     for (int i = 0; i < model.facetCount; ++i) {
         const Facet &f = model.facets[i];
         const Chart &c = model.charts[f.chart];
@@ -53,12 +53,23 @@ static Int8 insideSolid(const Model &model, const Chart &chart, Vec3x8 p) {
         Float8 t = dot(c.corner - p, c.n) * (1.f / slope);
         Vec3x8 q = p + d * t - c.corner;
         Float8 u = dot(q, c.u), v = dot(q, c.v);
-        Int8 hit = (t > (c.width + chart.width) * 1e-5f) & (t < nearest) & (u >= f.u0) & (u <= f.u1) &
-                   (v >= f.v0) & (v <= f.v1);
-        nearest = select(hit, t, nearest);
-        back = select(hit, broadcast(slope > 0 ? -1 : 0), back);
+        Int8 hit = (t > tiny) & (u >= f.u0) & (u <= f.u1) & (v >= f.v0) & (v <= f.v1);
+        Float8 &nearest = slope > 0 ? back : front;
+        nearest = min(nearest, select(hit, t, kInfinity));
     }
-    return back;
+    return (back <= front * 1.0001f) & (back < kInfinity);
+}
+
+// A place inside a solid that stands against a wall may look along it and see the wall: so in several
+// directions; and from two sides, so that what touches a solid's edge counts as inside.
+static Int8 insideSolid(const Model &model, const Chart &c, Vec3x8 p, Vec3 aside) {
+    Vec3 lean = c.u * 0.83f + c.v * 0.61f;
+    Int8 inside = {};
+    for (float side : {1.f, -1.f})
+        for (float slant : {1.f, 0.004f})
+            inside |= seesBack(model, p + aside * side, normalize(c.n + lean * (side * slant)),
+                               length(aside) * 0.001f);
+    return inside;
 }
 
 static void findVisible(Model &model, int index) {
@@ -74,7 +85,8 @@ static void findVisible(Model &model, int index) {
                     const Facet &f = model.facets[k];
                     if (f.chart == index && v >= f.v0 && v <= f.v1) there |= (u >= f.u0) & (u <= f.u1);
                 }
-                there &= ~insideSolid(model, c, c.u * u + (c.corner + c.v * v));
+                there &=
+                    ~insideSolid(model, c, c.u * u + (c.corner + c.v * v), (c.u * du + c.v * dv) * 0.02f);
                 for (int k = 0; k < min(8, c.across - i0); ++k)
                     model.visible[c.texel(i0 + k, j)] |= (uint8_t)((there[k] & 1) << place);
             }

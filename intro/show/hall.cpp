@@ -42,7 +42,7 @@ void addColumn(Model &m, float x, float z) {
         m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.22f);
     }
     m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.2f,
-             Model::kUpright | Model::kBottom);
+             Model::kUpright | Model::kBottom | Model::kTop);
 }
 
 void addStair(Model &m) {
@@ -101,7 +101,7 @@ void build(Model &m) {
 void addLamps(Model &m, Lights &lights) {
     for (float cz : kLanternZ) lights.lamps[lights.lampCount++] = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
-        Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.02f - kZ};
+        Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.004f - kZ};
         int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 0.5f);
         lights.lamps[lights.lampCount++] = {{}, 0, chart};
     }
