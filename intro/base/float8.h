@@ -8,6 +8,10 @@
 #include <immintrin.h>
 #include <stdint.h>
 
+// Functions of one or two instructions: -Os calls them through memory, which is larger, and slower many times
+// over.
+#define ODRAZ_INLINE [[gnu::always_inline]] inline
+
 namespace odraz {
 
 using Float8 = float __attribute__((vector_size(32)));
@@ -17,80 +21,86 @@ using Uint8 = uint32_t __attribute__((vector_size(32)));
 inline constexpr Int8 kLanes = {0, 1, 2, 3, 4, 5, 6, 7};
 inline constexpr float kInfinity = __builtin_inff();
 
-inline Float8 broadcast(float x) { return x - Float8{}; } // -0 and NaN survive
-inline Int8 broadcast(int32_t x) { return x - Int8{}; }
+ODRAZ_INLINE Float8 broadcast(float x) { return x - Float8{}; } // -0 and NaN survive
+ODRAZ_INLINE Int8 broadcast(int32_t x) { return x - Int8{}; }
 
 // --- The same name for one float and for eight ---
 
-inline float fmadd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
-inline Float8 fmadd(Float8 a, Float8 b, Float8 c) { return _mm256_fmadd_ps(a, b, c); }
+ODRAZ_INLINE float fmadd(float a, float b, float c) { return __builtin_fmaf(a, b, c); }
+ODRAZ_INLINE Float8 fmadd(Float8 a, Float8 b, Float8 c) { return _mm256_fmadd_ps(a, b, c); }
 
-inline float sqrt(float x) { return __builtin_sqrtf(x); }
-inline Float8 sqrt(Float8 x) { return _mm256_sqrt_ps(x); }
+ODRAZ_INLINE float sqrt(float x) { return __builtin_sqrtf(x); }
+ODRAZ_INLINE Float8 sqrt(Float8 x) { return _mm256_sqrt_ps(x); }
 
-inline float abs(float x) { return __builtin_fabsf(x); }
-inline Float8 abs(Float8 x) { return (Float8)((Int8)x & 0x7fffffff); }
+ODRAZ_INLINE float abs(float x) { return __builtin_fabsf(x); }
+ODRAZ_INLINE Float8 abs(Float8 x) { return (Float8)((Int8)x & 0x7fffffff); }
 
-inline float floor(float x) { return __builtin_floorf(x); }
-inline Float8 floor(Float8 x) { return _mm256_floor_ps(x); }
+ODRAZ_INLINE float floor(float x) { return __builtin_floorf(x); }
+ODRAZ_INLINE Float8 floor(Float8 x) { return _mm256_floor_ps(x); }
 
 // To the nearest integer, halves to even.
-inline float round(float x) {
+ODRAZ_INLINE float round(float x) {
     return _mm_cvtss_f32(
         _mm_round_ss(_mm_set_ss(x), _mm_set_ss(x), _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC));
 }
-inline Float8 round(Float8 x) { return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC); }
+ODRAZ_INLINE Float8 round(Float8 x) {
+    return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
+}
 
 // The second operand when either is NaN, as the instructions have it.
-inline float min(float a, float b) { return a < b ? a : b; }
-inline Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
-inline float max(float a, float b) { return a > b ? a : b; }
-inline Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
+ODRAZ_INLINE float min(float a, float b) { return a < b ? a : b; }
+ODRAZ_INLINE Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
+ODRAZ_INLINE float max(float a, float b) { return a > b ? a : b; }
+ODRAZ_INLINE Float8 max(Float8 a, Float8 b) { return _mm256_max_ps(a, b); }
 
-inline int min(int a, int b) { return a < b ? a : b; }
-inline int max(int a, int b) { return a > b ? a : b; }
+ODRAZ_INLINE int min(int a, int b) { return a < b ? a : b; }
+ODRAZ_INLINE int max(int a, int b) { return a > b ? a : b; }
 
-inline float select(bool m, float a, float b) { return m ? a : b; }
-inline Float8 select(Int8 m, Float8 a, Float8 b) { return _mm256_blendv_ps(b, a, (Float8)m); }
-inline Int8 select(Int8 m, Int8 a, Int8 b) { return (Int8)_mm256_blendv_ps((Float8)b, (Float8)a, (Float8)m); }
+ODRAZ_INLINE float select(bool m, float a, float b) { return m ? a : b; }
+ODRAZ_INLINE Float8 select(Int8 m, Float8 a, Float8 b) { return _mm256_blendv_ps(b, a, (Float8)m); }
+ODRAZ_INLINE Int8 select(Int8 m, Int8 a, Int8 b) {
+    return (Int8)_mm256_blendv_ps((Float8)b, (Float8)a, (Float8)m);
+}
 
-inline int32_t bits(float x) { return __builtin_bit_cast(int32_t, x); }
-inline Int8 bits(Float8 x) { return (Int8)x; }
-inline float fromBits(int32_t x) { return __builtin_bit_cast(float, x); }
-inline Float8 fromBits(Int8 x) { return (Float8)x; }
+ODRAZ_INLINE int32_t bits(float x) { return __builtin_bit_cast(int32_t, x); }
+ODRAZ_INLINE Int8 bits(Float8 x) { return (Int8)x; }
+ODRAZ_INLINE float fromBits(int32_t x) { return __builtin_bit_cast(float, x); }
+ODRAZ_INLINE Float8 fromBits(Int8 x) { return (Float8)x; }
 
 // Towards zero; |x| < 2^31.
-inline int32_t toInt(float x) { return (int32_t)x; }
-inline Int8 toInt(Float8 x) { return (Int8)_mm256_cvttps_epi32(x); }
-inline float toFloat(int32_t x) { return (float)x; }
-inline Float8 toFloat(Int8 x) { return _mm256_cvtepi32_ps((__m256i)x); }
+ODRAZ_INLINE int32_t toInt(float x) { return (int32_t)x; }
+ODRAZ_INLINE Int8 toInt(Float8 x) { return (Int8)_mm256_cvttps_epi32(x); }
+ODRAZ_INLINE float toFloat(int32_t x) { return (float)x; }
+ODRAZ_INLINE Float8 toFloat(Int8 x) { return _mm256_cvtepi32_ps((__m256i)x); }
 
 // --- Mixed operands, and what only lanes have ---
 
-inline Float8 fmadd(Float8 a, float b, Float8 c) { return fmadd(a, broadcast(b), c); }
-inline Float8 fmadd(float a, Float8 b, Float8 c) { return fmadd(broadcast(a), b, c); }
-inline Float8 fmadd(Float8 a, float b, float c) { return fmadd(a, broadcast(b), broadcast(c)); }
-inline Float8 fmadd(Float8 a, Float8 b, float c) { return fmadd(a, b, broadcast(c)); }
-inline Float8 fmadd(float a, Float8 b, float c) { return fmadd(broadcast(a), b, broadcast(c)); }
-inline Float8 min(Float8 a, float b) { return min(a, broadcast(b)); }
-inline Float8 max(Float8 a, float b) { return max(a, broadcast(b)); }
-inline Float8 select(Int8 m, Float8 a, float b) { return select(m, a, broadcast(b)); }
-inline Float8 select(Int8 m, float a, Float8 b) { return select(m, broadcast(a), b); }
-inline Float8 select(Int8 m, float a, float b) { return select(m, broadcast(a), broadcast(b)); }
+ODRAZ_INLINE Float8 fmadd(Float8 a, float b, Float8 c) { return fmadd(a, broadcast(b), c); }
+ODRAZ_INLINE Float8 fmadd(float a, Float8 b, Float8 c) { return fmadd(broadcast(a), b, c); }
+ODRAZ_INLINE Float8 fmadd(Float8 a, float b, float c) { return fmadd(a, broadcast(b), broadcast(c)); }
+ODRAZ_INLINE Float8 fmadd(Float8 a, Float8 b, float c) { return fmadd(a, b, broadcast(c)); }
+ODRAZ_INLINE Float8 fmadd(float a, Float8 b, float c) { return fmadd(broadcast(a), b, broadcast(c)); }
+ODRAZ_INLINE Float8 min(Float8 a, float b) { return min(a, broadcast(b)); }
+ODRAZ_INLINE Float8 max(Float8 a, float b) { return max(a, broadcast(b)); }
+ODRAZ_INLINE Float8 select(Int8 m, Float8 a, float b) { return select(m, a, broadcast(b)); }
+ODRAZ_INLINE Float8 select(Int8 m, float a, Float8 b) { return select(m, broadcast(a), b); }
+ODRAZ_INLINE Float8 select(Int8 m, float a, float b) { return select(m, broadcast(a), broadcast(b)); }
 
-inline int laneBits(Int8 m) { return _mm256_movemask_ps((Float8)m); }
-inline bool any(Int8 m) { return laneBits(m) != 0; }
-inline bool all(Int8 m) { return laneBits(m) == 255; }
+ODRAZ_INLINE int laneBits(Int8 m) { return _mm256_movemask_ps((Float8)m); }
+ODRAZ_INLINE bool any(Int8 m) { return laneBits(m) != 0; }
+ODRAZ_INLINE bool all(Int8 m) { return laneBits(m) == 255; }
 
-inline Float8 load(const float *p) { return _mm256_loadu_ps(p); }
-inline void store(float *p, Float8 x) { _mm256_storeu_ps(p, x); }
-inline Int8 loadInts(const int32_t *p) { return (Int8)_mm256_loadu_si256((const __m256i *)p); }
-inline void store(int32_t *p, Int8 x) { _mm256_storeu_si256((__m256i *)p, (__m256i)x); }
-inline Float8 gather(const float *base, Int8 index) { return _mm256_i32gather_ps(base, (__m256i)index, 4); }
+ODRAZ_INLINE Float8 load(const float *p) { return _mm256_loadu_ps(p); }
+ODRAZ_INLINE void store(float *p, Float8 x) { _mm256_storeu_ps(p, x); }
+ODRAZ_INLINE Int8 loadInts(const int32_t *p) { return (Int8)_mm256_loadu_si256((const __m256i *)p); }
+ODRAZ_INLINE void store(int32_t *p, Int8 x) { _mm256_storeu_si256((__m256i *)p, (__m256i)x); }
+ODRAZ_INLINE Float8 gather(const float *base, Int8 index) {
+    return _mm256_i32gather_ps(base, (__m256i)index, 4);
+}
 
-template <class T> T clamp(T x, float lo, float hi) { return min(max(x, lo), hi); }
-inline int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
-template <class T> T saturate(T x) { return clamp(x, 0.f, 1.f); }
+template <class T> ODRAZ_INLINE T clamp(T x, float lo, float hi) { return min(max(x, lo), hi); }
+ODRAZ_INLINE int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
+template <class T> ODRAZ_INLINE T saturate(T x) { return clamp(x, 0.f, 1.f); }
 
 // From a (t = 0) to b (t = 1).
 template <class T, class S> auto lerp(const T &a, const T &b, S t) { return a + (b - a) * t; }

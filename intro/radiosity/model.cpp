@@ -50,12 +50,14 @@ static Int8 seesBack(const Model &model, Vec3x8 p, Vec3 d, float tiny) {
         const Chart &c = model.charts[f.chart];
         float slope = dot(c.n, d);
         if (abs(slope) < 1e-6f) continue;
-        Float8 t = dot(c.corner - p, c.n) * (1.f / slope);
+        Float8 t = (dot(c.corner, c.n) - dot(p, c.n)) * (1.f / slope);
+        Float8 &nearest = slope > 0 ? back : front;
+        Int8 hit = (t > tiny) & (t < nearest);
+        if (!any(hit)) continue;
         Vec3x8 q = p + d * t - c.corner;
         Float8 u = dot(q, c.u), v = dot(q, c.v);
-        Int8 hit = (t > tiny) & (u >= f.u0) & (u <= f.u1) & (v >= f.v0) & (v <= f.v1);
-        Float8 &nearest = slope > 0 ? back : front;
-        nearest = min(nearest, select(hit, t, kInfinity));
+        hit &= (u >= f.u0) & (u <= f.u1) & (v >= f.v0) & (v <= f.v1);
+        nearest = select(hit, t, nearest);
     }
     return (back <= front * 1.0001f) & (back < kInfinity);
 }
