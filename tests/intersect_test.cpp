@@ -170,6 +170,70 @@ TEST(Polygon, AgreesWithTheWindingNumber) {
 
 // --- The tree ---
 
+TEST(Rect, IsMetFromItsLitSideOnly) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    Shape s = {};
+    s.kind = ShapeKind::Rect;
+    s.centre = {0, 1, 0};
+    s.half = {2, 0, 0.5f};
+    s.frame = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}; // long along z
+    scene->add(s);
+    scene->finish();
+    auto meet = [&](Vec3 o, Vec3 d) {
+        return intersect(*scene, {broadcast(o), broadcast(normalize(d))}, kLanes < 8).t[0];
+    };
+    EXPECT_FLOAT_EQ(meet({0, 3, 0}, {0, -1, 0}), 2);
+    EXPECT_EQ(meet({0, -3, 0}, {0, 1, 0}), kInfinity);
+    EXPECT_FLOAT_EQ(meet({0.49f, 3, 1.99f}, {0, -1, 0}), 2);
+    EXPECT_EQ(meet({0.51f, 3, 0}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(meet({0, 3, 2.01f}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(meet({0, 3, 0}, {1, 0, 0}), kInfinity);
+    EXPECT_EQ(meet({5, 1, 0}, {-1, 0, 0}), kInfinity); // in its plane
+}
+
+// A room of rectangles holds all rays in, those along its edges and into its corners too, at any size.
+TEST(Rect, RoomsAreTight) {
+    for (float scale : {1e-3f, 1.f, 1e4f}) {
+        auto scene = std::make_unique<Scene>();
+        scene->clear();
+        Vec3 half = Vec3{1.1f, 0.7f, 2.3f} * scale, off = Vec3{3, -5, 1} * scale;
+        const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const float size[3] = {half.x, half.y, half.z};
+        for (int axis = 0; axis < 3; ++axis)
+            for (float sign : {-1.f, 1.f}) {
+                int u = (axis + 1) % 3, v = (axis + 2) % 3;
+                Shape s = {};
+                s.kind = ShapeKind::Rect;
+                s.centre = off + axes[axis] * (sign * size[axis]);
+                s.half = {size[u], 0, size[v]};
+                s.frame = {axes[u], axes[axis] * -sign, axes[v]};
+                scene->add(s);
+            }
+        scene->finish();
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> unit(-1, 1);
+        int lost = 0;
+        for (int i = 0; i < 100000; ++i) {
+            Ray8 ray;
+            for (int k = 0; k < 8; ++k) {
+                float o[3], to[3];
+                for (int c = 0; c < 3; ++c) o[c] = unit(random) * 0.999f, to[c] = unit(random);
+                // Half of them at edges, some of these at corners
+                if (i & 1) to[i % 3] = to[i % 3] < 0 ? -1.f : 1.f, to[(i + 1) % 3] = 1;
+                if ((i & 7) == 7) to[(i + 2) % 3] = -1;
+                Vec3 from = off + Vec3{o[0] * half.x, o[1] * half.y, o[2] * half.z};
+                Vec3 d = normalize(off + Vec3{to[0] * half.x, to[1] * half.y, to[2] * half.z} - from);
+                ray.o.x[k] = from.x, ray.o.y[k] = from.y, ray.o.z[k] = from.z;
+                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
+            }
+            Hit8 hit = intersect(*scene, ray, kLanes < 8);
+            for (int k = 0; k < 8; ++k) lost += hit.shape[k] < 0;
+        }
+        EXPECT_EQ(lost, 0) << scale;
+    }
+}
+
 TEST(Tree, FindsWhatBruteForceFinds) {
     Dice dice;
     auto scene = std::make_unique<Scene>();

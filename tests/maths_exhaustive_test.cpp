@@ -59,6 +59,13 @@ TEST(Exhaustive, cos) {
     EXPECT_EQ(worst(0, of(8192), [&](Float8 x) { return any(cos(-x) != cos(x)) ? 1. : 0.; }), 0);
 }
 
+TEST(Exhaustive, acos) {
+    auto library = [](double x) { return std::acos(x); };
+    for (uint32_t sign : {0u, kSign})
+        EXPECT_LE(worst(sign, sign | of(1), [&](Float8 x) { return absoluteError(x, acos(x), library); }),
+                  4.5e-7);
+}
+
 TEST(Exhaustive, exp2) {
     auto relative = [](Float8 x) {
         Float8 y = exp2(x);

@@ -141,3 +141,28 @@ TEST(Materials, AreColoursEverywhere) {
                         for (float v : {c.x[k], c.y[k], c.z[k]}) ASSERT_TRUE(v >= 0 && v <= 1) << v;
                 }
 }
+
+// Radiosity reflects what the eye sees: the mean that is counted on is the mean of the pattern.
+TEST(Material, MeanAlbedoIsTheMean) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-40, 40);
+    for (const Material &m :
+         {darkMarble(), paleMarble(), granite(), oak(), limestone(), beamAcross(), boards(), hallFloor()}) {
+        double sum[3] = {};
+        constexpr int kPackets = 20000;
+        for (int i = 0; i < kPackets; ++i) {
+            Vec3x8 q;
+            for (int k = 0; k < 8; ++k)
+                q.x[k] = place(random), q.y[k] = place(random), q.z[k] = place(random);
+            Int8 cell;
+            Rgb8 a = albedo(m, q, broadcast(Vec3{0, -1, 0}), broadcast(1.f), broadcast(1e-3f), cell);
+            for (int k = 0; k < 8; ++k)
+                sum[0] += (double)a.x[k], sum[1] += (double)a.y[k], sum[2] += (double)a.z[k];
+        }
+        Rgb mean = meanAlbedo(m);
+        const float stated[3] = {mean.x, mean.y, mean.z};
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR((double)stated[c], sum[c] / (8 * kPackets), 0.04 * (double)stated[c])
+                << (int)m.texture.pattern;
+    }
+}
