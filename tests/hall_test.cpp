@@ -2,7 +2,8 @@
 #include "base/random.h"
 #include "headless_gl.h"
 #include "show/hall.h"
-#include "trace/intersect.h"
+#include "show/materials.h"
+#include "trace/whitted.h"
 
 #include <cmath>
 #include <vector>
@@ -200,10 +201,32 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     EXPECT_GT(mean[kBounces], 0.9 * solution);
 }
 
-// A ball that rests on the floor darkens it around where they touch, and the light comes back with distance.
+// A ball that rests on the floor takes from its light what it covers of what the floor sees, and no more.
 TEST(Hall, ABallDarkensWhatItStandsOn) {
-    EXPECT_GE(solved().hall->visited, 0);
-    const Patch &p = solved().hall->model.patches[solved().hall->visited];
-    EXPECT_EQ(p.chart, 0);
-    EXPECT_EQ(p.share, 1);
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    auto scratch = std::make_unique<TraceScratch>();
+    constexpr float kRadius = 0.5f;
+    Vec3 foot = s.hall->model.patches[s.hall->visited].p;
+    View view = lookAt(foot + Vec3{0, 3, 0}, foot, 0, 90, 64, 64); // a pixel is 6 / 64 of a metre
+    auto lightAround = [&](bool ball) {
+        scene->clear();
+        poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, *scene);
+        if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(mirror())));
+        scene->finish();
+        std::vector<float> x(16), y(16, 32);
+        std::vector<uint32_t> index(16);
+        std::vector<Sample> samples(16);
+        for (int i = 0; i < 16; ++i)
+            x[(size_t)i] = 32 + (0.62f + 0.05f * (float)i) * 64 / 6, index[(size_t)i] = (uint32_t)i;
+        traceSamples(*scene, view, kQualities[(int)QualityName::Reference], *scratch, 16, x.data(), y.data(),
+                     index.data(), samples.data());
+        return samples;
+    };
+    auto open = lightAround(false), covered = lightAround(true);
+    for (int i = 0; i < 16; ++i) {
+        double d = 0.62 + 0.05 * i, square = d * d + 0.25, factor = 0.5 / std::sqrt(square) * 0.25 / square;
+        EXPECT_NEAR((double)(covered[(size_t)i].light.y / open[(size_t)i].light.y), 1 - factor + 0.0025, 2e-3)
+            << d;
+    }
 }

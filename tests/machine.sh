@@ -14,6 +14,17 @@ for odraz in "$BUILD/odraz" "$BUILD/odraz-safe"; do
     echo "not a library" >"$WORK/threads/libpthread.so.0"
     check "$name without threads" refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$WORK/threads" "$odraz" --dump - --threads 2
     check "$name without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
+    mkdir -p "$WORK/egl"
+    echo "not a library" >"$WORK/egl/libEGL.so.1"
+    check "$name without headless OpenGL, for the hall" refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$WORK/egl" "$odraz" --dump - --from 100 --to 100.04
+    check "$name with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04
+    check "$name without reversed depth draws the hall" bash -c "
+        '$odraz' --dump - --from 120 --to 120.04 --size 64x36 >'$WORK/with.ppm' &&
+        MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control '$odraz' --dump - --from 120 --to 120.04 --size 64x36 >'$WORK/without.ppm' &&
+        '$BUILD/compare' '$WORK/with.ppm' '$WORK/without.ppm' --max 2 >/dev/null"
+    check "$name solves the hall within 512 MB" bash -c "'$odraz' --dump - --from 100 --to 100.04 --size 1280x720 >/dev/null & pid=\$!; most=0
+        while now=\$(awk '/VmHWM/ { print \$2 }' /proc/\$pid/status 2>/dev/null) && [ -n \"\$now\" ]; do most=\$now; sleep 0.05; done
+        echo \"    \$((most / 1024)) MB resident\"; [ \$most -gt 1000 ] && [ \$most -lt 524288 ]"
     check "$name needs none of the window's libraries to dump" bash -c "LD_LIBRARY_PATH='$WORK/libX11.so.6.d:$WORK/libGL.so.1.d' '$odraz' --dump - --from 20 --to 20.04 --size 64x36 | cksum >'$WORK/$name.sum'"
     check "$name without address randomisation" bash -c "setarch -R '$odraz' --dump - --from 20 --to 20.04 --size 64x36 | cksum | cmp - '$WORK/$name.sum'"
     if command -v qemu-x86_64 >/dev/null; then

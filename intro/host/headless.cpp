@@ -17,6 +17,9 @@ struct Egl {
 const char *openHeadlessGl(Gl &gl) {
     static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
     static Egl egl;
+    // By software, so that pictures agree between machines, unless the environment has another wish
+    int (*setenv)(const char *, const char *, int);
+    if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     if (loadFunctions("libEGL.so.1", ODRAZ_EGL(ODRAZ_NAME), (void **)&egl)) return kMissing;
     EGLDisplay display = egl.eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, nullptr, nullptr);
     if (!display || !egl.eglInitialize(display, nullptr, nullptr) || !egl.eglBindAPI(EGL_OPENGL_API))
