@@ -20,6 +20,7 @@ int say(const char *text, int size) {
 }
 
 int run(int argc, char **argv, bool stdoutClosed) {
+    int64_t began = nanoseconds();
     Options o;
     Message wrong;
     if (!parseOptions(argc, argv, duration(), o, wrong)) {
@@ -62,7 +63,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
         const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts,
                                  hall ? &window.gl : nullptr, {showLoading, &window});
         if (theViewerLeft) return 0;
-        return wrong ? refuse(wrong) : play(theIntro, o, window, &theViewerLeft);
+        return wrong ? refuse(wrong) : play(theIntro, o, window, &theViewerLeft, began);
     }
     Gl gl;
     if (hall)

@@ -62,8 +62,9 @@ struct Governor {
 
 SceneStats theStats[kSceneCount]; // zero at the start; too large for a stack
 
-void printStats() {
+void printStats(double untilFirst) {
     Text<2048> t;
+    (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
     t << "scene      shown  dropped  trace ms: median    p95   present ms: median    p95\n";
     for (int i = 0; i < kSceneCount; ++i) {
         const SceneStats &s = theStats[i];
@@ -82,12 +83,12 @@ void printStats() {
 
 } // namespace
 
-int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave) {
+int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, int64_t began) {
     const Quality &quality = o.qualityOr(QualityName::Play);
     double from = seconds(o.from), to = seconds(o.to);
 
     Governor governor;
-    int64_t start = nanoseconds(), lastSlot = -1;
+    int64_t start = nanoseconds(), lastSlot = -1, firstShown = 0;
     for (;;) {
         int64_t before = nanoseconds();
         double passed = (double)(before - start) * 1e-9, time = from + passed;
@@ -98,6 +99,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave) {
         int64_t traced = nanoseconds();
         present(window, picture.rgba, picture.width, picture.height);
         int64_t shown = nanoseconds();
+        if (!firstShown) firstShown = shown;
 
         governor.spent((float)(shown - before) * 1e-9f);
         SceneStats &s = theStats[sceneAt(time)];
@@ -108,7 +110,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave) {
         s.trace.add(traced - before);
         s.present.add(shown - traced);
     }
-    if (o.stats) printStats();
+    if (o.stats && firstShown) printStats((double)(firstShown - began) * 1e-9);
     return 0;
 }
 

@@ -7,7 +7,8 @@
 
 namespace odraz {
 
-// Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status.
-int play(Intro &intro, const Options &options, FilmWindow &window, const int *leave);
+// Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status. `began`
+// is when the program did, in nanoseconds().
+int play(Intro &intro, const Options &options, FilmWindow &window, const int *leave, int64_t began);
 
 } // namespace odraz

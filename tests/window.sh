@@ -19,7 +19,7 @@ play() { # play OPTION...: sets pid and window
         window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ] && break
         sleep 0.05
     done
-    sleep 1.2
+    sleep 3.5 # the hall is solved first
     [ -n "$window" ]
 }
 brightness() { import -window "$1" "$WORK/shot.png" && identify -format '%[fx:mean]' "$WORK/shot.png"; }
@@ -53,6 +53,39 @@ check "the aspect is kept, bars are black" bar 0 67
 check "below too" bar 633 67
 check "... and the picture is not" bash -c "! identify -format '%[fx:mean]' '$WORK/shot.png' | grep -qx 0"
 check "ESC leaves" gone_within $LIMIT xdotool key Escape
+
+# Loading: a bar that grows, and that can be left
+load() { # load OPTION...: as play, but returns as soon as there is a window
+    "$odraz" "$@" >"$WORK/out" 2>"$WORK/err" &
+    pid=$!
+    PIDS+=($pid)
+    window=
+    for _ in $(seq 200); do
+        window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ] && return 0
+        sleep 0.02
+    done
+    return 1
+}
+grows() { # the share of the window's middle row that is copper, until the film comes
+    local before=0 now steps=0
+    for _ in $(seq 12); do
+        import -window "$window" -crop 1000x1+0+350 "$WORK/row.png"
+        # the film begins with black, the bar ends full
+        now=$(identify -format '%[fx:int(1000*mean.r)]' "$WORK/row.png")
+        [ "$now" -gt "$before" ] && steps=$((steps + 1))
+        [ "$now" -lt "$before" ] && break
+        before=$now
+    done
+    echo "    the bar was seen to grow $steps times"
+    [ $steps -ge 3 ]
+}
+check "opens a window" load
+check "a bar grows while it loads" grows
+check "ESC leaves" gone_within $LIMIT xdotool key Escape
+check "opens a window" load --from 100
+sleep 0.2
+check "ESC leaves while it loads" gone_within $LIMIT xdotool key Escape
+check "plays what needs no loading at once" bash -c "timeout 5 '$odraz' --window --size 320x180 --from 161.9 --stats | grep -qE '^first picture after [01]\.'"
 
 check "plays in a window" play --window --size 640x360 --from 60 --stats
 check "its window has the film's size" bash -c "xwininfo -id $window | grep -qE 'Width: 640'"
@@ -101,6 +134,9 @@ check "it asks for the full screen" bash -c "xprop -id $window _NET_WM_STATE | g
 check "it gets it" bash -c "xwininfo -id $window | grep -q 'Width: 1000' && xwininfo -id $window | grep -q 'Height: 700'"
 check "it draws there" is_bright "$window"
 check "ESC leaves there" gone_within $LIMIT xdotool key Escape
+check "opens a window there" load --window --size 640x360 --from 100
+sleep 0.2
+check "the close button leaves while it loads" gone_within $LIMIT wmctrl -i -c "$window"
 check "plays in a window there" play --window --size 640x360 --from 30
 check "the close button leaves" gone_within $LIMIT wmctrl -i -c "$window"
 check "plays in a window again" play --window --size 640x360 --from 30
