@@ -36,7 +36,7 @@ static constexpr CameraKey kAxonometry[] = {
     {128, {33.7f, 29, 36.5f}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
 };
 static constexpr CameraKey kWalkIn[] = {
-    {128, {0.6f, 1.7f, 14.5f}, {-0.4f, 2.3f, 0}, 0, 44},
+    {128, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
     {192, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
 };
 static constexpr CameraKey kWalk[] = {

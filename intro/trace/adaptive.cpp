@@ -34,36 +34,72 @@ void traceWanted(Tile &t) {
     s.wantedCount = 0;
 }
 
-// Finds the shapes that look smaller than a coarse square, where they may touch this tile.
+// Finds the shapes that look smaller than a coarse square, or thinner, where they may touch this tile.
 void findGrains(Tile &t) {
     TileScratch &s = t.s;
     s.grainCount = 0;
     const View &v = t.view;
+    float widest = (float)t.quality.coarse * 1.5f;
+    auto ahead = [&](Vec3 p) { return dot(p - v.eye, v.forward); };
+    auto place = [&](Vec3 p, float &x, float &y) {
+        Vec3 to = p - v.eye;
+        float inverse = 1 / ahead(p);
+        x = fmadd(dot(to, v.right) * inverse, v.width / dot(v.right, v.right), v.width * 0.5f - (float)t.x0);
+        y = fmadd(dot(to, v.down) * inverse, v.height / dot(v.down, v.down), v.height * 0.5f - (float)t.y0);
+    };
+    auto outside = [](float x, float y, float radius) {
+        return x + radius < 0 || y + radius < 0 || x - radius > kTile || y - radius > kTile;
+    };
     for (int i = 0; i < t.scene.shapeCount && s.grainCount < kGrains; ++i) {
         const Shape &shape = t.scene.shapes[i];
         if (shape.kind == ShapeKind::Plane) continue;
         // Project the ball about it
         const Bounds &b = t.scene.box[i];
-        Vec3 to = (b.lo + b.hi) * 0.5f - v.eye;
-        float r = length(b.hi - b.lo) * (shape.kind == ShapeKind::Sphere ? 0.28868f : 0.5f);
-        float ahead = dot(to, v.forward);
-        if (ahead <= 2 * r) continue;
-        float radius = r / (ahead * v.spread) * 1.1f;
-        if (radius > (float)t.quality.coarse * 1.5f) continue;
-        auto along = [&](Vec3 axis) { return dot(to, axis) / (ahead * dot(axis, axis)) + 0.5f; };
-        float x = along(v.right) * v.width - (float)t.x0, y = along(v.down) * v.height - (float)t.y0;
-        if (x + radius < 0 || y + radius < 0 || x - radius > kTile || y - radius > kTile) continue;
-        s.grains[s.grainCount++] = {x, y, radius, (uint32_t)i};
+        Vec3 middle = (b.lo + b.hi) * 0.5f;
+        float r = length(b.hi - b.lo) * (shape.kind == ShapeKind::Sphere ? 0.28868f : 0.5f),
+              far = ahead(middle);
+        if (far <= r * 1.1f) continue;
+        float x, y, radius = r / ((far - r) * v.spread);
+        place(middle, x, y);
+        if (outside(x, y, radius)) continue;
+        radius = r / (far * v.spread) * 1.1f;
+        if (radius <= widest) {
+            s.grains[s.grainCount++] = {x, y, 0, 0, radius};
+            continue;
+        }
+        // A line along its longest side, as thick as the next
+        if (shape.kind == ShapeKind::Sphere || shape.kind == ShapeKind::Polygon) continue;
+        const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
+        int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
+        float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);
+        Vec3 axis = (longest == 0   ? shape.frame.u
+                     : longest == 1 ? shape.frame.v
+                                    : shape.frame.w) *
+                    half[longest];
+        float nearest = min(ahead(middle - axis), ahead(middle + axis));
+        radius = thick / (nearest * v.spread) * 1.1f;
+        if (nearest <= r * 0.1f || radius > widest) continue;
+        Grain g = {0, 0, 0, 0, radius};
+        place(middle - axis, g.x, g.y);
+        place(middle + axis, x, y);
+        g.alongX = x - g.x, g.alongY = y - g.y;
+        s.grains[s.grainCount++] = g;
     }
 }
 
 // Whether a small shape may lie in the square between corners that are too far apart to meet it.
 bool mayHideGrain(const TileScratch &s, Square q, int size) {
+    float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
     for (int i = 0; i < s.grainCount; ++i) {
         const Grain &g = s.grains[i];
-        float x = clamp(g.x, (float)q.x, (float)(q.x + size)) - g.x,
-              y = clamp(g.y, (float)q.y, (float)(q.y + size)) - g.y;
-        if ((float)size > g.radius && x * x + y * y <= g.radius * g.radius) return true;
+        if ((float)size <= g.radius) continue;
+        // The line's point nearest to the square's middle, then the square's nearest to that
+        float along = fmadd(x - g.x, g.alongX, (y - g.y) * g.alongY),
+              square = fmadd(g.alongX, g.alongX, g.alongY * g.alongY);
+        float share = saturate(along / max(square, 1e-12f));
+        float dx = max(abs(fmadd(share, g.alongX, g.x) - x) - half, 0.f),
+              dy = max(abs(fmadd(share, g.alongY, g.y) - y) - half, 0.f);
+        if (fmadd(dx, dx, dy * dy) <= g.radius * g.radius) return true;
     }
     return false;
 }

@@ -10,7 +10,7 @@
 namespace odraz {
 
 inline constexpr int kCorners = kTile + 1;
-inline constexpr int kGrains = 64; // small shapes that a tile can watch for
+inline constexpr int kGrains = 192; // small shapes that a tile can watch for
 inline constexpr uint16_t kMixed = 0xffff;
 
 // A square of the tile, by its upper left corner.
@@ -18,10 +18,10 @@ struct Square {
     uint8_t x, y;
 };
 
-// A shape that may slip between the corners, as a disc in the picture.
+// A shape that may slip between the corners: in the picture a disc, or where it is long and thin all that
+// lies within the radius of a line.
 struct Grain {
-    float x, y, radius; // pixels
-    uint32_t shape;
+    float x, y, alongX, alongY, radius; // one end, the way to the other, in pixels
 };
 
 struct TileScratch {
