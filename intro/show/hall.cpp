@@ -146,9 +146,8 @@ Material faded(Material m, float grey) {
     m.diffuse = lerp(m.diffuse, 1.f, grey);
     for (Texture *t : {&m.texture, &m.other})
         for (Rgb &c : t->palette) c = lerp(c, plain, grey);
-    m.reflect *= 1 - grey;
+    m.tint *= Rgb{1, 1, 1} * (1 - grey); // of what it mirrors
     m.specular *= 1 - grey;
-    m.fresnel &= grey < 1;
     return m;
 }
 
