@@ -120,6 +120,61 @@ TEST(Hall, HemicubesAgreeWithRays) {
     closeHemicubes(h);
 }
 
+// The hall a thousand times smaller and larger: the same light, to the rounding of its coordinates.
+TEST(Hall, SizeDoesNotMatter) {
+    struct Copy {
+        HeapArena memory{hallBytes()};
+        std::unique_ptr<Model> model;
+        std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
+    };
+    Workers workers = serialWorkers();
+    const Hall &hall = *solved().hall;
+    auto scaled = [&](float scale) {
+        auto copy = std::make_unique<Copy>();
+        copy->model = std::make_unique<Model>(hall.model);
+        for (int i = 0; i < copy->model->chartCount; ++i) {
+            Chart &c = copy->model->charts[i];
+            c.corner *= Vec3{scale, scale, scale};
+            c.width *= scale, c.height *= scale;
+        }
+        for (int i = 0; i < copy->model->facetCount; ++i) {
+            Facet &f = copy->model->facets[i];
+            f.u0 *= scale, f.u1 *= scale, f.v0 *= scale, f.v1 *= scale;
+        }
+        copy->r->lights = hall.radiosity.lights;
+        for (Lamp &l : copy->r->lights.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
+        for (SkyKey &k : copy->r->lights.skies) k.sunAt *= Vec3{scale, scale, scale};
+        // The hall's own materials, over the copy's facets
+        auto scene = std::make_unique<Scene>();
+        poseHall(*solved().hall, {}, 0, *scene);
+        scene->shapeCount = 0;
+        copy->model->pose(*scene);
+        scene->finish();
+        EXPECT_TRUE(solveRadiosity(*copy->r, *copy->model, *scene, {}, headlessGl(), copy->memory.arena,
+                                   workers, {}));
+        return copy;
+    };
+    auto one = scaled(1);
+    for (float scale : {1e-3f, 1e3f}) {
+        auto other = scaled(scale);
+        ASSERT_EQ(other->model->texelCount, one->model->texelCount);
+        double sum = 0, difference = 0;
+        int hidden = 0;
+        for (int i = 0; i < one->model->texelCount; ++i) {
+            hidden += other->model->visible[i] != one->model->visible[i];
+            for (int c = 0; c < 3; ++c) {
+                double a = (double)other->r->bounced[kNoon][c][i], b = (double)one->r->bounced[kNoon][c][i];
+                ASSERT_TRUE(std::isfinite(a));
+                sum += b * b, difference += (a - b) * (a - b);
+            }
+        }
+        std::printf("the hall times %g: rms difference %.3f %%, %d of %d elements hidden otherwise\n",
+                    (double)scale, 100 * std::sqrt(difference / sum), hidden, one->model->texelCount);
+        EXPECT_LT(std::sqrt(difference / sum), 0.01) << scale;
+        EXPECT_LT(hidden, one->model->texelCount / 200) << scale;
+    }
+}
+
 TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
     Solved &s = solved();
     auto scene = std::make_unique<Scene>();

@@ -121,6 +121,17 @@ wait $pid
 check "... which leaves with status 1" test $? = 1
 check "... and says it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
 
+MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" 2>"$WORK/err" &
+pid=$!
+PIDS+=($pid)
+sleep 1
+check "an OpenGL that is too old opens one too" xdotool search --onlyvisible --name '^odraz$'
+xdotool mousemove 60 60 click 1
+sleep 0.3
+wait $pid
+check "... which leaves with status 1" test $? = 1
+check "... and says what to do" grep -q 'no OpenGL 3.3 on this display: install' "$WORK/err"
+
 begin=$(date +%s)
 check "a dump tells its script, without a window" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
 check "... at once" test $(($(date +%s) - begin)) -le 5

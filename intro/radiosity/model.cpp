@@ -117,7 +117,7 @@ static void place(const Model &model, Patch &patch) {
     float least = kInfinity;
     places([&](Vec3 p) {
         float distance = length(p - middle);
-        if (distance >= least) return;
+        if (distance >= least * 0.999f) return; // of equals the first, whatever their rounding
         least = distance;
         patch.p = p;
     });

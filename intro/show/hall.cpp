@@ -30,7 +30,7 @@ constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f}, kLanternRadius = 0.15f;
 
 void addColumn(Model &m, float x, float z) {
-    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.2f,
+    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.14f,
              Model::kUpright | Model::kTop);
     constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = 0.32f;
     for (int k = 0; k < 8; ++k) {
@@ -41,7 +41,7 @@ void addColumn(Model &m, float x, float z) {
         Vec3 a = corner(k), b = corner(k + 1);
         m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.22f);
     }
-    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.2f,
+    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.14f,
              Model::kUpright | Model::kBottom | Model::kTop);
 }
 
