@@ -18,6 +18,10 @@ for threads in 2 5 64; do
     rm -r "$WORK/many"
 done
 
+hall() { "$odraz" --dump - --from 120 --to 120.1 --size 160x90 --quality play "$@" | cksum; }
+check "the hall is the same with one thread, its own and OpenGL's, and with many" \
+    test "$(LP_NUM_THREADS=1 hall --threads 1)" = "$(LP_NUM_THREADS=7 hall --threads 5)"
+
 for cut in "47.2 47.6" "47.6 47.612345" "47.612345 48.4"; do
     check "dump a shard" dump shards --fps 30000/1001 --from ${cut% *} --to ${cut#* } --quality play --threads 2
 done
