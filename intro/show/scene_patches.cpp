@@ -28,6 +28,7 @@ static Rgb patchLight(const Hall &hall, int i, float bounces, float lit) {
     const Chart &c = m.charts[m.patches[i].chart];
     Rgb grey = Rgb{1, 1, 1.06f} * (0.13f + 0.075f * c.n.y + 0.05f * c.n.x - 0.025f * c.n.z);
     if (lit <= 0) return grey;
+    if (m.patches[i].share == 0) return grey * (1 - 0.88f * lit); // under the stair there is no light
     int whole = min((int)bounces, kBounces - 1);
     return lerp(grey, lerp(hall.bounce[whole][i], hall.bounce[whole + 1][i], bounces - (float)whole), lit);
 }
