@@ -118,6 +118,8 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         float height = dot(eye.p - c.corner, c.n);
         // Leave out what lies in the patch's own plane; walls that it stands beside, however near, are seen
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
+        bool back = height < -scale;
+        if (back && model.solid) continue;
         // Into the hemicube's frame, unless all of it lies under the horizon
         Vec3 local[4];
         float s[4], t[4];
@@ -130,7 +132,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
             above |= local[k].z > 0;
         }
         if (!above) continue;
-        uint32_t first = height < -scale ? kBackSide : (uint32_t)c.firstPatch + 1;
+        uint32_t first = back ? kBackSide : (uint32_t)c.firstPatch + 1;
         uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
         Corner corners[4];
         for (int side = -1; side < 4; ++side) {
@@ -168,7 +170,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h.px = px;
     h.vertices = arena.take<float>((size_t)kVertices * kFloats);
     h.ids = arena.take<uint32_t>((size_t)kHemicubeBatch * (size_t)(3 * px * px));
-    if (!h.vertices || !h.ids) return false;
+    if (!h.vertices || !h.ids || px % 2 || px < 4 || px > kMaxHemicube) return false;
 
     // Look for reversed depth
     GLint extensions = 0;

@@ -37,6 +37,7 @@ struct Model {
     Chart charts[kMaxCharts];
     Facet facets[kMaxFacets];
     int chartCount, facetCount;
+    bool solid; // no back is to be seen from where there is light: hemicubes leave backs out, which is faster
 
     // Made by divide()
     Patch *patches;

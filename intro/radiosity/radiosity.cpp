@@ -52,7 +52,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     // Divide, and see what is hidden
     if (!model.divide(arena, workers, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount))
         return false;
-    progress(0.035f);
+    progress(0.05f);
 
     // Form factors
     bool reflects[kMaxMaterials];
@@ -60,7 +60,8 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     r.factors.capacity = settings.links;
     r.factors.links = arena.take<Link>(settings.links);
     if (!r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
-    if (!findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors, progress.part(0.035f, 0.71f)))
+    if (!findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors,
+                         progress.part(0.05f, 0.635f)))
         return false;
 
     // Direct light
@@ -69,7 +70,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         direct.single[k] = r.direct[k];
         for (int c = 0; c < 3 && k < r.lights.skyCount; ++c) direct.sky[k][c] = r.bounced[k][c];
     }
-    findDirectLight(model, scene, r.lights, workers, direct, progress.part(0.71f, 0.93f));
+    findDirectLight(model, scene, r.lights, workers, direct, progress.part(0.635f, 0.92f));
     if (workers.aborted()) return false;
 
     // Bounces, brought to the elements

@@ -139,7 +139,7 @@ Hour between(const Hour &a, const Hour &b, float t) {
 
 constexpr Rgb kLanternLight = Rgb{60, 45, 30}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
-// From one grey for all, by each material's own mean, to the material.
+// From one grey for all to the material.
 Material faded(Material m, float grey) {
     if (grey == 0) return m;
     Rgb plain = {0.6f, 0.6f, 0.6f};
@@ -151,6 +151,7 @@ Material faded(Material m, float grey) {
     return m;
 }
 
+// In the order of Part.
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material &m : {hallFloor(), plaster({0.76f, 0.73f, 0.68f}), plaster({0.62f, 0.33f, 0.19f}),
                               limestone(), granite(), beamAcross(), beamAlong(), granite()})
@@ -213,6 +214,7 @@ const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Worke
     for (int i = 0; i < kHours; ++i) lights.skies[i] = keyOf(kDay[i]);
     build(hall.model);
     addLamps(hall.model, lights);
+    hall.model.solid = true;
 
     scene.clear();
     addMaterials(scene, {}, 0);
