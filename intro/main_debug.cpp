@@ -136,6 +136,7 @@ int main(int argc, char **argv) {
     void **table = (void **)&gl;
 #define ODRAZ_FIND(name) *table++ = (void *)glfwGetProcAddress(#name);
     ODRAZ_GL(ODRAZ_FIND)
+    gl.glClipControl = (PFNGLCLIPCONTROLPROC)glfwGetProcAddress("glClipControl");
     size_t bytes = memoryNeeded(o.width, o.height, workers.count, true);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     static Intro intro;

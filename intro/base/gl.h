@@ -1,5 +1,4 @@
-// The functions of OpenGL that we use, as a table; the host fills it. All are of version 3.3 but
-// glClipControl, which may be called only where GL_ARB_clip_control is there.
+// The functions of OpenGL 3.3 that we use, as a table, and one of ARB_clip_control; the host fills it.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -18,7 +17,7 @@ namespace odraz {
     F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
     F(glUniform1f) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
     F(glBufferData) F(glVertexAttribPointer) F(glVertexAttribIPointer) F(glEnableVertexAttribArray) \
-    F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClipControl) F(glClearBufferuiv) \
+    F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferuiv) \
     F(glClearBufferfv) F(glDrawArrays) F(glScissor) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
     F(glDeleteBuffers)
 // clang-format on
@@ -26,6 +25,7 @@ namespace odraz {
 struct Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;
     ODRAZ_GL(ODRAZ_GL_MEMBER)
+    decltype(&::glClipControl) glClipControl; // found apart: null where there is none
 #undef ODRAZ_GL_MEMBER
 };
 

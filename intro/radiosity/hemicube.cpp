@@ -179,7 +179,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
         auto *name = (const char *)gl.glGetStringi(GL_EXTENSIONS, (GLuint)i);
         const char *wanted = "GL_ARB_clip_control";
         while (*wanted && *name == *wanted) ++name, ++wanted;
-        h.clipControl |= *wanted == *name;
+        h.clipControl |= *wanted == *name && gl.glClipControl;
     }
 
     // An atlas of numbers and depths
