@@ -1,6 +1,7 @@
 // Direct light against closed forms, whole rooms solved, and the extremes of reflectance, power and size.
 #include "headless_gl.h"
 #include "radiosity/radiosity.h"
+#include "room.h"
 
 #include <cmath>
 #include <functional>
@@ -28,15 +29,8 @@ struct Room {
         return m;
     }
     void addWalls() {
-        Vec3 lo = {-2 * scale, 0, -3 * scale}, hi = {2 * scale, 3 * scale, 3 * scale};
-        Vec3 x = {hi.x - lo.x, 0, 0}, y = {0, hi.y, 0}, z = {0, 0, hi.z - lo.z};
         float e = 0.25f * scale;
-        model->addRect(lo, z, x, 1, e);   // floor: chart 0
-        model->addRect(hi, -x, -z, 0, e); // ceiling: chart 1
-        model->addRect(lo, y, z, 0, e);
-        model->addRect(hi, -z, -y, 0, e);
-        model->addRect(lo, x, y, 0, e);
-        model->addRect(hi, -y, -x, 0, e);
+        addRoom(*model, {-2 * scale, 0, -3 * scale}, {2 * scale, 3 * scale, 3 * scale}, e, 0, 1);
         model->addBox({-0.5f * scale, 0, -0.5f * scale}, {0.5f * scale, scale, 0.5f * scale}, 0, e,
                       Model::kUpright | Model::kTop);
     }
@@ -171,13 +165,7 @@ TEST(Leaks, ASealedRoomStaysDark) {
     room.addBall({0, 2.5f, 0}, 0.1f);
     int first = room.model->chartCount;
     // Another room behind a wall of a tenth
-    Vec3 lo = {2.1f, 0, -3}, hi = {6.1f, 3, 3}, x = {4, 0, 0}, y = {0, 3, 0}, z = {0, 0, 6};
-    room.model->addRect(lo, z, x, 1, 0.25f);
-    room.model->addRect(hi, -x, -z, 0, 0.25f);
-    room.model->addRect(lo, y, z, 0, 0.25f);
-    room.model->addRect(hi, -z, -y, 0, 0.25f);
-    room.model->addRect(lo, x, y, 0, 0.25f);
-    room.model->addRect(hi, -y, -x, 0, 0.25f);
+    addRoom(*room.model, {2.1f, 0, -3}, {6.1f, 3, 3}, 0.25f, 0, 1);
     ASSERT_TRUE(room.solve());
     double leaked = 0;
     for (int chart = first; chart < room.model->chartCount; ++chart)
