@@ -4,8 +4,8 @@
 namespace odraz {
 
 struct Progress {
-    void (*report)(float done,
-                   void *context) = nullptr; // may be null; called on the thread that began the work
+    // May be null; called on the thread that began the work
+    void (*report)(float done, void *context) = nullptr;
     void *context = nullptr;
     float from = 0, to = 1; // the part of the whole that this work is
 

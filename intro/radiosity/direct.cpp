@@ -138,7 +138,7 @@ void put(float *plane, Float8 x, int count) { _mm256_maskstore_ps(plane, (__m256
 } // namespace
 
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
-                     DirectLight &out, const Progress &progress) {
+                     float *const (*sky)[3], float *const *single, const Progress &progress) {
     int done = 0; // texels
     parallelFor(workers, model.chartCount, [&](int index, int worker) {
         const Chart &c = model.charts[index];
@@ -163,9 +163,9 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
                 Float8 inverse = 1.f / max(places, 1.f);
                 for (int k = 0; k < lights.skyCount; ++k)
                     for (int channel = 0; channel < 3; ++channel)
-                        put(out.sky[k][channel] + texel, sums.sky[k][channel] * inverse, count);
+                        put(sky[k][channel] + texel, sums.sky[k][channel] * inverse, count);
                 for (int k = 0; k < lights.bases(); ++k)
-                    put(out.single[k] + texel, sums.single[k] * inverse, count);
+                    put(single[k] + texel, sums.single[k] * inverse, count);
             }
         int texels = __atomic_add_fetch(&done, c.texels(), __ATOMIC_RELAXED);
         if (worker == 0) progress((float)texels / (float)model.texelCount);

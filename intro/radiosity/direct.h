@@ -39,13 +39,10 @@ struct Lights {
     int bases() const { return skyCount + lampCount; } // skies first
 };
 
-// Planes of texelCount floats, zeroed: what each texel gets from each sky (red, green, blue), and what share
-// of each sky's sunlight or each lamp's radiance. The scene holds the posed model, finished.
-struct DirectLight {
-    float *sky[kMaxSkies][3];
-    float *single[kMaxBases]; // sun of each sky, then lamps
-};
+// Fills planes of texelCount floats: sky[k] with what each texel gets from sky k through the windows (red,
+// green, blue), single[k] with the share of sky k's sunlight, then those of the lamps' radiances. The scene
+// holds the posed model, finished.
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
-                     DirectLight &out, const Progress &progress);
+                     float *const (*sky)[3], float *const *single, const Progress &progress);
 
 } // namespace odraz

@@ -8,8 +8,8 @@ namespace odraz {
 namespace {
 
 constexpr int kVertices = 1 << 16; // laid out before they are drawn
-constexpr int kFloats =
-    7; // x, y, w in the atlas; place on the chart in patches; first patch + 1; patches across, down
+// A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
+constexpr int kFloats = 7;
 
 // Backs lie a little deeper than they are: along a silhouette, where a front has the same edge, the front
 // wins

@@ -26,23 +26,11 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
     parallelFor(workers, lights.bases(), [&](int k, int) {
         bool sky = k < lights.skyCount;
         Rgb light = sky ? lights.skies[k].sunlight : Rgb{1, 1, 1};
-        float strength[3] = {light.x, light.y, light.z};
-        float *column = s.direct + 3 * k;
-        meanOfPatches(model, r.direct[k], column, s.columns);
-        for (int c = 2; c >= 0; --c) {
-            // The single number of the first column becomes each channel's
-            for (size_t i = 0; i < (size_t)model.patchCount; ++i) {
-                float *d = column + i * columns;
-                d[c] = d[0] * strength[c];
-            }
-        }
-        if (!sky) return;
-        for (int c = 0; c < 3; ++c) {
-            // The radiosity's column serves as scratch: it is not solved yet
-            float *scratch = s.radiosity + 3 * k + c;
-            meanOfPatches(model, r.bounced[k][c], scratch, s.columns);
-            for (size_t i = 0; i < (size_t)model.patchCount; ++i)
-                column[i * columns + (size_t)c] += scratch[i * columns];
+        const float strength[3] = {light.x, light.y, light.z};
+        for (int i = 0; i < model.patchCount; ++i) {
+            float share = meanOfPatch(model, i, r.direct[k]), *to = s.direct + (size_t)i * columns + 3 * k;
+            for (int c = 0; c < 3; ++c)
+                to[c] = share * strength[c] + (sky ? meanOfPatch(model, i, r.bounced[k][c]) : 0);
         }
     });
 }
@@ -65,12 +53,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         return false;
 
     // Direct light
-    DirectLight direct;
-    for (int k = 0; k < r.lights.bases(); ++k) {
-        direct.single[k] = r.direct[k];
-        for (int c = 0; c < 3 && k < r.lights.skyCount; ++c) direct.sky[k][c] = r.bounced[k][c];
-    }
-    findDirectLight(model, scene, r.lights, workers, direct, progress.part(0.635f, 0.92f));
+    findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, progress.part(0.635f, 0.92f));
     if (workers.aborted()) return false;
 
     // Bounces, brought to the elements

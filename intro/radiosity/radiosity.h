@@ -35,8 +35,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
 // How much of each basis there is.
 struct Blend {
     Rgb bounced[kMaxBases]; // weights of skies (0 .. 1), radiances of lamps
-    Rgb direct[kMaxBases];  // ... of what they light directly: sunlight, radiance; {} where the tracer draws
-                            // it
+    Rgb direct[kMaxBases];  // sunlight, radiance; {} where the tracer draws what they light directly
 };
 void blend(const Radiosity &r, const Model &model, const Blend &weights, float *const plane[3]);
 

@@ -182,20 +182,18 @@ void closeGaps(const Model &model, float *plane) {
     fillRings(model, plane);
 }
 
-void meanOfPatches(const Model &model, const float *plane, float *values, int stride) {
-    for (int k = 0; k < model.patchCount; ++k) {
-        const Patch &p = model.patches[k];
-        const Chart &c = model.charts[p.chart];
-        float sum = 0;
-        int places = 0;
-        for (int j = p.j; j < p.j + c.patchDown; ++j)
-            for (int i = p.i; i < p.i + c.patchAcross; ++i) {
-                int seen = __builtin_popcount(model.visible[c.texel(i, j)]);
-                sum += plane[c.texel(i, j)] * (float)seen;
-                places += seen;
-            }
-        values[(size_t)k * (size_t)stride] = places ? sum / (float)places : 0;
-    }
+float meanOfPatch(const Model &model, int patch, const float *plane) {
+    const Patch &p = model.patches[patch];
+    const Chart &c = model.charts[p.chart];
+    float sum = 0;
+    int places = 0;
+    for (int j = p.j; j < p.j + c.patchDown; ++j)
+        for (int i = p.i; i < p.i + c.patchAcross; ++i) {
+            int seen = __builtin_popcount(model.visible[c.texel(i, j)]);
+            sum += plane[c.texel(i, j)] * (float)seen;
+            places += seen;
+        }
+    return places ? sum / (float)places : 0;
 }
 
 } // namespace odraz

@@ -42,7 +42,7 @@ void fillRings(const Model &model, float *plane);
 // Gives hidden elements the mean of their neighbours, and fills the rings.
 void closeGaps(const Model &model, float *plane);
 
-// The mean of a plane over the places of each patch that can be seen.
-void meanOfPatches(const Model &model, const float *plane, float *values, int stride);
+// The mean of a plane over the places of a patch that can be seen; 0 where none can.
+float meanOfPatch(const Model &model, int patch, const float *plane);
 
 } // namespace odraz

@@ -72,18 +72,17 @@ bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
     if (!radiosity || !gathered) return false;
     for (int b = 0; b <= kBounces; ++b) {
         if (!(hall.bounce[b] = arena.take<Rgb>(patches))) return false;
+        if (b > 0) gather(r.factors, hall.model.patchCount, kSolveBlock, radiosity, gathered, workers);
         for (size_t i = 0; i < patches; ++i) {
             const float *direct = r.system.direct + i * columns + 3 * kNoon;
             Rgb light = {direct[0], direct[1], direct[2]};
-            if (b > 0)
-                light += Rgb{gathered[i * kSolveBlock], gathered[i * kSolveBlock + 1],
-                             gathered[i * kSolveBlock + 2]};
+            const float *in = gathered + i * kSolveBlock;
+            light += Rgb{in[0], in[1], in[2]};
             hall.bounce[b][i] = light;
             Rgb out = light * scene.mean[hall.model.charts[hall.model.patches[i].chart].material];
-            radiosity[i * kSolveBlock] = out.x, radiosity[i * kSolveBlock + 1] = out.y,
-                          radiosity[i * kSolveBlock + 2] = out.z;
+            float *to = radiosity + i * kSolveBlock;
+            to[0] = out.x, to[1] = out.y, to[2] = out.z;
         }
-        gather(r.factors, hall.model.patchCount, kSolveBlock, radiosity, gathered, workers);
     }
     return true;
 }

@@ -48,8 +48,6 @@ void posePatches(double row, Hall *hall, Scene &scene) {
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
     float reach = ((float)row - kWave) * 1.25f;
-    Rgb means[kMaxMaterials];
-    for (int i = 0; i < scene.materialCount; ++i) means[i] = hall->mean[i];
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -57,7 +55,7 @@ void posePatches(double row, Hall *hall, Scene &scene) {
         if (i == hall->visited) lit = max(lit, value(track(kTaken), row));
         Rgb own = patchLight(*hall, i, i == hall->visited ? max(bounces, 1.f) : bounces, lit);
         // What its own reflectance makes of the light, until surfaces have that themselves
-        own = own * lerp(Rgb{1, 1, 1}, lerp(means[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
+        own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
         if (i == hall->visited && row > 26 && row < 74) {
             float pulse = 0.5f - 0.5f * cos(((float)row - 26) * (kPi / 4));
             own = lerp(own, Rgb{1.3f, 0.55f, 0.26f}, row < 34 ? pulse : 1 - value(track(kTaken), row));
@@ -78,10 +76,8 @@ void letterPatches(double row, const Hall *hall, const Facts &, const View &view
     if (open == 0) return;
     // From the patch it grows to its place
     float h = (float)frame.height, size = h * 0.14f * open; // half a face
-    Vec3 to = hall->model.patches[hall->visited].p - view.eye;
-    float ahead = dot(to, view.forward);
-    float px = view.width * (dot(to, view.right) / (ahead * dot(view.right, view.right)) + 0.5f),
-          py = view.height * (dot(to, view.down) / (ahead * dot(view.down, view.down)) + 0.5f);
+    float px, py;
+    view.project(hall->model.patches[hall->visited].p, px, py);
     float x0 = lerp(px, view.width - h * 0.33f, open), y0 = lerp(py, h * 0.6f, open);
     Stroke line = {px, py, lerp(px, x0, open), lerp(py, y0, open)};
     drawStrokes(frame, &line, 1, h * 0.0012f, {0.8f, 0.35f, 0.17f}, 0.8f * open);

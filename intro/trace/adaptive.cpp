@@ -40,12 +40,9 @@ void findGrains(Tile &t) {
     s.grainCount = 0;
     const View &v = t.view;
     float widest = (float)t.quality.coarse * 1.5f;
-    auto ahead = [&](Vec3 p) { return dot(p - v.eye, v.forward); };
     auto place = [&](Vec3 p, float &x, float &y) {
-        Vec3 to = p - v.eye;
-        float inverse = 1 / ahead(p);
-        x = fmadd(dot(to, v.right) * inverse, v.width / dot(v.right, v.right), v.width * 0.5f - (float)t.x0);
-        y = fmadd(dot(to, v.down) * inverse, v.height / dot(v.down, v.down), v.height * 0.5f - (float)t.y0);
+        v.project(p, x, y);
+        x -= (float)t.x0, y -= (float)t.y0;
     };
     auto outside = [](float x, float y, float radius) {
         return x + radius < 0 || y + radius < 0 || x - radius > kTile || y - radius > kTile;
@@ -57,7 +54,7 @@ void findGrains(Tile &t) {
         const Bounds &b = t.scene.box[i];
         Vec3 middle = (b.lo + b.hi) * 0.5f;
         float r = length(b.hi - b.lo) * (shape.kind == ShapeKind::Sphere ? 0.28868f : 0.5f),
-              far = ahead(middle);
+              far = v.ahead(middle);
         if (far <= r * 1.1f) continue;
         float x, y, radius = r / ((far - r) * v.spread);
         place(middle, x, y);
@@ -76,7 +73,7 @@ void findGrains(Tile &t) {
                      : longest == 1 ? shape.frame.v
                                     : shape.frame.w) *
                     half[longest];
-        float nearest = min(ahead(middle - axis), ahead(middle + axis));
+        float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
         radius = thick / (nearest * v.spread) * 1.1f;
         if (nearest <= r * 0.1f || radius > widest) continue;
         Grain g = {0, 0, 0, 0, radius};

@@ -20,6 +20,16 @@ struct View {
                 fmadd(u, right.y, fmadd(v, down.y, forward.y)),
                 fmadd(u, right.z, fmadd(v, down.z, forward.z))};
     }
+
+    // How far ahead of the eye a point lies, and where it stands in the picture, which only what is ahead
+    // does.
+    float ahead(Vec3 p) const { return dot(p - eye, forward); }
+    void project(Vec3 p, float &x, float &y) const {
+        Vec3 to = p - eye;
+        float inverse = 1 / ahead(p);
+        x = fmadd(dot(to, right) * inverse, width / dot(right, right), width * 0.5f);
+        y = fmadd(dot(to, down) * inverse, height / dot(down, down), height * 0.5f);
+    }
 };
 
 // Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the
