@@ -6,6 +6,7 @@
 //   1 2 3        draft, play, film          ESC           leave
 #include "base/gl.h"
 #include "base/maths.h"
+#include "host/library.h"
 #include "host/machine.h"
 #include "host/threads.h"
 #include "intro.h"
@@ -133,10 +134,8 @@ int main(int argc, char **argv) {
     glfwMakeContextCurrent(window);
     glfwSetKeyCallback(window, onKey);
     Gl gl;
-    void **table = (void **)&gl;
-#define ODRAZ_FIND(name) *table++ = (void *)glfwGetProcAddress(#name);
-    ODRAZ_GL(ODRAZ_FIND)
-    gl.glClipControl = (PFNGLCLIPCONTROLPROC)glfwGetProcAddress("glClipControl");
+    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, gl))
+        return fail("no OpenGL 3.3 on this display");
     size_t bytes = memoryNeeded(o.width, o.height, workers.count, true);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     static Intro intro;

@@ -1,5 +1,5 @@
 // Hemicubes against closed forms; what they must not see; sums and furnaces.
-#include "headless_gl.h"
+#include "lens.h"
 #include "radiosity/solve.h"
 #include "room.h"
 
@@ -17,27 +17,16 @@ struct Bench {
     HeapArena memory{(size_t)200 << 20};
     Workers workers = serialWorkers();
     std::unique_ptr<Model> model = std::make_unique<Model>();
-    Hemicubes h = {};
-    std::vector<float> delta;
+    std::unique_ptr<Lens> lens;
 
     void open(int px, int block) {
         EXPECT_TRUE(model->divide(memory.arena, workers, block));
-        EXPECT_TRUE(openHemicubes(h, headlessGl(), memory.arena, px));
-        delta.resize((size_t)(3 * px * px));
-        deltaFormFactors(px, delta.data());
+        lens = std::make_unique<Lens>(px);
     }
-    ~Bench() {
-        if (h.gl) closeHemicubes(h);
-    }
-    // The form factors of one place; `dark` gets what saw nothing.
-    std::vector<double> row(const Eye &eye, double *dark = nullptr) {
-        drawHemicubes(h, *model, &eye, 1);
-        std::vector<float> row((size_t)model->patchCount);
-        double left = (double)sumHemicube(h, 0, delta.data(), row.data());
-        if (dark) *dark = left;
-        return {row.begin(), row.end()};
-    }
+    Hemicubes &hemicubes() { return lens->h; }
+    std::vector<float> row(const Eye &eye, double *dark = nullptr) { return lens->row(*model, eye, dark); }
     std::set<uint32_t> seen(const Eye &eye) {
+        Hemicubes &h = hemicubes();
         drawHemicubes(h, *model, &eye, 1);
         std::set<uint32_t> ids;
         for (int y = 0; y < 3 * h.px; ++y)
@@ -58,10 +47,9 @@ double between(Bench &b, int turn) {
         for (int i = 0; i < count; ++i)
             eyes[i] = hemicubeEye(m.patches[from.firstPatch + first + i].p, from.n,
                                   (uint32_t)(first + i + 1000 * turn));
-        drawHemicubes(b.h, m, eyes, count);
+        drawHemicubes(b.hemicubes(), m, eyes, count);
         for (int i = 0; i < count; ++i) {
-            std::vector<float> row((size_t)m.patchCount);
-            sumHemicube(b.h, i, b.delta.data(), row.data());
+            std::vector<float> row = b.lens->row(m, i);
             for (int k = 0; k < to.patchesAcross() * to.patchesDown(); ++k)
                 sum += (double)row[(size_t)(to.firstPatch + k)];
         }
@@ -172,7 +160,8 @@ TEST(ClosedRoom, RowsSumToOne) {
         const Patch &p = b.model->patches[i];
         if (p.share == 0) continue;
         double dark, sum = 0;
-        for (double f : b.row(hemicubeEye(p.p, b.model->charts[p.chart].n, (uint32_t)i), &dark)) sum += f;
+        for (float f : b.row(hemicubeEye(p.p, b.model->charts[p.chart].n, (uint32_t)i), &dark))
+            sum += (double)f;
         EXPECT_EQ(dark, 0) << i;
         EXPECT_NEAR(sum, 1, 1e-6) << i;
     }
@@ -215,7 +204,7 @@ TEST(Depth, UsesClipControlWhereItIs) {
     addRoom(*b.model, {-1, -1, -1}, {1, 1, 1}, 0.5f);
     b.open(32, 1);
     const char *override = getenv("MESA_EXTENSION_OVERRIDE");
-    EXPECT_EQ(b.h.clipControl, !(override && strstr(override, "-GL_ARB_clip_control")));
+    EXPECT_EQ(b.hemicubes().clipControl, !(override && strstr(override, "-GL_ARB_clip_control")));
 }
 
 // Two walls a hair apart, far away: the nearer one must win in every pixel.
@@ -242,7 +231,7 @@ TEST(Furnace, ComesOutEven) {
         FormFactors f = {};
         f.capacity = 1 << 20;
         f.links = b.memory.arena.take<Link>(f.capacity);
-        ASSERT_TRUE(findFormFactors(b.h, *b.model, reflects, b.workers, b.memory.arena, f, {}));
+        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, reflects, b.workers, b.memory.arena, f, {}));
         System s;
         ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));
         for (int i = 0; i < b.model->patchCount; ++i)

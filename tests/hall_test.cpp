@@ -1,6 +1,6 @@
 // The film's hall: its form factors against rays, its light over the day, and its bounces.
 #include "base/random.h"
-#include "headless_gl.h"
+#include "lens.h"
 #include "show/hall.h"
 #include "show/materials.h"
 #include "trace/whitted.h"
@@ -38,19 +38,14 @@ TEST(Hall, FitsWithRoomToSpare) {
 TEST(Hall, IsClosed) {
     Solved &s = solved();
     const Model &m = s.hall->model;
-    HeapArena memory(hemicubeBytes(64));
-    Hemicubes h;
-    ASSERT_TRUE(openHemicubes(h, headlessGl(), memory.arena, 64));
-    std::vector<float> delta(3 * 64 * 64), row((size_t)m.patchCount);
-    deltaFormFactors(64, delta.data());
+    Lens lens(64);
     double worst = 0;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         if (p.share == 0 || m.charts[p.chart].open) continue;
         Eye eye = hemicubeEye(p.p, m.charts[p.chart].n, (uint32_t)i);
-        drawHemicubes(h, m, &eye, 1);
-        std::fill(row.begin(), row.end(), 0.f);
-        double dark = (double)sumHemicube(h, 0, delta.data(), row.data());
+        double dark;
+        std::vector<float> row = lens.row(m, eye, &dark);
         double sum = 0;
         for (float f : row) sum += (double)f;
         EXPECT_NEAR(sum + dark, 1, 1e-6);
@@ -59,18 +54,13 @@ TEST(Hall, IsClosed) {
         worst = std::fmax(worst, dark);
     }
     std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
-    closeHemicubes(h);
 }
 
 // Another method: rays by the cosine law, traced through the scene.
 TEST(Hall, HemicubesAgreeWithRays) {
     Solved &s = solved();
     const Model &m = s.hall->model;
-    HeapArena memory(hemicubeBytes(64));
-    Hemicubes h;
-    ASSERT_TRUE(openHemicubes(h, headlessGl(), memory.arena, 64));
-    std::vector<float> delta(3 * 64 * 64);
-    deltaFormFactors(64, delta.data());
+    Lens lens(64);
     double square = 0, noise = 0;
     int compared = 0;
     for (int i = 7; i < m.patchCount; i += m.patchCount / 60) {
@@ -78,9 +68,7 @@ TEST(Hall, HemicubesAgreeWithRays) {
         const Chart &c = m.charts[p.chart];
         if (p.share == 0 || c.open) continue;
         Eye eye = hemicubeEye(p.p, c.n, (uint32_t)i);
-        drawHemicubes(h, m, &eye, 1);
-        std::vector<float> row((size_t)m.patchCount);
-        sumHemicube(h, 0, delta.data(), row.data());
+        std::vector<float> row = lens.row(m, eye);
         // By charts; windows together: rays that meet nothing leave through one
         std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
         for (int k = 0; k < m.patchCount; ++k) {
@@ -117,7 +105,6 @@ TEST(Hall, HemicubesAgreeWithRays) {
     std::printf("hemicubes against rays: rms %.5f, the rays' own noise at most %.5f\n",
                 std::sqrt(square / compared), std::sqrt(noise / compared));
     EXPECT_LT(square, noise);
-    closeHemicubes(h);
 }
 
 // The hall a thousand times smaller and larger: the same light, to the rounding of its coordinates.

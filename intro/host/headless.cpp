@@ -34,8 +34,7 @@ const char *openHeadlessGl(Gl &gl) {
     EGLContext context = egl.eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kVersion);
     if (!context || !egl.eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return kMissing;
     auto find = [](const char *name) { return (void *)egl.eglGetProcAddress(name); };
-    gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
-    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&gl) ? kMissing : nullptr;
+    return findGl(find, gl) ? kMissing : nullptr;
 }
 
 } // namespace odraz

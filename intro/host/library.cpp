@@ -28,4 +28,9 @@ const char *findFunctions(void *(*find)(const char *), const char *names, void *
     return nullptr;
 }
 
+const char *findGl(void *(*find)(const char *), Gl &gl) {
+    gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
+    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&gl);
+}
+
 } // namespace odraz

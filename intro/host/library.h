@@ -1,6 +1,8 @@
 // Shared libraries, opened by name when they are needed: a missing one is a sentence, not a loader's error.
 #pragma once
 
+#include "base/gl.h"
+
 #include <stddef.h>
 
 namespace odraz {
@@ -11,6 +13,9 @@ const char *loadFunctions(const char *soname, const char *names, void **table);
 
 // The same, from an already known way to find a function.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
+
+// The table of OpenGL, from a context's way to find its functions. glClipControl may be missing.
+const char *findGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)
 #define ODRAZ_MEMBER(name) decltype(&::name) name;

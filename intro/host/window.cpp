@@ -185,8 +185,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     auto find = [](const char *name) {
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
-    if (findFunctions(find, ODRAZ_GL(ODRAZ_NAME), (void **)&window.gl)) return kNoGl;
-    window.gl.glClipControl = (PFNGLCLIPCONTROLPROC)find("glClipControl");
+    if (findGl(find, window.gl)) return kNoGl;
     if (startThread(listen, &w))
         return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
     return nullptr;
