@@ -1,5 +1,6 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "dump.h"
+#include "early.h"
 #include "host/files.h"
 #include "host/headless.h"
 #include "host/machine.h"
@@ -12,7 +13,6 @@ using namespace odraz;
 namespace {
 
 Intro theIntro;
-int theViewerLeft;
 
 int say(const char *text, int size) {
     const char *wrong = writeAll(1, text, (size_t)size);
@@ -38,7 +38,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     auto refuseOrComplain = o.dump ? complain : refuse;
     Workers workers;
     int count = o.threads ? o.threads : cpuCount();
-    if (const char *missing = startWorkers(workers, count, &theViewerLeft)) {
+    if (const char *missing = startWorkers(workers, count, &theEarly.viewerLeft)) {
         Message m;
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
         return refuseOrComplain(m.data);
@@ -57,13 +57,15 @@ int run(int argc, char **argv, bool stdoutClosed) {
 
     // Play: the window comes first, and shows how far loading is
     if (!o.dump) {
-        FilmWindow window;
-        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theViewerLeft))
-            return refuse(wrong);
+        FilmWindow &window = theEarly.window;
+        float loaded = theEarly.opened ? kEarlyShare : 0;
+        if (!theEarly.opened)
+            if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
+                return refuse(wrong);
         const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts,
-                                 hall ? &window.gl : nullptr, {showLoading, &window});
-        if (theViewerLeft) return 0;
-        return wrong ? refuse(wrong) : play(theIntro, o, window, &theViewerLeft, began);
+                                 hall ? &window.gl : nullptr, {showLoading, &window, loaded});
+        if (theEarly.viewerLeft) return 0;
+        return wrong ? refuse(wrong) : play(theIntro, o, window, &theEarly.viewerLeft, began);
     }
     Gl gl;
     if (hall)

@@ -1,38 +1,78 @@
-// Decoding: the format's definition. The stub and the packer's own check run this very code.
+// Decoding: the format's definition. What encodes differs only in the coder, which then knows the bits and
+// writes them down.
 #pragma once
 
 #include "model.h"
+#include "x86.h"
 
 namespace pack {
 
-// Binary arithmetic coding over the 32-bit interval [low, high]; leading bytes leave when they agree (as in
-// lpaq). The model must be zeroed.
-__attribute__((always_inline)) static inline void decode(const uint8_t *in, uint8_t *out, uint32_t size,
-                                                         Model &model) {
-    uint32_t low = 0, high = 0xffffffffu, code = 0;
-    for (int i = 0; i < 4; ++i) code = code << 8 | *in++;
-    uint64_t before = 0;
-    for (uint8_t *end = out + size; out != end; ++out) {
-        uint32_t bits = 1;
-        while (bits < 256) {
-            Prediction q;
-            predict(model, before, bits, q);
-            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * q.share >> 16);
-            int bit = code <= middle;
-            if (bit)
-                high = middle;
-            else
-                low = middle + 1;
-            learn(q, bit);
-            bits = bits * 2 + (uint32_t)bit;
-            while ((low ^ high) < 1u << 24) {
-                low <<= 8;
-                high = high << 8 | 255;
-                code = code << 8 | *in++;
-            }
+// What is decoded: a program's bytes, of which one stretch is code.
+struct Layout {
+    uint32_t size, codeBegin, codeSize;
+};
+
+constexpr uint32_t kPast = 8; // zeros that stand for the bytes before the first one
+
+inline uint64_t modelMemory(const Shape &shape, uint32_t size) {
+    return sizeof(Model) + (sizeof(Slot) << shape.slotBits) + kPast + size;
+}
+
+// Binary range decoding: the code's place within the range, which is kept above 2^24 (as in LZMA).
+struct Decoder {
+    const uint8_t *in;
+    uint32_t range = 1, code = 0; // the first call fetches three bytes
+
+    // The next bit, whose probability of being a one is share / 2^20.
+    uint32_t bit(uint32_t share) {
+        for (; range < 1u << 24; range <<= 8) code = code << 8 | *in++;
+        uint32_t ones = (uint32_t)((uint64_t)range * share >> 20);
+        if (code < ones) {
+            range = ones;
+            return 1;
         }
-        *out = (uint8_t)bits;
-        before = before << 8 | (uint8_t)bits;
+        range -= ones;
+        code -= ones;
+        return 0;
+    }
+};
+
+// Writes `image` from the coder's bits. Operands that name addresses relative to the next instruction are
+// coded as offsets from the start of the image, high byte first, so that one target looks the same wherever
+// it is named. `memory`: modelMemory() bytes of zeros, aligned to 16.
+template <class Coder>
+void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, uint8_t *image) {
+    Model &m = *(Model *)memory;
+    Slot *slots = (Slot *)(&m + 1);
+    uint8_t *now = (uint8_t *)(slots + (1u << shape.slotBits)) + kPast; // bytes as they were coded
+    uint32_t fields[kFields] = {};
+    Parser parser = {};
+    expandOpcodes(m.opcodes);
+    float *weights = (float *)m.finalWeights;
+    for (uint32_t i = 0; i < kSets + kSets * kRows * kInputs4 * 4; ++i) weights[i] = kFirstWeight;
+
+    for (uint32_t i = 0; i < layout.size; ++i) {
+        for (uint32_t k = kByte1; k <= kByte6; ++k) fields[k] = *(now - k);
+        fields[kWhere] = parser.left << 3 | parser.phase;
+        fields[kColumn] = i & 3;
+        uint32_t data = i - layout.codeBegin >= layout.codeSize;
+        begin(m, shape, fields, data);
+        uint32_t bits = 1;
+        do {
+            uint32_t bit = coder.bit(predict(m, shape, slots, bits));
+            learn(m, shape, bit);
+            bits = bits * 2 + bit;
+        } while (bits < 256);
+        uint8_t byte = (uint8_t)bits;
+        end(m, shape, byte);
+        *now++ = image[i] = byte;
+        if (data) continue;
+        if (uint32_t behind = parser.step(fields, byte, m.opcodes)) {
+            uint32_t value;
+            __builtin_memcpy(&value, image + i - 3, 4);
+            value = __builtin_bswap32(value) - (i + behind);
+            __builtin_memcpy(image + i - 3, &value, 4);
+        }
     }
 }
 

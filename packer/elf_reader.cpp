@@ -1,18 +1,13 @@
 #include "program.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <elf.h>
 
 namespace pack {
 
 namespace {
-
-constexpr uint64_t kMost = 64 << 20; // no program of ours is larger
-
-void need(bool condition, const char *otherwise) {
-    if (!condition) throw Unsuitable(otherwise);
-}
 
 // The file, read with bounds.
 struct Reader {
@@ -78,7 +73,7 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     std::sort(loads.begin(), loads.end(), [](auto &a, auto &b) { return a.p_vaddr < b.p_vaddr; });
     uint64_t end = 0, fileEnd = 0, codeEnd = 0, firstWritten = UINT64_MAX;
     for (const Elf64_Phdr &h : loads) {
-        need(h.p_vaddr < UINT32_MAX && h.p_memsz <= kMost && h.p_filesz <= h.p_memsz,
+        need(h.p_vaddr < UINT32_MAX && h.p_memsz <= kMostMemory && h.p_filesz <= h.p_memsz,
              "a segment of an absurd size or address");
         need(h.p_offset <= in.file.size() && h.p_filesz <= in.file.size() - h.p_offset,
              "cut short: a segment's bytes are missing");
@@ -94,13 +89,13 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     uint64_t base = loads[0].p_vaddr & ~(kPage - 1), writtenPage = firstWritten & ~(kPage - 1);
     need(base >= 0x210000,
          "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
-    need(end - base <= kMost, "its segments lie too far apart");
+    need(end - base <= kMostMemory, "its segments lie too far apart");
     need(codeEnd <= writtenPage, "writable data shares a page with code or lies before it: link data behind "
                                  "code, on a page of its own");
     program.base = (uint32_t)base;
     program.span = (uint32_t)(end - base);
     program.bytes.assign(fileEnd - base, 0);
-    program.codeSize = (uint32_t)wholePages(codeEnd - base);
+    program.readOnly = (uint32_t)wholePages(codeEnd - base);
     for (const Elf64_Phdr &h : loads)
         std::copy_n(in.file.begin() + (long)h.p_offset, h.p_filesz,
                     program.bytes.begin() + (long)(h.p_vaddr - base));
@@ -158,18 +153,67 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
         need(name == "dlopen" || name == "dlsym", "it must import dlopen and dlsym and nothing else");
         need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
              "an import is not of type GLOB_DAT");
-        need(r.r_offset >= program.base + program.codeSize && r.r_offset + 8 <= program.base + program.span,
+        need(r.r_offset >= program.base + program.readOnly && r.r_offset + 8 <= program.base + program.span,
              "an import's slot is not in writable memory");
         program.slots[name == "dlsym"] = (uint32_t)r.r_offset;
         found[name == "dlsym"] = true;
     }
     need(found[0] && found[1], "it must import both dlopen and dlsym");
+    need(program.slots[0] + 8 == program.slots[1] || program.slots[1] + 8 == program.slots[0],
+         "the slots of its two imports do not lie side by side: link it without other GOT entries");
     memory.wipe(relocations, relocationSize);
     memory.wipe(symbols, 3 * sizeof(Elf64_Sym));
     memory.wipe(strings, stringSize);
     if (hash)
         memory.wipe(hash, 4 * (2 + uint64_t(memory.at<uint32_t>(hash)) + memory.at<uint32_t>(hash + 4)));
     memory.wipe(dynamic.p_vaddr, dynamic.p_memsz);
+}
+
+// Where the instructions are and what is to run early, by the section headers if there are any.
+void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<Elf64_Phdr> &headers,
+                  Program &program) {
+    uint64_t begin = UINT64_MAX, end = 0, afterEarly = UINT64_MAX;
+    auto extend = [&](uint64_t address, uint64_t size) {
+        begin = std::min(begin, address);
+        end = std::max(end, address + size);
+    };
+    program.early = kNothingEarly;
+    const char *cut = "cut short: its section headers are incomplete";
+    need(header.e_shnum == 0 || header.e_shentsize == sizeof(Elf64_Shdr),
+         "its section headers make no sense");
+    auto section = [&](uint64_t i) {
+        return in.at<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr), cut);
+    };
+    Elf64_Shdr names = {};
+    if (header.e_shnum) names = section(header.e_shstrndx);
+    for (int i = 0; i < header.e_shnum; ++i) {
+        Elf64_Shdr s = section((uint64_t)i);
+        if (!(s.sh_flags & SHF_ALLOC) || !s.sh_size) continue;
+        need(s.sh_addr >= program.base && s.sh_size <= kMostMemory &&
+                 s.sh_addr + s.sh_size <= program.base + program.span,
+             "a section lies outside the segments");
+        if (s.sh_flags & SHF_EXECINSTR) extend(s.sh_addr, s.sh_size);
+        auto name = in.at<std::array<char, 7>>(names.sh_offset + s.sh_name, cut);
+        if (!std::memcmp(name.data(), ".early", 7)) {
+            program.early = (uint32_t)wholePages(s.sh_addr + s.sh_size - program.base);
+            program.earlyEntry = (uint32_t)s.sh_addr;
+        }
+    }
+    for (int i = 0; i < header.e_shnum && program.early != kNothingEarly; ++i) {
+        Elf64_Shdr s = section((uint64_t)i);
+        if (s.sh_flags & SHF_ALLOC && s.sh_addr > program.earlyEntry)
+            afterEarly = std::min(afterEarly, s.sh_addr);
+    }
+    need(program.early == kNothingEarly ||
+             (afterEarly >= program.base + program.early && program.early <= program.readOnly),
+         "its section .early does not end on a page of its own");
+    if (!end)
+        for (const Elf64_Phdr &h : headers)
+            if (h.p_type == PT_LOAD && h.p_flags & PF_X) extend(h.p_vaddr, h.p_filesz);
+    program.codeBegin = (uint32_t)(begin - program.base);
+    uint64_t all = program.bytes.size();
+    program.codeSize =
+        program.codeBegin < all ? (uint32_t)(std::min(end - program.base, all) - program.codeBegin) : 0;
 }
 
 } // namespace
@@ -189,7 +233,7 @@ Program readProgram(const std::vector<uint8_t> &file) {
     Memory memory = {program};
     need(memory.text(interpreter->p_vaddr) == kInterpreter,
          "its interpreter is not /lib64/ld-linux-x86-64.so.2");
-    need(header.e_entry >= program.base && header.e_entry < program.base + program.codeSize,
+    need(header.e_entry >= program.base && header.e_entry < program.base + program.readOnly,
          "its entry point lies outside its code");
     program.entry = (uint32_t)header.e_entry;
     readDynamic(*dynamic, program);
@@ -200,6 +244,8 @@ Program readProgram(const std::vector<uint8_t> &file) {
             memory.wipe(h.p_vaddr, sizeof(Elf64_Ehdr));
             memory.wipe(h.p_vaddr + header.e_phoff, (uint64_t)header.e_phnum * sizeof(Elf64_Phdr));
         }
+    while (program.bytes.size() > 1 && !program.bytes.back()) program.bytes.pop_back();
+    readSections(in, header, headers, program);
     return program;
 }
 

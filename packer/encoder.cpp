@@ -1,48 +1,149 @@
 #include "encoder.h"
 
-#include "decoder.h"
-
-#include <memory>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
 
 namespace pack {
 
-std::vector<uint8_t> encode(const std::vector<uint8_t> &bytes) {
-    auto model = std::make_unique<Model>();
-    std::vector<uint8_t> out;
-    uint32_t low = 0, high = 0xffffffffu;
-    uint64_t before = 0;
-    for (uint8_t byte : bytes) {
-        uint32_t bits = 1;
-        for (int i = 7; i >= 0; --i) {
-            Prediction q;
-            predict(*model, before, bits, q);
-            uint32_t middle = low + (uint32_t)((uint64_t)(high - low) * q.share >> 16);
-            int bit = byte >> i & 1;
-            if (bit)
-                high = middle;
-            else
-                low = middle + 1;
-            learn(q, bit);
-            bits = bits * 2 + (uint32_t)bit;
-            while ((low ^ high) < 1u << 24) {
-                out.push_back((uint8_t)(high >> 24));
-                low <<= 8;
-                high = high << 8 | 255;
-            }
-        }
-        before = before << 8 | byte;
+namespace {
+
+// Hands out the bits of bytes that are known.
+struct Known {
+    const uint8_t *bytes;
+    uint32_t position = 0;
+
+    uint32_t next() {
+        uint32_t bit = bytes[position >> 3] >> (~position & 7) & 1;
+        ++position;
+        return bit;
     }
-    // Any number in the interval ends it; the decoder reads four bytes ahead
-    for (int shift = 24; shift >= 0; shift -= 8) out.push_back((uint8_t)(high >> shift));
+};
+
+double cost(uint32_t bit, uint32_t share) {
+    return -std::log2((bit ? share : (1 << 20) - share) / 1048576.0);
+}
+
+// The mirror of Decoder. `low` is where the range starts, below what is already out.
+struct Encoder {
+    Known known;
+    Encoded &to;
+    uint64_t low = 0;
+    uint32_t range = 1 << 24;
+    bool started = false;
+
+    uint32_t bit(uint32_t share) {
+        for (; range < 1u << 24; range <<= 8) shift();
+        uint32_t at = known.position >> 3, bit = known.next();
+        to.bits[at] += (float)cost(bit, share);
+        uint32_t ones = (uint32_t)((uint64_t)range * share >> 20);
+        if (bit)
+            range = ones;
+        else {
+            low += ones;
+            range -= ones;
+        }
+        return bit;
+    }
+    // The highest of four bytes leaves. The very first is always zero and not written.
+    void shift() {
+        if (low >> 32)
+            for (auto byte = to.payload.rbegin(); ++*byte == 0; ++byte) {
+            }
+        if (started) to.payload.push_back((uint8_t)(low >> 24));
+        started = true;
+        low = (low & 0xffffff) << 8;
+    }
+    // Two bytes such that whatever follows them lies within the range
+    void finish() {
+        low += 0xffff;
+        shift();
+        shift();
+    }
+};
+
+struct TooMuch {};
+
+struct Meter {
+    Known known;
+    double enough, bits = 0;
+
+    uint32_t bit(uint32_t share) {
+        uint32_t bit = known.next();
+        bits += cost(bit, share);
+        if (bits > enough) throw TooMuch{};
+        return bit;
+    }
+};
+
+// Decoder, but careful.
+struct CarefulDecoder {
+    const uint8_t *in, *end;
+    Decoder inner{nullptr};
+
+    uint32_t bit(uint32_t share) {
+        uint8_t next[3] = {};
+        size_t count = std::min<size_t>(3, (size_t)(end - in));
+        std::copy_n(in, count, next);
+        inner.in = next;
+        uint32_t bit = inner.bit(share);
+        in += std::min(count, (size_t)(inner.in - next));
+        return bit;
+    }
+};
+
+} // namespace
+
+void *Workspace::zeroed(const Shape &shape, uint32_t size) {
+    memory.assign(modelMemory(shape, size) / sizeof(Float4) + 1, Float4{});
+    return memory.data();
+}
+
+std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout) {
+    std::vector<uint8_t> out = image;
+    uint8_t opcodes[1024];
+    expandOpcodes(opcodes);
+    Parser parser = {};
+    uint32_t fields[kFields] = {};
+    for (uint32_t i = layout.codeBegin; i < layout.codeBegin + layout.codeSize; ++i)
+        if (uint32_t behind = parser.step(fields, image[i], opcodes)) {
+            uint32_t value;
+            std::memcpy(&value, &out[i - 3], 4);
+            value = __builtin_bswap32(value + i + behind);
+            std::memcpy(&out[i - 3], &value, 4);
+        }
     return out;
 }
 
-std::vector<uint8_t> decodeAgain(const std::vector<uint8_t> &coded, size_t size) {
-    auto model = std::make_unique<Model>();
-    std::vector<uint8_t> out(size), padded = coded;
-    padded.resize(coded.size() + size + 8); // damaged input may ask for more than there is
-    decode(padded.data(), out.data(), (uint32_t)size, *model);
-    return out;
+Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const Shape &shape,
+               Workspace &workspace) {
+    Encoded encoded;
+    encoded.bits.resize(image.size());
+    std::vector<uint8_t> bytes = filter(image, layout), back(image.size());
+    Encoder encoder{{bytes.data()}, encoded};
+    run(encoder, layout, shape, workspace.zeroed(shape, layout.size), back.data());
+    encoder.finish();
+    return encoded;
+}
+
+double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &shape,
+               Workspace &workspace, double enough) {
+    std::vector<uint8_t> back(filtered.size());
+    Meter meter{{filtered.data()}, enough * 8};
+    try {
+        run(meter, layout, shape, workspace.zeroed(shape, layout.size), back.data());
+    } catch (const TooMuch &) {
+        return enough;
+    }
+    return meter.bits / 8;
+}
+
+std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
+                            const Shape &shape, Workspace &workspace) {
+    std::vector<uint8_t> image(layout.size);
+    CarefulDecoder decoder{payload, payload + payloadSize};
+    run(decoder, layout, shape, workspace.zeroed(shape, layout.size), image.data());
+    return image;
 }
 
 } // namespace pack

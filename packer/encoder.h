@@ -1,15 +1,37 @@
-// Encoding: the mirror of decoder.h.
+// Encoding a program's bytes, with the decoder's own model.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
+#include "decoder.h"
+
 #include <vector>
 
 namespace pack {
 
-std::vector<uint8_t> encode(const std::vector<uint8_t> &bytes);
+// Zeroed memory for the model, kept from one run to the next.
+class Workspace {
+public:
+    void *zeroed(const Shape &shape, uint32_t size);
 
-// Decodes with the stub's code; for checking.
-std::vector<uint8_t> decodeAgain(const std::vector<uint8_t> &coded, std::size_t size);
+private:
+    std::vector<Float4> memory;
+};
+
+// The bytes as they are coded: relative operands made absolute.
+std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout);
+
+struct Encoded {
+    std::vector<uint8_t> payload;
+    std::vector<float> bits; // what each byte of the image costs
+};
+Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const Shape &shape,
+               Workspace &workspace);
+
+// The payload's size in bytes, without making it. Gives up at `enough`, and returns that then.
+double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &shape,
+               Workspace &workspace, double enough = 1e30);
+
+// Decodes with the C++ model. Never reads behind the payload: what is missing reads as zeros.
+std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
+                            const Shape &shape, Workspace &workspace);
 
 } // namespace pack

@@ -1,105 +1,191 @@
-// pack: makes a small self-unpacking executable out of a freestanding one.
-#include "encoder.h"
-#include "filter.h"
+// pack: makes a small self-unpacking executable out of a freestanding one, and takes it apart again.
+#include "files.h"
 #include "program.h"
+#include "report.h"
+#include "search.h"
+#include "shape.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 namespace {
 
-constexpr char kUsage[] = "usage: pack IN.elf -o OUT [--budget BYTES=65536]";
+constexpr char kUsage[] =
+    "usage: pack IN.elf -o OUT [OPTION...]   pack it\n"
+    "       pack --test FILE                 decode a packed file and say whether it is whole\n"
+    "       pack -d FILE -o OUT              the program in a packed file, not packed\n"
+    "--budget BYTES                how large OUT may be; 65536\n"
+    "--effort fast|normal|best|SECONDS   how long to search for contexts that suit the program; fast: not at "
+    "all\n"
+    "--model FILE                  start with the contexts in FILE, not with ordinary ones\n"
+    "--save-model FILE             keep the contexts used\n"
+    "--map FILE                    the linker's map, to tell what each object costs\n"
+    "--report FILE                 what each section, object and symbol costs, as JSON\n";
 
-int refuse(const std::string &line, int status) {
-    std::fprintf(stderr, "pack: %s\n", line.c_str());
-    return status;
+struct Options {
+    const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
+               *map = nullptr, *saveModel = nullptr, *report = nullptr;
+    long budget = 65536;
+    double seconds = 0;
+};
+
+// A line for the user and the status to end with.
+struct Refusal {
+    std::string line;
+    int status;
+};
+
+std::vector<uint8_t> read(const char *path) {
+    std::vector<uint8_t> bytes;
+    if (!pack::readFile(path, bytes))
+        throw Refusal{std::string("cannot read ") + path + ": " + std::strerror(errno), 2};
+    return bytes;
+}
+std::string readText(const char *path) {
+    std::vector<uint8_t> bytes = read(path);
+    return {bytes.begin(), bytes.end()};
+}
+void write(const char *path, const void *bytes, size_t size, bool executable) {
+    if (!pack::writeFile(path, bytes, size, executable))
+        throw Refusal{std::string("cannot write ") + path + ": " + std::strerror(errno), 2};
+}
+void write(const char *path, const std::string &text) { write(path, text.data(), text.size(), false); }
+
+bool parseNumber(const char *text, double &value) {
+    char *end;
+    value = std::strtod(text, &end);
+    return end != text && !*end && value >= 0 && value < 1e9;
 }
 
-bool readFile(const char *path, std::vector<uint8_t> &bytes) {
-    std::FILE *f = std::fopen(path, "rb");
-    if (!f) return false;
-    uint8_t buffer[65536];
-    while (size_t n = std::fread(buffer, 1, sizeof buffer, f)) bytes.insert(bytes.end(), buffer, buffer + n);
-    bool good = !std::ferror(f);
-    std::fclose(f);
-    return good;
-}
-
-// Beside the target first, so that it is never half-written.
-bool writeExecutable(const std::string &path, const std::vector<uint8_t> &bytes) {
-    std::string part = path + ".part";
-    int fd = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0777);
-    if (fd < 0) return false;
-    size_t done = 0;
-    while (done < bytes.size()) {
-        ssize_t n = write(fd, bytes.data() + done, bytes.size() - done);
-        if (n < 0) break;
-        done += (size_t)n;
+Options parse(int argc, char **argv) {
+    Options o;
+    for (int i = 1; i < argc; ++i) {
+        std::string word = argv[i];
+        struct {
+            const char *name, **value;
+        } files[] = {{"-o", &o.out},
+                     {"--test", &o.test},
+                     {"-d", &o.unpack},
+                     {"--model", &o.model},
+                     {"--save-model", &o.saveModel},
+                     {"--map", &o.map},
+                     {"--report", &o.report}};
+        bool taken = false;
+        for (auto &file : files)
+            if (word == file.name && i + 1 < argc && !*file.value) {
+                *file.value = argv[++i];
+                taken = true;
+            }
+        if (taken) continue;
+        double number;
+        if (word == "--help") {
+            std::fputs(kUsage, stdout);
+            std::exit(0);
+        } else if (word == "--budget" && i + 1 < argc) {
+            if (!parseNumber(argv[++i], number) || number != (long)number)
+                throw Refusal{std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2};
+            o.budget = (long)number;
+        } else if (word == "--effort" && i + 1 < argc) {
+            std::string effort = argv[++i];
+            if (!parseNumber(argv[i], number))
+                number = effort == "fast" ? 0 : effort == "normal" ? 30 : effort == "best" ? 900 : -1;
+            if (number < 0)
+                throw Refusal{
+                    "--effort needs fast, normal, best or a number of seconds, not '" + effort + "'", 2};
+            o.seconds = number;
+        } else if (argv[i][0] != '-' && !o.in)
+            o.in = argv[i];
+        else
+            throw Refusal{"cannot use '" + word + "'; see pack --help", 2};
     }
-    bool good = close(fd) == 0 && done == bytes.size() && rename(part.c_str(), path.c_str()) == 0;
-    if (!good) unlink(part.c_str());
-    return good;
+    int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
+    if (modes != 1 || !o.out != (o.test != nullptr))
+        throw Refusal{"it takes IN.elf -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
+    return o;
 }
 
-long sizeOf(const char *path) {
-    struct stat s;
-    return stat(path, &s) == 0 ? (long)s.st_size : -1;
+pack::Shape findShape(const Options &o, const pack::Program &program) {
+    pack::Shape shape = pack::defaultShape();
+    if (o.model) {
+        std::string wrong = pack::parseShape(readText(o.model), shape);
+        if (!wrong.empty()) throw Refusal{std::string(o.model) + ": " + wrong, 2};
+    }
+    if (o.seconds <= 0) return shape;
+    double shown = -1;
+    bool terminal = isatty(2);
+    auto show = [&](const pack::Progress &p) {
+        if (p.seconds < shown + (terminal ? 0.5 : 20)) return;
+        shown = p.seconds;
+        std::fprintf(stderr, "%ssearching: %.0f bytes after %d tries, %.0f of %.0f s%s", terminal ? "\r" : "",
+                     p.bytes, p.tried, p.seconds, o.seconds, terminal ? "" : "\n");
+    };
+    pack::Layout layout = program.layout();
+    shape = pack::search(pack::filter(program.bytes, layout), layout, shape, o.seconds, show);
+    if (terminal) std::fputc('\n', stderr);
+    return shape;
 }
 
-int run(const char *in, const char *out, long budget) {
-    std::vector<uint8_t> file;
-    if (!readFile(in, file)) return refuse(std::string("cannot read ") + in + ": " + std::strerror(errno), 2);
+void makePacked(const Options &o) {
+    std::vector<uint8_t> file = read(o.in);
     pack::Program program = pack::readProgram(file);
+    std::string map = o.map ? readText(o.map) : "";
+    pack::Shape shape = findShape(o, program);
 
-    // Filter, encode, and prove that the stub's code gives the program back
-    std::vector<uint8_t> filtered = program.bytes;
-    uint32_t code = std::min<uint32_t>(program.codeSize, (uint32_t)filtered.size());
-    pack::filterAddresses<true>(filtered.data(), code, program.span);
-    std::vector<uint8_t> payload = pack::encode(filtered);
-    std::vector<uint8_t> again = pack::decodeAgain(payload, filtered.size());
-    pack::filterAddresses<false>(again.data(), code, program.span);
-    if (again != program.bytes)
-        return refuse("the packed bytes do not decode to the program; nothing was written", 3);
+    // Encode, and prove that both decoders give the program back
+    pack::Workspace workspace;
+    pack::Layout layout = program.layout();
+    pack::Encoded encoded = pack::encode(program.bytes, layout, shape, workspace);
+    std::vector<uint8_t> packed = pack::writePacked(program, shape, encoded.payload);
+    if (pack::decodeWithStub(packed) != program.bytes || pack::readPacked(packed).bytes != program.bytes)
+        throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
-    std::vector<uint8_t> packed = pack::writePacked(program, payload);
-    long size = (long)packed.size(), before = sizeOf(out);
-    if (size > budget) return refuse("over budget by " + std::to_string(size - budget) + " bytes", 1);
-    if (!writeExecutable(out, packed))
-        return refuse(std::string("cannot write ") + out + ": " + std::strerror(errno), 2);
-    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", out, size, pack::overhead(),
+    pack::Report report =
+        pack::makeReport(file, map, program, encoded.bits, packed.size(), pack::overhead(shape));
+    std::fputs(pack::printReport(report).c_str(), stdout);
+    if (o.saveModel)
+        write(o.saveModel, "# contexts that suit " +
+                               std::string(o.in).substr(std::string(o.in).rfind('/') + 1) +
+                               ", found by pack --effort\n" + pack::printShape(shape));
+    if (o.report) write(o.report, pack::printJson(report));
+    long size = (long)packed.size(), before = pack::fileSize(o.out);
+    if (size > o.budget) throw Refusal{"over budget by " + std::to_string(size - o.budget) + " bytes", 1};
+    write(o.out, packed.data(), packed.size(), true);
+    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out, size, pack::overhead(shape),
                 program.bytes.size());
     if (before >= 0) std::printf(", before %ld (%+ld)", before, size - before);
-    std::printf(", %ld bytes left of %ld\n", budget - size, budget);
-    return 0;
+    std::printf(", %ld bytes left of %ld\n", o.budget - size, o.budget);
+}
+
+void run(const Options &o) {
+    const char *name = o.in ? o.in : o.test ? o.test : o.unpack;
+    try {
+        if (o.in) return makePacked(o);
+        std::vector<uint8_t> file = read(name);
+        pack::Program program = pack::readPacked(file);
+        if (o.test) {
+            std::printf("%s: whole; %zu bytes of a program of %u in memory\n", name, program.bytes.size(),
+                        program.span);
+            return;
+        }
+        std::vector<uint8_t> plain = pack::writePlain(program);
+        write(o.out, plain.data(), plain.size(), true);
+    } catch (const pack::Unsuitable &e) {
+        throw Refusal{std::string(name) + ": " + e.what(), 2};
+    }
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-    const char *in = nullptr, *out = nullptr;
-    long budget = 65536;
-    for (int i = 1; i < argc; ++i) {
-        if (!std::strcmp(argv[i], "--help")) return std::printf("%s\n", kUsage), 0;
-        if (!std::strcmp(argv[i], "-o") && i + 1 < argc && !out)
-            out = argv[++i];
-        else if (!std::strcmp(argv[i], "--budget") && i + 1 < argc) {
-            char *end;
-            budget = std::strtol(argv[++i], &end, 10);
-            if (*end || end == argv[i] || budget < 0)
-                return refuse(std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2);
-        } else if (argv[i][0] != '-' && !in)
-            in = argv[i];
-        else
-            return refuse(std::string("cannot use '") + argv[i] + "'; " + kUsage, 2);
-    }
-    if (!in || !out) return refuse(kUsage, 2);
     try {
-        return run(in, out, budget);
-    } catch (const pack::Unsuitable &e) {
-        return refuse(std::string(in) + ": " + e.what(), 2);
+        run(parse(argc, argv));
+        if (std::fflush(stdout))
+            throw Refusal{std::string("cannot write standard output: ") + std::strerror(errno), 2};
+    } catch (const Refusal &r) {
+        std::fprintf(stderr, "pack: %s\n", r.line.c_str());
+        return r.status;
     }
 }

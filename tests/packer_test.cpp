@@ -1,9 +1,8 @@
-#include "encoder.h"
-#include "filter.h"
 #include "program.h"
+#include "search.h"
+#include "shape.h"
 
 #include <cstring>
-#include <elf.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -14,15 +13,6 @@ using Bytes = std::vector<uint8_t>;
 
 namespace {
 
-Bytes filtered(Bytes b, uint32_t limit) {
-    filterAddresses<true>(b.data(), (uint32_t)b.size(), limit);
-    return b;
-}
-Bytes unfiltered(Bytes b, uint32_t limit) {
-    filterAddresses<false>(b.data(), (uint32_t)b.size(), limit);
-    return b;
-}
-
 Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
     std::mt19937 random(seed);
     Bytes b(size);
@@ -30,232 +20,266 @@ Bytes randomBytes(size_t size, unsigned seed, int alphabet = 256) {
     return b;
 }
 
+Bytes readAll(const char *path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// This test's own code, which is real.
+Bytes realCode(size_t size) {
+    Bytes all = readAll("/proc/self/exe");
+    size_t from = all.size() / 3;
+    return {all.begin() + (long)from, all.begin() + (long)(from + size)};
+}
+
+Layout allCode(const Bytes &b) { return {(uint32_t)b.size(), 0, (uint32_t)b.size()}; }
+
+// A shape for small memory, so that thousands of runs are quick.
+Shape smallShape(uint32_t slotBits = 14) {
+    Shape shape = defaultShape();
+    shape.slotBits = slotBits;
+    return shape;
+}
+
+Workspace workspace;
+
+// Decodes with the stub's code.
+Bytes decodeByStub(const Bytes &payload, const Layout &layout, const Shape &shape) {
+    Program program = {};
+    program.base = 0x400000;
+    program.span = 1 << 20;
+    program.early = kNothingEarly;
+    program.slots[0] = program.base;
+    program.slots[1] = program.base + 8;
+    program.bytes.resize(layout.size);
+    program.codeBegin = layout.codeBegin;
+    program.codeSize = layout.codeSize;
+    return decodeWithStub(writePacked(program, shape, payload));
+}
+
+// Every opcode of every map with every ModRM byte, and operands thick with extremes.
+Bytes structured(unsigned seed, size_t size) {
+    std::mt19937 random(seed);
+    static const Bytes starts[] = {{0xe8},
+                                   {0xe9},
+                                   {0x0f, 0x84},
+                                   {0x48, 0x8d, 0x05},
+                                   {0xc5, 0xf8, 0x28, 0x05},
+                                   {0xc4, 0xe2, 0x7d, 0x18, 0x0d},
+                                   {0x48, 0xb8},
+                                   {0x66, 0xc7, 0x05},
+                                   {0xf7, 0x05},
+                                   {0x0f, 0x3a, 0x0f, 0x04, 0x25},
+                                   {0x66, 0xe8},
+                                   {0x66, 0x0f, 0x85}};
+    Bytes b;
+    while (b.size() < size) {
+        if (random() % 3) {
+            const Bytes &s = starts[random() % std::size(starts)];
+            b.insert(b.end(), s.begin(), s.end());
+        } else
+            b.push_back((uint8_t)random());
+        uint32_t at = (uint32_t)b.size();
+        const uint32_t edges[] = {0,          1,       0xffffffff,  0x7fffffff,
+                                  0x80000000, 0u - at, 0u - at - 4, (uint32_t)random()};
+        uint32_t value = edges[random() % 8];
+        for (int i = 0; i < 4; ++i) b.push_back((uint8_t)(value >> 8 * i));
+    }
+    b.resize(size);
+    return b;
+}
+
 } // namespace
 
-// --- Filter ---
-
-TEST(Filter, MakesOneTargetLookTheSame) {
-    Bytes code(64, 0x90);
-    for (uint32_t at : {3u, 20u, 41u}) { // three calls of address 0x30
-        uint32_t displacement = 0x30 - (at + 5);
-        code[at] = 0xe8;
-        std::memcpy(&code[at + 1], &displacement, 4);
-    }
-    Bytes f = filtered(code, 64);
-    for (uint32_t at : {3u, 20u, 41u})
-        EXPECT_EQ(Bytes(f.begin() + at + 1, f.begin() + at + 5), (Bytes{0, 0, 0, 0x30}));
-}
-
-TEST(Filter, IsInvertibleOnAnyBytes) {
-    for (unsigned seed = 0; seed < 3000; ++seed) {
-        Bytes b = randomBytes(seed % 300, seed);
-        // Thick with calls, their values near the edges of what is mapped
-        std::mt19937 random(seed);
-        uint32_t limit = (uint32_t)b.size() + random() % 1000;
-        for (size_t i = 0; i + 5 <= b.size(); i += 1 + random() % 9) {
-            b[i] = 0xe8 | (random() & 1);
-            uint32_t edges[] = {0,
-                                limit,
-                                limit - 1,
-                                (uint32_t) - (int)(i + 5),
-                                (uint32_t) - (int)(i + 4),
-                                limit - (uint32_t)i - 5,
-                                0x7fffffff,
-                                0x80000000};
-            uint32_t v = edges[random() % 8];
-            std::memcpy(&b[i + 1], &v, 4);
-        }
-        ASSERT_EQ(unfiltered(filtered(b, limit), limit), b) << seed;
-        ASSERT_EQ(filtered(unfiltered(b, limit), limit), b) << seed;
-    }
-}
-
-// --- Coder ---
-
-TEST(Coder, GivesBackWhatItTook) {
-    std::vector<Bytes> all = {{}, {0}, {255}, Bytes(70000, 0), Bytes(5000, 0xe8)};
-    for (unsigned i = 0; i < 40; ++i) all.push_back(randomBytes(i * 37, i, i % 2 ? 256 : 3));
-    std::ifstream self("/proc/self/exe", std::ios::binary);
-    Bytes program((std::istreambuf_iterator<char>(self)), {});
-    program.resize(std::min<size_t>(program.size(), 60000));
-    all.push_back(program);
-    for (const Bytes &b : all) {
-        Bytes coded = encode(b);
-        ASSERT_EQ(decodeAgain(coded, b.size()), b) << b.size();
-    }
-}
-
-TEST(Coder, CompressesWhatHasStructure) {
-    EXPECT_LT(encode(Bytes(70000, 0)).size(), 160u);
-    EXPECT_LT(encode(randomBytes(20000, 1, 4)).size(), 20000u / 4 * 1.06);
-    EXPECT_LT(encode(randomBytes(5000, 1)).size(), 5000u * 1.06);
-}
-
-TEST(Coder, SurvivesDamage) {
-    Bytes b = randomBytes(3000, 9, 20), coded = encode(b);
-    for (size_t i = 0; i < coded.size(); i += 97) {
-        Bytes broken = coded;
-        broken[i] ^= 0x10;
-        EXPECT_EQ(decodeAgain(broken, b.size()).size(), b.size());
-    }
-    EXPECT_EQ(decodeAgain({}, 100).size(), 100u);
-}
-
-// --- Reader ---
+// --- Parser and filter ---
 
 namespace {
 
-// A minimal program as the reader wants it: code page, data page, and the dynamic section in the latter.
-struct Example {
-    struct Image {
-        Elf64_Ehdr header;
-        Elf64_Phdr segments[4];
-        char interpreter[28];
-        char code[64];
-    };
-    struct Data {
-        Elf64_Dyn dynamic[7];
-        Elf64_Sym symbols[3];
-        Elf64_Rela relocations[2];
-        char strings[32];
-        uint64_t slots[2];
-    };
-    Image image = {};
-    Data data = {};
-    static constexpr uint64_t kCode = 0x400000, kData = 0x401000;
-
-    Example() {
-        std::memcpy(image.header.e_ident, "\177ELF\2\1\1", 7);
-        image.header.e_type = ET_EXEC;
-        image.header.e_machine = EM_X86_64;
-        image.header.e_entry = kCode + offsetof(Image, code);
-        image.header.e_phoff = offsetof(Image, segments);
-        image.header.e_phentsize = sizeof(Elf64_Phdr);
-        image.header.e_phnum = 4;
-        auto segment = [](uint32_t type, uint32_t flags, uint64_t offset, uint64_t at, uint64_t file,
-                          uint64_t memory) {
-            return Elf64_Phdr{type, flags, offset, at, at, file, memory, 4096};
-        };
-        image.segments[0] = segment(PT_INTERP, PF_R, offsetof(Image, interpreter),
-                                    kCode + offsetof(Image, interpreter), 28, 28);
-        image.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, kCode, sizeof image, sizeof image);
-        image.segments[2] = segment(PT_LOAD, PF_R | PF_W, 4096, kData, sizeof data, sizeof data + 100);
-        image.segments[3] =
-            segment(PT_DYNAMIC, PF_R | PF_W, 4096, kData, sizeof data.dynamic, sizeof data.dynamic);
-        std::memcpy(image.interpreter, "/lib64/ld-linux-x86-64.so.2", 28);
-        std::memcpy(data.strings, "\0libdl.so.2\0dlopen\0dlsym", 25);
-        data.dynamic[0] = {DT_NEEDED, {1}};
-        data.dynamic[1] = {DT_STRTAB, {kData + offsetof(Data, strings)}};
-        data.dynamic[2] = {DT_SYMTAB, {kData + offsetof(Data, symbols)}};
-        data.dynamic[3] = {DT_RELA, {kData + offsetof(Data, relocations)}};
-        data.dynamic[4] = {DT_RELASZ, {sizeof data.relocations}};
-        data.dynamic[5] = {DT_STRSZ, {25}};
-        data.symbols[1].st_name = 12;
-        data.symbols[2].st_name = 19;
-        for (uint32_t i = 0; i < 2; ++i)
-            data.relocations[i] = {kData + offsetof(Data, slots) + 8 * i,
-                                   ELF64_R_INFO(i + 1, R_X86_64_GLOB_DAT), 0};
+// Lengths of the instructions in `code`.
+std::vector<int> lengths(const Bytes &code) {
+    uint8_t opcodes[1024];
+    expandOpcodes(opcodes);
+    Parser parser = {};
+    uint32_t fields[kFields] = {};
+    std::vector<int> all;
+    int length = 0;
+    for (uint8_t b : code) {
+        parser.step(fields, b, opcodes);
+        ++length;
+        if (!fields[kSoFar]) {
+            all.push_back(length);
+            length = 0;
+        }
     }
-    Bytes file() const {
-        Bytes b(4096 + sizeof data);
-        std::memcpy(b.data(), &image, sizeof image);
-        std::memcpy(b.data() + 4096, &data, sizeof data);
-        return b;
-    }
-};
-
-std::string complaint(const Bytes &file) {
-    try {
-        readProgram(file);
-    } catch (const Unsuitable &e) {
-        return e.what();
-    }
-    return "";
-}
-
-template <class Change> std::string complaintAfter(Change change) {
-    Example e;
-    change(e);
-    return complaint(e.file());
+    return all;
 }
 
 } // namespace
 
-TEST(Reader, TakesAProgramAsWeLinkIt) {
-    Program p = readProgram(Example().file());
-    EXPECT_EQ(p.base, Example::kCode);
-    EXPECT_EQ(p.codeSize, 4096u);
-    EXPECT_EQ(p.span, 4096 + sizeof(Example::Data) + 100);
-    EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
-    EXPECT_EQ(p.slots[1], p.slots[0] + 8);
-    for (uint8_t b : p.bytes) ASSERT_EQ(b, 0); // all of it was for the loader
+TEST(Parser, KnowsWhereInstructionsEnd) {
+    const Bytes code = {0x55,                                           // push
+                        0x48, 0x89, 0xe5,                               // mov
+                        0x48, 0x8d, 0x05, 1,    2,    3, 4,             // lea rip
+                        0x8b, 0x44, 0x24, 8,                            // mov sib disp8
+                        0xc7, 0x84, 0x24, 1,    0,    0, 0, 2, 0, 0, 0, // mov sib disp32 imm32
+                        0x48, 0xb8, 1,    2,    3,    4, 5, 6, 7, 8,    // mov imm64
+                        0x66, 0xb8, 1,    2,                            // mov imm16
+                        0xf6, 0xc1, 4,                                  // test imm8
+                        0xf7, 0xd8,                                     // neg
+                        0x0f, 0x84, 1,    0,    0,    0,                // je
+                        0xe8, 1,    0,    0,    0,                      // call
+                        0xc5, 0xf8, 0x77,                               // vzeroupper
+                        0xc5, 0xfc, 0x28, 0x05, 1,    2, 3, 4,          // vmovaps rip
+                        0xc4, 0xe2, 0x7d, 0x18, 0x45, 8,                // vbroadcastss
+                        0xc4, 0xe3, 0x7d, 0x18, 0xc1, 1,                // vinsertf128
+                        0x66, 0x0f, 0x3a, 0x0a, 0xc0, 9,                // roundss
+                        0x0f, 0xb6, 0xc0,                               // movzx
+                        0x83, 0x3c, 0x25, 1,    0,    0, 0, 5,          // cmp absolute imm8
+                        0x3d, 1,    0,    0,    0,                      // cmp eax
+                        0x0f, 0xc2, 0xc1, 2,                            // cmpps
+                        0xeb, 5,    0xc3};                              // jmp, ret
+    EXPECT_EQ(lengths(code),
+              (std::vector<int>{1, 3, 7, 4, 11, 10, 4, 3, 2, 6, 5, 3, 8, 6, 6, 6, 3, 8, 5, 4, 2, 1}));
 }
 
-TEST(Reader, SaysWhatIsUnsuitable) {
-    EXPECT_EQ(complaint({}), "not an ELF file");
-    EXPECT_EQ(complaint(randomBytes(5000, 1)), "not an ELF file");
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; }).find("32-bit"),
-        std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; }).find("big-endian"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_machine = EM_AARCH64; }).find("x86-64"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_DYN; }).find("no-pie"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_REL; }).find("link it"),
-              std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode + 64; }).find("overlap"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.image.segments[2].p_flags |= PF_X;
-              }).find("both writable and executable"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; }).find("absurd"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_offset = 1 << 20; }).find("cut short"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }).find("statically"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_TLS; }).find("thread-local"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.interpreter[3] = 'x'; }).find("interpreter"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }).find("entry"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[3] = 'c'; }).find("libdl.so.2"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[13] = 'c'; }).find("dlopen and dlsym"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[4].d_un.d_val = 72; }).find("nothing else"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.data.dynamic[6] = {DT_INIT_ARRAY, {0}};
-              }).find("constructors"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT);
-              }).find("GLOB_DAT"),
-              std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.data.relocations[0].r_offset = Example::kCode; }).find("slot"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; }).find("outside"),
-              std::string::npos);
+TEST(Parser, TablesAreFull) {
+    uint8_t classes[1024 + 8];
+    std::memset(classes, 99, sizeof classes);
+    expandOpcodes(classes);
+    EXPECT_NE(classes[1023], 99);
+    EXPECT_EQ(classes[1024], 99);
 }
 
-// Every file cut short and every byte damaged: a complaint or a program, never a crash (run it under ASan).
-TEST(Reader, SurvivesDamage) {
-    Bytes whole = Example().file();
-    for (size_t size = 0; size < whole.size(); ++size)
-        complaint(Bytes(whole.begin(), whole.begin() + (long)size));
-    for (size_t i = 0; i < whole.size(); ++i)
-        for (uint8_t flip : {0x01, 0x80, 0xff}) {
-            if (i >= sizeof(Example::Image) && i < 4096) continue;
-            Bytes broken = whole;
-            broken[i] ^= flip;
-            complaint(broken);
+TEST(Filter, MakesOneTargetLookTheSame) {
+    // Calls, a jump, and two loads of what lies at 0x30, one with an immediate operand behind the
+    // displacement
+    Bytes code;
+    auto add = [&](Bytes opcode, Bytes tail) {
+        size_t at = code.size() + opcode.size();
+        uint32_t displacement = 0x30 - (uint32_t)(at + 4 + tail.size());
+        code.insert(code.end(), opcode.begin(), opcode.end());
+        for (int i = 0; i < 4; ++i) code.push_back((uint8_t)(displacement >> 8 * i));
+        code.insert(code.end(), tail.begin(), tail.end());
+        return at;
+    };
+    std::vector<size_t> places = {
+        add({0xe8}, {}),        add({0x0f, 0x85}, {}),           add({0xf3, 0x0f, 0x10, 0x05}, {}),
+        add({0x83, 0x3d}, {7}), add({0xc7, 0x05}, {1, 2, 3, 4}), add({0xe9}, {})};
+    Bytes f = filter(code, allCode(code));
+    for (size_t at : places)
+        EXPECT_EQ(Bytes(f.begin() + (long)at, f.begin() + (long)at + 4), (Bytes{0, 0, 0, 0x30}));
+}
+
+// --- Model and coder: the C++ decoder and the stub's against the encoder ---
+
+TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
+    std::vector<Bytes> all = {{}, {0}, {255}, {0xe8}, Bytes(70000, 0), Bytes(5000, 0xe8), realCode(60000)};
+    for (unsigned i = 0; i < 60; ++i) all.push_back(randomBytes(i * 37, i, i % 2 ? 256 : 3));
+    for (unsigned i = 0; i < 60; ++i) all.push_back(structured(i, i * 29));
+    std::mt19937 random(5);
+    for (const Bytes &b : all) {
+        Layout layout = allCode(b);
+        if (!b.empty() && random() % 2) {
+            layout.codeBegin = random() % layout.size;
+            layout.codeSize = random() % (layout.size - layout.codeBegin + 1);
         }
+        Shape shape = smallShape(12 + random() % 6);
+        shape.contexts = 4 * (1 + random() % 6);
+        for (auto &masks : shape.masks)
+            for (uint32_t i = 0; i < shape.hashes(); ++i) masks[i] = (uint16_t)random();
+        Encoded e = encode(b, layout, shape, workspace);
+        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, shape, workspace), b) << b.size();
+        if (b.empty()) continue;
+        ASSERT_EQ(decodeByStub(e.payload, layout, shape), b) << b.size();
+    }
+}
+
+TEST(Coder, ThousandsOfSmallImages) {
+    Shape shape = smallShape(12);
+    shape.contexts = 4;
+    for (unsigned seed = 0; seed < 1500; ++seed) {
+        Bytes b =
+            seed % 2 ? structured(seed, seed % 40) : randomBytes(seed % 40, seed, 1 + (int)(seed % 256));
+        Encoded e = encode(b, allCode(b), shape, workspace);
+        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), shape, workspace), b) << seed;
+    }
+}
+
+TEST(Coder, KnowsWhatEachByteCosts) {
+    Bytes b = realCode(20000);
+    Encoded e = encode(b, allCode(b), smallShape(), workspace);
+    double sum = 0;
+    for (float bits : e.bits) sum += bits;
+    EXPECT_NEAR(sum / 8, (double)e.payload.size(), 8);
+    EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallShape(), workspace), sum / 8, 1);
+}
+
+TEST(Coder, CompressesWhatHasStructure) {
+    auto size = [](const Bytes &b) {
+        return encode(b, {(uint32_t)b.size(), 0, 0}, defaultShape(), workspace).payload.size();
+    };
+    EXPECT_LT(size(Bytes(70000, 0)), 160u);
+    EXPECT_LT(size(randomBytes(20000, 1, 4)), 20000u / 4 * 1.06);
+    EXPECT_LT(size(randomBytes(5000, 1)), 5000u * 1.06);
+}
+
+// Carries run through the whole output when bits are nearly certain, and wrong at the end.
+TEST(Coder, SurvivesItsOwnSurprise) {
+    for (int length : {100, 1000, 30000})
+        for (uint8_t last : {0, 1, 127, 128, 255}) {
+            Bytes b((size_t)length, 0xff);
+            b.back() = last;
+            b[(size_t)length / 2] = last;
+            Encoded e = encode(b, allCode(b), smallShape(), workspace);
+            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), smallShape(), workspace), b);
+        }
+}
+
+TEST(Coder, SurvivesDamage) {
+    Bytes b = structured(9, 3000);
+    Encoded e = encode(b, allCode(b), smallShape(), workspace);
+    for (size_t i = 0; i < e.payload.size(); i += 97) {
+        Bytes broken = e.payload;
+        broken[i] ^= 0x10;
+        EXPECT_EQ(decode(broken.data(), broken.size(), allCode(b), smallShape(), workspace).size(), b.size());
+        EXPECT_EQ(decode(broken.data(), i, allCode(b), smallShape(), workspace).size(), b.size());
+    }
+}
+
+// --- Shapes and search ---
+
+TEST(Shapes, ArePrintedAndParsed) {
+    Shape shape;
+    ASSERT_EQ(parseShape(printShape(defaultShape()), shape), "");
+    EXPECT_EQ(printShape(shape), printShape(defaultShape()));
+    std::string text = printShape(defaultShape());
+    EXPECT_NE(parseShape("", shape), "");
+    EXPECT_EQ(parseShape("slots many\n", shape), "line 1: slots needs a number of bits");
+    EXPECT_EQ(parseShape("code byte1\ncode byte9\n", shape), "line 2: unknown field in 'byte9'");
+    EXPECT_EQ(parseShape("kode byte1\n", shape), "line 1: unknown word 'kode'");
+    EXPECT_EQ(parseShape("code byte1 byte2\n", shape), "line 1: a word and its value are needed");
+    EXPECT_NE(parseShape(text + "code byte1\n", shape), "");
+    EXPECT_NE(parseShape(text + "data-weights byte1\n", shape), "");
+    text.replace(text.find("slots 2"), 7, "slots 9");
+    EXPECT_NE(parseShape(text, shape), "");
+}
+
+TEST(Search, KeepsTheBest) {
+    Bytes b = realCode(3000);
+    Layout layout = allCode(b);
+    Bytes filtered = filter(b, layout);
+    Shape poor = smallShape();
+    for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = (uint16_t)(0x8000 >> i);
+    double before = measure(filtered, layout, poor, workspace), told = 1e30;
+    int tried = 0;
+    Shape found = search(filtered, layout, poor, 2, [&](const Progress &p) {
+        EXPECT_LE(p.bytes, told);
+        told = p.bytes;
+        tried = p.tried;
+    });
+    double after = measure(filtered, layout, found, workspace);
+    EXPECT_LT(after, before);
+    EXPECT_DOUBLE_EQ(after, told);
+    EXPECT_GT(tried, 10);
+    EXPECT_EQ(printShape(search({}, {0, 0, 0}, poor, 1, [](const Progress &) {})), printShape(poor));
 }

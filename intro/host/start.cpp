@@ -1,10 +1,11 @@
 // The first thing that runs, on any x86-64: nothing of the film may be touched before the processor is known.
+#include "early.h"
 #include "host/machine.h"
 
 int odrazRun(int argc, char **argv, int closedDescriptors);
 
 int odrazMain(int argc, char **argv) {
-    int closed = odraz::guardStandardDescriptors();
+    int closed = odraz::guardStandardDescriptors() | odraz::theEarly.closedDescriptors;
     odraz::ignoreBrokenPipes();
     if (!odraz::cpuSuffices())
         return odraz::refuse(

@@ -1,0 +1,38 @@
+#include "early.h"
+
+#include "host/machine.h"
+#include "host/sys.h"
+#include "options.h"
+
+namespace odraz {
+
+Early theEarly;
+
+namespace {
+
+// Opens the window if there is to be one. Other things that are wrong are left for main to tell.
+void open(int argc, char **argv) {
+    if (!cpuSuffices()) return;
+    Options o;
+    Message wrong;
+    constexpr double kAnyDuration = 1e5; // the film's own is not decoded yet
+    if (!parseOptions(argc, argv, kAnyDuration, o, wrong) || o.help || o.version || o.dump) return;
+    if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
+        sys::exit(refuse(line));
+    theEarly.opened = true;
+}
+
+} // namespace
+
+} // namespace odraz
+
+extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
+    using namespace odraz;
+    static bool called;
+    if (!called) {
+        called = true;
+        theEarly.closedDescriptors = guardStandardDescriptors();
+        open((int)(long)stack[0], (char **)(stack + 1));
+    }
+    if (theEarly.opened) showLoading(kEarlyShare * (float)done / (float)size, &theEarly.window);
+}

@@ -1,0 +1,23 @@
+// What runs while the packed program is still being decoded: the window opens, and its bar grows.
+#pragma once
+
+#include "host/window.h"
+
+namespace odraz {
+
+struct Early {
+    bool opened; // the window; if not, main does it
+    FilmWindow window;
+    int viewerLeft;        // set by the window
+    int closedDescriptors; // what guardStandardDescriptors found
+};
+extern Early theEarly; // zero at first; outside of what is decoded
+
+constexpr float kEarlyShare = 0.4f; // of all loading
+
+} // namespace odraz
+
+// Called by the packer's stub, at first when this function and all that it uses has been decoded (early.ld
+// says what that is), then every few milliseconds. `stack`: as the kernel made it. `done` of `size` bytes are
+// decoded.
+extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size);

@@ -1,0 +1,48 @@
+#include "files.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace pack {
+
+bool readFile(const char *path, std::vector<uint8_t> &bytes) {
+    std::FILE *f = std::fopen(path, "rb");
+    if (!f) return false;
+    uint8_t buffer[65536];
+    while (size_t n = std::fread(buffer, 1, sizeof buffer, f)) bytes.insert(bytes.end(), buffer, buffer + n);
+    int wrong = std::ferror(f) ? errno : 0;
+    std::fclose(f);
+    errno = wrong;
+    return !wrong;
+}
+
+bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable) {
+    std::string part = path + ".part";
+    int fd = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, executable ? 0777 : 0666);
+    if (fd < 0) return false;
+    const char *from = (const char *)bytes;
+    int wrong = 0;
+    while (size && !wrong) {
+        ssize_t n = write(fd, from, size);
+        if (n > 0) {
+            from += n;
+            size -= (size_t)n;
+        } else
+            wrong = n < 0 ? errno : ENOSPC;
+    }
+    if (close(fd) && !wrong) wrong = errno;
+    if (!wrong && rename(part.c_str(), path.c_str())) wrong = errno;
+    if (wrong) unlink(part.c_str());
+    errno = wrong;
+    return !wrong;
+}
+
+long fileSize(const char *path) {
+    struct stat s;
+    return stat(path, &s) == 0 ? (long)s.st_size : -1;
+}
+
+} // namespace pack

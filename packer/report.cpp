@@ -1,0 +1,168 @@
+#include "report.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <cxxabi.h>
+#include <elf.h>
+#include <memory>
+#include <sstream>
+
+namespace pack {
+
+namespace {
+
+class Sum {
+public:
+    Sum(const Program &program, const std::vector<float> &bits) : base(program.base), sums(bits.size() + 1) {
+        for (size_t i = 0; i < bits.size(); ++i) sums[i + 1] = sums[i] + bits[i];
+    }
+    // Adds what lies at `address`; parts outside the packed bytes are zeros and cost nothing.
+    void add(Cost &cost, uint64_t address, uint64_t size) const {
+        uint64_t all = sums.size() - 1;
+        if (address < base || address - base >= all) return;
+        uint64_t from = address - base, to = std::min(all, from + std::min(size, all));
+        cost.bytes += to - from;
+        cost.bits += sums[to] - sums[from];
+    }
+
+private:
+    uint64_t base;
+    std::vector<double> sums;
+};
+
+std::string demangle(const std::string &name) {
+    int status;
+    std::unique_ptr<char, void (*)(void *)> plain(
+        abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), std::free);
+    return plain ? plain.get() : name;
+}
+
+// Sections and symbols. The file was read before: what does not fit is skipped.
+void readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
+    auto header = reinterpret_cast<const Elf64_Ehdr *>(elf.data());
+    auto within = [&](uint64_t offset, uint64_t size) {
+        return offset <= elf.size() && size <= elf.size() - offset && offset % 8 == 0;
+    };
+    if (!header->e_shnum || !within(header->e_shoff, header->e_shnum * sizeof(Elf64_Shdr))) return;
+    auto sections = reinterpret_cast<const Elf64_Shdr *>(elf.data() + header->e_shoff);
+    auto text = [&](const Elf64_Shdr &table, uint64_t at) -> std::string {
+        if (table.sh_offset > elf.size() || at >= elf.size() - table.sh_offset) return "?";
+        const char *from = (const char *)elf.data() + table.sh_offset + at;
+        return std::string(from, strnlen(from, (size_t)(elf.data() + elf.size() - (const uint8_t *)from)));
+    };
+    for (int i = 0; i < header->e_shnum; ++i) {
+        const Elf64_Shdr &s = sections[i];
+        if (s.sh_flags & SHF_ALLOC && s.sh_type != SHT_NOBITS && header->e_shstrndx < header->e_shnum)
+            sum.add(report.sections[text(sections[header->e_shstrndx], s.sh_name)], s.sh_addr, s.sh_size);
+        if (s.sh_type != SHT_SYMTAB || s.sh_link >= header->e_shnum || !within(s.sh_offset, s.sh_size))
+            continue;
+        auto symbols = reinterpret_cast<const Elf64_Sym *>(elf.data() + s.sh_offset);
+        for (uint64_t k = 0; k < s.sh_size / sizeof(Elf64_Sym); ++k) {
+            int type = ELF64_ST_TYPE(symbols[k].st_info);
+            if (symbols[k].st_size && (type == STT_FUNC || type == STT_OBJECT))
+                sum.add(report.symbols[demangle(text(sections[s.sh_link], symbols[k].st_name))],
+                        symbols[k].st_value, symbols[k].st_size);
+        }
+    }
+}
+
+// " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a line of its own if it is long.
+void readMap(const std::string &map, const Sum &sum, Report &report) {
+    size_t start = map.find("Linker script and memory map");
+    if (start == std::string::npos) return;
+    std::istringstream lines(map.substr(start));
+    std::string pending;
+    for (std::string line; std::getline(lines, line);) {
+        if (line.size() < 2 || line[0] != ' ') continue;
+        std::istringstream words(line);
+        std::string section = pending, address, size, object;
+        pending.clear();
+        if (line[1] == '.' || line[1] == 'C') {
+            words >> section;
+            if (!(words >> address)) {
+                pending = section;
+                continue;
+            }
+        } else if (!(words >> address))
+            continue;
+        if (section.empty() || !(words >> size) || !std::getline(words >> std::ws, object)) continue;
+        if (address.rfind("0x", 0) != 0 || size.rfind("0x", 0) != 0) continue;
+        size_t from = object.find('('), slash = object.rfind('/');
+        if (from != std::string::npos)
+            object = object.substr(from + 1, object.size() - from - 2);
+        else if (slash != std::string::npos)
+            object = object.substr(slash + 1);
+        Cost cost;
+        sum.add(cost, std::strtoull(address.c_str(), nullptr, 16), std::strtoull(size.c_str(), nullptr, 16));
+        if (!cost.bytes) continue;
+        report.objects[object].bytes += cost.bytes;
+        report.objects[object].bits += cost.bits;
+    }
+}
+
+std::string format(const char *pattern, auto... values) {
+    char line[512];
+    std::snprintf(line, sizeof line, pattern, values...);
+    return line;
+}
+
+std::string printCosts(const std::map<std::string, Cost> &all, const char *title, size_t most) {
+    if (all.empty()) return "";
+    std::vector<std::pair<std::string, Cost>> sorted(all.begin(), all.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](auto &a, auto &b) { return a.second.bits > b.second.bits; });
+    std::string text = format("%-60s %7s %7s\n", title, "packed", "before");
+    for (size_t i = 0; i < std::min(most, sorted.size()); ++i)
+        text += format("%-60.60s %7.0f %7llu\n", sorted[i].first.c_str(), sorted[i].second.bits / 8,
+                       (unsigned long long)sorted[i].second.bytes);
+    return text;
+}
+
+std::string quote(const std::string &text) {
+    std::string quoted = "\"";
+    for (char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        if ((unsigned char)c < ' ')
+            quoted += format("\\u%04x", (unsigned)c);
+        else
+            quoted += c;
+    }
+    return quoted + "\"";
+}
+
+} // namespace
+
+Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
+                  const std::vector<float> &bits, size_t fileSize, size_t overhead) {
+    Report report = {fileSize, overhead, {}, {}, {}};
+    Sum sum(program, bits);
+    readElf(elf, sum, report);
+    readMap(map, sum, report);
+    return report;
+}
+
+std::string printReport(const Report &report) {
+    return printCosts(report.objects, "object", 1000) + printCosts(report.symbols, "costliest symbols", 20);
+}
+
+std::string printJson(const Report &report) {
+    std::string text = format("{\n\"file\": %zu,\n\"overhead\": %zu", report.fileSize, report.overhead);
+    auto part = [&](const char *name, const std::map<std::string, Cost> &costs) {
+        text += format(",\n\"%s\": {", name);
+        const char *separator = "\n";
+        for (auto &[key, cost] : costs) {
+            text += separator + quote(key) +
+                    format(": {\"bytes\": %llu, \"bits\": %.0f}", (unsigned long long)cost.bytes, cost.bits);
+            separator = ",\n";
+        }
+        text += "\n}";
+    };
+    part("sections", report.sections);
+    part("objects", report.objects);
+    part("symbols", report.symbols);
+    return text + "\n}\n";
+}
+
+} // namespace pack

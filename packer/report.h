@@ -1,0 +1,32 @@
+// What each part of a program costs, packed.
+#pragma once
+
+#include "program.h"
+
+#include <map>
+#include <string>
+
+namespace pack {
+
+struct Cost {
+    uint64_t bytes = 0; // not packed
+    double bits = 0;    // packed
+};
+
+struct Report {
+    size_t fileSize, overhead; // of the packed file; overhead: what is not payload
+    std::map<std::string, Cost> sections, objects, symbols;
+};
+
+// `elf`: the program as it was read, for its sections and, if it is not stripped, its functions and objects.
+// `map`: what the linker writes with -Map, for the object files; may be empty. `bits`: for each byte.
+Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
+                  const std::vector<float> &bits, size_t fileSize, size_t overhead);
+
+// Objects by their cost, and the twenty costliest symbols.
+std::string printReport(const Report &report);
+
+// JSON, one part a line, in the order of their names.
+std::string printJson(const Report &report);
+
+} // namespace pack

@@ -1,0 +1,101 @@
+#include "shape.h"
+
+#include <sstream>
+#include <vector>
+
+namespace pack {
+
+namespace {
+
+// As in fields.h, from kByte1 on
+constexpr const char *kFieldNames[kFields - 1] = {
+    "byte1",   "byte2",   "byte3",   "byte4",  "byte5",  "byte6", "column", "instruction1",
+    "opcode1", "opcode2", "opcode3", "modrm1", "opcode", "modrm", "mode",   "so-far"};
+constexpr const char *kKinds[2][2] = {{"code", "code-weights"}, {"data", "data-weights"}};
+
+std::string printMask(uint16_t mask) {
+    std::string text;
+    for (int i = 0; i < kFields - 1; ++i)
+        if (mask >> i & 1) text += (text.empty() ? "" : "+") + std::string(kFieldNames[i]);
+    return text.empty() ? "-" : text;
+}
+
+bool parseMask(const std::string &text, uint16_t &mask) {
+    mask = 0;
+    if (text == "-") return true;
+    std::istringstream names(text);
+    for (std::string name; std::getline(names, name, '+');) {
+        int i = 0;
+        while (i < kFields - 1 && name != kFieldNames[i]) ++i;
+        if (i == kFields - 1) return false;
+        mask = (uint16_t)(mask | 1 << i);
+    }
+    return mask != 0;
+}
+
+} // namespace
+
+const Shape &defaultShape() {
+    static const Shape shape = {
+        16,
+        22,
+        {{0x0000, 0x0001, 0x1730, 0x0006, 0x1000, 0x8000, 0x0009, 0xa685, 0x1100, 0x1041, 0xdb40, 0xd900,
+          0xa180, 0x8300, 0x4000, 0x4002, 0x0000, 0x0001, 0x1000, 0x0004, 0x0100, 0x0002, 0xba40},
+         {0x8000, 0x1801, 0x0003, 0x2007, 0x000f, 0x0841, 0x2041, 0x0146, 0x0411, 0x2390, 0x1040, 0x0802,
+          0x0208, 0x01dc, 0x4026, 0x583f, 0x8861, 0x0001, 0x0002, 0x0084, 0x0008, 0x0040, 0x0842}}};
+    return shape;
+}
+
+std::string printShape(const Shape &shape) {
+    std::string text = "slots " + std::to_string(shape.slotBits) + "\n";
+    for (int type = 0; type < 2; ++type)
+        for (uint32_t i = 0; i < shape.hashes(); ++i)
+            text +=
+                std::string(kKinds[type][i >= shape.contexts]) + " " + printMask(shape.masks[type][i]) + "\n";
+    return text;
+}
+
+std::string parseShape(const std::string &text, Shape &shape) {
+    std::vector<uint16_t> masks[2][2];
+    std::istringstream lines(text);
+    int number = 0;
+    shape = {};
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        auto wrong = [&](const std::string &what) { return "line " + std::to_string(number) + ": " + what; };
+        std::istringstream words(line);
+        std::string kind, value, more;
+        if (!(words >> kind) || kind[0] == '#') continue;
+        if (!(words >> value) || words >> more) return wrong("a word and its value are needed");
+        if (kind == "slots") {
+            if (value.size() > 2 || value.find_first_not_of("0123456789") != std::string::npos)
+                return wrong("slots needs a number of bits");
+            shape.slotBits = (uint32_t)std::stoi(value);
+            continue;
+        }
+        bool known = false;
+        for (int type = 0; type < 2; ++type)
+            for (int weights = 0; weights < 2; ++weights)
+                if (kind == kKinds[type][weights]) {
+                    uint16_t mask;
+                    if (!parseMask(value, mask)) return wrong("unknown field in '" + value + "'");
+                    masks[type][weights].push_back(mask);
+                    known = true;
+                }
+        if (!known) return wrong("unknown word '" + kind + "'");
+    }
+    shape.contexts = (uint32_t)masks[0][0].size();
+    if (masks[1][0].size() != shape.contexts || !shape.sane())
+        return "it needs slots " + std::to_string(kLeastSlotBits) + " to " + std::to_string(kMostSlotBits) +
+               ", and as many contexts for data as for code: 4, 8, 12 .. " + std::to_string(kMostContexts);
+    for (int type = 0; type < 2; ++type) {
+        if (masks[type][1].size() != kSets - 1)
+            return "it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1];
+        uint16_t *to = shape.masks[type];
+        for (auto &group : masks[type])
+            for (uint16_t mask : group) *to++ = mask;
+    }
+    return "";
+}
+
+} // namespace pack

@@ -1,0 +1,138 @@
+// An incremental parser of x86-64 code: byte by byte it tells what the next byte is part of. It serves as
+// context for the model and finds the operands that name addresses relative to themselves.
+//
+// It knows the instructions that compilers write for user programs up to AVX2; after another one (or data) it
+// may take a wrong turn, and finds back after a few bytes. A wrong turn costs compression, never correctness:
+// packer and stub take it together.
+#pragma once
+
+#include "fields.h"
+
+namespace pack {
+
+// How an opcode goes on. Bit 0: a ModRM byte follows. Bits 1, 2: the immediate operand.
+enum OpcodeClass : uint8_t {
+    kHasModrm = 1,
+    kImmediate8 = 2,  // one byte
+    kImmediate32 = 4, // four bytes; two with prefix 66, eight for a move to a 64-bit register
+    kRelative32 = 6,  // four bytes, relative to the next instruction
+};
+#define OPCODE_RUN(count, kind) (uint8_t)((count) << 3 | (kind)),
+constexpr uint8_t kOpcodeRuns[] = {
+#include "opcodes.h"
+};
+
+// The runs written out: the class of an opcode at map << 8 | opcode.
+static inline void expandOpcodes(uint8_t *classes) {
+    for (uint8_t run : kOpcodeRuns) {
+        uint8_t count = run >> 3;
+        do *classes++ = run & 7;
+        while (--count);
+    }
+}
+
+struct Parser {
+    enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand };
+    uint32_t phase; // what the next byte is part of
+    uint32_t left;  // how many bytes of it are to come. At kStart: what has been seen: 1 REX, 2 VEX, 4 map
+    uint32_t map, wide, immediate, relative;
+
+    // Takes the next byte. If a field ends with it that is relative to the address behind the instruction,
+    // how far behind this byte that is; else 0.
+    uint32_t step(uint32_t *f, uint32_t b, const uint8_t *classes) {
+        uint32_t found = 0;
+        f[kSoFar] = mixIn(f[kSoFar], b);
+        switch (phase) {
+        case kStart: {
+            if (left < 4) {
+                if ((b & 0xf0) == 0x40) {
+                    wide = b & 8;
+                    left |= 1;
+                    return 0;
+                }
+                if (b == 0x66 || (b & 0xfe) == 0xf2) {
+                    f[kOpcode] |= b << 16;
+                    return 0;
+                }
+                if (b == 0x0f) {
+                    left |= 4;
+                    return 0;
+                }
+                if ((b & 0xfe) == 0xc4) {
+                    phase = kVex;
+                    left = 2 - (b & 1);
+                    map = 1;
+                    return 0;
+                }
+            } else if (left < 6 && (b & 0xfd) == 0x38) {
+                left += b * 2 - 0x6c; // 0f 38, 0f 3a
+                return 0;
+            }
+            uint32_t opcode = left >> 2 << 8 | b;
+            // Eight arithmetic operations, 00 .. 3f, go on alike
+            uint32_t kind = classes[opcode < 0x40 ? opcode & 7 : opcode];
+            f[kOpcode] |= opcode;
+            relative = kind == kRelative32;
+            immediate = kind & kImmediate32 ? 4 : kind >> 1;
+            if (kind & kImmediate32 && !relative && f[kOpcode] >> 16 == 0x66) immediate = 2;
+            if (kind == kImmediate32 && wide && b >= 0xb8) immediate = 8;
+            left = 0;
+            if (kind & kHasModrm) {
+                phase = kModrmByte;
+                return 0;
+            }
+            break;
+        }
+        case kVex:
+            if (left == 2) map = b & 3;
+            if (!--left) {
+                phase = kStart;
+                left = map << 2 | 2;
+                f[kOpcode] = (b & 7) << 16;
+            }
+            return 0;
+        case kModrmByte:
+            f[kModrm] = b;
+            f[kMode] = b & 0xc7;
+            // of f6 and f7 only TEST has an immediate
+            if ((f[kOpcode] & 0xfffe) == 0xf6 && b & 0x30) immediate = 0;
+            left = b >> 6 == 1 ? 1 : b >> 6 == 2 ? 4 : 0;
+            if ((b & 0xc7) == 5) {
+                relative = 1;
+                left = 4;
+            }
+            if (b < 0xc0 && (b & 7) == 4) {
+                phase = kSibByte;
+                return 0;
+            }
+            phase = kDisplacement;
+            break;
+        case kSibByte:
+            if (f[kModrm] < 0x40 && (b & 7) == 5) left = 4;
+            phase = kDisplacement;
+            break;
+        default:
+            if (--left) return 0;
+            if (relative) found = 1 + immediate;
+            relative = 0;
+        }
+        if (left) return found;
+        if (immediate) {
+            phase = kOperand;
+            left = immediate;
+            immediate = 0;
+            return found;
+        }
+        // The instruction ends
+        f[kModrm1] = f[kModrm];
+        f[kOpcode3] = f[kOpcode2];
+        f[kOpcode2] = f[kOpcode1];
+        f[kOpcode1] = f[kOpcode];
+        f[kInstruction1] = f[kSoFar];
+        for (int i = kOpcode; i <= kSoFar; ++i) f[i] = 0;
+        phase = wide = 0;
+        return found;
+    }
+};
+
+} // namespace pack
