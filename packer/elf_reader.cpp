@@ -210,10 +210,10 @@ void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<
     if (!end)
         for (const Elf64_Phdr &h : headers)
             if (h.p_type == PT_LOAD && h.p_flags & PF_X) extend(h.p_vaddr, h.p_filesz);
-    program.codeBegin = (uint32_t)(begin - program.base);
+    // Within the bytes there are; code that is all zeros at the end is none
     uint64_t all = program.bytes.size();
-    program.codeSize =
-        program.codeBegin < all ? (uint32_t)(std::min(end - program.base, all) - program.codeBegin) : 0;
+    program.codeBegin = (uint32_t)std::min(begin - program.base, all);
+    program.codeSize = (uint32_t)std::min(end - program.base, all) - program.codeBegin;
 }
 
 } // namespace

@@ -143,7 +143,7 @@ std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
     return image;
 }
 
-Program readPacked(const std::vector<uint8_t> &file) {
+Packed openPacked(const std::vector<uint8_t> &file) {
     constexpr char kForeign[] = "not packed by this version of pack";
     need(file.size() > sizeof(Front) + sizeof kStub + sizeof(Parameters), kForeign);
     Front f;
@@ -184,9 +184,15 @@ Program readPacked(const std::vector<uint8_t> &file) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
         need(program.slots[i] >= p.image && program.slots[i] - p.image + 8 <= span, kDamaged);
     }
+    return {program, p.layout, shape, {at, end}};
+}
+
+Program readPacked(const std::vector<uint8_t> &file) {
+    Packed packed = openPacked(file);
     Workspace workspace;
-    program.bytes = decode(at, (size_t)(end - at), p.layout, shape, workspace);
-    return program;
+    packed.program.bytes =
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace);
+    return packed.program;
 }
 
 std::vector<uint8_t> writePlain(const Program &program) {

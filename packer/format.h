@@ -2,8 +2,8 @@
 //
 // A packed file is one R-X segment (ELF header, loader's tables, stub, parameters, payload, checksum) and one
 // RW segment without file bytes at the program's own addresses. The loader writes dlopen and dlsym into the
-// program's own slots before the stub runs; the stub keeps them across the decoding. The model's memory is mapped by
-// the stub, and given back.
+// program's own slots before the stub runs; the stub keeps them across the decoding. The model's memory is
+// mapped by the stub, and given back.
 #pragma once
 
 #include "decoder.h"

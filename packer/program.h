@@ -54,7 +54,18 @@ size_t overhead(const Shape &shape);
 // Runs the stub's own code on a packed file in memory, which writePacked has made.
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);
 
-// A packed file, from any source, taken apart and decoded with care. Throws Unsuitable.
+// A packed file taken apart: the program but for its bytes, and how to decode them.
+struct Packed {
+    Program program;
+    Layout layout;
+    Shape shape;
+    std::vector<uint8_t> payload;
+};
+
+// From any source. Throws Unsuitable.
+Packed openPacked(const std::vector<uint8_t> &file);
+
+// The same, and decoded with care.
 Program readPacked(const std::vector<uint8_t> &file);
 
 // An executable that lies in memory exactly like `program`, not packed.

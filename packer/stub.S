@@ -37,8 +37,6 @@
 .set STEEPNESS, -12
 .set MIDDLE, -8
 .set CERTAIN, -4
-.set TEXT_MEMORY, -54
-.set TEXT_DAMAGED, -81
 
 // --- The model's memory, from rbp ---
 .set FIELDS, -112
@@ -104,14 +102,16 @@ start:
     jne 1b
     test ebp, ebp
     je get_memory
-damaged:
-    lea rsi, [rbx + TEXT_DAMAGED]
-    push TEXT_MEMORY - TEXT_DAMAGED
-    jmp 1f
+damaged: // the texts stand here, so that a file cut short still has them; both 23 long
+    call refuse
+    .ascii "damaged: get it afresh\n"
 no_memory:
-    lea rsi, [rbx + TEXT_MEMORY]
-    push MOST - TEXT_MEMORY
-1:  pop rdx
+    call refuse
+    .ascii "not enough free memory\n"
+refuse:
+    pop rsi
+    push 23
+    pop rdx
     push 1 // write
     pop rax
     push 2
@@ -747,8 +747,6 @@ runs:
 #define OPCODE_RUN(count, kind) .byte (count) << 3 | (kind);
 #include "opcodes.h"
 runs_end:
-    .ascii "damaged file: get it again\n"
-    .ascii "too little memory\n"
     .long 0x4cfdea11 // 11 / kLogUnit
     .long 0xccfdea11
     .float 1

@@ -1,0 +1,75 @@
+// For libFuzzer: whatever comes in, the packer's readers answer with a program or a line, and nothing else.
+// The first byte of the input chooses the reader.
+#include "program.h"
+#include "shape.h"
+
+#include "stub_bytes.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+using namespace pack;
+
+namespace {
+
+// Fixed by the writer: what lies in front of the stub.
+constexpr size_t kFront = 528;
+
+// The input as parameters, masks and payload of a file that is otherwise as it should be, its checksum too.
+std::vector<uint8_t> packedAround(const uint8_t *data, size_t size) {
+    std::vector<uint8_t> file(kFront);
+    file.insert(file.end(), kStub, kStub + sizeof kStub);
+    size_t at = file.size();
+    file.insert(file.end(), data, data + size);
+    file.resize((std::max(file.size(), at + sizeof(Parameters)) + 3) / 4 * 4 + 4);
+    uint64_t span = 0x10000, slot = 0x400000;
+    std::memcpy(&file[64 + 2 * 56 + 40], &span, 8); // the RW segment's size
+    std::memcpy(&file[480], &slot, 8);              // where the imports go
+    std::memcpy(&file[504], &slot, 8);
+    uint32_t words = (uint32_t)(file.size() / 4), last;
+    std::memcpy(&file[at + offsetof(Parameters, words)], &words, 4);
+    last = -checksum(file.data(), words - 1);
+    std::memcpy(&file[file.size() - 4], &last, 4);
+    return file;
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    if (!size) return 0;
+    std::vector<uint8_t> input(data + 1, data + size);
+    try {
+        switch (data[0] % 4) {
+        case 0: {
+            Program program = readProgram(input);
+            if (program.codeBegin > program.bytes.size() ||
+                program.codeSize > program.bytes.size() - program.codeBegin)
+                std::abort();
+            filter(program.bytes, program.layout());
+            break;
+        }
+        case 1:
+            openPacked(input);
+            break;
+        case 2: {
+            std::vector<uint8_t> file = packedAround(input.data(), input.size());
+            Packed packed = openPacked(file);
+            // Decoding takes a while: not too often
+            if (data[0] > 250 && packed.layout.size < 2000 &&
+                writePlain(readPacked(file)).size() < packed.layout.size)
+                std::abort();
+            break;
+        }
+        case 3: {
+            Shape shape, again;
+            std::string text(input.begin(), input.end());
+            if (parseShape(text, shape).empty() &&
+                (!parseShape(printShape(shape), again).empty() || printShape(again) != printShape(shape)))
+                std::abort();
+        }
+        }
+    } catch (const Unsuitable &) {
+    }
+    return 0;
+}

@@ -1,0 +1,65 @@
+# Packed programs as they are met: in odd surroundings, and damaged. With the example in packer/example.
+. "$(dirname "$0")/common.sh"
+pack=$BUILD/pack hello=$WORK/hello
+check "the example is built and packed" bash -c "bash '$SOURCE/packer/example/build.sh' '$pack' '$WORK' >/dev/null"
+says() { # says STATUS TEXT COMMAND...: exit status and standard output
+    local status=$1 text=$2 got
+    shift 2
+    got=$("$@" 2>"$WORK/err")
+    [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
+}
+check "it runs" says 7 "hello, 1 words, 42" "$hello"
+check "it gets its arguments" says 7 "hello, 3 words, 42" "$hello" a b
+check "it costs its payload and 2,560 bytes" bash -c "'$pack' '$WORK/hello.elf' -o '$WORK/h' | grep -q '(2560 of them stub and headers)'"
+check "without randomised addresses" says 7 "hello, 1 words, 42" setarch -R "$hello"
+check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
+check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
+check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 90000; exec '$hello'"
+check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
+
+check "--test says that it is whole" bash -c "'$pack' --test '$hello' | grep -q ': whole; '"
+check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
+check "... and that runs" says 7 "hello, 2 words, 42" "$WORK/plain" a
+# The image is as the linker laid it out, but for the loader's tables, which are zeros: so the code
+read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *PROGBITS *[0-9a-f]* \([0-9a-f]*\) \([0-9a-f]*\) .*/\1 \2/p')"
+part() { tail -c +$(($2 + 0x$offset + 1)) "$1" | head -c $((0x$size)); }
+check "with the same code in the same place" cmp <(part "$WORK/plain" 4096) <(part "$WORK/hello.elf" 0)
+
+# Damage. The header and the check itself, 656 bytes, are the loader's and the processor's business
+broken=$WORK/broken
+cp "$hello" "$broken"
+total=$(stat -c %s "$hello")
+flip() { # flip OFFSET BIT
+    cp "$hello" "$broken"
+    local byte=$(od -An -tu1 -j "$1" -N 1 "$hello")
+    printf "\\x$(printf %02x $((byte ^ 1 << $2)))" | dd of="$broken" bs=1 seek="$1" conv=notrunc status=none
+}
+is_refused() { refuses 1 "damaged: get it afresh" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
+flipped() {
+    local at bit
+    for at in $(seq 656 41 $((total - 1))) $((total - 1)); do
+        flip "$at" $((at % 8)) && is_refused || { echo "at $at"; return 1; }
+    done
+}
+check "a flipped bit anywhere is refused" flipped
+cut_short() {
+    local size
+    for size in $(seq 660 97 $((total - 1))) $((total - 1)); do
+        head -c "$size" "$hello" >"$broken" && is_refused || { echo "at $size"; return 1; }
+    done
+}
+check "cut short anywhere it is refused" cut_short
+cut_film() { # several pages are missing
+    local size
+    for size in 700 4096 4097 8192 20000 40000; do
+        head -c "$size" "$BUILD/odraz" >"$broken" && is_refused || { echo "at $size"; return 1; }
+    done
+}
+check "the film too" cut_film
+{ cat "$hello"; echo "more bytes"; } >"$broken"
+check "bytes behind its end do not matter" says 7 "hello, 1 words, 42" "$broken"
+check "... nor to --test" "$pack" --test "$broken"
+check "refusals leave nothing behind" bash -c "! ls '$WORK' | grep -qE '^x|part'"
+check "--test of what is not packed" refuses 2 "not packed by this version of pack" "$pack" --test "$pack"
+check "-d of what is not packed" refuses 2 "not packed by this version of pack" "$pack" -d "$BUILD/odraz-safe" -o "$WORK/x"
+finish

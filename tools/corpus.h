@@ -1,0 +1,20 @@
+// Machine code to measure the packer with: stretches of the instructions of this film and of system
+// libraries.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace pack {
+
+struct Sample {
+    std::string name;
+    std::vector<uint8_t> bytes;
+};
+
+// 16, 48, 128 and 256 KB each; what is not installed or too small is left out, and named in `missing`.
+// `film`: a path of odraz-safe.
+std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &missing);
+
+} // namespace pack
