@@ -28,9 +28,8 @@ void open(int argc, char **argv) {
 
 extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
     using namespace odraz;
-    static bool called;
-    if (!called) {
-        called = true;
+    if (!theEarly.began) {
+        theEarly.began = nanoseconds();
         theEarly.closedDescriptors = guardStandardDescriptors();
         open((int)(long)stack[0], (char **)(stack + 1));
     }

@@ -6,7 +6,8 @@
 namespace odraz {
 
 struct Early {
-    bool opened; // the window; if not, main does it
+    int64_t began; // when, in nanoseconds(); 0 if the program was not packed
+    bool opened;   // the window; if not, main does it
     FilmWindow window;
     int viewerLeft;        // set by the window
     int closedDescriptors; // what guardStandardDescriptors found

@@ -20,7 +20,7 @@ int say(const char *text, int size) {
 }
 
 int run(int argc, char **argv, bool stdoutClosed) {
-    int64_t began = nanoseconds();
+    int64_t began = theEarly.began ? theEarly.began : nanoseconds();
     Options o;
     Message wrong;
     if (!parseOptions(argc, argv, duration(), o, wrong)) {

@@ -68,7 +68,13 @@ int main(int argc, char **argv) {
         if (!peer.there) std::printf("(%s is not installed: skipped)\n", peer.program);
     }
     std::vector<std::string> missing;
-    std::vector<Sample> samples = corpus(film, missing);
+    std::vector<Sample> samples;
+    try {
+        samples = corpus(film, missing);
+    } catch (const Unsuitable &e) {
+        std::fprintf(stderr, "bench_pack: %s: %s\n", film.c_str(), e.what());
+        return 2;
+    }
     for (auto &name : missing) std::printf("(%s is not there: skipped)\n", name.c_str());
 
     std::printf("| code | bytes |");
@@ -91,7 +97,7 @@ int main(int argc, char **argv) {
             if (thePeers[i].there) std::printf(" %ld |", sizes[i] = packedSize(thePeers[i], path));
         unlink(path.c_str());
 
-        Layout layout = {(uint32_t)s.bytes.size(), 0, (uint32_t)s.bytes.size()};
+        const Layout &layout = s.layout;
         Shape shape = defaultShape();
         if (effort > 0)
             shape = search(filter(s.bytes, layout), layout, shape, effort, [](const Progress &) {});
@@ -103,7 +109,8 @@ int main(int argc, char **argv) {
         program.base = 0x400000;
         program.span = (uint32_t)wholePages(s.bytes.size());
         program.bytes = s.bytes;
-        program.codeSize = layout.size;
+        program.codeBegin = layout.codeBegin;
+        program.codeSize = layout.codeSize;
         program.early = kNothingEarly;
         program.slots[1] = 8;
         std::vector<uint8_t> packed = writePacked(program, shape, e.payload);

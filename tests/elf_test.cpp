@@ -1,4 +1,5 @@
 #include "program.h"
+#include "shape.h"
 
 #include <cstring>
 #include <elf.h>
@@ -150,6 +151,15 @@ TEST(Reader, SaysWhatIsUnsuitable) {
     EXPECT_NE(
         complaintAfter([](Example &e) { e.data.relocations[0].r_offset = Example::kCode; }).find("slot"),
         std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.data.relocations[1].r_offset += 8; }).find("side by side"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_shnum = 3; }).find("section headers"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.image.segments[1].p_vaddr = 0x10000;
+                  e.image.segments[0].p_vaddr = 0x10000;
+              }).find("linked below"),
+              std::string::npos);
     EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; }).find("outside"),
               std::string::npos);
 }
@@ -166,4 +176,110 @@ TEST(Reader, SurvivesDamage) {
             broken[i] ^= flip;
             complaint(broken);
         }
+}
+
+// --- Sections ---
+
+namespace {
+
+// The example over three pages of code and constants, with section headers: some early, some other code.
+struct Sectioned {
+    Example example;
+    Elf64_Shdr sections[4] = {};
+    char names[32] = "\0.early\0.text\0.names";
+    static constexpr uint64_t kText = Example::kCode + 8192;
+
+    Sectioned() {
+        example.image.segments[1].p_filesz = example.image.segments[1].p_memsz = 12288 - 100;
+        example.image.segments[2].p_offset = example.image.segments[3].p_offset = 12288;
+        for (int i : {2, 3}) example.image.segments[i].p_vaddr += 8192;
+        for (int i : {1, 2, 3}) example.data.dynamic[i].d_un.d_ptr += 8192;
+        for (auto &r : example.data.relocations) r.r_offset += 8192;
+        auto section = [&](int i, uint32_t name, uint64_t address, uint64_t size) {
+            sections[i].sh_name = name;
+            sections[i].sh_type = SHT_PROGBITS;
+            sections[i].sh_flags = SHF_ALLOC | SHF_EXECINSTR;
+            sections[i].sh_addr = address;
+            sections[i].sh_size = size;
+        };
+        section(1, 1, Example::kCode + 1000, 8192 - 1000);
+        section(2, 8, kText, 2000);
+        example.image.header.e_shnum = 4;
+        example.image.header.e_shentsize = sizeof(Elf64_Shdr);
+        example.image.header.e_shstrndx = 3;
+        example.image.header.e_shoff = 12288 + sizeof(Example::Data);
+        sections[3].sh_offset = example.image.header.e_shoff + sizeof sections;
+    }
+    Bytes file() const {
+        Bytes b(12288 + sizeof example.data + sizeof sections + sizeof names);
+        std::memcpy(b.data(), &example.image, sizeof example.image);
+        std::memcpy(b.data() + 12288, &example.data, sizeof example.data);
+        std::memcpy(b.data() + example.image.header.e_shoff, sections, sizeof sections);
+        std::memcpy(b.data() + sections[3].sh_offset, names, sizeof names);
+        // Code that is not all zeros
+        for (size_t i = 1000; i < 8192 + 2000; ++i) b[i] = (uint8_t)(i * 7);
+        return b;
+    }
+};
+
+} // namespace
+
+TEST(Reader, FindsCodeAndWhatIsEarlyBySections) {
+    Program p = readProgram(Sectioned().file());
+    EXPECT_EQ(p.codeBegin, 1000u);
+    EXPECT_EQ(p.codeSize, 8192u + 2000 - 1000);
+    EXPECT_EQ(p.early, 8192u);
+    EXPECT_EQ(p.earlyEntry, Example::kCode + 1000);
+    EXPECT_EQ(p.readOnly, 12288u);
+    // Another name, and nothing is early
+    Sectioned other;
+    other.names[1] = '_';
+    EXPECT_EQ(readProgram(other.file()).early, kNothingEarly);
+}
+
+TEST(Reader, WantsTheEarlyPartOnPagesOfItsOwn) {
+    Sectioned s;
+    s.sections[1].sh_size -= 100; // the page ends behind it: fine
+    EXPECT_EQ(readProgram(s.file()).early, 8192u);
+    s.sections[2].sh_addr -= 50; // ... but not when other code shares it
+    EXPECT_NE(complaint(s.file()).find(".early"), std::string::npos);
+}
+
+// --- Writer ---
+
+TEST(Writer, WritesWhatReadsBack) {
+    Program p = readProgram(Sectioned().file());
+    Workspace workspace;
+    Shape shape = defaultShape();
+    Bytes packed = writePacked(p, shape, encode(p.bytes, p.layout(), shape, workspace).payload);
+    EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
+    EXPECT_EQ(decodeWithStub(packed), p.bytes);
+    Program q = readPacked(packed);
+    EXPECT_EQ(q.bytes, p.bytes);
+    EXPECT_EQ(q.base, p.base);
+    EXPECT_EQ(q.readOnly, p.readOnly);
+    EXPECT_EQ(q.span, wholePages(p.span));
+    EXPECT_EQ(q.entry, p.entry);
+    EXPECT_EQ(q.slots[0], p.slots[0]);
+    EXPECT_EQ(q.slots[1], p.slots[1]);
+    // Taken apart, it is a program as before, in the same place
+    Program again = readProgram(writePlain(q));
+    EXPECT_EQ(again.base, p.base - kPage);
+    EXPECT_EQ(Bytes(again.bytes.begin() + kPage, again.bytes.end()), p.bytes);
+    EXPECT_EQ(again.slots[0], p.slots[0]);
+    EXPECT_EQ(again.entry, p.entry);
+}
+
+TEST(Writer, NothingDamagedIsOpened) {
+    Program p = readProgram(Sectioned().file());
+    Workspace workspace;
+    Shape shape = defaultShape();
+    Bytes packed = writePacked(p, shape, encode(p.bytes, p.layout(), shape, workspace).payload);
+    for (size_t i = 0; i < packed.size(); ++i) {
+        Bytes broken = packed;
+        broken[i] ^= (uint8_t)(1 << i % 8);
+        EXPECT_THROW(openPacked(broken), Unsuitable) << i;
+        broken.resize(i);
+        EXPECT_THROW(openPacked(broken), Unsuitable) << i;
+    }
 }

@@ -56,12 +56,13 @@ check "ESC leaves" gone_within $LIMIT xdotool key Escape
 
 # Loading: a bar that grows, and that can be left
 load() { # load OPTION...: as play, but returns as soon as there is a window
+    local begin=$(date +%s%N)
     "$odraz" "$@" >"$WORK/out" 2>"$WORK/err" &
     pid=$!
     PIDS+=($pid)
     window=
     for _ in $(seq 200); do
-        window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ] && return 0
+        window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ] && { echo "    seen after $((($(date +%s%N) - begin) / 1000000)) ms"; return 0; }
         sleep 0.02
     done
     return 1

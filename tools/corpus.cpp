@@ -56,7 +56,14 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
         if (from + size > code.size())
             missing.push_back(name);
         else
-            samples.push_back({name, {code.begin() + (long)from, code.begin() + (long)(from + size)}});
+            samples.push_back({name,
+                               {code.begin() + (long)from, code.begin() + (long)(from + size)},
+                               {(uint32_t)size, 0, (uint32_t)size}});
+    }
+    std::vector<uint8_t> file;
+    if (readFile(film.c_str(), file)) {
+        Program program = readProgram(file);
+        samples.push_back({"the whole film", program.bytes, program.layout()});
     }
     return samples;
 }

@@ -2,15 +2,14 @@
 // libraries.
 #pragma once
 
-#include <cstdint>
-#include <string>
-#include <vector>
+#include "program.h"
 
 namespace pack {
 
 struct Sample {
     std::string name;
     std::vector<uint8_t> bytes;
+    Layout layout;
 };
 
 // 16, 48, 128 and 256 KB each; what is not installed or too small is left out, and named in `missing`.

@@ -8,5 +8,6 @@ struct Sweep {
     std::string csv, plot; // files to write; empty for none
 };
 
-// Each returns the exit status, having said on stderr what went wrong.
-int tradeoffPack(const Sweep &sweep, const std::string &film);
+// `model`: a file of contexts to start from, those that ship; empty for ordinary ones. Returns the exit
+// status, having said on stderr what went wrong.
+int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);

@@ -23,9 +23,9 @@ struct Setting {
 
 double now() { return (double)std::clock() / CLOCKS_PER_SEC; }
 
-// The ordinary shape with another number of contexts: the first ones, or more, of one field each.
-Shape shapeOf(const Setting &s) {
-    Shape ordinary = defaultShape(), shape = {s.contexts, s.slotBits, {}};
+// The shape that ships with another number of contexts: the first ones, or more, of two fields each.
+Shape shapeOf(const Setting &s, const Shape &ordinary) {
+    Shape shape = {s.contexts, s.slotBits, {}};
     for (int type = 0; type < 2; ++type) {
         for (uint32_t i = 0; i < s.contexts; ++i)
             shape.masks[type][i] = i < ordinary.contexts ? ordinary.masks[type][i] : (uint16_t)(3 << i % 15);
@@ -43,7 +43,7 @@ bool save(const std::string &path, const std::string &text) {
 
 } // namespace
 
-int tradeoffPack(const Sweep &sweep, const std::string &film) {
+int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
     std::vector<uint8_t> file;
     if (!readFile(film.c_str(), file)) {
         std::perror(("tradeoff: cannot read " + film).c_str());
@@ -57,19 +57,34 @@ int tradeoffPack(const Sweep &sweep, const std::string &film) {
         return 2;
     }
     program.early = kNothingEarly;
+    Shape ships = defaultShape();
+    if (!model.empty()) {
+        std::vector<uint8_t> text;
+        std::string wrong;
+        if (!readFile(model.c_str(), text))
+            wrong = "cannot be read";
+        else
+            wrong = parseShape({text.begin(), text.end()}, ships);
+        if (!wrong.empty()) {
+            std::fprintf(stderr, "tradeoff: %s: %s\n", model.c_str(), wrong.c_str());
+            return 2;
+        }
+    }
 
     // Fewer and more contexts, each with a little search to settle in; less memory; more search
     std::vector<Setting> settings;
     double settle = sweep.quick ? 0 : 20;
     for (uint32_t n : {4u, 8u, 12u, 16u, 20u, 24u})
         if (!sweep.quick || n % 8 == 0)
-            settings.push_back({std::to_string(n) + " contexts", 0, n, 22, n == 16 ? 0 : settle, n == 16});
+            settings.push_back({std::to_string(n) + " contexts", 0, n, 22, n == ships.contexts ? 0 : settle,
+                                n == ships.contexts});
     for (uint32_t bits : {16u, 18u, 19u, 20u, 21u, 23u})
         if (!sweep.quick || bits == 18)
-            settings.push_back({"2^" + std::to_string(bits) + " slots", 1, 16, bits, 0, false});
+            settings.push_back({"2^" + std::to_string(bits) + " slots", 1, ships.contexts, bits, 0, false});
     if (!sweep.quick)
         for (double effort : {5., 20., 60., 180.})
-            settings.push_back({std::to_string((int)effort) + " s of search", 2, 16, 22, effort, false});
+            settings.push_back(
+                {std::to_string((int)effort) + " s of search", 2, ships.contexts, 22, effort, false});
 
     std::string csv = "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb\n";
     Plot plot = {"pack: " + film.substr(film.rfind('/') + 1),
@@ -85,7 +100,7 @@ int tradeoffPack(const Sweep &sweep, const std::string &film) {
     Layout layout = program.layout();
     Workspace workspace;
     for (const Setting &s : settings) {
-        Shape shape = shapeOf(s);
+        Shape shape = shapeOf(s, ships);
         double began = now();
         if (s.effort > 0)
             shape = search(filter(program.bytes, layout), layout, shape, s.effort, [](const Progress &) {});
