@@ -33,5 +33,6 @@ extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
         theEarly.closedDescriptors = guardStandardDescriptors();
         open((int)(long)stack[0], (char **)(stack + 1));
     }
+    if (theEarly.viewerLeft) sys::exit(0);
     if (theEarly.opened) showLoading(kEarlyShare * (float)done / (float)size, &theEarly.window);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstring>
 #include <elf.h>
-#include <memory>
 
 namespace pack {
 
@@ -55,6 +54,12 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
     f.header.e_ehsize = sizeof(Elf64_Ehdr);
     f.header.e_phentsize = sizeof(Elf64_Phdr);
     f.header.e_phnum = 5;
+    f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter), at(offsetof(Front, interpreter)),
+                            sizeof kInterpreter, sizeof kInterpreter, 1);
+    // 1 and 2 are the caller's
+    constexpr size_t kDynamic = sizeof f.dynamic + sizeof f.dynamicEnd;
+    f.segments[3] = segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), at(offsetof(Front, dynamic)),
+                            kDynamic, kDynamic, 8);
     f.stackType = PT_GNU_STACK;
     f.stackFlags = PF_R | PF_W;
     std::memcpy(f.interpreter, kInterpreter, sizeof kInterpreter);
@@ -89,13 +94,8 @@ std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
     Front f = {};
     fillTables(f, base, program.slots);
     f.header.e_entry = at(sizeof(Front));
-    f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter), at(offsetof(Front, interpreter)),
-                            sizeof kInterpreter, sizeof kInterpreter, 1);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-    f.segments[3] =
-        segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), at(offsetof(Front, dynamic)),
-                sizeof f.dynamic + sizeof f.dynamicEnd, sizeof f.dynamic + sizeof f.dynamicEnd, 8);
 
     Parameters p = {};
     p.file = base;
@@ -131,7 +131,6 @@ std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
     const uint8_t *at = packed.data() + sizeof(Front) + sizeof kStub;
     Parameters p;
     std::memcpy(&p, at, sizeof p);
-    need(p.early == kNothingEarly || p.early > 0, "its early part is empty");
     // Nothing runs early here
     std::vector<uint8_t> copy(packed.begin() + sizeof(Front), packed.end());
     p.early = kNothingEarly;
@@ -196,23 +195,15 @@ Program readPacked(const std::vector<uint8_t> &file) {
 }
 
 std::vector<uint8_t> writePlain(const Program &program) {
-    uint64_t base = program.base - kPage, size = program.bytes.size();
-    uint64_t readOnly = std::min<uint64_t>(program.readOnly, wholePages(size));
+    uint64_t base = program.base - kPage, size = std::max<uint64_t>(program.bytes.size(), program.readOnly);
     Front f = {};
     fillTables(f, base, program.slots);
     f.header.e_entry = program.entry;
-    // The interpreter's segment is found by ld.so in the first one
-    f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter),
-                            base + offsetof(Front, interpreter), sizeof kInterpreter, sizeof kInterpreter, 1);
-    f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, kPage + std::min(size, readOnly),
-                            kPage + program.readOnly, kPage);
-    uint64_t written = size > readOnly ? size - readOnly : 0;
-    f.segments[2] = segment(PT_LOAD, PF_R | PF_W, kPage + readOnly, program.base + program.readOnly, written,
-                            program.span - program.readOnly, kPage);
-    f.segments[3] =
-        segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), base + offsetof(Front, dynamic),
-                sizeof f.dynamic + sizeof f.dynamicEnd, sizeof f.dynamic + sizeof f.dynamicEnd, 8);
-    std::vector<uint8_t> out(kPage + std::max(readOnly, size));
+    f.segments[1] =
+        segment(PT_LOAD, PF_R | PF_X, 0, base, kPage + program.readOnly, kPage + program.readOnly, kPage);
+    f.segments[2] = segment(PT_LOAD, PF_R | PF_W, kPage + program.readOnly, program.base + program.readOnly,
+                            size - program.readOnly, program.span - program.readOnly, kPage);
+    std::vector<uint8_t> out(kPage + size);
     std::memcpy(out.data(), &f, sizeof f);
     std::copy(program.bytes.begin(), program.bytes.end(), out.begin() + kPage);
     return out;

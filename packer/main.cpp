@@ -6,6 +6,7 @@
 #include "shape.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -107,6 +108,8 @@ Options parse(int argc, char **argv) {
     return o;
 }
 
+volatile std::sig_atomic_t theInterruption;
+
 pack::Shape findShape(const Options &o, const pack::Program &program) {
     pack::Shape shape = pack::defaultShape();
     if (o.model) {
@@ -116,11 +119,14 @@ pack::Shape findShape(const Options &o, const pack::Program &program) {
     if (o.seconds <= 0) return shape;
     double shown = -1;
     bool terminal = isatty(2);
+    // Ctrl-C ends the search, not the packing
+    std::signal(SIGINT, [](int) { theInterruption = 1; });
     auto show = [&](const pack::Progress &p) {
-        if (p.seconds < shown + (terminal ? 0.5 : 20)) return;
+        if (p.seconds < shown + (terminal ? 0.5 : 20)) return !theInterruption;
         shown = p.seconds;
         std::fprintf(stderr, "%ssearching: %.0f bytes after %d tries, %.0f of %.0f s%s", terminal ? "\r" : "",
                      p.bytes, p.tried, p.seconds, o.seconds, terminal ? "" : "\n");
+        return !theInterruption;
     };
     pack::Layout layout = program.layout();
     shape = pack::search(pack::filter(program.bytes, layout), layout, shape, o.seconds, show);

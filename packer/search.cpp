@@ -39,7 +39,7 @@ bool mutate(Shape &shape, const Layout &layout, std::mt19937 &random) {
 } // namespace
 
 Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &start, double seconds,
-             const std::function<void(const Progress &)> &report) {
+             const std::function<bool(const Progress &)> &goOn) {
     if (filtered.empty()) return start;
     auto began = std::chrono::steady_clock::now();
     auto passed = [&] {
@@ -50,13 +50,13 @@ Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const S
     double least = measure(filtered, layout, start, first);
     int tried = 0;
     std::mutex mutex;
-    report({least, passed(), tried});
+    bool stopped = !goOn({least, passed(), tried});
 
     auto work = [&](uint32_t seed) {
         std::mt19937 random(seed);
         Workspace workspace;
         std::unique_lock lock(mutex);
-        while (passed() < seconds) {
+        while (!stopped && passed() < seconds) {
             Shape shape = best;
             if (!mutate(shape, layout, random)) continue;
             double limit = least;
@@ -69,7 +69,7 @@ Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const S
                 least = bytes;
                 best = shape;
             }
-            report({least, passed(), tried});
+            stopped |= !goOn({least, passed(), tried});
         }
     };
     std::vector<std::thread> threads;

@@ -14,9 +14,9 @@ struct Progress {
 };
 
 // Changes one context at a time and keeps what makes the payload smaller, on all processors, until the time
-// is over. Returns the best, at worst `start`. Called now and then: `report`. Each time the outcome may be
-// another: what is found is kept in a file, not found again.
+// is over or `goOn`, called after each try, returns false. Returns the best, at worst `start`. Each time the
+// outcome may be another: what is found is kept in a file, not found again.
 Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &start, double seconds,
-             const std::function<void(const Progress &)> &report);
+             const std::function<bool(const Progress &)> &goOn);
 
 } // namespace pack

@@ -100,7 +100,8 @@ int main(int argc, char **argv) {
         const Layout &layout = s.layout;
         Shape shape = defaultShape();
         if (effort > 0)
-            shape = search(filter(s.bytes, layout), layout, shape, effort, [](const Progress &) {});
+            shape =
+                search(filter(s.bytes, layout), layout, shape, effort, [](const Progress &) { return true; });
         double began = now();
         Encoded e = encode(s.bytes, layout, shape, workspace);
         double encoding = now() - began;

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <iterator>
 #include <random>
+#include <thread>
 
 using namespace pack;
 using Bytes = std::vector<uint8_t>;
@@ -276,10 +277,16 @@ TEST(Search, KeepsTheBest) {
         EXPECT_LE(p.bytes, told);
         told = p.bytes;
         tried = p.tried;
+        return true;
     });
     double after = measure(filtered, layout, found, workspace);
     EXPECT_LT(after, before);
     EXPECT_DOUBLE_EQ(after, told);
     EXPECT_GT(tried, 10);
-    EXPECT_EQ(printShape(search({}, {0, 0, 0}, poor, 1, [](const Progress &) {})), printShape(poor));
+    EXPECT_EQ(printShape(search({}, {0, 0, 0}, poor, 1, [](const Progress &) { return true; })),
+              printShape(poor));
+    // It can be stopped
+    tried = 0;
+    search(filtered, layout, poor, 1000, [&](const Progress &) { return ++tried < 3; });
+    EXPECT_LE(tried, 3 + (int)std::thread::hardware_concurrency());
 }

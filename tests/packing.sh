@@ -9,6 +9,14 @@ size=$(stat -c %s "$WORK/a")
 check "the report adds up to the payload" bash -c "'$pack' '$BUILD/odraz.elf' -o '$WORK/a' --map '$BUILD/odraz.map' --report '$WORK/report' | grep -q '^whitted.cpp.o ' && awk -F'[:}]' '/\"sections\"/{on=1} /\"objects\"/{on=0} on && /\"bits\"/{sum+=\$(NF-1)} /\"file\"/{file=\$2+0} /\"overhead\"/{over=\$2+0} END{d=file-over-sum/8; exit !(d > -40 && d < 40)}' '$WORK/report'"
 check "a search finds and keeps contexts" bash -c "'$pack' '$in' -o '$WORK/s' --effort 4 --save-model '$WORK/model' 2>'$WORK/err' >/dev/null && grep -q 'searching: [0-9]* bytes after' '$WORK/err'"
 check "... with which the same bytes are made again" bash -c "'$pack' '$in' -o '$WORK/t' --model '$WORK/model' >/dev/null && cmp '$WORK/s' '$WORK/t'"
+interrupted() {
+    "$pack" "$in" -o "$WORK/i" --effort 1000 2>"$WORK/err" >/dev/null &
+    local pid=$!
+    sleep 3
+    kill -INT $pid
+    wait $pid && [ -x "$WORK/i" ]
+}
+check "an interrupted search packs with what it has" interrupted
 check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$in" -o "$WORK/c" --budget $((size - 1))
 check "... and nothing written" test ! -e "$WORK/c"
 check "... nor replaced" bash -c "cp '$WORK/a' '$WORK/d'; '$pack' '$in' -o '$WORK/d' --budget 100 2>/dev/null; cmp '$WORK/a' '$WORK/d'"

@@ -103,7 +103,8 @@ int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string 
         Shape shape = shapeOf(s, ships);
         double began = now();
         if (s.effort > 0)
-            shape = search(filter(program.bytes, layout), layout, shape, s.effort, [](const Progress &) {});
+            shape = search(filter(program.bytes, layout), layout, shape, s.effort,
+                           [](const Progress &) { return true; });
         Encoded e = encode(program.bytes, layout, shape, workspace);
         double encoding = now() - began;
         std::vector<uint8_t> packed = writePacked(program, shape, e.payload);

@@ -1,0 +1,373 @@
+// Part of stub.S: decoder.h and model.h.
+
+decode:
+    // expandOpcodes, and the weights, which lie behind
+    lea rdi, [rbp + OPCODES]
+    lea rsi, [rip + runs]
+    push runs_end - runs
+    pop rdx
+1:  lodsb
+    mov ecx, eax
+    and al, 7
+    shr cl, 3
+2:  stosb
+    dec cl
+    jne 2b
+    dec edx
+    jne 1b
+    mov ecx, 8 + 8 * 4096 * 72
+    mov eax, 0x3d800000 // kFirstWeight
+    rep stosd
+
+    inc dword ptr [rbp + RANGE]
+    mov eax, [rbx + MEMORY]
+    sub eax, [rbx + SIZE]
+    lea r13, [rbp + rax + FIELDS]
+    movzx eax, byte ptr [rbx + CONTEXTS]
+    lea r14, [rbx + rax * 4 + MASKS + 4 * 7]
+
+    xor eax, eax
+next_byte: // eax is the position
+    test eax, 0x7ff
+    jne 1f
+    cmp eax, [rbx + EARLY]
+    jb 1f
+    // The early part: (stack at the program's start, bytes done, bytes in all)
+    mov esi, [rbx + EARLY]
+    call protect
+    lea rdi, [rsp + 48]
+    mov esi, [rbp + POSITION]
+    mov edx, [rbx + SIZE]
+    mov eax, [rbx + EARLY_ENTRY]
+    call rax
+1:
+    // Fields
+    lea rdi, [rbp + FIELDS]
+    mov eax, [rbp + LEFT]
+    shl eax, 3
+    or eax, [rbp + PHASE]
+    stosd
+    push 6
+    pop rcx
+    mov rsi, r13
+1:  dec rsi
+    movzx eax, byte ptr [rsi]
+    stosd
+    loop 1b
+    mov edx, [rbp + POSITION]
+    mov eax, edx
+    and eax, 3
+    stosd
+
+    // begin
+    lea rsi, [rbx + MASKS]
+    mov cl, [rbx + CONTEXTS] // rcx was 0
+    add ecx, 7
+    sub edx, [rbx + CODE_BEGIN]
+    cmp edx, [rbx + CODE_SIZE]
+    sbb edi, edi
+    inc edi // 1 in data
+    mov [rbp + TYPE], edi
+    je 1f
+    lea rsi, [rsi + rcx * 2]
+1:  mov r8d, edi
+    lea rdi, [rbp + HASHES]
+hash_next:
+    lodsw
+    movzx r9d, ax
+    lea eax, [rcx + r8]
+    mov edx, [rbp + WHERE]
+    call mix_in
+    lea r10, [rbp + FIELDS]
+1:  add r10, 4
+    shr r9d, 1
+    jnc 2f
+    mov edx, [r10]
+    call mix_in
+2:  test r9d, r9d
+    jne 1b
+    stosd
+    loop hash_next
+
+    push 1
+    pop r11
+
+next_bit:
+    lea r8, [rbp + SLOTS]
+    // predict: find the counters
+    movzx r10d, byte ptr [rbx + CONTEXTS]
+    lea rsi, [rbp + HASHES]
+    lea rdi, [rbp + COUNTERS]
+    lea r9, [rbp + BYTE_SLOTS]
+    lea r15, [rbp + HISTORIES]
+find:
+    lodsd
+    mov edx, r11d
+    call mix_in
+    mov edx, eax // check in its low half
+    mov cl, [rbx + SHIFT]
+    shr eax, cl
+    lea rax, [r8 + rax * 8]
+    cmp [rax + 6], dx
+    je 2f
+    mov rcx, rax
+    xor cl, 8
+    cmp [rcx + 6], dx
+    je 1f
+    push rdx
+    mov dl, [rax + 4]
+    cmp [rcx + 4], dl
+    pop rdx
+    cmovae rcx, rax
+    shl rdx, 48
+    mov [rcx], rdx
+1:  mov rax, rcx
+2:  stosq
+    mov rcx, rax
+    movzx eax, byte ptr [rcx + 4]
+    lea rax, [r15 + rax * 4]
+    stosq
+    cmp r11d, 1
+    jne 3f
+    mov [r9], rcx
+3:  mov rcx, [r9]
+    add r9, 8
+    xor eax, eax
+    mov ah, [rcx + 5]
+    mov al, r11b
+    lea rax, [r15 + rax * 4 + 1024]
+    stosq
+    add r15, CONTEXT
+    dec r10d
+    jne find
+    push rdi // where the correction's counter goes
+    push rsi // hashes of the selectors
+    mov r9, rsi
+
+    // stretch
+    call point_to_inputs
+    mov rdi, rsi
+    lea rsi, [rbp + COUNTERS]
+1:  lodsq
+    mov eax, [rax]
+    sar eax, 8
+    mov edx, 0x800001
+    sub edx, eax
+    cvtsi2ss xmm1, edx
+    add eax, 0x800001
+    cvtsi2ss xmm0, eax
+    psubd xmm0, xmm1
+    cvtdq2ps xmm0, xmm0
+    movd eax, xmm0
+    stosd
+    loop 1b
+
+    // Mix
+    push 8
+    pop r10
+    mov eax, r11d
+1:  lea eax, [r10 + rax * 8] // rows of the eight sets lie together
+    imul eax, eax, ROW
+    lea rdx, [rbp + rax + WEIGHTS - ROW]
+    mov [rbp + r10 * 8 + ROWS - 8], rdx
+    call point_to_inputs
+    call mix
+    movss [rbp + r10 * 4 + RESULTS - 4], xmm0
+    mov eax, [r9]
+    add r9, 4
+    shr eax, 20
+    dec r10d
+    jne 1b
+    call point_to_results
+    call mix
+    movaps xmm5, xmm0
+    call squash
+    movaps xmm4, xmm0 // mixed, until learn
+
+    // Correct
+    pop rsi
+    lodsd
+    mov edx, r11d
+    call mix_in
+    shr eax, 11 // 65536 rows of 32
+    and al, 0xe0
+    mulss xmm5, [rbx + STEEPNESS]
+    addss xmm5, [rbx + MIDDLE]
+    cvttss2si edx, xmm5
+    add eax, edx
+    lea rax, [rbp + rax * 4 + CORRECTIONS]
+    pop rdi
+    mov [rdi], rax
+    mulss xmm0, [rbx + CERTAIN]
+    cvttss2si edx, xmm0
+    cmp dword ptr [rax], 0
+    jne 1f
+    lea ecx, [rdx - 0x800000]
+    shl ecx, 8
+    mov cl, 20 // kFirstTrust
+    mov [rax], ecx
+1:  mov eax, [rax]
+    sar eax, 8
+    lea eax, [rax + rdx + 0x800000]
+    shr eax, 5
+    or al, 1
+
+    // Decoder::bit
+1:  cmp byte ptr [rbp + RANGE + 3], 0
+    jne 2f
+    shl dword ptr [rbp + RANGE], 8
+    shl dword ptr [rbp + CODE], 8
+    mov cl, [r14]
+    inc r14
+    mov [rbp + CODE], cl
+    jmp 1b
+2:  mov edx, [rbp + RANGE]
+    imul rax, rdx
+    shr rax, 20
+    sub edx, eax
+    mov ecx, [rbp + CODE]
+    cmp ecx, eax
+    sbb r9d, r9d
+    jb 3f
+    sub ecx, eax
+    mov eax, edx
+3:  mov [rbp + CODE], ecx
+    mov [rbp + RANGE], eax
+    neg r9d // the bit
+
+    // learn: the weights
+    cvtsi2ss xmm3, r9d
+    push 8
+    pop r10
+1:  movss xmm0, [rbp + r10 * 4 + RESULTS - 4]
+    call squash
+    movaps xmm1, xmm3
+    subss xmm1, xmm0
+    mulss xmm1, [rbx + LEARNING]
+    mov rdx, [rbp + r10 * 8 + ROWS - 8]
+    call point_to_inputs
+    call train
+    dec r10d
+    jne 1b
+    movaps xmm1, xmm3
+    subss xmm1, xmm4
+    mulss xmm1, [rbx + FINAL_LEARNING]
+    call point_to_results
+    call train
+
+    // ... the counters, that of the correction too
+    lea rsi, [rbp + COUNTERS]
+    lea r10d, [r9 - 1]
+    xor r10d, 0x7fffff
+    movzx ecx, byte ptr [rbx + CONTEXTS]
+    lea r8d, [rcx + rcx * 2 + 1]
+1:  lodsq
+    movzx ecx, byte ptr [rax]
+    cvtsi2ss xmm1, ecx
+    addss xmm1, [rbx + SETTLED]
+    mov edx, [rax]
+    sar edx, 8
+    mov edi, r10d
+    sub edi, edx
+    cvtsi2ss xmm0, edi
+    divss xmm0, xmm1
+    cvttss2si edi, xmm0
+    add edx, edi
+    shl edx, 8
+    add cl, 1
+    sbb cl, 0
+    mov dl, cl
+    mov [rax], edx
+    dec r8d
+    jne 1b
+
+    // ... the histories
+    lea rsi, [rbp + COUNTERS]
+    movzx ecx, byte ptr [rbx + CONTEXTS]
+1:  mov rdi, [rsi]
+    mov al, [rdi + 4]
+    xor al, 1
+    jns 2f
+    and al, 63
+    or al, 64
+2:  add al, al
+    or eax, r9d
+    xor al, 1
+    mov [rdi + 4], al
+    add rsi, 24
+    loop 1b
+
+    shr r9d, 1
+    adc r11b, r11b
+    jnc next_bit
+
+    // end
+    lea rsi, [rbp + BYTE_SLOTS]
+    mov cl, [rbx + CONTEXTS] // rcx was 0
+1:  lodsq
+    mov [rax + 5], r11b
+    loop 1b
+    mov [r13], r11b
+    mov [r12], r11b
+    cmp [rbp + TYPE], ecx
+    jne 1f
+    movzx ecx, r11b
+    call parse
+    mov [rbp + LEFT], eax
+1:  inc r12
+    inc r13
+    inc dword ptr [rbp + POSITION]
+    mov eax, [rbp + POSITION]
+    cmp eax, [rbx + SIZE]
+    jb next_byte
+    ret
+
+// Operands of mix and train: ecx floats at rsi; the weights at rdx.
+point_to_inputs:
+    lea rsi, [rbp + INPUTS]
+    movzx ecx, byte ptr [rbx + CONTEXTS]
+    lea ecx, [rcx + rcx * 2]
+    ret
+point_to_results:
+    lea rdx, [rbp + FINAL_WEIGHTS]
+    mov rsi, rbp // RESULTS
+    push 8
+    pop rcx
+    ret
+
+// xmm0 = sum of weights at rdx times inputs at rsi, ecx of them, limited to -11 .. 11.
+mix:
+    xorps xmm0, xmm0
+1:  movaps xmm1, [rdx + rcx * 4 - 16]
+    mulps xmm1, [rsi + rcx * 4 - 16]
+    addps xmm0, xmm1
+    sub ecx, 4
+    jne 1b
+    movaps xmm1, xmm0
+    shufps xmm1, xmm1, 0xb1
+    addps xmm0, xmm1
+    movhlps xmm1, xmm0
+    addss xmm0, xmm1
+    minss xmm0, [rbx + MOST]
+    maxss xmm0, [rbx + LEAST]
+    ret
+
+// Adds inputs at rsi, ecx of them, times xmm1 to the weights at rdx.
+train:
+    shufps xmm1, xmm1, 0
+1:  movaps xmm0, [rsi + rcx * 4 - 16]
+    mulps xmm0, xmm1
+    addps xmm0, [rdx + rcx * 4 - 16]
+    movaps [rdx + rcx * 4 - 16], xmm0
+    sub ecx, 4
+    jne 1b
+    ret
+
+squash:
+    cvttss2si eax, xmm0
+    add eax, 0x3f800000
+    movd xmm0, eax
+    movaps xmm1, xmm0
+    addss xmm1, [rbx + ONE]
+    divss xmm0, xmm1
+    ret

@@ -1,0 +1,191 @@
+// Part of stub.S: x86.h.
+
+// Parser::step with the byte in ecx, and what run does with its result. What is left is eax, in and out.
+parse:
+    mov eax, [rbp + SO_FAR]
+    mov edx, ecx
+    call mix_in
+    mov [rbp + SO_FAR], eax
+    mov eax, [rbp + LEFT]
+    mov dl, [rbp + PHASE]
+    sub dl, 1
+    jb at_start
+    je at_vex
+    sub dl, 2
+    jb at_modrm
+    je at_sib
+
+    // In a displacement or an operand
+    dec eax
+    jne return
+    cmp [rbp + RELATIVE], al
+    je behind
+    mov [rbp + RELATIVE], al
+    mov eax, [r12 - 3]
+    bswap eax
+    sub eax, [rbp + POSITION]
+    sub eax, [rbp + IMMEDIATE]
+    dec eax
+    mov [r12 - 3], eax
+    xor eax, eax
+
+behind: // ... an opcode, an operand, or a byte of one
+    test eax, eax
+    jne return
+    or eax, [rbp + IMMEDIATE]
+    je ends
+    and dword ptr [rbp + IMMEDIATE], 0
+    mov byte ptr [rbp + PHASE], 5
+return:
+    ret
+
+ends:
+    mov eax, [rbp + MODRM]
+    mov [rbp + MODRM1], eax
+    mov rax, [rbp + OPCODE1]
+    mov [rbp + OPCODE2], rax
+    mov eax, [rbp + OPCODE]
+    mov [rbp + OPCODE1], eax
+    mov eax, [rbp + SO_FAR]
+    mov [rbp + INSTRUCTION1], eax
+    lea rdi, [rbp + OPCODE]
+    xor eax, eax
+    stosq // opcode, modrm
+    stosq // mode, so far
+    stosq // phase, left
+    stosq // wide, immediate
+    ret
+
+at_sib:
+    inc byte ptr [rbp + PHASE]
+    cmp byte ptr [rbp + MODRM], 0x40
+    jae behind
+    and cl, 7
+    cmp cl, 5
+    jne behind
+    mov al, 4
+    ret
+
+at_modrm:
+    mov [rbp + MODRM], ecx
+    mov edx, ecx
+    and dl, 0xc7
+    mov [rbp + MODE], edx
+    mov eax, [rbp + OPCODE]
+    and al, 0xfe
+    cmp ax, 0xf6
+    jne 1f
+    test cl, 0x30
+    je 1f
+    and dword ptr [rbp + IMMEDIATE], 0
+1:  mov byte ptr [rbp + PHASE], 4
+    push 4
+    pop rax
+    cmp dl, 5
+    jne 1f
+    mov [rbp + RELATIVE], al
+    ret
+1:  mov eax, ecx
+    shr eax, 6
+    cmp al, 3
+    je 2f
+    mul al
+    and cl, 7
+    cmp cl, 4
+    jne behind
+    dec byte ptr [rbp + PHASE]
+    ret
+2:  xor eax, eax
+    jmp behind
+
+at_vex:
+    cmp al, 2
+    jne 1f
+    mov dl, cl
+    and dl, 3
+    mov [rbp + MAP], dl
+1:  dec eax
+    jne return
+    mov [rbp + PHASE], al
+    and ecx, 7
+    shl ecx, 16
+    mov [rbp + OPCODE], ecx
+    mov al, [rbp + MAP]
+    shl al, 2
+    or al, 2
+    ret
+
+at_start:
+    cmp al, 4
+    jae mapped
+    lea edx, [rcx - 0x40]
+    cmp dl, 16
+    jae 1f
+    and ecx, 8
+    mov [rbp + WIDE], ecx
+    or al, 1
+    ret
+1:  mov edx, ecx
+    and dl, 0xfe
+    cmp cl, 0x66
+    je 1f
+    cmp dl, 0xf2
+    jne 2f
+1:  shl ecx, 16
+    or [rbp + OPCODE], ecx
+    ret
+2:  cmp cl, 0x0f
+    jne 3f
+    or al, 4
+    ret
+3:  cmp dl, 0xc4
+    jne at_opcode
+    inc byte ptr [rbp + PHASE]
+    mov byte ptr [rbp + MAP], 1
+    mov al, 0xc6
+    sub al, cl
+    ret
+mapped:
+    cmp al, 6
+    jae at_opcode
+    mov dl, cl
+    and dl, 0xfd
+    cmp dl, 0x38
+    jne at_opcode
+    lea eax, [rax + rcx * 2 - 0x6c]
+    ret
+
+at_opcode:
+    shr al, 2
+    mov ah, al
+    mov al, cl
+    or [rbp + OPCODE], eax
+    cmp eax, 0x40
+    jae 1f
+    and al, 7 // eight arithmetic operations go on alike
+1:  movzx edx, byte ptr [rbp + rax + OPCODES]
+    mov eax, edx
+    shr eax, 1
+    cmp dl, 6
+    sete [rbp + RELATIVE]
+    test dl, 4
+    je 1f
+    mov al, 4
+    cmp dl, 6
+    je 1f
+    cmp byte ptr [rbp + OPCODE + 2], 0x66
+    jne 2f
+    mov al, 2
+2:  cmp dl, 4
+    jne 1f
+    cmp byte ptr [rbp + WIDE], 0
+    je 1f
+    cmp cl, 0xb8
+    jb 1f
+    mov al, 8
+1:  mov [rbp + IMMEDIATE], eax
+    xor eax, eax
+    test dl, 1
+    je behind
+    mov byte ptr [rbp + PHASE], 2
+    ret
