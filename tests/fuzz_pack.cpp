@@ -34,6 +34,17 @@ std::vector<uint8_t> packedAround(const uint8_t *data, size_t size) {
     return file;
 }
 
+// Whatever the payload, the stub and C++ as this compiler sees it must decode the same.
+void decodeTwice(std::vector<uint8_t> file, const Packed &packed) {
+    uint32_t memory = stubMemory(packed.shape, packed.layout.size);
+    std::memcpy(&file[kFront + sizeof kStub + offsetof(Parameters, memory)], &memory, 4);
+    file.resize(file.size() + 2000 * 20 + 100); // no bit takes more than 20
+    Workspace workspace;
+    if (decodeWithStub(file) !=
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace))
+        std::abort();
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
@@ -56,9 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             std::vector<uint8_t> file = packedAround(input.data(), input.size());
             Packed packed = openPacked(file);
             // Decoding takes a while: not too often
-            if (data[0] > 250 && packed.layout.size < 2000 &&
-                writePlain(readPacked(file)).size() < packed.layout.size)
-                std::abort();
+            if (data[0] > 250 && packed.layout.size && packed.layout.size < 2000) decodeTwice(file, packed);
             break;
         }
         case 3: {
