@@ -3,6 +3,8 @@
 #include "host/machine.h"
 #include "host/sys.h"
 #include "options.h"
+#include "show/length.h"
+#include "timeline/track.h"
 
 namespace odraz {
 
@@ -15,8 +17,8 @@ void open(int argc, char **argv) {
     if (!cpuSuffices()) return;
     Options o;
     Message wrong;
-    constexpr double kAnyDuration = 1e5; // the film's own is not decoded yet
-    if (!parseOptions(argc, argv, kAnyDuration, o, wrong) || o.help || o.version || o.dump) return;
+    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump)
+        return;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
         sys::exit(refuse(line));
     theEarly.opened = true;

@@ -117,7 +117,7 @@ pack::Shape findShape(const Options &o, const pack::Program &program) {
         if (!wrong.empty()) throw Refusal{std::string(o.model) + ": " + wrong, 2};
     }
     if (o.seconds <= 0) return shape;
-    double shown = -1;
+    double shown = -1e9;
     bool terminal = isatty(2);
     // Ctrl-C ends the search, not the packing
     std::signal(SIGINT, [](int) { theInterruption = 1; });

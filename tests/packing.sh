@@ -17,7 +17,7 @@ interrupted() {
     wait $pid && [ -x "$WORK/i" ]
 }
 check "an interrupted search packs with what it has" interrupted
-check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$in" -o "$WORK/c" --budget $((size - 1))
+check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$in" -o "$WORK/c" --model "$model" --budget $((size - 1))
 check "... and nothing written" test ! -e "$WORK/c"
 check "... nor replaced" bash -c "cp '$WORK/a' '$WORK/d'; '$pack' '$in' -o '$WORK/d' --budget 100 2>/dev/null; cmp '$WORK/a' '$WORK/d'"
 check "at the budget is fine" bash -c "'$pack' '$in' -o '$WORK/c' --model '$model' --budget $size | grep -q ', 0 bytes left'"

@@ -1,4 +1,5 @@
 // The shots. A bar is 16 rows; every cut falls on a bar.
+#include "show/length.h"
 #include "show/show.h"
 
 namespace odraz {
@@ -67,6 +68,6 @@ static constexpr Shot kShots[] = {
     {1056, kOdraz, 1056, path(kCrane), 0, 16}, {1232, kCredits, 1232, path(kStill), 8, 16},
 };
 
-const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, 1296};
+const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};
 
 } // namespace odraz
