@@ -33,6 +33,7 @@ extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
     if (!theEarly.began) {
         theEarly.began = nanoseconds();
         theEarly.closedDescriptors = guardStandardDescriptors();
+        ignoreBrokenPipes();
         open((int)(long)stack[0], (char **)(stack + 1));
     }
     if (theEarly.viewerLeft) sys::exit(0);

@@ -25,6 +25,8 @@ read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *P
 part() { tail -c +$(($2 + 0x$offset + 1)) "$1" | head -c $((0x$size)); }
 check "with the same code in the same place" cmp <(part "$WORK/plain" 4096) <(part "$WORK/hello.elf" 0)
 
+check "-d of the film makes the same pictures" bash -c "'$pack' -d '$BUILD/odraz' -o '$WORK/film' && cmp <('$WORK/film' --dump - --from 20 --to 20.04 --size 64x36) <('$BUILD/odraz' --dump - --from 20 --to 20.04 --size 64x36)"
+
 # Damage. The header and the check itself, 656 bytes, are the loader's and the processor's business
 broken=$WORK/broken
 cp "$hello" "$broken"
