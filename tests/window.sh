@@ -3,7 +3,8 @@
 skip_unless Xvfb xdotool xprop xwininfo import identify openbox wmctrl
 
 start_display() { # start_display WIDTHxHEIGHT: sets DISPLAY
-    Xvfb -displayfd 5 -screen 0 "$1x24" -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
+    # (it resets itself when its last client leaves, and then refuses the next one for a moment)
+    Xvfb -noreset -displayfd 5 -screen 0 "$1x24" -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
     PIDS+=($!)
     for _ in $(seq 100); do [ -s "$WORK/display" ] && break; sleep 0.1; done
     DISPLAY=:$(cat "$WORK/display")
@@ -19,8 +20,10 @@ play() { # play OPTION...: sets pid and window
         window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ] && break
         sleep 0.05
     done
-    sleep 3.5 # the hall is solved first
-    [ -n "$window" ]
+    [ -n "$window" ] || return 1
+    # It is unpacked and the hall is solved first
+    for _ in $(seq 80); do is_bright "$window" && return 0; sleep 0.2; done
+    return 1
 }
 brightness() { import -window "$1" "$WORK/shot.png" && identify -format '%[fx:mean]' "$WORK/shot.png"; }
 is_bright() { awk "BEGIN { exit !($(brightness "$1") > 0.1) }"; }
