@@ -34,29 +34,20 @@ struct SceneStats {
     int shown, dropped;
 };
 
-// Keeps up with the clock by asking for less: reflections and shadows first by two samples for four pixels,
-// then by one, and last the silhouettes too. The limits are so far apart (a step is at most a factor
-// of 1.8) that a step down never makes a step up due.
+// Keeps up with the clock by moving between `film`, `play` and `draft`. It moves a little every picture, by
+// how far the last ones were from the time that they should take, so that nobody sees a step.
 struct Governor {
-    static constexpr int kMostStrain = 3;
-    static constexpr float kTooSlow[kMostStrain] = {0.062f, 0.062f, 0.08f}; // seconds a frame, by strain
-    static constexpr float kFast = 0.03f;
-    int strain = 0;
-    float average = 0.04f;
+    static constexpr float kWanted = 0.029f; // seconds a picture
+    float level = 1, average = kWanted;      // 0: film, 1: play, 2: draft
 
-    Quality quality(Quality q) const {
-        q.inner = max(q.inner, strain > 0 ? 2 : 1);
-        q.middle = strain == 1;
-        q.fine = max(q.fine, strain > 2 ? 2 : 1);
-        return q;
+    Quality quality() const {
+        auto named = [](QualityName name) { return kQualities[(int)name]; };
+        return level < 1 ? between(named(QualityName::Film), named(QualityName::Play), level)
+                         : between(named(QualityName::Play), named(QualityName::Draft), level - 1);
     }
     void spent(float seconds) {
-        average += (seconds - average) * 0.2f;
-        bool slow = strain < kMostStrain && average > kTooSlow[strain], fast = strain > 0 && average < kFast;
-        int step = slow ? 1 : fast ? -1 : 0;
-        if (!step) return;
-        strain += step;
-        average = 0.04f; // judge the new choice by its own frames
+        average += (seconds - average) * 0.25f;
+        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.f, 2.f);
     }
 };
 
@@ -94,7 +85,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, i
         double passed = (double)(before - start) * 1e-9, time = from + passed;
         if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         const Frame &picture =
-            frame(intro, time, o.quality == QualityName::Count ? governor.quality(quality) : quality);
+            frame(intro, time, o.quality == QualityName::Count ? governor.quality() : quality);
         if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         int64_t traced = nanoseconds();
         present(window, picture.rgba, picture.width, picture.height);

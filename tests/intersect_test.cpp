@@ -1,6 +1,6 @@
 // Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
 // extremes.
-#include "trace/intersect.h"
+#include "trace/beam.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -190,6 +190,12 @@ TEST(Rect, IsMetFromItsLitSideOnly) {
     EXPECT_EQ(meet({0, 3, 2.01f}, {0, -1, 0}), kInfinity);
     EXPECT_EQ(meet({0, 3, 0}, {1, 0, 0}), kInfinity);
     EXPECT_EQ(meet({5, 1, 0}, {-1, 0, 0}), kInfinity); // in its plane
+    // Light does not pass from either side
+    for (float side : {-1.f, 1.f}) {
+        Ray8 r = {broadcast(Vec3{0, 1 + 2 * side, 0}), broadcast(Vec3{0, -side, 0})};
+        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(-1)).x[0], 0);
+        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(0)).x[0], 1); // its own
+    }
 }
 
 // A room of rectangles holds all rays in, those along its edges and into its corners too, at any size.
@@ -234,43 +240,66 @@ TEST(Rect, RoomsAreTight) {
     }
 }
 
+// Packets, single rays and beams, over trees of mixed shapes and of balls alone.
 TEST(Tree, FindsWhatBruteForceFinds) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 0; round < 24; ++round) {
         scene->clear();
         scene->add(Material{});
-        int count = round * 20;
+        int count = round < 20 ? round * 20 : 3000;
+        float size = round < 20 ? 2 : 0.4f;
         for (int i = 0; i < count; ++i) {
             Vec3 c = dice.point(20);
-            Shape s = i % 3 == 0   ? sphere(c, dice(0.1f, 2), 0)
-                      : i % 3 == 1 ? box(c, {dice(0.1f, 2), dice(0.1f, 2), dice(0.1f, 2)}, 0)
-                                   : cylinder(c, dice(0.1f, 2), dice(0.1f, 2), 0);
+            int kind = round % 4 == 3 ? 0 : i % 3; // now and then balls alone
+            Shape s = kind == 0   ? sphere(c, dice(0.1f, size), 0)
+                      : kind == 1 ? box(c, {dice(0.1f, size), dice(0.1f, size), dice(0.1f, size)}, 0)
+                                  : cylinder(c, dice(0.1f, size), dice(0.1f, size), 0);
             if (i % 2) s.frame = dice.rotation();
             scene->add(s);
         }
         scene->add(plane({0, -15, 0}, 0));
         scene->finish();
-        for (int i = 0; i < 300; ++i) {
+        for (int i = 0; i < 200; ++i) {
             Ray8 r;
+            Vec3 common = dice.point(25), towards = dice.direction();
+            int kind = i % 4; // 0: scattered, 1: along an axis, 2: a beam, 3: a wide one
             for (int k = 0; k < 8; ++k) {
-                Vec3 o = dice.point(30), d = dice.direction();
+                Vec3 o = kind >= 2 ? common : dice.point(30);
+                Vec3 d = kind < 2 ? dice.direction()
+                                  : normalize(towards + dice.direction() * (kind == 2 ? 0.05f : 0.9f));
                 r.o.x[k] = o.x, r.o.y[k] = o.y, r.o.z[k] = o.z;
                 r.d.x[k] = d.x, r.d.y[k] = d.y, r.d.z[k] = d.z;
             }
-            if (i % 5 == 0) r.d = broadcast(Vec3{i % 2 ? 1.f : 0.f, i % 2 ? 0.f : -1.f, 0}); // along an axis
+            if (kind == 1) r.d = broadcast(Vec3{i % 8 < 4 ? 1.f : 0.f, i % 8 < 4 ? 0.f : -1.f, 0});
             Hit8 h = intersect(*scene, r, kLanes >= 0);
             Float8 nearest = broadcast(kInfinity);
             for (int s = 0; s < scene->shapeCount; ++s)
                 nearest = min(nearest, distance(*scene, scene->shapes[s], r));
-            for (int k = 0; k < 8; ++k) ASSERT_EQ(h.t[k], nearest[k]) << round;
-            // Whatever is tried first as a blocker, the light that passes is the same
-            int none = -1, some = count ? i % count : -1;
-            Rgb8 a = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, none),
-                 b = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, some);
+            Rgb8 light = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, broadcast(-1));
             for (int k = 0; k < 8; ++k) {
-                ASSERT_EQ(a.x[k], nearest[k] < 25 ? 0 : 1);
-                ASSERT_EQ(b.x[k], a.x[k]);
+                ASSERT_EQ(h.t[k], nearest[k]) << round << " " << kind;
+                ASSERT_EQ(light.x[k], nearest[k] < 25 ? 0 : 1) << round << " " << kind;
+                if (h.shape[k] >= 0) {
+                    ASSERT_EQ(distance(*scene, scene->shapes[h.shape[k]], r)[k], h.t[k]);
+                }
+            }
+            if (kind < 2) continue;
+            Spread spread(common, towards);
+            spread.add(r.d * broadcast(25.f));
+            if (!spread.narrow()) continue;
+            Candidates among;
+            Beam beam = spread.beam();
+            gather(*scene, beam, among);
+            Rgb8 shared =
+                transmittance(*scene, among, common, r.d, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            beam.limit[4] = -kInfinity; // for primary rays, that have no end
+            gather(*scene, beam, among);
+            Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);
+            for (int k = 0; k < 8; ++k) {
+                ASSERT_EQ(seen.shape[k], h.shape[k]) << round << " " << kind;
+                ASSERT_EQ(seen.t[k], h.t[k]);
+                ASSERT_EQ(shared.x[k], light.x[k]) << round << " " << kind;
             }
         }
     }

@@ -11,7 +11,8 @@ using namespace odraz;
 
 namespace {
 
-constexpr Quality kExact = {1, 0, 0, 0, false, 0, 0, 0, 0, 12, 1e-6f};
+constexpr Quality kExact = {1, 0, 0, 0, 0, 0, 0, 12, 1e-6f};
+constexpr Candidates kAll = {-1, {}, {}, {}};
 
 Material matte(Rgb c) {
     Material m = {};
@@ -39,10 +40,10 @@ struct Stage {
     Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact) {
         scene->finish();
         View view = lookAt(eye, target, 0, 40, 1, 1);
-        float half = 0.5f;
-        uint32_t zero = 0;
+        float half[8] = {0.5f};
+        uint32_t zero[8] = {};
         Sample s;
-        traceSamples(*scene, view, quality, *scratch, 1, &half, &half, &zero, &s);
+        traceSamples(*scene, view, quality, *scratch, kAll, 1, 1, half, half, zero, &s);
         return s;
     }
 };
@@ -146,7 +147,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     Quality q = kExact;
     q.depth = 3;
     EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25 + 0.125, 1e-5);
-    q.depth = kMaxDepth;
+    q.depth = 12;
     q.cutoff = 0.2f; // 0.25 goes on, 0.125 does not
     EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25, 1e-5);
 }
@@ -206,6 +207,7 @@ TEST(Ambient, ABallDarkensTheFloorUnderIt) {
     int id = g.scene->add(matte({1, 1, 1}));
     g.scene->add(plane({0, 0, 0}, id));
     g.scene->ambientLow = g.scene->ambientHigh = {1, 1, 1};
+    g.scene->contact = true;
     EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
     g.scene->add(sphere({0, 1, 0}, 0.5f, id));
     // Form factor of a sphere above the horizon: (r/d)^2 cos
@@ -248,8 +250,8 @@ TEST(Extremes, GiveNoNaN) {
                 x.push_back((float)(i % 40) + 0.5f), y.push_back((float)(i / 40) + 0.5f),
                     index.push_back((uint32_t)i);
             std::vector<Sample> samples(1600);
-            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, 1600, x.data(),
-                         y.data(), index.data(), samples.data());
+            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, kAll, 1, 1600,
+                         x.data(), y.data(), index.data(), samples.data());
             for (const Sample &s : samples) {
                 Rgb r = s.radiance();
                 ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0)

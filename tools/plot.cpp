@@ -7,7 +7,9 @@
 namespace {
 
 constexpr double kWidth = 760, kHeight = 460, kLeft = 80, kRight = 20, kTop = 40, kBottom = 60;
-constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20", "#555555"};
+constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
+                                    "#555555", "#c2871c", "#1c8c7a", "#a03a5c", "#3a50a0"};
+constexpr int kColourCount = sizeof kColours / sizeof *kColours;
 
 std::string format(const char *pattern, auto... values) {
     char text[600];
@@ -84,22 +86,31 @@ std::string svg(const Plot &plot) {
         text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
     }
 
-    // The front
-    std::vector<PlotPoint> front;
+    // The fronts
     double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
-    for (auto &p : plot.points)
-        if (std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
-                double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
-                return dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
-            }))
-            front.push_back(p);
-    std::sort(front.begin(), front.end(), [](auto &a, auto &b) { return a.x < b.x; });
-    std::string path;
-    for (auto &p : front) path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
-    out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"#999\" stroke-dasharray=\"4 3\"/>\n";
+    auto drawFront = [&](int series, const char *colour) { // -1: of all
+        auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
+        std::vector<PlotPoint> front;
+        for (auto &p : plot.points)
+            if (counts(p) && std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
+                    double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
+                    return counts(q) && dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
+                }))
+                front.push_back(p);
+        std::sort(front.begin(), front.end(), [](auto &a, auto &b) { return a.x < b.x; });
+        std::string path;
+        for (auto &p : front)
+            path += format("%s%.1f %.1f", path.empty() ? "M" : "L", x.place(p.x), y.place(p.y));
+        out +=
+            "<path d=\"" + path + "\" fill=\"none\" stroke=\"" + colour + "\" stroke-dasharray=\"4 3\"/>\n";
+    };
+    if (plot.frontOfEach)
+        for (int i = 0; i < (int)plot.series.size(); ++i) drawFront(i, kColours[i % kColourCount]);
+    else
+        drawFront(-1, "#999");
 
     for (auto &p : plot.points) {
-        const char *colour = kColours[p.series % 6];
+        const char *colour = kColours[p.series % kColourCount];
         out += format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%d\" fill=\"%s\"%s><title>", x.place(p.x),
                       y.place(p.y), p.shipped ? 6 : 4, colour,
                       p.shipped ? " stroke=\"black\" stroke-width=\"2\"" : "") +
@@ -109,7 +120,7 @@ std::string svg(const Plot &plot) {
     for (size_t i = 0; i < plot.series.size(); ++i) {
         double at = kTop + 14 + 16 * (double)i;
         out += format("<circle cx=\"%.0f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", kWidth - kRight - 150,
-                      at - 4, kColours[i % 6]);
+                      at - 4, kColours[i % kColourCount]);
         text(kWidth - kRight - 140, at, "start", plot.series[i]);
     }
     return out + "</svg>\n";

@@ -17,6 +17,7 @@ struct Plot {
     std::vector<PlotPoint> points;
     bool logarithmicX = false, logarithmicY = false;
     bool lessIsBetterX = true, lessIsBetterY = true; // which corner the front faces
+    bool frontOfEach = false;                        // every series has a front of its own
 };
 
 // With the front: the points that none beats on both axes, joined. The values must be positive where an axis

@@ -1,19 +1,31 @@
 // tradeoff: measures speed against accuracy or size, as a table and a plot.
 #include "tradeoff.h"
 
+#include "files.h"
+
 #include <cstdio>
 #include <cstring>
 
 static constexpr char kUsage[] =
-    "usage: tradeoff pack [--quick] [--csv FILE] [--plot FILE] [FILM]\n"
-    "pack: how small the packer makes FILM (build/odraz-safe) with less and "
-    "more search, contexts and memory,\n"
-    "      against how fast that is decoded; --quick leaves out most; --model: the contexts that ship, like\n"
-    "      tests/odraz.model\n";
+    "usage: tradeoff trace [--quick] [--scene NAME] [--csv FILE] [--plot FILE]\n"
+    "       tradeoff pack [--quick] [--model FILE] [--csv FILE] [--plot FILE] [FILM]\n"
+    "trace: how near to 256 samples a pixel the tracer's settings come, against processor time;\n"
+    "       --quick leaves out most settings and traces small pictures; --scene: one alone, with all its "
+    "knobs\n"
+    "pack:  how small the packer makes FILM (build/odraz-safe) with less and more search, contexts and "
+    "memory,\n"
+    "       against how fast that is decoded; --model: the contexts that ship, like tests/odraz.model\n"
+    "--csv and --plot write the table and a picture of it as SVG.\n";
+
+bool saveText(const std::string &path, const std::string &text) {
+    if (path.empty() || pack::writeFile(path, text.data(), text.size(), false)) return true;
+    std::perror(("tradeoff: cannot write " + path).c_str());
+    return false;
+}
 
 int main(int argc, char **argv) {
     Sweep sweep;
-    std::string what, film = "build/odraz-safe", model;
+    std::string what, film = "build/odraz-safe", model, scene;
     for (int i = 1; i < argc; ++i) {
         if (!std::strcmp(argv[i], "--help")) {
             std::fputs(kUsage, stdout);
@@ -25,8 +37,10 @@ int main(int argc, char **argv) {
             sweep.csv = argv[++i];
         else if (!std::strcmp(argv[i], "--plot") && i + 1 < argc)
             sweep.plot = argv[++i];
-        else if (!std::strcmp(argv[i], "--model") && i + 1 < argc)
+        else if (!std::strcmp(argv[i], "--model") && i + 1 < argc && what == "pack")
             model = argv[++i];
+        else if (!std::strcmp(argv[i], "--scene") && i + 1 < argc && what == "trace")
+            scene = argv[++i];
         else if (argv[i][0] != '-' && what.empty())
             what = argv[i];
         else if (argv[i][0] != '-' && what == "pack")
@@ -36,7 +50,8 @@ int main(int argc, char **argv) {
             return 2;
         }
     }
+    if (what == "trace") return tradeoffTrace(sweep, scene);
     if (what == "pack") return tradeoffPack(sweep, film, model);
-    std::fprintf(stderr, "tradeoff: name what to measure: pack\n");
+    std::fprintf(stderr, "tradeoff: name what to measure: trace or pack\n");
     return 2;
 }

@@ -8,6 +8,12 @@ struct Sweep {
     std::string csv, plot; // files to write; empty for none
 };
 
+// Writes a text whole, or says why not; nothing where the path is empty.
+bool saveText(const std::string &path, const std::string &text);
+
+// `scene`: one of subjectNames(); empty for all.
+int tradeoffTrace(const Sweep &sweep, const std::string &scene);
+
 // `model`: a file of contexts to start from, those that ship; empty for ordinary ones. Returns the exit
 // status, having said on stderr what went wrong.
 int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);

@@ -37,12 +37,6 @@ Shape shapeOf(const Setting &s, const Shape &ordinary) {
     return shape;
 }
 
-bool save(const std::string &path, const std::string &text) {
-    if (path.empty() || writeFile(path, text.data(), text.size(), false)) return true;
-    std::perror(("tradeoff: cannot write " + path).c_str());
-    return false;
-}
-
 } // namespace
 
 int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
@@ -127,5 +121,5 @@ int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string 
         csv += line;
         plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});
     }
-    return save(sweep.csv, csv) && save(sweep.plot, svg(plot)) ? 0 : 1;
+    return saveText(sweep.csv, csv) && saveText(sweep.plot, svg(plot)) ? 0 : 1;
 }

@@ -98,6 +98,12 @@ ODRAZ_INLINE Float8 gather(const float *base, Int8 index) {
     return _mm256_i32gather_ps(base, (__m256i)index, 4);
 }
 
+ODRAZ_INLINE float least(Float8 x) {
+    Float8 m = min(x, (Float8)_mm256_permute2f128_ps(x, x, 1));
+    m = min(m, (Float8)_mm256_permute_ps(m, 0x4e));
+    return min(m, (Float8)_mm256_permute_ps(m, 0xb1))[0];
+}
+
 template <class T> ODRAZ_INLINE T clamp(T x, float lo, float hi) { return min(max(x, lo), hi); }
 ODRAZ_INLINE int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
 template <class T> ODRAZ_INLINE T saturate(T x) { return clamp(x, 0.f, 1.f); }

@@ -57,6 +57,14 @@ ODRAZ_INLINE Vec3x8 select(Int8 m, Vec3x8 a, Vec3x8 b) {
 template <class T> ODRAZ_INLINE T maxComponent(Vec3T<T> a) { return max(a.x, max(a.y, a.z)); }
 template <class T> ODRAZ_INLINE T sumAbs(Vec3T<T> a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 
+// Three components side by side, as structures of arrays have them.
+template <int N> ODRAZ_INLINE Vec3x8 load(const float (&values)[3][N], int at) {
+    return {load(values[0] + at), load(values[1] + at), load(values[2] + at)};
+}
+template <int N> ODRAZ_INLINE void store(float (&values)[3][N], int at, Vec3x8 v) {
+    store(values[0] + at, v.x), store(values[1] + at, v.y), store(values[2] + at, v.z);
+}
+
 // A rotation: rows are the unit axes of the local frame, so that local = M * world.
 template <class T> struct Mat3T { Vec3T<T> u, v, w; };
 using Mat3 = Mat3T<float>;

@@ -51,14 +51,13 @@ struct Context {
     const Model &model;
     const Scene &scene;
     const Lights &lights;
-    int blocker;
 
     // What share of the way to points `to` is clear.
     Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
         to = to - at.p;
         Float8 distance = max(length(to), 1e-20f);
         d = to * (1.f / distance);
-        return transmittance(scene, {at.p, d}, distance * 0.9999f, active, blocker).y;
+        return transmittance(scene, {at.p, d}, distance * 0.9999f, active, broadcast(-1)).y;
     }
 
     // Finds the directions and form factors of the cells of a chart that this place looks at: every fourth,
@@ -142,7 +141,7 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
     int done = 0; // texels
     parallelFor(workers, model.chartCount, [&](int index, int worker) {
         const Chart &c = model.charts[index];
-        Context context = {model, scene, lights, -1};
+        Context context = {model, scene, lights};
         float du = c.width / (float)c.across, dv = c.height / (float)c.down;
         float off = (sumAbs(c.corner) + c.width + c.height) * 2e-6f;
         for (int j = 0; j < c.down && !c.open; ++j)

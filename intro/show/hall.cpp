@@ -182,6 +182,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
         return Rgb{sum[0] * all, sum[1] * all, sum[2] * all};
     };
     scene.ambientHigh = mean(0);
+    scene.contact = true;
     scene.ambientLow = mean(1);
     scene.exposure = 1;
 }

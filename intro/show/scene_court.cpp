@@ -90,6 +90,7 @@ void poseCourt(double row, Hall *, Scene &scene) {
 
     scene.sky = plainSky(Rgb{0.62f, 0.38f, 0.27f} * dusk + Rgb{0.02f, 0.028f, 0.045f},
                          Rgb{0.07f, 0.11f, 0.22f} * dusk + Rgb{0.004f, 0.007f, 0.016f});
+    scene.contact = true;
     scene.ambientLow = Rgb{0.12f, 0.085f, 0.07f} * dusk + Rgb{0.035f, 0.026f, 0.018f} * lamps;
     scene.ambientHigh = Rgb{0.17f, 0.17f, 0.23f} * dusk + Rgb{0.02f, 0.017f, 0.016f} * lamps;
     scene.fog = 0.02f;

@@ -14,6 +14,7 @@ void poseCredits(double, Hall *, Scene &scene) {
     scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, silver));
     scene.add(pointLight({-1.6f, 2.4f, 1.4f}, {9.5f, 7.6f, 5.4f}));
     scene.add(pointLight({2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}));
+    scene.contact = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
     scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});

@@ -29,6 +29,7 @@ void posePoint(double row, Hall *, Scene &scene) {
     if (key > 0) scene.add(sphere(point, 0.022f, glow));
     scene.add(pointLight(point, Rgb{8.2f, 6.5f, 4.6f} * key));
     scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim));
+    scene.contact = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);

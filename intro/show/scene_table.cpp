@@ -59,6 +59,7 @@ void poseTable(double row, Hall *, Scene &scene) {
     scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {66, 55, 42}));
     scene.add(pointLight({5.5f, 4.0f, 1.5f}, {13, 15, 19}));
     scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
+    scene.contact = true;
     scene.ambientLow = {0.075f, 0.065f, 0.055f};
     scene.ambientHigh = {0.11f, 0.135f, 0.18f};
     scene.sky = plainSky({0.27f, 0.34f, 0.43f}, {0.035f, 0.075f, 0.17f});

@@ -4,192 +4,234 @@
 
 namespace odraz {
 
+float gSize = 0.5f;
 namespace {
 
 void want(TileScratch &s, int x, int y) {
-    int i = y * kCorners + x;
-    if (s.traced[i]) return;
-    s.traced[i] = 1;
-    s.wanted[s.wantedCount++] = (uint32_t)i;
+    uint32_t i = (uint32_t)(y * kPlaces + x);
+    if (s.traced[i] == s.stamp) return;
+    s.traced[i] = s.stamp;
+    s.wanted[s.wantedCount++] = i;
+}
+void wantCorners(TileScratch &s, Square q, int size) {
+    want(s, q.x, q.y), want(s, q.x + size, q.y), want(s, q.x, q.y + size), want(s, q.x + size, q.y + size);
+}
+// The corners of a square's quarters that are not its own.
+void wantMiddles(TileScratch &s, Square q, int size) {
+    int half = size / 2;
+    want(s, q.x + half, q.y), want(s, q.x, q.y + half), want(s, q.x + half, q.y + half);
+    want(s, q.x + size, q.y + half), want(s, q.x + half, q.y + size);
 }
 
-void traceWanted(Tile &t) {
+// Traces what is wanted: whole samples for the corners of pixels; radiance for places between, as samples of
+// a size below 1.
+void traceWanted(Tile &t, float size) {
     TileScratch &s = t.s;
     float x[kChunk], y[kChunk];
+    uint32_t index[kChunk];
+    bool corners = size == 1;
     for (int first = 0; first < s.wantedCount; first += kChunk) {
         int count = min(s.wantedCount - first, kChunk);
         for (int i = 0; i < count; ++i) {
-            x[i] = (float)(t.x0 + (int)(s.wanted[first + i] % kCorners));
-            y[i] = (float)(t.y0 + (int)(s.wanted[first + i] / kCorners));
+            int px = (int)s.wanted[first + i] % kPlaces, py = (int)s.wanted[first + i] / kPlaces;
+            x[i] = (float)t.x0 + (float)px * 0.25f;
+            y[i] = (float)t.y0 + (float)py * 0.25f;
+            index[i] = (uint32_t)(corners ? (py >> 2) * kCorners + (px >> 2) : i);
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, count, x, y, s.wanted + first, s.corners);
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * gSize, count, x, y, index,
+                     corners ? s.corners : s.samples);
         for (int i = 0; i < count; ++i) {
-            uint32_t k = s.wanted[first + i];
-            const Sample &c = s.corners[k];
+            if (!corners) {
+                s.fine[s.wanted[first + i]] = radianceOf(s.samples[i]);
+                continue;
+            }
+            const Sample &c = s.corners[index[i]];
             Rgb mean = c.id ? t.scene.mean[t.scene.shapes[c.shape()].material] : Rgb{};
-            s.shown[k] = shown(t.scene, mean * c.light + c.rest);
+            __m128 lit = fourOf(c.light) * __m128{mean.x, mean.y, mean.z, 0};
+            s.shown[index[i]] = shown(t.scene, lit + fourOf(c.rest));
         }
     }
     s.sampleCount += s.wantedCount;
     s.wantedCount = 0;
 }
 
-// Finds the shapes that look smaller than a coarse square, or thinner, where they may touch this tile.
-void findGrains(Tile &t) {
-    TileScratch &s = t.s;
-    s.grainCount = 0;
-    const View &v = t.view;
-    float widest = (float)t.quality.coarse * 1.5f;
-    auto place = [&](Vec3 p, float &x, float &y) {
-        v.project(p, x, y);
-        x -= (float)t.x0, y -= (float)t.y0;
-    };
-    auto outside = [](float x, float y, float radius) {
-        return x + radius < 0 || y + radius < 0 || x - radius > kTile || y - radius > kTile;
-    };
-    for (int i = 0; i < t.scene.shapeCount && s.grainCount < kGrains; ++i) {
-        const Shape &shape = t.scene.shapes[i];
-        if (shape.kind == ShapeKind::Plane) continue;
-        // Project the ball about it
-        const Bounds &b = t.scene.box[i];
-        Vec3 middle = (b.lo + b.hi) * 0.5f;
-        float r = length(b.hi - b.lo) * (shape.kind == ShapeKind::Sphere ? 0.28868f : 0.5f),
-              far = v.ahead(middle);
-        if (far <= r * 1.1f) continue;
-        float x, y, radius = r / ((far - r) * v.spread);
-        place(middle, x, y);
-        if (outside(x, y, radius)) continue;
-        radius = r / (far * v.spread) * 1.1f;
-        if (radius <= widest) {
-            s.grains[s.grainCount++] = {x, y, 0, 0, radius};
-            continue;
-        }
-        // A line along its longest side, as thick as the next
-        if (shape.kind == ShapeKind::Sphere || shape.kind == ShapeKind::Polygon) continue;
-        const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
-        int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
-        float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);
-        Vec3 axis = (longest == 0   ? shape.frame.u
-                     : longest == 1 ? shape.frame.v
-                                    : shape.frame.w) *
-                    half[longest];
-        float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
-        radius = thick / (nearest * v.spread) * 1.1f;
-        if (nearest <= r * 0.1f || radius > widest) continue;
-        Grain g = {0, 0, 0, 0, radius};
-        place(middle - axis, g.x, g.y);
-        place(middle + axis, x, y);
-        g.alongX = x - g.x, g.alongY = y - g.y;
-        s.grains[s.grainCount++] = g;
-    }
-}
-
-// Whether a small shape may lie in the square between corners that are too far apart to meet it.
-bool mayHideGrain(const TileScratch &s, Square q, int size) {
-    float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
-    for (int i = 0; i < s.grainCount; ++i) {
-        const Grain &g = s.grains[i];
-        if ((float)size <= g.radius) continue;
-        // The line's point nearest to the square's middle, then the square's nearest to that
-        float along = fmadd(x - g.x, g.alongX, (y - g.y) * g.alongY),
-              square = fmadd(g.alongX, g.alongX, g.alongY * g.alongY);
-        float share = saturate(along / max(square, 1e-12f));
-        float dx = max(abs(fmadd(share, g.alongX, g.x) - x) - half, 0.f),
-              dy = max(abs(fmadd(share, g.alongY, g.y) - y) - half, 0.f);
-        if (fmadd(dx, dx, dy * dy) <= g.radius * g.radius) return true;
-    }
-    return false;
+float rangeOf(const TileScratch &s, const int *c) {
+    return range({s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]});
 }
 
 // The four tests of a square's corners, in the thesis's order. Where a mirror or glass shows a texture, the
 // corners of a larger square cannot tell what lies between.
-bool differ(const TileScratch &s, const int *c, int size, float threshold) {
-    if (onSilhouette(s, c)) return true;
-    for (int i = 0; i < 4 && size > 2; ++i)
-        if (s.corners[c[i]].textured) return true;
-    const Sample &a = s.corners[c[0]];
-    for (int i = 1; i < 4; ++i)
-        if (s.corners[c[i]].lights != a.lights) return true;
-    for (int i = 1; i < 4; ++i)
-        if (s.corners[c[i]].secondary != a.secondary) return true;
-    const Rgb *v[4] = {&s.shown[c[0]], &s.shown[c[1]], &s.shown[c[2]], &s.shown[c[3]]};
-    return range(v, 4) > threshold;
+bool differ(const TileScratch &s, const int *c, int size, const Quality &q) {
+    const Sample *k[4] = {&s.corners[c[0]], &s.corners[c[1]], &s.corners[c[2]], &s.corners[c[3]]};
+    bool marks = onSilhouette(s, c);
+    uint32_t textured = 0;
+    for (int i = 0; i < 4; ++i) {
+        marks |= (k[i]->lights ^ k[0]->lights) & ~kTextured || k[i]->secondary != k[0]->secondary;
+        textured |= k[i]->lights;
+    }
+    if (textured & kTextured && size > 8) return true;
+    if (marks && size > 8) return true;
+    float difference = rangeOf(s, c);
+    return difference > q.threshold || (marks && difference > q.mild);
 }
 
-void traceAdaptive(Tile &t) {
+// Radiance at the corners of a square below a pixel.
+__m128 radianceAt(const TileScratch &s, int x, int y) {
+    if ((x | y) & 3) return s.fine[y * kPlaces + x];
+    return radianceOf(s.corners[(y >> 2) * kCorners + (x >> 2)]);
+}
+void radianceOf(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
+    for (int i = 0; i < 4; ++i) v[i] = radianceAt(s, q.x + (i & 1) * size, q.y + (i >> 1) * size);
+}
+float rangeOf(const Tile &t, const __m128 (&v)[4]) {
+    return range({shown(t.scene, v[0]), shown(t.scene, v[1]), shown(t.scene, v[2]), shown(t.scene, v[3])});
+}
+
+// Splits squares level by level, down to a pixel at least; fills the rest. Returns how many pixels are left
+// in `squares`, to be split on.
+int splitSquares(Tile &t, Square *&squares, Square *&next, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
-    for (uint8_t &traced : s.traced) traced = 0;
-    s.wantedCount = 0;
-    findGrains(t);
-
-    // Begin with coarse squares
-    int count = 0;
-    Square *squares = s.squares[0], *next = s.squares[1];
-    for (int y = 0; y < t.height; y += q.coarse)
-        for (int x = 0; x < t.width; x += q.coarse) squares[count++] = {(uint8_t)x, (uint8_t)y};
-    for (int i = 0; i < count; ++i) {
-        int x = squares[i].x, y = squares[i].y;
-        want(s, x, y), want(s, x + q.coarse, y), want(s, x, y + q.coarse),
-            want(s, x + q.coarse, y + q.coarse);
-    }
-    traceWanted(t);
-
-    // Split what differs, level by level; fill the rest
-    int rough = 0, middles = 0;
+    int rough = 0; // kept at the end of `next`
     for (int size = q.coarse; count; size /= 2) {
         int splits = 0, half = size / 2;
         for (int i = 0; i < count; ++i) {
             Square a = squares[i];
             int c[4];
             cornersOf(a, size, c);
-            bool split =
-                size > q.fine && (size > q.inner ? differ(s, c, size, q.threshold) : onSilhouette(s, c));
-            split |= size > q.fine && mayHideGrain(s, a, size);
-            if (!split && size == 2 && q.middle && differ(s, c, size, q.threshold)) {
-                want(s, a.x + 1, a.y + 1);
-                s.middles[middles++] = a;
+            bool silhouette = onSilhouette(s, c);
+            int shape = silhouette || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
+            if (size > 4) {
+                bool split = size > q.fine && (differ(s, c, size, q) || mayHide(t, a, size, shape));
+                if (!split) {
+                    fill(t, a, size);
+                    continue;
+                }
+                for (int k = 0; k < 4; ++k) {
+                    Square child = {(uint8_t)(a.x + half * (k & 1)), (uint8_t)(a.y + half * (k >> 1))};
+                    if (child.x < 4 * t.width && child.y < 4 * t.height) next[splits++] = child;
+                }
+                wantMiddles(s, a, size);
                 continue;
             }
-            if (!split) {
+            // Below a pixel only what is seen decides; where nothing but the texture differs its own filter
+            // serves
+            bool split = false;
+            if (q.fine < 4) {
+                bool calm = shape >= 0 && rangeOf(s, c) <= q.edge;
+                if (!calm) {
+                    __m128 v[4];
+                    radianceOf(s, a, size, v);
+                    split = rangeOf(t, v) > q.edge;
+                }
+                split |= !split && mayHide(t, a, size, shape);
+            }
+            if (split)
+                s.squares[2][rough++] = a;
+            else
                 fill(t, a, size);
-                if (size > 1 || q.levels == 0) continue;
-                Rgb seen[4];
-                for (int k = 0; k < 4; ++k) seen[k] = shown(t.scene, s.corners[c[k]].radiance());
-                const Rgb *v[4] = {&seen[0], &seen[1], &seen[2], &seen[3]};
-                bool textureOnly = s.owner[a.y * kTile + a.x] != kMixed && !differ(s, c, size, q.edge);
-                if ((!textureOnly && range(v, 4) > q.edge) || mayHideGrain(s, a, size))
-                    s.pixels[rough++] = (uint16_t)(a.y * kTile + a.x);
-                continue;
-            }
-            for (int k = 0; k < 4; ++k) {
-                Square child = {(uint8_t)(a.x + half * (k & 1)), (uint8_t)(a.y + half * (k >> 1))};
-                if (child.x < t.width && child.y < t.height) next[splits++] = child;
-            }
-            want(s, a.x + half, a.y), want(s, a.x, a.y + half), want(s, a.x + half, a.y + half);
-            want(s, a.x + size, a.y + half), want(s, a.x + half, a.y + size);
         }
-        traceWanted(t);
+        if (half >= 4) traceWanted(t, 1);
         Square *done = squares;
         squares = next;
         next = done;
         count = splits;
     }
+    return rough;
+}
 
-    for (int i = 0; i < middles; ++i) fillByMiddle(t, s.middles[i]);
+// Splits pixels into halves, and these into quarters; every one left adds the mean of its corners.
+void splitPixels(Tile &t, int count) {
+    TileScratch &s = t.s;
+    const Quality &q = t.quality;
+    Square *squares = s.squares[2], *next = s.squares[0];
+    for (int i = 0; i < count; ++i) {
+        int p = (squares[i].y >> 2) * kTile + (squares[i].x >> 2);
+        for (int k = 0; k < 3; ++k) s.rest[k][p] = 0;
+        s.owner[p] = kMixed;
+    }
+    float edge = q.edge * 2;
+    for (int size = 4; count; size /= 2, edge *= 2) {
+        for (int i = 0; i < count; ++i) wantMiddles(s, squares[i], size);
+        traceWanted(t, (float)size * 0.125f);
+        int half = size / 2, splits = 0;
+        float weight = (float)(half * half) * (1.f / 64);
+        for (int i = 0; i < 4 * count; ++i) {
+            Square a = squares[i >> 2];
+            a = {(uint8_t)(a.x + half * (i & 1)), (uint8_t)(a.y + half * (i >> 1 & 1))};
+            __m128 v[4];
+            radianceOf(s, a, half, v);
+            if (half > q.fine && (rangeOf(t, v) > edge || mayHide(t, a, half, -1))) {
+                next[splits++] = a;
+                continue;
+            }
+            __m128 sum = (v[0] + v[1] + v[2] + v[3]) * weight;
+            int p = (a.y >> 2) * kTile + (a.x >> 2);
+            for (int k = 0; k < 3; ++k) s.rest[k][p] += sum[k];
+        }
+        Square *done = squares;
+        squares = next;
+        next = done;
+        count = splits;
+    }
+}
 
-    // Super-sample pixels whose corners differ, and once more those whose samples still do
-    for (int level = 1; level <= q.levels && rough; ++level)
-        rough = superSample(t, rough, 1 << level, q.edge * (float)(1 << level));
+void traceAdaptive(Tile &t) {
+    TileScratch &s = t.s;
+    const Quality &q = t.quality;
+    if (++s.stamp == 0) {
+        for (uint8_t &traced : s.traced) traced = 0;
+        s.stamp = 1;
+    }
+    s.wantedCount = 0;
+    watch(t);
+    Square *squares = s.squares[0], *next = s.squares[1];
+    int count = 0;
+    for (int y = 0; y < 4 * t.height; y += q.coarse)
+        for (int x = 0; x < 4 * t.width; x += q.coarse) {
+            squares[count] = {(uint8_t)x, (uint8_t)y};
+            wantCorners(s, squares[count++], q.coarse);
+        }
+    traceWanted(t, 1);
+    splitPixels(t, splitSquares(t, squares, next, count));
     finishTile(t);
 }
 
+// Finds what the tile's primary rays may meet; a pixel around it keeps roundings out.
+void aimTile(Tile &t) {
+    float x0 = (float)t.x0 - 1, y0 = (float)t.y0 - 1, x1 = (float)(t.x0 + kTile + 1),
+          y1 = (float)(t.y0 + kTile + 1);
+    const View &v = t.view;
+    gather(t.scene,
+           beamThrough(v.eye,
+                       {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1), v.direction(x0, y1)}),
+           t.s.among);
+}
+
+// The same number of samples in every pixel.
 void traceGrid(Tile &t) {
-    int count = 0;
-    for (int y = 0; y < t.height; ++y)
-        for (int x = 0; x < t.width; ++x) t.s.pixels[count++] = (uint16_t)(y * kTile + x);
-    superSample(t, count, t.quality.grid, kInfinity);
-    finishTile(t);
+    TileScratch &s = t.s;
+    int side = t.quality.grid, perPixel = side * side, batch = kChunk / perPixel;
+    float x[kChunk], y[kChunk];
+    uint32_t index[kChunk];
+    for (uint32_t i = 0; i < kChunk; ++i) index[i] = i;
+    for (int first = 0; first < t.width * t.height; first += batch) {
+        int pixels = min(batch, t.width * t.height - first), count = 0;
+        for (int p = first; p < first + pixels; ++p)
+            for (int k = 0; k < perPixel; ++k) {
+                x[count] = (float)(t.x0 + p % t.width) + ((float)(k % side) + 0.5f) / (float)side;
+                y[count++] = (float)(t.y0 + p / t.width) + ((float)(k / side) + 0.5f) / (float)side;
+            }
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, x, y, index,
+                     s.samples);
+        s.sampleCount += count;
+        for (int p = 0, i = 0; p < pixels; ++p) {
+            __m128 sum = _mm_setzero_ps();
+            for (int k = 0; k < perPixel; ++k) sum += radianceOf(s.samples[i++]);
+            int px = t.x0 + (first + p) % t.width, py = t.y0 + (first + p) / t.width;
+            for (int k = 0; k < 3; ++k) t.frame.plane[k][py * t.frame.stride + px] = sum[k] / (float)perPixel;
+        }
+    }
 }
 
 } // namespace
@@ -213,6 +255,7 @@ void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
             min(kTile, frame.height - y)};
+        aimTile(tile);
         if (quality.grid > 0)
             traceGrid(tile);
         else

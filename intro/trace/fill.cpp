@@ -2,89 +2,63 @@
 
 namespace odraz {
 
-// What a pixel gets: radiance `rest` and `light` on the surface of the shape `owner`, or of none (kMixed).
-static void setPixel(TileScratch &s, int p, Rgb light, Rgb rest, uint16_t owner) {
-    s.light[0][p] = light.x, s.light[1][p] = light.y, s.light[2][p] = light.z;
-    s.rest[0][p] = rest.x, s.rest[1][p] = rest.y, s.rest[2][p] = rest.z;
-    s.owner[p] = owner;
+// Eight pixels of a row into the frame.
+static void put(const Tile &t, int x, int y, Rgb8 v) {
+    size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
+    store(t.frame.plane[0] + out, v.x);
+    store(t.frame.plane[1] + out, v.y);
+    store(t.frame.plane[2] + out, v.z);
 }
 
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
-    int c[4];
+    int c[4], x0 = q.x >> 2, y0 = q.y >> 2, at = y0 * kTile + x0;
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
     bool same = !onSilhouette(s, c);
-    Rgb light[4], rest[4];
+    uint16_t owner = same && first.id ? (uint16_t)first.shape() : kMixed;
+    __m128 light[4], rest[4];
     for (int i = 0; i < 4; ++i) {
         const Sample &k = s.corners[c[i]];
-        light[i] = same ? k.light : Rgb{};
-        rest[i] = same ? k.rest : k.radiance();
+        light[i] = same ? fourOf(k.light) : _mm_setzero_ps();
+        rest[i] = same ? fourOf(k.rest) : radianceOf(k);
     }
-    uint16_t owner = same && first.id ? (uint16_t)first.shape() : kMixed;
+    if (size == 4) {
+        __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
+        __m128 r = (rest[0] + rest[1] + rest[2] + rest[3]) * 0.25f;
+        for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
+        s.owner[at] = owner;
+        return;
+    }
     // A row of the square is one packet; along it and down the sides everything is linear
-    Int8 inside = kLanes < size;
-    Float8 u = (toFloat(kLanes) + 0.5f) * (1.f / (float)size);
-    auto spread = [&](float *plane, int p, float left, float right) {
-        _mm256_maskstore_ps(plane + p, (__m256i)inside, fmadd(u, right - left, broadcast(left)));
-    };
-    for (int y = 0; y < size; ++y) {
-        float v = ((float)y + 0.5f) / (float)size;
-        Rgb l0 = lerp(light[0], light[2], v), l1 = lerp(light[1], light[3], v);
-        Rgb r0 = lerp(rest[0], rest[2], v), r1 = lerp(rest[1], rest[3], v);
-        int p = (q.y + y) * kTile + q.x;
-        spread(s.light[0], p, l0.x, l1.x), spread(s.light[1], p, l0.y, l1.y),
-            spread(s.light[2], p, l0.z, l1.z);
-        spread(s.rest[0], p, r0.x, r1.x), spread(s.rest[1], p, r0.y, r1.y), spread(s.rest[2], p, r0.z, r1.z);
-        for (int x = 0; x < size; ++x) s.owner[p + x] = owner;
-    }
-}
-
-void fillByMiddle(Tile &t, Square q) {
-    TileScratch &s = t.s;
-    int c[4];
-    cornersOf(q, 2, c);
-    const Sample &middle = s.corners[c[0] + kCorners + 1];
-    for (int i = 0; i < 4; ++i) {
-        const Sample &corner = s.corners[c[i]];
-        int p = (q.y + i / 2) * kTile + q.x + i % 2;
-        bool same = corner.id == middle.id && corner.id;
-        Rgb light = same ? (corner.light + middle.light) * 0.5f : Rgb{};
-        Rgb rest = (same ? corner.rest + middle.rest : corner.radiance() + middle.radiance()) * 0.5f;
-        setPixel(s, p, light, rest, same ? (uint16_t)corner.shape() : kMixed);
-    }
-}
-
-int superSample(Tile &t, int count, int side, float threshold) {
-    TileScratch &s = t.s;
-    int perPixel = side * side, batch = kChunk / perPixel, left = 0;
-    float x[kChunk], y[kChunk];
-    uint32_t index[kChunk];
-    for (int first = 0; first < count; first += batch) {
-        int pixels = min(batch, count - first);
-        for (int i = 0; i < pixels * perPixel; ++i) {
-            int p = s.pixels[first + i / perPixel], k = i % perPixel;
-            x[i] = (float)(t.x0 + p % kTile) + ((float)(k % side) + 0.5f) / (float)side;
-            y[i] = (float)(t.y0 + p / kTile) + ((float)(k / side) + 0.5f) / (float)side;
-            index[i] = (uint32_t)i;
+    int pixels = size >> 2;
+    Int8 inside = kLanes < pixels;
+    Float8 u = (toFloat(kLanes) + 0.5f) * (1.f / (float)pixels);
+    for (int y = 0; y < pixels && y0 + y < t.height; ++y) {
+        float v = ((float)y + 0.5f) / (float)pixels;
+        auto row = [&](const __m128(&k)[4]) {
+            __m128 left = k[0] + (k[2] - k[0]) * v, step = k[1] + (k[3] - k[1]) * v - left;
+            return Rgb8{fmadd(u, step[0], broadcast(left[0])), fmadd(u, step[1], broadcast(left[1])),
+                        fmadd(u, step[2], broadcast(left[2]))};
+        };
+        Rgb8 l = row(light), r = row(rest);
+        int p = at + y * kTile;
+        if (pixels == 8) {
+            // Whole packets need not wait for their neighbours
+            if (owner != kMixed)
+                r += l * albedoSeen(t.scene, t.view, t.scene.shapes[owner],
+                                    toFloat(kLanes) + ((float)(t.x0 + x0) + 0.5f),
+                                    broadcast((float)(t.y0 + y0 + y) + 0.5f));
+            put(t, x0, y0 + y, r);
+            _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
+            continue;
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, pixels * perPixel, x, y, index, s.fine);
-        s.sampleCount += pixels * perPixel;
-        for (int i = 0; i < pixels; ++i) {
-            Rgb sum = {}, seen[kChunk];
-            const Rgb *v[kChunk];
-            for (int k = 0; k < perPixel; ++k) {
-                Rgb c = s.fine[i * perPixel + k].radiance();
-                seen[k] = shown(t.scene, c);
-                v[k] = &seen[k];
-                sum += c;
-            }
-            int p = s.pixels[first + i];
-            setPixel(s, p, {}, sum * (1.f / (float)perPixel), kMixed);
-            if (range(v, perPixel) > threshold) s.pixels[left++] = (uint16_t)p;
+        for (int k = 0; k < 3; ++k) {
+            _mm256_maskstore_ps(s.light[k] + p, (__m256i)inside, (k == 0 ? l.x : k == 1 ? l.y : l.z));
+            _mm256_maskstore_ps(s.rest[k] + p, (__m256i)inside, (k == 0 ? r.x : k == 1 ? r.y : r.z));
         }
+        for (int x = 0; x < pixels; ++x) s.owner[p + x] = owner;
     }
-    return left;
 }
 
 void finishTile(Tile &t) {
@@ -93,24 +67,22 @@ void finishTile(Tile &t) {
         for (int x = 0; x < t.width; x += 8) {
             const int p = y * kTile + x;
             Rgb8 sum = {load(s.rest[0] + p), load(s.rest[1] + p), load(s.rest[2] + p)};
-            Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
-            Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f),
-                   py = broadcast((float)(t.y0 + y) + 0.5f);
-            int owners[8];
-            for (int k = 0; k < 8; ++k) owners[k] = s.owner[p + k];
-            Int8 owner = loadInts(owners);
+            if (s.owner[p] == kDone) continue;
+            Int8 owner = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(s.owner + p)));
             int left = laneBits((owner != kMixed) & (kLanes < t.width - x));
-            while (left) {
-                int shape = owner[__builtin_ctz(left)];
-                Int8 mine = owner == shape;
-                Rgb8 a = albedoSeen(t.scene, t.view, t.scene.shapes[shape], px, py);
-                sum = select(mine, sum + a * light, sum);
-                left &= ~laneBits(mine);
+            if (left) {
+                Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
+                Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f),
+                       py = broadcast((float)(t.y0 + y) + 0.5f);
+                while (left) {
+                    int shape = owner[__builtin_ctz((unsigned)left)];
+                    Int8 mine = owner == shape;
+                    Rgb8 a = albedoSeen(t.scene, t.view, t.scene.shapes[shape], px, py);
+                    sum = select(mine, sum + a * light, sum);
+                    left &= ~laneBits(mine);
+                }
             }
-            size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
-            store(t.frame.plane[0] + out, sum.x);
-            store(t.frame.plane[1] + out, sum.y);
-            store(t.frame.plane[2] + out, sum.z);
+            put(t, x, y, sum);
         }
 }
 

@@ -12,7 +12,7 @@ static Float8 marble(Vec3x8 p, Float8 width) {
     Float8 broad = abs(noise(bent)), thin = abs(noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f}));
     // A vein widens to what a sample sees, and pales in proportion
     auto vein = [](Float8 distance, Float8 halfWidth, Float8 seen) {
-        Float8 wide = max(halfWidth, seen * 1.5f), inside = saturate(1.f - distance / wide);
+        Float8 wide = fmadd(seen, 0.5f, halfWidth), inside = saturate(1.f - distance / wide);
         return inside * inside * (halfWidth / wide);
     };
     Float8 strength = saturate(fmadd(warp, 0.9f, 0.55f));
@@ -56,6 +56,9 @@ static Rgb8 colour(const Texture &t, Vec3x8 q, Float8 width) {
     case Pattern::WoodAcross:
         v = wood({p.z, p.y, p.x}, w);
         break;
+    case Pattern::Cloud:
+        v = fmadd(noise(p), bandLimit(w, 1.f) * 0.5f, 0.5f);
+        break;
     default:
         v = stone(p, w);
         break;
@@ -67,7 +70,7 @@ static Rgb8 colour(const Texture &t, Vec3x8 q, Float8 width) {
 }
 
 // The average of a square wave (+1 on even cells, -1 on odd ones) over [x - w/2, x + w/2].
-static Float8 squareWave(Float8 x, Float8 w) {
+ODRAZ_INLINE static Float8 squareWave(Float8 x, Float8 w) {
     auto integral = [](Float8 x) {
         Float8 folded = x - floor(x * 0.5f) * 2.f;
         return 1.f - abs(folded - 1.f);
@@ -107,6 +110,7 @@ Rgb meanAlbedo(const Material &m) {
                                                {0.26f, 0.65f, 0.08f, 0.01f},
                                                {0.25f, 0.53f, 0.21f, 0.01f},
                                                {0.25f, 0.53f, 0.21f, 0.01f},
+                                               {0.02f, 0.48f, 0.48f, 0.02f},
                                                {0.02f, 0.48f, 0.48f, 0.02f}};
         Rgb sum = {};
         for (int i = 0; i < 4; ++i) sum += t.palette[i] * kShares[(int)t.pattern][i];

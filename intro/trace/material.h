@@ -9,7 +9,14 @@
 
 namespace odraz {
 
-enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone }; // wood grows along z; across: x
+enum class Pattern : uint8_t {
+    Plain,
+    Marble,
+    Wood,
+    WoodAcross,
+    Stone,
+    Cloud
+}; // wood grows along z; across: x
 
 // A pattern gives a number in [0, 1]; the palette's four evenly spaced colours make it a colour.
 struct Texture {
@@ -27,10 +34,12 @@ struct Material {
     float exponent;  // h >= 1, Phong's
     float reflect;   // mirror reflectance at normal incidence, 0 .. 1
     bool fresnel;    // reflectance rises to 1 at grazing angles (Schlick)
-    float ior;       // > 0: glass of this index of refraction, with exact Fresnel weights; 0: opaque
+    float ior;       // > 0: glass of this index of refraction; 0: opaque
     Rgb absorb;      // glass: absorption per world unit, in powers of two
     Rgb tint;        // colour of the mirror; of glass for shadow rays
     Rgb emit;        // light of its own, for the eye only
+    float transmit =
+        0; // glass: 0: Fresnel's weights, exactly; > 0: this share is refracted, `reflect` mirrored
 };
 
 // The diffuse colour at local points q seen along the local unit direction d by samples `width` wide (world

@@ -2,16 +2,15 @@
 
 namespace odraz {
 
-// Dot product of (x, y, z) with one of the twelve edge gradients: two different coordinates, each with a
-// sign. The hash's high bits choose: 31, 30 signs; 29 whether the first is x or y; 28, 27 whether the second
-// is z (if either) or the other of x and y. Bitwise selection: blends are dear, and there are eight corners.
+// Dot product of (x, y, z) with one of eight gradients: a cube's corners, turned so that none lies along the
+// lattice. The hash's high bits choose; a look-up among eight is one instruction.
 static Float8 gradient(Uint8 hash, Float8 x, Float8 y, Float8 z) {
-    Int8 h = (Int8)hash, differ = bits(x) ^ bits(y);
-    Int8 first = bits(x) ^ ((h << 2) >> 31 & differ);
-    Int8 other = first ^ differ;
-    Int8 second = other ^ (((h << 3) | (h << 4)) >> 31 & (other ^ bits(z)));
-    constexpr int32_t kSign = (int32_t)0x80000000;
-    return fromBits(first ^ (h & kSign)) + fromBits(second ^ (h << 1 & kSign));
+    constexpr Float8 kX = {-0.2641f, 0.8046f, -1.3646f, -0.2958f, 0.2958f, 1.3646f, -0.8046f, 0.2641f};
+    constexpr Float8 kY = {-0.6427f, 0.5723f, 0.1631f, 1.3782f, -1.3782f, -0.1631f, -0.5723f, 0.6427f};
+    constexpr Float8 kZ = {-1.2317f, -1.0125f, -0.3337f, -0.1145f, 0.1145f, 0.3337f, 1.0125f, 1.2317f};
+    Uint8 h = hash >> 29;
+    auto pick = [&](Float8 table) { return (Float8)_mm256_permutevar8x32_ps(table, (__m256i)h); };
+    return fmadd(pick(kX), x, fmadd(pick(kY), y, pick(kZ) * z));
 }
 
 static Float8 fade(Float8 t) { return t * t * t * fmadd(t, fmadd(t, 6.f, -15.f), 10.f); }

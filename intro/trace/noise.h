@@ -1,8 +1,9 @@
 // Perlin's improved gradient noise, eight points at a time.
 //
-// Quintic fade and the twelve edge gradients of Perlin, "Improving Noise" (SIGGRAPH 2002); in place of his
-// permutation table the lattice is hashed with integers, so that there is no period of 256 and no table.
-// Coordinates: |x| < 2^22 for full detail, any finite number for a finite answer.
+// Quintic fade of Perlin, "Improving Noise" (SIGGRAPH 2002); in place of his permutation table the lattice is
+// hashed with integers, so that there is no period of 256 and no table; in place of his twelve gradients
+// there are eight, evenly spread. Coordinates: |x| < 2^22 for full detail, any finite number for a finite
+// answer.
 #pragma once
 
 #include "base/vec3.h"

@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-inline constexpr int kMaxShapes = 1024, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
+inline constexpr int kMaxShapes = 8192, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
                      kMaxOccluders = 24;
 
 // A point or spot light, with a hard shadow. Irradiance at distance r is intensity / r^2.
@@ -25,14 +25,22 @@ struct Light {
 
 inline Light pointLight(Vec3 position, Rgb intensity) { return {position, intensity, {0, -1, 0}, -2, -1.5f}; }
 
-// Binary bounding-box tree; a leaf holds shapes order[first .. first + count), an inner node (count = 0) the
-// children first and first + 1.
+// A tree of bounding boxes with up to eight children a node, side by side for eight-wide tests. A node whose
+// children are all balls holds the balls themselves in place of their boxes.
 struct Node {
-    Vec3 lo;
-    int first;
-    Vec3 hi;
-    int count;
+    union {
+        float lo[3][8];
+        float centre[3][8];
+    };
+    union {
+        float hi[3][8];
+        float radius[8];
+    };
+    int child[8]; // a node, or ~shape
+    int count;    // boxes behind it are empty
+    bool balls;
 };
+inline constexpr int kTreeDepth = 20; // most nodes above one another
 
 struct Scene {
     Shape shapes[kMaxShapes];
@@ -47,14 +55,15 @@ struct Scene {
     float exposure;              // factor before tone mapping
     const Lightmap *lightmap;    // for shapes with a chart; may be null where none has
     float lines;                 // 0 .. 1: how dark the lines between patches are drawn
+    bool contact;                // balls darken what ambient light reaches around them
 
     // Made by finish()
-    Node nodes[2 * kMaxShapes];
+    Node nodes[kMaxShapes];
     uint16_t order[kMaxShapes];
     uint16_t unbounded[8]; // the planes
     int nodeCount, unboundedCount;
     Bounds box[kMaxShapes];       // of each shape but the planes
-    Vec3 occluder[kMaxOccluders]; // balls that darken what ambient light reaches around them
+    Vec3 occluder[kMaxOccluders]; // the balls of `contact`
     float occluderRadius[kMaxOccluders];
     int occluderCount;
     Rgb mean[kMaxMaterials]; // each material's average diffuse reflectance
@@ -71,7 +80,7 @@ struct Scene {
     // A polygon in the plane through `centre` with frame's v as its normal; `points` are `count` pairs (x,
     // z).
     Shape *addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material);
-    // Builds the tree; after it the scene may be traced.
+    // Builds the tree (tree.cpp); after it the scene may be traced.
     void finish();
 };
 

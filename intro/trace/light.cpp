@@ -1,0 +1,106 @@
+// The light that arrives at a run of hits.
+#include "base/maths.h"
+#include "trace/ball.h"
+#include "trace/whitted.h"
+
+namespace odraz {
+
+// What of the light from all around is left between the balls.
+static Float8 openness(const Scene &scene, const Shape &shape, Vec3x8 p, Vec3x8 n) {
+    Float8 open = broadcast(1.f);
+    for (int i = 0; i < scene.occluderCount; ++i) {
+        Vec3x8 to = scene.occluder[i] - p;
+        Float8 square = max(dot(to, to), 1e-12f), facing = dot(n, to);
+        float r2 = scene.occluderRadius[i] * scene.occluderRadius[i];
+        // One takes at most radius^2 / distance^2: from a four-hundredth on it counts
+        Int8 counts = (facing > -scene.occluderRadius[i]) & (square < r2 * 400.f);
+        if (shape.kind == ShapeKind::Sphere) counts &= square > r2 * 1.0001f; // not itself
+        if (!any(counts)) continue;
+        Float8 taken = clamp(ballFormFactor(facing / sqrt(square), r2 / square) - 0.0025f, 0.f, 0.95f);
+        open *= 1.f - select(counts, taken, 0.f);
+    }
+    return open;
+}
+
+// What may stand between a light and a run's places. For few places, or around a wide beam, there are too
+// many.
+static void aim(const Scene &scene, const Run &run, Vec3 from, Candidates &found) {
+    found.count = -1;
+    if (run.count <= 8) return;
+    Spread spread(from, Vec3{run.p[0][0], run.p[1][0], run.p[2][0]} - from);
+    for (int i = 0; i < run.count; i += 8) spread.add(load(run.p, i) - from);
+    if (spread.narrow()) gather(scene, spread.beam(), found);
+}
+
+void illuminate(const Context &c, const RayStream &in, Run &run) {
+    const Scene &scene = c.scene;
+    const Shape &shape = scene.shapes[run.shape];
+    const Material &m = scene.materials[shape.material];
+    float reflectance = maxComponent(scene.mean[shape.material]),
+          least = c.quality.cutoff * 0.05f / scene.exposure;
+
+    // From all around: by the lightmap, or ambient
+    for (int i = 0; i < run.count; i += 8) {
+        Vec3x8 p = load(run.p, i), n = load(run.n, i);
+        Rgb8 diffuse;
+        if (shape.chart >= 0)
+            diffuse = lightAt(*scene.lightmap, scene.lightmap->charts[shape.chart], p);
+        else
+            diffuse =
+                broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
+        if (scene.occluderCount) diffuse = diffuse * openness(scene, shape, p, n);
+        store(run.diffuse, i, diffuse);
+        store(run.highlight, i, Rgb8{});
+        store(run.states + i, Int8{});
+    }
+
+    // From every light. What would add less than a twentieth of the cutoff to the picture is left out
+    float lobeEnd = m.specular > 0 ? exp2(-20 / m.exponent) : 1;
+    for (int k = 0; k < scene.lightCount; ++k) {
+        const Light &light = scene.lights[k];
+        Candidates among;
+        bool aimed = false;
+        for (int i = 0; i < run.count; i += 8) {
+            // Cut lanes that face away or stand outside the spot
+            Vec3x8 n = load(run.n, i), p = fmadd(n, load(run.error + i), load(run.p, i));
+            Vec3x8 to = light.position - p;
+            Float8 square = max(dot(to, to), 1e-8f), far = sqrt(square), inverse = 1.f / far;
+            Vec3x8 l = to * inverse;
+            Float8 cosine = dot(n, l), strength = inverse * inverse;
+            if (light.cosOuter > -1.5f)
+                strength *= smoothstep(light.cosOuter, light.cosInner, -dot(light.direction, l));
+            // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100
+            // cycles each
+            Float8 lobe = {};
+            if (m.specular > 0) {
+                Vec3x8 d = Eight(run.ray + i)(in.d);
+                Float8 towards = fmadd(dot(n, d) * -2.f, cosine, dot(d, l));
+                if (any(towards > lobeEnd))
+                    lobe = select(towards > lobeEnd, pow(min(towards, 1.f), m.exponent) * m.specular, 0.f);
+            }
+            Float8 share = maxComponent(load(run.weight, i));
+            Float8 promised =
+                fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
+            Int8 lit = (kLanes < run.count - i) & (cosine > 0.f) & (promised > least);
+            Float8 side = load(run.side + i);
+            if (m.ior > 0) lit &= side > 0.f; // inside glass lights come by refraction
+            if (!any(lit)) continue;
+
+            // Add what comes through. A shape does not shade what faces the light on its own outside
+            if (!aimed) aim(scene, run, light.position, among), aimed = true;
+            Int8 own = select(side > 0.f, ((loadInts(run.id + i) - 1) >> 3), broadcast(-1));
+            Float8 end = fmadd(far, 1.f - 1e-6f, -load(run.error + i));
+            Rgb8 through = transmittance(scene, among, light.position, -l, end, lit, own);
+            lit &= maxComponent(through) > 0.f;
+            if (!any(lit)) continue;
+            Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;
+            store(run.diffuse, i, load(run.diffuse, i) + arriving * cosine);
+            store(run.highlight, i, load(run.highlight, i) + arriving * lobe);
+            Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3),
+                                select(lobe > 0.02f, broadcast(2), broadcast(1)));
+            store(run.states + i, loadInts(run.states + i) | (lit & state) << (2 * k));
+        }
+    }
+}
+
+} // namespace odraz
