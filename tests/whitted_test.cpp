@@ -211,7 +211,7 @@ TEST(Ambient, ABallDarkensTheFloorUnderIt) {
     EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
     g.scene->add(sphere({0, 1, 0}, 0.5f, id));
     // Form factor of a sphere above the horizon: (r/d)^2 cos
-    double d2 = 4 + 1, expected = 1 - (0.25 / d2 / std::sqrt(d2) - 0.0025);
+    double d2 = 4 + 1, expected = 1 - (0.25 / d2 / std::sqrt(d2) - 1 / 150.);
     EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, expected, 1e-4);
 }
 

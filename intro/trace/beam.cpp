@@ -16,7 +16,7 @@ Spread::Spread(Vec3 o, Vec3 towards) : origin(o) {
     far = Float8{};
 }
 
-void Spread::add(Vec3x8 p) {
+void Spread::add(const Vec3x8 &p) {
     Vec3x8 q = frame * p;
     Float8 inverse = 1.f / q.z, x = q.x * inverse, y = q.y * inverse;
     ahead = min(ahead, q.z * 6.f - length(q));
@@ -107,7 +107,7 @@ void gather(const Scene &scene, const Beam &beam, Candidates &found) {
     }
 }
 
-Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, Vec3x8 d, Int8 active) {
+Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Int8 active) {
     if (among.count < 0) return intersect(scene, {broadcast(origin), d}, active);
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i)
@@ -115,7 +115,7 @@ Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, Vec3x8 
     return hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Candidates &among, Vec3 origin, Vec3x8 d, Float8 tMax,
+Rgb8 transmittance(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Float8 tMax,
                    Int8 active, Int8 own) {
     if (among.count < 0) return transmittance(scene, {broadcast(origin), d}, tMax, active, own);
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));

@@ -3,7 +3,7 @@
 namespace odraz {
 
 // Eight pixels of a row into the frame.
-static void put(const Tile &t, int x, int y, Rgb8 v) {
+static void put(const Tile &t, int x, int y, const Rgb8 &v) {
     size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
     store(t.frame.plane[0] + out, v.x);
     store(t.frame.plane[1] + out, v.y);

@@ -5,32 +5,64 @@
 
 namespace odraz {
 
-// What of the light from all around is left between the balls.
-static Float8 openness(const Scene &scene, const Shape &shape, Vec3x8 p, Vec3x8 n) {
-    Float8 open = broadcast(1.f);
-    for (int i = 0; i < scene.occluderCount; ++i) {
-        Vec3x8 to = scene.occluder[i] - p;
-        Float8 square = max(dot(to, to), 1e-12f), facing = dot(n, to);
-        float r2 = scene.occluderRadius[i] * scene.occluderRadius[i];
-        // One takes at most radius^2 / distance^2: from a four-hundredth on it counts
-        Int8 counts = (facing > -scene.occluderRadius[i]) & (square < r2 * 400.f);
-        if (shape.kind == ShapeKind::Sphere) counts &= square > r2 * 1.0001f; // not itself
-        if (!any(counts)) continue;
-        Float8 taken = clamp(ballFormFactor(facing / sqrt(square), r2 / square) - 0.0025f, 0.f, 0.95f);
-        open *= 1.f - select(counts, taken, 0.f);
+namespace {
+
+// The balls that darken the light from all around where a run lies. One takes at most radius^2 / distance^2;
+// what it takes counts from kLeast on, so that nothing begins abruptly.
+constexpr float kLeast = 1 / 150.f;
+
+struct Occluders {
+    int count = 0;
+    Vec3 centre[kMaxOccluders];
+    float square[kMaxOccluders], radius[kMaxOccluders];
+
+    Occluders(const Scene &scene, const Run &run) {
+        if (!scene.occluderCount) return;
+        Vec3x8 lo = load(run.p, 0), hi = lo;
+        for (int i = 8; i < run.count; i += 8) {
+            Vec3x8 p = load(run.p, i);
+            lo = {min(lo.x, p.x), min(lo.y, p.y), min(lo.z, p.z)};
+            hi = {max(hi.x, p.x), max(hi.y, p.y), max(hi.z, p.z)};
+        }
+        Vec3 a = {least(lo.x), least(lo.y), least(lo.z)}, b = {-least(-hi.x), -least(-hi.y), -least(-hi.z)};
+        for (int i = 0; i < scene.occluderCount; ++i) {
+            Vec3 c = scene.occluder[i];
+            Vec3 off = c - Vec3{clamp(c.x, a.x, b.x), clamp(c.y, a.y, b.y), clamp(c.z, a.z, b.z)};
+            float r = scene.occluderRadius[i];
+            if (dot(off, off) * kLeast >= r * r) continue;
+            centre[count] = c;
+            square[count] = r * r;
+            radius[count++] = r;
+        }
     }
-    return open;
-}
+
+    // What of that light is left.
+    Float8 open(const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
+        Float8 left = broadcast(1.f);
+        for (int i = 0; i < count; ++i) {
+            Vec3x8 to = centre[i] - p;
+            Float8 far2 = max(dot(to, to), 1e-12f), facing = dot(n, to);
+            Int8 counts = (facing > -radius[i]) & (far2 * kLeast < square[i]);
+            if (shape.kind == ShapeKind::Sphere) counts &= far2 > square[i] * 1.0001f; // not itself
+            if (!any(counts)) continue;
+            Float8 taken = ballFormFactor(facing / sqrt(far2), square[i] / far2) - kLeast;
+            left *= 1.f - select(counts, clamp(taken, 0.f, 0.95f), 0.f);
+        }
+        return left;
+    }
+};
 
 // What may stand between a light and a run's places. For few places, or around a wide beam, there are too
 // many.
-static void aim(const Scene &scene, const Run &run, Vec3 from, Candidates &found) {
+void aim(const Scene &scene, const Run &run, Vec3 from, Candidates &found) {
     found.count = -1;
     if (run.count <= 8) return;
     Spread spread(from, Vec3{run.p[0][0], run.p[1][0], run.p[2][0]} - from);
     for (int i = 0; i < run.count; i += 8) spread.add(load(run.p, i) - from);
     if (spread.narrow()) gather(scene, spread.beam(), found);
 }
+
+} // namespace
 
 void illuminate(const Context &c, const RayStream &in, Run &run) {
     const Scene &scene = c.scene;
@@ -40,6 +72,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
           least = c.quality.cutoff * 0.05f / scene.exposure;
 
     // From all around: by the lightmap, or ambient
+    Occluders occluders(scene, run);
     for (int i = 0; i < run.count; i += 8) {
         Vec3x8 p = load(run.p, i), n = load(run.n, i);
         Rgb8 diffuse;
@@ -48,7 +81,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
         else
             diffuse =
                 broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
-        if (scene.occluderCount) diffuse = diffuse * openness(scene, shape, p, n);
+        if (occluders.count) diffuse = diffuse * occluders.open(shape, p, n);
         store(run.diffuse, i, diffuse);
         store(run.highlight, i, Rgb8{});
         store(run.states + i, Int8{});

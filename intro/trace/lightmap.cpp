@@ -4,7 +4,7 @@ namespace odraz {
 
 static Float8 along(Vec3 axis, Vec3x8 p, float perUnit) { return dot(p, axis) * perUnit; }
 
-Rgb8 lightAt(const Lightmap &map, const Chart &c, Vec3x8 p) {
+Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
     // Element middles lie at whole numbers, the ring's at 0 and across + 1
     Vec3x8 q = p - c.corner;
     Float8 x = along(c.u, q, (float)c.across / c.width) + 0.5f,
@@ -26,7 +26,7 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, Vec3x8 p) {
     return {channel(map.plane[0]), channel(map.plane[1]), channel(map.plane[2])};
 }
 
-Int8 patchAt(const Chart &c, Vec3x8 p, Float8 width, Float8 &clear) {
+Int8 patchAt(const Chart &c, const Vec3x8 &p, Float8 width, Float8 &clear) {
     Vec3x8 q = p - c.corner;
     float perU = (float)c.patchesAcross() / c.width, perV = (float)c.patchesDown() / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);

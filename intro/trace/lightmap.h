@@ -37,10 +37,10 @@ struct Lightmap {
 inline constexpr float kFlat = 1e4f;
 
 // The light of a chart at points of its plane.
-Rgb8 lightAt(const Lightmap &map, const Chart &chart, Vec3x8 p);
+Rgb8 lightAt(const Lightmap &map, const Chart &chart, const Vec3x8 &p);
 
 // Which patch points lie in, as a number for comparisons, and how much of a sample `width` wide lies clear of
 // the lines between patches: 1 .. 0.
-Int8 patchAt(const Chart &chart, Vec3x8 p, Float8 width, Float8 &clear);
+Int8 patchAt(const Chart &chart, const Vec3x8 &p, Float8 width, Float8 &clear);
 
 } // namespace odraz

@@ -6,7 +6,7 @@
 namespace odraz {
 
 // Fine bright veins where two warped noises cross zero, strong here and faint there, over slow clouds.
-static Float8 marble(Vec3x8 p, Float8 width) {
+static Float8 marble(const Vec3x8 &p, Float8 width) {
     Float8 warp = fractalNoise(p * broadcast(0.7f), 2, width * 0.7f);
     Vec3x8 bent = p + Vec3x8{warp * 1.3f, warp * -0.9f, warp * 1.1f};
     Float8 broad = abs(noise(bent)), thin = abs(noise(bent * broadcast(2.3f) + Vec3{9.1f, 3.7f, 5.3f}));
@@ -22,7 +22,7 @@ static Float8 marble(Vec3x8 p, Float8 width) {
 }
 
 // Growth rings about the local z axis, wavering, with fibres along it.
-static Float8 wood(Vec3x8 p, Float8 width) {
+static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 waver = noise(p * broadcast(0.35f));
     Float8 radius = fmadd(waver, 0.55f, sqrt(fmadd(p.x, p.x, p.y * p.y)));
     Float8 ring = radius * 2.2f;
@@ -36,13 +36,13 @@ static Float8 wood(Vec3x8 p, Float8 width) {
 }
 
 // Grains of several sizes.
-static Float8 stone(Vec3x8 p, Float8 width) {
+static Float8 stone(const Vec3x8 &p, Float8 width) {
     Float8 coarse = fractalNoise(p, 3, width);
     Float8 grain = noise(p * broadcast(11.f)) * bandLimit(width, 0.09f);
     return saturate(fmadd(coarse, 0.38f, fmadd(grain, 0.2f, 0.5f)));
 }
 
-static Rgb8 colour(const Texture &t, Vec3x8 q, Float8 width) {
+static Rgb8 colour(const Texture &t, const Vec3x8 &q, Float8 width) {
     if (t.pattern == Pattern::Plain) return broadcast(t.palette[0]);
     Vec3x8 p = q * broadcast(t.scale);
     Float8 w = width * t.scale, v;
@@ -79,7 +79,7 @@ ODRAZ_INLINE static Float8 squareWave(Float8 x, Float8 w) {
     return clamp((integral(x + w * 0.5f) - integral(x - w * 0.5f)) / w, -1.f, 1.f);
 }
 
-Rgb8 albedo(const Material &m, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, Int8 &cell) {
+Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width, Int8 &cell) {
     Float8 stretch = 1.f / max(cosine, 0.02f);
     Float8 root = sqrt(stretch), mean = width * root * sqrt(root);
     cell = Int8{};

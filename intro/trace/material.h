@@ -44,7 +44,8 @@ struct Material {
 
 // The diffuse colour at local points q seen along the local unit direction d by samples `width` wide (world
 // units, across the direction), and in `cell` a number that tells cells of a checker apart.
-Rgb8 albedo(const Material &material, Vec3x8 q, Vec3x8 d, Float8 cosine, Float8 width, Int8 &cell);
+Rgb8 albedo(const Material &material, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width,
+            Int8 &cell);
 
 // The average colour: for judging how much a change of light shows, and for radiosity.
 Rgb meanAlbedo(const Material &material);

@@ -17,7 +17,7 @@ static Float8 fade(Float8 t) { return t * t * t * fmadd(t, fmadd(t, 6.f, -15.f),
 
 static Float8 mix(Float8 a, Float8 b, Float8 t) { return fmadd(t, b - a, a); }
 
-Float8 noise(Vec3x8 p) {
+Float8 noise(const Vec3x8 &p) {
     // Split into lattice cell and place in it
     Vec3x8 cell = {floor(p.x), floor(p.y), floor(p.z)};
     Vec3x8 f = p - cell;
@@ -43,7 +43,8 @@ Float8 noise(Vec3x8 p) {
 
 Float8 bandLimit(Float8 width, float size) { return saturate(1.5f - width * (2.f / size)); }
 
-Float8 fractalNoise(Vec3x8 p, int octaves, Float8 width) {
+Float8 fractalNoise(const Vec3x8 &at, int octaves, Float8 width) {
+    Vec3x8 p = at;
     Float8 sum = {};
     float amplitude = 1, size = 1;
     for (int i = 0; i < octaves; ++i) {

@@ -11,11 +11,11 @@
 namespace odraz {
 
 // In [-1, 1], 0 at every lattice point, mean 0.
-Float8 noise(Vec3x8 p);
+Float8 noise(const Vec3x8 &p);
 
 // Sum over octaves of 2^-i noise(2^i p), i < octaves; in (-2, 2). `width` is the side of the box that a
 // sample covers, in lattice cells: octaves whose cells come near it fade out.
-Float8 fractalNoise(Vec3x8 p, int octaves, Float8 width);
+Float8 fractalNoise(const Vec3x8 &p, int octaves, Float8 width);
 
 // How much of a detail of the given size is left when averaged over `width`: 1 .. 0.
 Float8 bandLimit(Float8 width, float size);

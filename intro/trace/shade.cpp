@@ -25,7 +25,8 @@ struct Rows {
 };
 
 // Adds light and marks to the samples of eight rays.
-void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, Rgb8 light, Int8 marks) {
+void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+             Int8 marks) {
     Rows rows(light, marks);
     for (int k = 0; k < count; ++k) {
         float *rest = &c.samples[in.sample[ray[k]]].rest.x;
@@ -37,8 +38,8 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
 }
 
 // Begins the samples of eight primary rays.
-void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, Rgb8 albedo, Int8 id,
-           Rgb8 light, Int8 lights, Rgb8 rest) {
+void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
+           const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
     Rows first(albedo, id), second(light, lights), third(rest, Int8{});
     for (int k = 0; k < count; ++k) {
         Sample &s = c.samples[in.sample[ray[k]]];
@@ -59,8 +60,8 @@ Vec3x8 localOf(const Shape &s, Vec3x8 p) {
 
 // The diffuse colour of a place. In a scene that shows its patches it has the lines between them, and `cell`
 // tells the patches apart.
-Rgb8 diffuseColour(const Scene &scene, const Shape &shape, Vec3x8 p, Vec3x8 d, Float8 cosine, Float8 width,
-                   Int8 &cell) {
+Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine,
+                   Float8 width, Int8 &cell) {
     const Material &m = scene.materials[shape.material];
     cell = Int8{};
     Rgb8 colour;
@@ -179,7 +180,8 @@ struct Emitter {
     Eight pick;
     Int8 active;
 
-    void operator()(Vec3x8 o, Vec3x8 d, Rgb8 weight, Float8 width, Float8 spread, int branch) const {
+    void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width, Float8 spread,
+                    int branch) const {
         int lanes = laneBits(active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff));
         if (!lanes) return;
         Int8 order = packedOrder(lanes);

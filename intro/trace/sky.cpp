@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-Rgb8 radiance(const Sky &sky, Vec3x8 d) {
+Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
     Float8 up = saturate(d.y);
     Rgb8 light = broadcast(sky.low) + (sky.high - sky.low) * (up * (2.f - up));
     // The ground begins softly: haze

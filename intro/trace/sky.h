@@ -17,6 +17,6 @@ struct Sky {
 inline Sky plainSky(Rgb low, Rgb high) { return {low, high, low, {0, 1, 0}, {}}; }
 
 // The radiance from unit directions.
-Rgb8 radiance(const Sky &sky, Vec3x8 d);
+Rgb8 radiance(const Sky &sky, const Vec3x8 &d);
 
 } // namespace odraz

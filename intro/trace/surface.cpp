@@ -31,7 +31,7 @@ static Float8 hitPlane(Float8 height, Float8 slope) {
 
 // Within a rectangle widened by more than the rounding of the point: neighbours overlap, and no ray passes
 // between them.
-static Float8 hitRect(const Shape &s, Vec3x8 o, Vec3x8 d, bool bothSides) {
+static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
     Float8 t = hitPlane(o.y, d.y);
     if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
     Float8 finite = select(t < kInfinity, t, 0.f);
@@ -41,7 +41,7 @@ static Float8 hitRect(const Shape &s, Vec3x8 o, Vec3x8 d, bool bothSides) {
     return select(inside, t, kInfinity);
 }
 
-static Float8 hitCylinder(const Shape &s, Vec3x8 o, Vec3x8 d) {
+static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
     // About the axis, in the plane across it: nearest approach, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
     Int8 parallel = a < 1e-12f;
