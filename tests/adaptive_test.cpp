@@ -136,7 +136,7 @@ TEST(Adaptive, TakesEverySize) {
     for (auto [w, h] : {std::pair{1, 1}, {1, 64}, {7, 3}, {8, 8}, {9, 65}, {63, 64}, {130, 1}, {257, 129}})
         for (const Quality &q :
              {named(QualityName::Draft), named(QualityName::Play), named(QualityName::Film)}) {
-            Picture p = traced(kCourt, 300, {0, {9, 5, 4}, {0, 1, -1}, 0, 34}, q, w, h);
+            Picture p = traced(kFlake, 300, {0, {9, 5, 4}, {0, 1, -1}, 0, 34}, q, w, h);
             for (int y = 0; y < h; ++y)
                 for (int x = 0; x < w; ++x)
                     for (float *plane : p.frame.plane)

@@ -12,7 +12,7 @@ namespace odraz {
 const std::vector<SubjectName> &subjectNames() {
     static const std::vector<SubjectName> names = {
         {"A", -1, false},     {"B", -1, false},        {"field", -1, false},  {"point", 14, false},
-        {"table", 30, false}, {"court", 60, false},    {"patches", 93, true}, {"hall", 108, true},
+        {"table", 30, false}, {"flake", 64, false},    {"patches", 93, true}, {"hall", 108, true},
         {"odraz", 144, true}, {"credits", 159, false},
     };
     return names;

@@ -7,7 +7,7 @@ namespace odraz {
 const SceneEntry kScenes[kSceneCount] = {
     {"point", posePoint, letterPoint, false},
     {"table", poseTable, nullptr, false},
-    {"court", poseCourt, nullptr, false},
+    {"flake", poseFlake, nullptr, false},
     {"patches", posePatches, letterPatches, true},
     {"hall", poseDay, nullptr, true},
     {"odraz", poseOdraz, nullptr, true},
@@ -27,10 +27,13 @@ static constexpr CameraKey kOrbit[] = {
     {240, {0.4f, 0.55f, -4.6f}, {-0.15f, 0.55f, 0}, 0, 36},
 };
 
-static constexpr CameraKey kAisle[] = {
-    {0, {0.7f, 1.0f, 13.5f}, {0.2f, 1.5f, 0}, 0, 42},
-    {100, {-0.5f, 1.15f, 7.5f}, {0.1f, 1.5f, -4}, 1, 42},
-    {192, {0.2f, 1.3f, 2.6f}, {0, 1.3f, -6}, 0, 42},
+static constexpr CameraKey kValley[] = {
+    {0, {1.06f, 1.90f, 5.01f}, {0, 1.0f, 0}, 0, 38},
+    {64, {2.00f, 2.01f, 3.19f}, {0, 1.05f, 0}, 0, 38},
+    {112, {1.77f, 1.84f, 1.29f}, {0, 1.05f, 0}, 0, 40},
+    {150, {1.28f, 1.71f, 0.83f}, {0.05f, 1.0f, 0.05f}, 0, 44},
+    {172, {1.07f, 1.92f, 1.19f}, {-0.1f, 1.1f, -0.3f}, 0, 46},
+    {192, {0.85f, 2.31f, 1.75f}, {-0.3f, 1.3f, -0.6f}, 0, 46},
 };
 static constexpr CameraKey kAxonometry[] = {
     {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
@@ -63,7 +66,7 @@ static constexpr CameraKey kStill[] = {
 
 static constexpr Shot kShots[] = {
     {0, kPoint, 0, path(kPushIn), 0, 12},      {144, kTable, 144, path(kOrbit), 12, 8},
-    {384, kCourt, 384, path(kAisle), 12, 8},   {576, kPatches, 576, path(kAxonometry), 8, 0},
+    {384, kFlake, 384, path(kValley), 12, 8},  {576, kPatches, 576, path(kAxonometry), 8, 0},
     {704, kPatches, 576, path(kWalkIn), 0, 8}, {768, kHall, 768, path(kWalk), 8, 0},
     {1056, kOdraz, 1056, path(kCrane), 0, 16}, {1232, kCredits, 1232, path(kStill), 8, 16},
 };

@@ -27,9 +27,10 @@ static constexpr Texture kOak = {
 
 // {texture, other, cell, diffuse, specular, exponent, reflect, fresnel, ior, absorb, tint, emit}
 Material darkMarble() { return {kBlackMarble, {}, 0, 1, 0.25f, 90, 0.04f, true, 0, {}, {1, 1, 1}, {}}; }
-Material paleMarble() { return {kWhiteMarble, {}, 0, 1, 0.12f, 40, 0, false, 0, {}, {1, 1, 1}, {}}; }
-Material polishedFloor() {
-    return {kWhiteMarble, kSlate, 1.0f, 0.8f, 0.2f, 120, 0.07f, true, 0, {}, {1, 1, 1}, {}};
+Material slate() {
+    Material m = {kSlate, {}, 0, 1, 0.1f, 30, 0.03f, true, 0, {}, {1, 1, 1}, {}};
+    m.texture.pattern = Pattern::Cloud;
+    return m;
 }
 Material boards() { return {kGranite, kOak, 0.6f, 1, 0.15f, 60, 0.035f, true, 0, {}, {1, 1, 1}, {}}; }
 static constexpr Texture kLimestone = {
@@ -58,6 +59,11 @@ Material mirror() {
 }
 Material copper() {
     return {plain({0.72f, 0.34f, 0.18f}), {}, 0, 0.25f, 0.7f, 120, 0.55f, true, 0, {}, {1, 0.62f, 0.42f}, {}};
+}
+Material pearl(bool warm, float reflect) {
+    Rgb own = warm ? Rgb{0.70f, 0.36f, 0.20f} : Rgb{0.55f, 0.56f, 0.58f},
+        tint = warm ? Rgb{1, 0.66f, 0.46f} : Rgb{0.96f, 0.97f, 1};
+    return {plain(own), {}, 0, 0.8f - 1.4f * reflect, 0.5f, 90, reflect, reflect > 0, 0, {}, tint, {}};
 }
 Material lamp(Rgb radiance) { return {plain({}), {}, 0, 0, 0, 1, 0, false, 0, {}, {1, 1, 1}, radiance}; }
 

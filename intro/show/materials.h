@@ -5,12 +5,12 @@
 
 namespace odraz {
 
-Material darkMarble();    // black stone with pale veins, polished
-Material paleMarble();    // columns
-Material polishedFloor(); // a checker of two stones, more mirror than marble
-Material boards();        // a checker of stone and wood
-Material limestone();     // columns of the hall
-Material hallFloor();     // a checker of two stones, polished
+Material darkMarble();                    // black stone with pale veins, polished
+Material slate();                         // dark and dull
+Material pearl(bool warm, float reflect); // silver, or copper, and so much of a mirror
+Material boards();                        // a checker of stone and wood
+Material limestone();                     // columns of the hall
+Material hallFloor();                     // a checker of two stones, polished
 Material plaster(Rgb colour);
 Material beamAlong(); // oak that runs along world z, or x
 Material beamAcross();

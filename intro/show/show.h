@@ -28,7 +28,7 @@ struct SceneEntry {
     bool needsHall;
 };
 
-enum SceneId { kPoint, kTable, kCourt, kPatches, kHall, kOdraz, kCredits, kSceneCount };
+enum SceneId { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kSceneCount };
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
@@ -36,7 +36,7 @@ extern const ShotList kFilm;
 void posePoint(double row, Hall *, Scene &scene);
 void letterPoint(double row, const Hall *, const Facts &facts, const View &, Frame &frame);
 void poseTable(double row, Hall *, Scene &scene);
-void poseCourt(double row, Hall *, Scene &scene);
+void poseFlake(double row, Hall *, Scene &scene);
 void posePatches(double row, Hall *hall, Scene &scene);
 void letterPatches(double row, const Hall *hall, const Facts &, const View &view, Frame &frame);
 void poseDay(double row, Hall *hall, Scene &scene);

@@ -1,0 +1,74 @@
+// Scene 3. Flake: the mirrored ball grows balls, and those balls grow balls; we fly between them, and the
+// light travels with us. Source of the figure: the "balls" of Haines' Standard Procedural Databases.
+#include "base/maths.h"
+#include "show/materials.h"
+#include "show/show.h"
+
+namespace odraz {
+
+using enum Interpolation;
+
+namespace {
+
+constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
+constexpr int kShades = 6;
+// When each generation grows out of the one before
+constexpr Key kGrow[kLevels][2] = {{{10, 0, Smooth}, {42, 1, Linear}},
+                                   {{40, 0, Smooth}, {76, 1, Linear}},
+                                   {{72, 0, Smooth}, {112, 1, Linear}}};
+
+struct Flake {
+    Scene &scene;
+    CameraKey camera;
+    float pixelsPerUnit; // of what is a unit away, in a picture of 720 lines
+    float grown[kLevels], turn;
+    int silver;
+    int pearls[2][kShades]; // by how much of a mirror they are
+
+    // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
+    void add(int level, Vec3 centre, float radius, const Mat3 &frame) {
+        // Detail by projected size: a ball of a few pixels mirrors nothing, and one of two grows nothing
+        float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
+              pixels = radius / away * pixelsPerUnit;
+        int shade = clamp((int)(pixels * 0.2f) - 1, 0, kShades - 1);
+        scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
+        float size = grown[min(level, kLevels - 1)] * (1.f / 3);
+        if (level == kLevels || pixels * size < 1) return;
+        for (int i = 0; i < 9; ++i) {
+            float around = ((float)i * 60 + (i < 6 ? 0 : (float)i * 60 - 330)) * (kPi / 180) +
+                           turn * (1 + 2 * (float)level);
+            float up = i < 6 ? 0 : 0.8164966f, out = i < 6 ? 1 : 0.5773503f;
+            Vec3 local = {out * cos(around), up, out * sin(around)};
+            Vec3 v = transposeTimes(frame, local),
+                 u = normalize(cross(v, transposeTimes(frame, Vec3{local.z, 0.3f, -local.x})));
+            add(level + 1, centre + v * (radius * (1 + size)), radius * size, {u, v, cross(u, v)});
+        }
+    }
+};
+
+} // namespace
+
+void poseFlake(double row, Hall *, Scene &scene) {
+    const CameraPath *path = nullptr;
+    for (int i = 0; i < kFilm.count; ++i)
+        if (kFilm.shots[i].scene == kFlake) path = &kFilm.shots[i].path;
+    Flake flake = {scene, pose(*path, row), 1000, {}, (float)row * 0.004f, 0, {}};
+    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), row);
+    flake.silver = scene.add(mirror());
+    for (int i = 0; i < kShades; ++i)
+        for (int warm = 0; warm < 2; ++warm)
+            flake.pearls[warm][i] = scene.add(pearl(warm, 0.4f * (float)i / (kShades - 1)));
+    scene.add(plane({0, 0, 0}, scene.add(slate())));
+    flake.add(0, {0, 1, 0}, 1, kIdentity);
+
+    // Behind us, to one side
+    Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
+    scene.add(pointLight(eye + back * 1.2f + Vec3{back.z, 0.9f, -back.x} * 1.5f, {7.5f, 6.6f, 5.6f}));
+    scene.ambientLow = {0.05f, 0.045f, 0.045f};
+    scene.ambientHigh = {0.10f, 0.12f, 0.17f};
+    scene.sky = plainSky({0.46f, 0.27f, 0.17f}, {0.02f, 0.045f, 0.12f});
+    scene.fog = 0.02f;
+    scene.exposure = 1.1f;
+}
+
+} // namespace odraz
