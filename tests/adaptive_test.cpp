@@ -1,6 +1,8 @@
 // The adaptive picture against the one traced in full, and its independence of everything but the scene.
+#include "peer_scenes.h"
 #include "show/show.h"
 #include "trace/adaptive.h"
+#include "trace/beam.h"
 
 #include <atomic>
 #include <cmath>
@@ -33,30 +35,50 @@ struct Threads {
     }
 };
 
+constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
+const Quality &named(QualityName name) { return kQualities[(int)name]; }
+
 struct Picture {
     std::vector<unsigned char> memory;
+    std::vector<uint16_t> shapes;
     Frame frame;
     int64_t samples;
+
+    uint8_t at(int x, int y, int channel) const {
+        return frame.rgba[((size_t)y * (size_t)frame.width + (size_t)x) * 4 + (size_t)channel];
+    }
 };
 
-Picture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width, int height,
-               int threads = 2) {
+Picture traced(Scene &posed, const CameraKey &camera, const Quality &quality, int width, int height,
+               int threads = 2, bool shapes = false) {
     Picture p;
-    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192 +
-                    sizeof(Scene));
+    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192);
     Arena arena = {p.memory.data() + (64 - (uintptr_t)p.memory.data() % 64), p.memory.size() - 64, 0};
     Threads pool(threads);
     Tracer tracer;
-    auto posed = std::make_unique<Scene>();
-    posed->clear();
-    kScenes[scene].pose(row, nullptr, *posed);
-    posed->finish();
     EXPECT_TRUE(makeTracer(tracer, arena, threads) && makeFrame(p.frame, arena, width, height));
+    if (shapes) {
+        p.shapes.resize((size_t)p.frame.stride * (size_t)height);
+        p.frame.shapes = p.shapes.data();
+    }
     View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
-    traceFrame(tracer, pool.workers, *posed, view, quality, p.frame);
+    traceFrame(tracer, pool.workers, posed, view, quality, p.frame);
     p.samples = tracedSamples(tracer);
-    develop(p.frame, pool.workers, posed->exposure);
+    develop(p.frame, pool.workers, posed.exposure);
     return p;
+}
+
+std::unique_ptr<Scene> posed(int scene, double row) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    kScenes[scene].pose(row, nullptr, *s);
+    s->finish();
+    return s;
+}
+
+Picture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width, int height,
+               int threads = 2) {
+    return traced(*posed(scene, row), camera, quality, width, height, threads);
 }
 
 double psnr(const Picture &a, const Picture &b) {
@@ -68,9 +90,6 @@ double psnr(const Picture &a, const Picture &b) {
     }
     return 10 * std::log10(255. * 255 * (double)bytes * 0.75 / squares);
 }
-
-constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
-const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
 } // namespace
 
@@ -144,37 +163,139 @@ TEST(Adaptive, TakesEverySize) {
         }
 }
 
-// A field of balls 2 to 8 pixels wide on an 8-pixel grid: none may be lost.
-TEST(Adaptive, LosesNothingSmall) {
+// What every pixel is said to show, against rays through the pixels' middles: nothing small is lost, nothing
+// is where it is not. And what is interpolated, against the same with nothing wider than a pixel.
+TEST(Adaptive, MistakesNoPixel) {
+    struct {
+        const char *name;
+        void (*pose)(Scene &);
+        CameraKey camera;
+        double mostOff; // per cent
+    } const scenes[] = {
+        {"A", posePeerA, kPeerCameraA, 0.05},
+        {"B", [](Scene &s) { posePeerB(s); }, kPeerCameraB, 0.05},
+        {"field", poseField, kFieldCamera, 0.05},
+        {"flake",
+         [](Scene &s) { poseFlake(130, nullptr, s); },
+         {0, {2.2f, 1.9f, 1.6f}, {0, 1, 0}, 0, 40},
+         0.08},
+    };
+    constexpr int kWidth = 1280, kHeight = 720;
+    for (auto &[name, pose, camera, mostOff] : scenes) {
+        auto scene = std::make_unique<Scene>();
+        scene->clear();
+        pose(*scene);
+        scene->finish();
+        Picture p = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight, 2, true);
+        View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, kWidth, kHeight);
+        int wrong = 0, told = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; x += 8) {
+                Vec3x8 d = normalize(
+                    view.direction(toFloat(kLanes) + ((float)x + 0.5f), broadcast((float)y + 0.5f)));
+                Hit8 hit = intersect(*scene, {broadcast(view.eye), d}, kLanes >= 0);
+                for (int k = 0; k < 8; ++k) {
+                    uint16_t shape = p.shapes[(size_t)(y * p.frame.stride + x + k)];
+                    if (shape == kManyShapes) continue;
+                    ++told;
+                    wrong += shape != (hit.shape[k] < 0 ? kSkyShown : (uint16_t)hit.shape[k]);
+                }
+            }
+        EXPECT_EQ(wrong, 0) << name;
+        EXPECT_GT(told, kWidth * kHeight / 4) << name;
+
+        Quality fine = named(QualityName::Play);
+        fine.coarse = 4;
+        Picture full = traced(*scene, camera, fine, kWidth, kHeight);
+        int off = 0;
+        for (int i = 0; i < kWidth * kHeight; ++i) {
+            int most = 0;
+            for (int c = 0; c < 3; ++c)
+                most = std::max(most, std::abs(p.frame.rgba[4 * i + c] - full.frame.rgba[4 * i + c]));
+            off += most > 16;
+        }
+        double share = 100. * off / (kWidth * kHeight);
+        std::printf("%s: %d of %d pixels wrong, %.4f %% off by more than 16\n", name, wrong, told, share);
+        EXPECT_LE(share, mostOff) << name;
+    }
+}
+
+// A camera that moves by a quarter of a pixel a picture: what the picture is off by may hardly change from
+// one to the next. That is flicker.
+TEST(Adaptive, DoesNotFlicker) {
+    constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
+    auto scene = posed(kTable, 100);
+    std::vector<std::vector<int>> errors;
+    for (int i = 0; i < kPictures; ++i) {
+        CameraKey camera = kTableView;
+        camera.eye.x += (float)i * 0.0025f;
+        Picture play = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight),
+                truth = traced(*scene, camera, named(QualityName::Reference), kWidth, kHeight);
+        std::vector<int> error;
+        for (int k = 0; k < kWidth * kHeight * 4; ++k)
+            error.push_back(play.frame.rgba[k] - truth.frame.rgba[k]);
+        errors.push_back(error);
+    }
+    double squares = 0;
+    int jumps = 0, count = 0;
+    for (int i = 1; i < kPictures; ++i)
+        for (size_t k = 0; k < errors[0].size(); ++k) {
+            int change = errors[(size_t)i][k] - errors[(size_t)i - 1][k];
+            squares += change * change;
+            jumps += std::abs(change) > 48;
+            ++count;
+        }
+    double db = 10 * std::log10(255. * 255 * count * 0.75 / squares), share = 100. * jumps / count;
+    std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
+    EXPECT_GT(db, 36);
+    EXPECT_LT(share, 0.05);
+}
+
+// Where squares meet the picture may not be less smooth than inside them.
+TEST(Adaptive, ShowsNoSquares) {
+    Picture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
+            truth = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
+    auto bends = [](const Picture &q, int phase) {
+        double sum = 0;
+        int count = 0;
+        for (int y = 0; y < 360; ++y)
+            for (int x = 8 + phase; x < 632; x += 8) {
+                // Second differences of smooth parts: edges would drown all else
+                int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
+                    right = q.at(x + 1, y, 1);
+                int bend = std::abs(right - b - (a - left));
+                if (bend > 12) continue;
+                sum += bend;
+                ++count;
+            }
+        return sum / count;
+    };
+    double inside = 0, insideTruth = 0;
+    for (int phase = 2; phase < 7; ++phase)
+        inside += bends(p, phase) / 5, insideTruth += bends(truth, phase) / 5;
+    double excess = bends(p, 0) / inside, usual = bends(truth, 0) / insideTruth;
+    std::printf("bends at the squares' edges: %.3f of those inside; traced in full %.3f\n", excess, usual);
+    EXPECT_LT(excess, usual * 1.15);
+}
+
+TEST(Adaptive, TakesTheLargestFrame) {
     auto scene = std::make_unique<Scene>();
     scene->clear();
-    Material m = {};
-    m.emit = {1, 1, 1};
-    scene->add(m);
-    std::vector<std::pair<float, float>> at;
-    for (int i = 0; i < 60; ++i) {
-        float x = (float)(i % 10) * 0.9f - 4.1f + 0.013f * (float)i,
-              y = (float)(i / 10) * 0.85f - 2.1f - 0.017f * (float)i, r = 0.011f + 0.0011f * (float)(i % 30);
-        scene->add(sphere({x, y, 0}, r, 0));
-        at.push_back({x, y});
-    }
+    posePeerA(*scene);
     scene->finish();
-    std::vector<unsigned char> memory(640 * 368 * 16 + kTileScratchBytes + 8192);
-    Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
-    Workers workers = serialWorkers();
-    Tracer tracer;
-    Frame frame;
-    ASSERT_TRUE(makeTracer(tracer, arena, 1) && makeFrame(frame, arena, 640, 360));
-    View view = lookAt({0, 0, 10}, {0, 0, 0}, 0, 30, 640, 360);
-    traceFrame(tracer, workers, *scene, view, named(QualityName::Play), frame);
-    int lost = 0;
-    for (auto [x, y] : at) {
-        double scale = 180 / std::tan(15 * M_PI / 180) / 10;
-        int px = (int)(320 + x * scale), py = (int)(180 - y * scale);
-        if (px < 0 || py < 0 || px >= 640 || py >= 360) continue;
-        lost += frame.plane[0][py * frame.stride + px] < 0.3f;
-    }
-    EXPECT_EQ(lost, 0);
+    Picture p = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth, kMaxHeight);
+    Picture small = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / 16, kMaxHeight / 16);
+    double sums[2] = {};
+    for (int y = 0; y < kMaxHeight; ++y)
+        for (int x = 0; x < kMaxWidth; ++x) {
+            float v = p.frame.plane[1][(size_t)y * (size_t)p.frame.stride + (size_t)x];
+            ASSERT_TRUE(v >= 0);
+            sums[0] += v;
+        }
+    for (int y = 0; y < small.frame.height; ++y)
+        for (int x = 0; x < small.frame.width; ++x)
+            sums[1] += small.frame.plane[1][y * small.frame.stride + x];
+    EXPECT_NEAR(sums[0] / 256 / sums[1], 1, 0.01);
 }
 
 TEST(Adaptive, AbortLeavesAtOnce) {

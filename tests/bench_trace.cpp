@@ -149,7 +149,7 @@ void registerTextures() {
 
 int main(int argc, char **argv) {
     registerTextures();
-    for (const char *name : {"A", "B", "table"}) registerRays(name);
+    for (const char *name : {"A", "B", "table", "flake"}) registerRays(name);
     for (const SubjectName &n : subjectNames()) registerPictures(n);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;

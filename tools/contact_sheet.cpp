@@ -29,7 +29,7 @@ static void label(Picture &picture, int seconds) {
     static constexpr int kWidth = 64, kHeight = 20;
     static float planes[3][kWidth * kHeight];
     std::memset(planes, 0, sizeof planes);
-    Frame frame = {kWidth, kHeight, kWidth, {planes[0], planes[1], planes[2]}, nullptr};
+    Frame frame = {kWidth, kHeight, kWidth, {planes[0], planes[1], planes[2]}, nullptr, nullptr};
     drawText(frame, text, 5, 15, 10, 0.13f, 1, Align::Left, {1, 1, 1}, 1);
     for (int y = 0; y < kHeight && y < picture.height; ++y)
         for (int x = 0; x < kWidth && x < picture.width; ++x)

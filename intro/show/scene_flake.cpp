@@ -57,7 +57,7 @@ void poseFlake(double row, Hall *, Scene &scene) {
     flake.silver = scene.add(mirror());
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
-            flake.pearls[warm][i] = scene.add(pearl(warm, 0.4f * (float)i / (kShades - 1)));
+            flake.pearls[warm][i] = scene.add(pearl(warm, 0.3f * (float)i / (kShades - 1)));
     scene.add(plane({0, 0, 0}, scene.add(slate())));
     flake.add(0, {0, 1, 0}, 1, kIdentity);
 

@@ -75,6 +75,24 @@ bool differ(const TileScratch &s, const int *c, int size, const Quality &q) {
     return difference > q.threshold || (marks && difference > q.mild);
 }
 
+// Whether a sample in the middle of one of a square's sides, traced because a neighbour split, differs from
+// the corners, all alike, that let the square be.
+bool sidesDiffer(const TileScratch &s, Square a, int size, float mild) {
+    const int half = size / 2, x[4] = {a.x + half, a.x, a.x + size, a.x + half},
+              y[4] = {a.y, a.y + half, a.y + half, a.y + size};
+    int corner = (a.y >> 2) * kCorners + (a.x >> 2);
+    const Sample &c = s.corners[corner];
+    for (int i = 0; i < 4; ++i) {
+        if (s.traced[y[i] * kPlaces + x[i]] != s.stamp) continue;
+        int middle = (y[i] >> 2) * kCorners + (x[i] >> 2);
+        const Sample &m = s.corners[middle];
+        if (m.id == c.id && !((m.lights ^ c.lights) & ~kTextured) && m.secondary == c.secondary) continue;
+        if (size > 8 || range({s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]}) > mild)
+            return true;
+    }
+    return false;
+}
+
 // Radiance at the corners of a square below a pixel.
 __m128 radianceAt(const TileScratch &s, int x, int y) {
     if ((x | y) & 3) return s.fine[y * kPlaces + x];
@@ -88,50 +106,62 @@ float rangeOf(const Tile &t, const __m128 (&v)[4]) {
 }
 
 // Splits squares level by level, down to a pixel at least; fills the rest. Returns how many pixels are left
-// in `squares`, to be split on.
+// in squares[2], to be split on.
 int splitSquares(Tile &t, Square *&squares, Square *&next, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
-    int rough = 0; // kept at the end of `next`
+    int rough = 0;
     for (int size = q.coarse; count; size /= 2) {
-        int splits = 0, half = size / 2;
+        int splits = 0, half = size / 2, left = 0;
+        auto split = [&](Square a) {
+            for (int k = 0; k < 4; ++k) {
+                Square child = {(uint8_t)(a.x + half * (k & 1)), (uint8_t)(a.y + half * (k >> 1))};
+                if (child.x < 4 * t.width && child.y < 4 * t.height) next[splits++] = child;
+            }
+            wantMiddles(s, a, size);
+        };
         for (int i = 0; i < count; ++i) {
             Square a = squares[i];
             int c[4];
             cornersOf(a, size, c);
-            bool silhouette = onSilhouette(s, c);
-            int shape = silhouette || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
+            int shape = onSilhouette(s, c) || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
             if (size > 4) {
-                bool split = size > q.fine && (differ(s, c, size, q) || mayHide(t, a, size, shape));
-                if (!split) {
-                    fill(t, a, size);
-                    continue;
-                }
-                for (int k = 0; k < 4; ++k) {
-                    Square child = {(uint8_t)(a.x + half * (k & 1)), (uint8_t)(a.y + half * (k >> 1))};
-                    if (child.x < 4 * t.width && child.y < 4 * t.height) next[splits++] = child;
-                }
-                wantMiddles(s, a, size);
+                if (size > q.fine && (differ(s, c, size, q) || mayHide(t, a, size, shape)))
+                    split(a);
+                else
+                    squares[left++] = a;
                 continue;
             }
             // Below a pixel only what is seen decides; where nothing but the texture differs its own filter
             // serves
-            bool split = false;
+            bool isRough = false;
             if (q.fine < 4) {
                 bool calm = shape >= 0 && rangeOf(s, c) <= q.edge;
                 if (!calm) {
                     __m128 v[4];
                     radianceOf(s, a, size, v);
-                    split = rangeOf(t, v) > q.edge;
+                    isRough = rangeOf(t, v) > q.edge;
                 }
-                split |= !split && mayHide(t, a, size, shape);
+                isRough |= !isRough && mayHide(t, a, size, shape);
             }
-            if (split)
+            if (isRough)
                 s.squares[2][rough++] = a;
             else
-                fill(t, a, size);
+                squares[left++] = a;
         }
-        if (half >= 4) traceWanted(t, 1);
+        // What neighbours have found out splits more
+        for (int before = 0; size > 4 && splits > before;) {
+            before = splits;
+            traceWanted(t, 1);
+            int kept = 0;
+            for (int i = 0; i < left; ++i)
+                if (size > q.fine && sidesDiffer(s, squares[i], size, q.mild))
+                    split(squares[i]);
+                else
+                    squares[kept++] = squares[i];
+            left = kept;
+        }
+        for (int i = 0; i < left; ++i) fill(t, squares[i], size);
         Square *done = squares;
         squares = next;
         next = done;

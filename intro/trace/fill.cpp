@@ -3,11 +3,12 @@
 namespace odraz {
 
 // Eight pixels of a row into the frame.
-static void put(const Tile &t, int x, int y, const Rgb8 &v) {
+static void put(const Tile &t, int x, int y, const Rgb8 &v, Int8 owner) {
     size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
     store(t.frame.plane[0] + out, v.x);
     store(t.frame.plane[1] + out, v.y);
     store(t.frame.plane[2] + out, v.z);
+    for (int k = 0; t.frame.shapes && k < 8; ++k) t.frame.shapes[out + (size_t)k] = (uint16_t)owner[k];
 }
 
 void fill(Tile &t, Square q, int size) {
@@ -16,7 +17,7 @@ void fill(Tile &t, Square q, int size) {
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
     bool same = !onSilhouette(s, c);
-    uint16_t owner = same && first.id ? (uint16_t)first.shape() : kMixed;
+    uint16_t owner = !same ? kMixed : first.id ? (uint16_t)first.shape() : kSky;
     __m128 light[4], rest[4];
     for (int i = 0; i < 4; ++i) {
         const Sample &k = s.corners[c[i]];
@@ -45,11 +46,11 @@ void fill(Tile &t, Square q, int size) {
         int p = at + y * kTile;
         if (pixels == 8) {
             // Whole packets need not wait for their neighbours
-            if (owner != kMixed)
+            if (owner < kDone)
                 r += l * albedoSeen(t.scene, t.view, t.scene.shapes[owner],
                                     toFloat(kLanes) + ((float)(t.x0 + x0) + 0.5f),
                                     broadcast((float)(t.y0 + y0 + y) + 0.5f));
-            put(t, x0, y0 + y, r);
+            put(t, x0, y0 + y, r, broadcast((int32_t)owner));
             _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
             continue;
         }
@@ -69,7 +70,7 @@ void finishTile(Tile &t) {
             Rgb8 sum = {load(s.rest[0] + p), load(s.rest[1] + p), load(s.rest[2] + p)};
             if (s.owner[p] == kDone) continue;
             Int8 owner = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(s.owner + p)));
-            int left = laneBits((owner != kMixed) & (kLanes < t.width - x));
+            int left = laneBits((owner < kDone) & (kLanes < t.width - x));
             if (left) {
                 Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
                 Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f),
@@ -82,7 +83,7 @@ void finishTile(Tile &t) {
                     left &= ~laneBits(mine);
                 }
             }
-            put(t, x, y, sum);
+            put(t, x, y, sum, owner);
         }
 }
 

@@ -6,7 +6,7 @@
 namespace odraz {
 
 bool makeFrame(Frame &frame, Arena &arena, int width, int height) {
-    frame = {width, height, (width + 7) & ~7, {}, nullptr};
+    frame = {width, height, (width + 7) & ~7, {}, nullptr, nullptr};
     size_t floats = (size_t)frame.stride * (size_t)height;
     for (float *&plane : frame.plane)
         if (!(plane = arena.take<float>(floats))) return false;

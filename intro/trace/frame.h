@@ -13,8 +13,11 @@ inline constexpr int kMaxWidth = 7680, kMaxHeight = 4320;
 struct Frame {
     int width, height, stride;
     float *plane[3];
-    uint8_t *rgba; // width * height * 4 bytes, sRGB, top row first; made by develop()
+    uint16_t *shapes; // null, or for tools and tests: which shape a pixel shows, kManyShapes or kSkyShown
+    uint8_t *rgba;    // width * height * 4 bytes, sRGB, top row first; made by develop()
 };
+
+inline constexpr uint16_t kManyShapes = 0xffff, kSkyShown = 0xfffe;
 
 // Free bytes before rgba, for a file's header.
 inline constexpr int kPictureMargin = 64;

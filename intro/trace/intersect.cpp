@@ -11,11 +11,18 @@ struct Slabs {
     Vec3x8 inverse, shift;
     Float8 slack;
 
-    explicit Slabs(const Ray8 &ray) {
+    // One ray's, in every lane.
+    Slabs of(int k) const {
+        return {{broadcast(inverse.x[k]), broadcast(inverse.y[k]), broadcast(inverse.z[k])},
+                {broadcast(shift.x[k]), broadcast(shift.y[k]), broadcast(shift.z[k])},
+                broadcast(slack[k])};
+    }
+    static Slabs from(const Ray8 &ray) {
+        Vec3x8 inverse, shift;
         auto invert = [](Float8 d) { return 1.f / select(abs(d) < 1e-20f, 1e-20f, d); };
         inverse = {invert(ray.d.x), invert(ray.d.y), invert(ray.d.z)};
         shift = ray.o * inverse;
-        slack = max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f;
+        return {inverse, shift, max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f};
     }
     // Where boxes are entered, kInfinity where they are not before the limit.
     Float8 enter(Vec3x8 lo, Vec3x8 hi, Float8 limit) const {
@@ -37,7 +44,7 @@ template <class Visit>
 void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &active, Visit &&visit) {
     for (int i = 0; i < scene.unboundedCount; ++i) visit(scene.unbounded[i]);
     if (!scene.nodeCount || !any(active)) return;
-    Slabs slabs(ray);
+    Slabs slabs = Slabs::from(ray);
 
     Stack stack;
     stack.push(0, 0, 0);
@@ -65,8 +72,7 @@ void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &active, 
 }
 
 // The nearest hit of a single ray, in every lane the same ray: eight boxes or balls at once.
-void intersectOne(const Scene &scene, const Ray8 &ray, float &t, int &shape) {
-    Slabs slabs(ray);
+void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float &t, int &shape) {
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
@@ -78,13 +84,13 @@ void intersectOne(const Scene &scene, const Ray8 &ray, float &t, int &shape) {
             Vec3x8 f = ray.o - lo;
             Float8 radius = load(n.radius);
             Float8 hit = hitBall(f, radius, ray.d);
-            float nearest = least(hit);
-            if (nearest > t || nearest == kInfinity) continue;
-            int first = ~n.child[__builtin_ctz((unsigned)laneBits(hit == nearest))];
-            for (int lanes = laneBits(hit == nearest); lanes; lanes &= lanes - 1)
-                first = min(first, ~n.child[__builtin_ctz((unsigned)lanes)]);
-            if (nearest < t || first < shape) shape = first;
-            t = nearest;
+            for (int lanes = laneBits((hit <= t) & (hit < kInfinity)); lanes; lanes &= lanes - 1) {
+                int i = __builtin_ctz((unsigned)lanes), index = ~n.child[i];
+                if (hit[i] < t || (hit[i] == t && index < shape)) {
+                    t = hit[i];
+                    shape = index;
+                }
+            }
             continue;
         }
         Vec3x8 hi = {load(n.hi[0]), load(n.hi[1]), load(n.hi[2])};
@@ -112,7 +118,7 @@ bool diverge(const Scene &scene, const Ray8 &ray, Int8 active) {
     int first = __builtin_ctz((unsigned)laneBits(active) | 256);
     if (first == 8) return false;
     Vec3 d = {ray.d.x[first], ray.d.y[first], ray.d.z[first]};
-    return any((dot(d, ray.d) < 0.9f) & active);
+    return any((dot(d, ray.d) < -0.2f) & active);
 }
 
 } // namespace
@@ -125,10 +131,11 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         float t[8];
         int shape[8];
         store(t, hit.t), store(shape, hit.shape);
+        Slabs slabs = Slabs::from(ray);
         for (int lanes = laneBits(active); lanes; lanes &= lanes - 1) {
             int k = __builtin_ctz((unsigned)lanes);
             Vec3 o = {ray.o.x[k], ray.o.y[k], ray.o.z[k]}, d = {ray.d.x[k], ray.d.y[k], ray.d.z[k]};
-            intersectOne(scene, {broadcast(o), broadcast(d)}, t[k], shape[k]);
+            intersectOne(scene, {broadcast(o), broadcast(d)}, slabs.of(k), t[k], shape[k]);
         }
         return {load(t), loadInts(shape)};
     }

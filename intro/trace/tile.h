@@ -12,7 +12,8 @@ namespace odraz {
 inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
 inline constexpr int kPlaces = 4 * kTile + 1;      // of quarters
 inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile can watch for
-inline constexpr uint16_t kMixed = 0xffff, kDone = 0xfffe;
+// Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
+inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 
 // A square of the tile, by its upper left corner.
 struct Square {
@@ -46,8 +47,7 @@ struct TileScratch {
     uint32_t wanted[kPlaces * kPlaces];
     int wantedCount;
     Square squares[3][kTile * kTile * 4];
-    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them (kMixed:
-    // none; kDone: the pixel is in the frame already)
+    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile + 8];
     Sample samples[kChunk];
