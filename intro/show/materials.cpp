@@ -63,7 +63,7 @@ Material copper() {
 Material pearl(bool warm, float reflect) {
     Rgb own = warm ? Rgb{0.70f, 0.36f, 0.20f} : Rgb{0.55f, 0.56f, 0.58f},
         tint = warm ? Rgb{1, 0.66f, 0.46f} : Rgb{0.96f, 0.97f, 1};
-    return {plain(own), {}, 0, 0.8f - 1.4f * reflect, 0.5f, 90, reflect, reflect > 0, 0, {}, tint, {}};
+    return {plain(own), {}, 0, 0.6f - 0.8f * reflect, 0.8f, 90, reflect, reflect > 0, 0, {}, tint, {}};
 }
 Material lamp(Rgb radiance) { return {plain({}), {}, 0, 0, 0, 1, 0, false, 0, {}, {1, 1, 1}, radiance}; }
 

@@ -30,7 +30,7 @@ struct Flake {
         // Detail by projected size: a ball of a few pixels mirrors nothing, and one of two grows nothing
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * pixelsPerUnit;
-        int shade = clamp((int)(pixels * 0.2f) - 1, 0, kShades - 1);
+        int shade = clamp((int)(pixels * 0.08f) - 1, 0, kShades - 1);
         scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3);
         if (level == kLevels || pixels * size < 1) return;

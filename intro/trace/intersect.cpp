@@ -38,34 +38,40 @@ struct Slabs {
     }
 };
 
-// Calls visit(shape) for every shape whose box an active ray enters before its limit, near nodes first.
-// visit may lower `limit` and clear lanes of `active`.
-template <class Visit>
-void traverse(const Scene &scene, const Ray8 &ray, Float8 &limit, Int8 &active, Visit &&visit) {
-    for (int i = 0; i < scene.unboundedCount; ++i) visit(scene.unbounded[i]);
+// Calls meet(shape, t) for every shape whose box an active ray enters before its limit, near nodes first; t
+// are the distances to it. meet may lower `limit` and clear lanes of `active`.
+template <class Meet>
+void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int8 &active, Meet &&meet) {
+    for (int i = 0; i < scene.unboundedCount; ++i)
+        meet(scene.unbounded[i], distance(scene, scene.shapes[scene.unbounded[i]], ray, flat));
     if (!scene.nodeCount || !any(active)) return;
     Slabs slabs = Slabs::from(ray);
-
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
         Stack::Waiting next = stack.waiting[--stack.count];
-        if (!any((limit >= next.enter) & active)) continue;
+        Float8 reach = select(active, min(limit, kFar), -1.f);
+        if (!any(reach >= next.enter)) continue;
         const Node &n = scene.nodes[next.node];
         int base = stack.count;
-        if (n.balls) {
-            for (int i = 0; i < n.count; ++i) visit(~n.child[i]);
-            if (!any(active)) return;
-            continue;
-        }
         for (int i = 0; i < n.count; ++i) {
-            Vec3 lo = {n.lo[0][i], n.lo[1][i], n.lo[2][i]}, hi = {n.hi[0][i], n.hi[1][i], n.hi[2][i]};
-            Float8 enter = slabs.enter(broadcast(lo), broadcast(hi), select(active, limit, -1.f));
-            if (!any(enter < kInfinity)) continue;
-            if (n.child[i] < 0)
-                visit(~n.child[i]);
-            else
-                stack.push(base, n.child[i], least(enter));
+            Vec3 lo = {n.lo[0][i], n.lo[1][i], n.lo[2][i]};
+            Float8 t;
+            if (n.balls) {
+                t = hitBall(ray.o - lo, n.radius[i], ray.d);
+            } else {
+                Vec3 hi = {n.hi[0][i], n.hi[1][i], n.hi[2][i]};
+                Float8 enter = slabs.enter(broadcast(lo), broadcast(hi), reach);
+                if (!any(enter < kInfinity)) continue;
+                if (n.child[i] >= 0) {
+                    stack.push(base, n.child[i], least(enter));
+                    continue;
+                }
+                t = distance(scene, scene.shapes[~n.child[i]], ray, flat);
+            }
+            if (!any(t <= reach)) continue;
+            meet(~n.child[i], t);
+            reach = select(active, min(limit, kFar), -1.f);
         }
         if (!any(active)) return;
     }
@@ -144,17 +150,15 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
             takeNearer(hit, distanceTo(scene, scene.shapes[i], ray), i);
         return hit;
     }
-    traverse(scene, ray, hit.t, active,
-             [&](int shape) { takeNearer(hit, distanceTo(scene, scene.shapes[shape], ray), shape); });
+    traverse(scene, ray, Flat::Seen, hit.t, active, [&](int shape, Float8 t) { takeNearer(hit, t, shape); });
     return hit;
 }
 
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own) {
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
-    traverse(scene, ray, tMax, active, [&](int index) {
-        const Shape &shape = scene.shapes[index];
-        Int8 hit = active & (distanceTo(scene, shape, ray, Flat::BothSides) < tMax) & (own != index);
-        if (any(hit)) pass(scene, shape, hit, share, active);
+    traverse(scene, ray, Flat::BothSides, tMax, active, [&](int index, Float8 t) {
+        Int8 hit = active & (t < tMax) & (own != index);
+        if (any(hit)) pass(scene, scene.shapes[index], hit, share, active);
     });
     return share;
 }

@@ -20,9 +20,9 @@ inline constexpr int kMaxDepth = 64;
 enum class QualityName { Draft, Play, Film, Reference, Count };
 
 inline constexpr Quality kQualities[(int)QualityName::Count] = {
-    {0, 32, 8, 0.08f, 0.04f, 1.00f, 0.20f, 5, 1 / 24.f},
-    {0, 32, 2, 0.05f, 0.02f, 0.10f, 0.12f, 5, 1 / 40.f},
-    {0, 16, 1, 0.02f, 0.00f, 0.03f, 0.03f, 9, 1 / 160.f},
+    {0, 32, 4, 0.12f, 0.25f, 1.00f, 0.25f, 5, 1 / 16.f},
+    {0, 32, 2, 0.03f, 0.02f, 0.10f, 0.12f, 5, 1 / 40.f},
+    {0, 32, 1, 0.026f, 0.005f, 0.046f, 0.05f, 9, 1 / 128.f},
     {8, 0, 0, 0, 0, 0, 0, 12, 1 / 512.f},
 };
 // The way from one quality (share 0) to another (1), without steps but in the number of bounces.
