@@ -38,16 +38,18 @@ struct SceneStats {
 // how far the last ones were from the time that they should take, so that nobody sees a step.
 struct Governor {
     static constexpr float kWanted = 0.029f; // seconds a picture
-    float level = 1, average = kWanted;      // 0: film, 1: play, 2: draft
+    static constexpr Quality kLeast = {0, 32, 4, 0.3f, 0.6f, 1, 0.4f, 3, 1 / 8.f};
+    float level = 1, average = kWanted; // 0: film, 1: play, 2: draft, 3: what is left when that is too dear
 
     Quality quality() const {
-        auto named = [](QualityName name) { return kQualities[(int)name]; };
-        return level < 1 ? between(named(QualityName::Film), named(QualityName::Play), level)
-                         : between(named(QualityName::Play), named(QualityName::Draft), level - 1);
+        const Quality way[] = {kQualities[(int)QualityName::Film], kQualities[(int)QualityName::Play],
+                               kQualities[(int)QualityName::Draft], kLeast};
+        int from = min((int)level, 2);
+        return between(way[from], way[from + 1], level - (float)from);
     }
     void spent(float seconds) {
         average += (seconds - average) * 0.25f;
-        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.f, 2.f);
+        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.f, 3.f);
     }
 };
 

@@ -21,6 +21,11 @@ static Float8 marble(const Vec3x8 &p, Float8 width) {
     return saturate(fmadd(warp, 0.16f, 0.22f) + veins * 0.8f);
 }
 
+// Noise where any of it is left.
+static Float8 detail(const Vec3x8 &p, Float8 strength) {
+    return any(strength > 0.f) ? noise(p) * strength : Float8{};
+}
+
 // Growth rings about the local z axis, wavering, with fibres along it.
 static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 waver = noise(p * broadcast(0.35f));
@@ -31,14 +36,14 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     Float8 shade = f * f * select(f > 0.88f, (1.f - f) * 8.333f, 1.f);
     shade = fmadd(shade - 0.3f, bandLimit(width * 2.2f, 1.f), 0.3f);
     Vec3x8 along = {p.x * 9.f, p.y * 9.f, p.z * 0.6f};
-    Float8 fibre = noise(along) * bandLimit(width, 0.11f);
+    Float8 fibre = detail(along, bandLimit(width, 0.11f));
     return saturate(fmadd(fibre, 0.22f, shade * 0.75f + 0.12f));
 }
 
 // Grains of several sizes.
 static Float8 stone(const Vec3x8 &p, Float8 width) {
-    Float8 coarse = fractalNoise(p, 3, width);
-    Float8 grain = noise(p * broadcast(11.f)) * bandLimit(width, 0.09f);
+    Float8 coarse = fractalNoise(p, 2, width);
+    Float8 grain = detail(p * broadcast(11.f), bandLimit(width, 0.09f));
     return saturate(fmadd(coarse, 0.38f, fmadd(grain, 0.2f, 0.5f)));
 }
 
