@@ -23,7 +23,7 @@ static constexpr Texture kSlate = {
 static constexpr Texture kOak = {
     Pattern::Wood,
     2.6f,
-    {{0.50f, 0.31f, 0.15f}, {0.40f, 0.225f, 0.10f}, {0.25f, 0.13f, 0.055f}, {0.13f, 0.065f, 0.028f}}};
+    {{0.40f, 0.235f, 0.11f}, {0.31f, 0.17f, 0.075f}, {0.19f, 0.095f, 0.040f}, {0.10f, 0.048f, 0.022f}}};
 
 // {texture, other, cell, diffuse, specular, exponent, reflect, fresnel, ior, absorb, tint, emit}
 Material darkMarble() { return {kBlackMarble, {}, 0, 1, 0.25f, 90, 0.04f, true, 0, {}, {1, 1, 1}, {}}; }

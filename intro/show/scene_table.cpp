@@ -56,13 +56,18 @@ void poseTable(double row, Hall *, Scene &scene) {
         s->textureShift = {m.angle, m.distance, 0.5f};
     }
 
-    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {66, 55, 42}));
-    scene.add(pointLight({5.5f, 4.0f, 1.5f}, {13, 15, 19}));
+    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {74, 56, 38}));
+    scene.add(pointLight({5.5f, 4.0f, 1.5f}, {10, 13, 19}));
     scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
     scene.contact = true;
     scene.ambientLow = {0.075f, 0.065f, 0.055f};
     scene.ambientHigh = {0.11f, 0.135f, 0.18f};
-    scene.sky = plainSky({0.27f, 0.34f, 0.43f}, {0.035f, 0.075f, 0.17f});
+    // Late light: a glow stands where the key light comes from, and on every ball
+    scene.sky = {{0.34f, 0.33f, 0.36f},
+                 {0.030f, 0.070f, 0.17f},
+                 {0.20f, 0.20f, 0.22f},
+                 normalize(Vec3{-4.5f, 2.2f, 3.5f}),
+                 {1.1f, 0.62f, 0.30f}};
     scene.fog = 0.02f;
     scene.exposure = 0.9f;
 }
