@@ -5,20 +5,29 @@
 
 #include <cstdio>
 #include <cstring>
+#include <unistd.h>
 
 static constexpr char kUsage[] =
     "usage: tradeoff trace [--quick] [--scene NAME] [--csv FILE] [--plot FILE]\n"
     "       tradeoff pack [--quick] [--model FILE] [--csv FILE] [--plot FILE] [FILM]\n"
     "trace: how near to 256 samples a pixel the tracer's settings come, against processor time;\n"
-    "       --quick leaves out most settings and traces small pictures; --scene: one alone, with all its "
-    "knobs\n"
-    "pack:  how small the packer makes FILM (build/odraz-safe) with less and more search, contexts and "
-    "memory,\n"
-    "       against how fast that is decoded; --model: the contexts that ship, like tests/odraz.model\n"
+    "       --quick leaves out most settings and traces small pictures; --scene: one alone, all its knobs\n"
+    "pack:  how small the packer makes FILM (build/odraz-safe) with less and more search, contexts,\n"
+    "       and memory, against how fast that is decoded; --model: the contexts that ship "
+    "(tests/odraz.model)\n"
     "--csv and --plot write the table and a picture of it as SVG.\n";
 
 bool saveText(const std::string &path, const std::string &text) {
     if (path.empty() || pack::writeFile(path, text.data(), text.size(), false)) return true;
+    std::perror(("tradeoff: cannot write " + path).c_str());
+    return false;
+}
+
+// Better said before minutes of measuring than after.
+static bool mayWrite(const std::string &path) {
+    size_t slash = path.rfind('/');
+    std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    if (path.empty() || access(folder.c_str(), W_OK) == 0) return true;
     std::perror(("tradeoff: cannot write " + path).c_str());
     return false;
 }
@@ -50,6 +59,7 @@ int main(int argc, char **argv) {
             return 2;
         }
     }
+    if (!mayWrite(sweep.csv) || !mayWrite(sweep.plot)) return 2;
     if (what == "trace") return tradeoffTrace(sweep, scene);
     if (what == "pack") return tradeoffPack(sweep, film, model);
     std::fprintf(stderr, "tradeoff: name what to measure: trace or pack\n");

@@ -4,8 +4,11 @@
 
 namespace odraz {
 
-float gSize = 0.5f;
 namespace {
+
+// Corners are averaged, which blurs on its own: what they see of textures in mirrors is filtered for half a
+// pixel only. By PSNR 1 is 0.9 dB worse; less shimmers.
+constexpr float kFilter = 0.5f;
 
 void want(TileScratch &s, int x, int y) {
     uint32_t i = (uint32_t)(y * kPlaces + x);
@@ -38,7 +41,7 @@ void traceWanted(Tile &t, float size) {
             y[i] = (float)t.y0 + (float)py * 0.25f;
             index[i] = (uint32_t)(corners ? (py >> 2) * kCorners + (px >> 2) : i);
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * gSize, count, x, y, index,
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, x, y, index,
                      corners ? s.corners : s.samples);
         for (int i = 0; i < count; ++i) {
             if (!corners) {

@@ -1,11 +1,11 @@
-// Adaptive anti-aliasing: squares of 8 pixels that share corners, split where their corners differ.
+// Adaptive anti-aliasing: one quadtree of squares that share corners, from 8 pixels down to a quarter.
 //
 // After the intro thesis: every corner is traced once; a square splits when its corners differ in (a) the
-// object hit, (b) the state of any light there, (c) what secondary rays hit, level by level, (d) the
-// intensities. What need not split is filled by bilinear interpolation. Beyond it: only light is
-// interpolated, the diffuse colour is taken at every pixel; a square that a small shape may touch splits
-// whether a corner met the shape or not; and a one-pixel square whose corners still differ in colour is
-// super-sampled, 2x2 and then 4x4.
+// object hit, (b) the state of any light there, (c) what secondary rays hit, level by level, and the cell of
+// a texture there, (d) the intensities. What need not split is filled by bilinear interpolation. Beyond it:
+// only light is interpolated, the diffuse colour is taken at every pixel; a square splits too where a shape
+// may show in it that shows at no corner, and where a neighbour's corner on its side tells of something new;
+// below a pixel the difference of colours alone decides.
 #pragma once
 
 #include "base/arena.h"
