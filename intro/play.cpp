@@ -32,6 +32,7 @@ struct Histogram {
 struct SceneStats {
     Histogram trace, present;
     int shown, dropped;
+    double samples; // of all pictures, in every pixel
 };
 
 // Keeps up with the clock by moving between `film`, `play` and `draft`. It moves a little every picture, by
@@ -58,7 +59,7 @@ SceneStats theStats[kSceneCount]; // zero at the start; too large for a stack
 void printStats(double untilFirst) {
     Text<2048> t;
     (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
-    t << "scene      shown  dropped  trace ms: median    p95   present ms: median    p95\n";
+    t << "scene      shown  dropped  trace ms: median    p95   present ms: median    p95   samples/pixel\n";
     for (int i = 0; i < kSceneCount; ++i) {
         const SceneStats &s = theStats[i];
         if (!s.shown) continue;
@@ -68,7 +69,8 @@ void printStats(double untilFirst) {
         t.padTo(line + 37).decimal(s.trace.quantile(0.5), 1);
         t.padTo(line + 44).decimal(s.trace.quantile(0.95), 1);
         t.padTo(line + 64).decimal(s.present.quantile(0.5), 1);
-        t.padTo(line + 71).decimal(s.present.quantile(0.95), 1) << '\n';
+        t.padTo(line + 71).decimal(s.present.quantile(0.95), 1);
+        t.padTo(line + 86).decimal(s.samples / s.shown, 2) << '\n';
     }
     t << "(dropped: thirtieths of a second without a new picture)\n";
     writeAll(1, t.data, (size_t)t.size);
@@ -100,6 +102,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, i
         if (slot > lastSlot + 1 && lastSlot >= 0) s.dropped += (int)(slot - lastSlot - 1);
         lastSlot = slot;
         ++s.shown;
+        s.samples += (double)tracedSamples(intro.tracer) / (picture.width * picture.height);
         s.trace.add(traced - before);
         s.present.add(shown - traced);
     }

@@ -17,7 +17,7 @@ static constexpr Texture kGranite = {
     1.6f,
     {{0.10f, 0.10f, 0.105f}, {0.20f, 0.195f, 0.19f}, {0.34f, 0.33f, 0.32f}, {0.52f, 0.50f, 0.48f}}};
 static constexpr Texture kSlate = {
-    Pattern::Stone,
+    Pattern::Cloud,
     1.1f,
     {{0.05f, 0.055f, 0.065f}, {0.09f, 0.095f, 0.11f}, {0.14f, 0.145f, 0.16f}, {0.24f, 0.24f, 0.25f}}};
 static constexpr Texture kOak = {
@@ -27,11 +27,7 @@ static constexpr Texture kOak = {
 
 // {texture, other, cell, diffuse, specular, exponent, reflect, fresnel, ior, absorb, tint, emit}
 Material darkMarble() { return {kBlackMarble, {}, 0, 1, 0.25f, 90, 0.04f, true, 0, {}, {1, 1, 1}, {}}; }
-Material slate() {
-    Material m = {kSlate, {}, 0, 1, 0.1f, 30, 0.03f, true, 0, {}, {1, 1, 1}, {}};
-    m.texture.pattern = Pattern::Cloud;
-    return m;
-}
+Material slate() { return {kSlate, {}, 0, 1, 0.1f, 30, 0.03f, true, 0, {}, {1, 1, 1}, {}}; }
 Material boards() { return {kGranite, kOak, 0.6f, 1, 0.15f, 60, 0.035f, true, 0, {}, {1, 1, 1}, {}}; }
 static constexpr Texture kLimestone = {
     Pattern::Stone,
