@@ -38,9 +38,9 @@ struct Slabs {
     }
 };
 
-// Calls meet(shape, t) for every shape whose box an active ray enters before its limit, near nodes first; t
-// are the distances to it. meet may lower `limit` and clear lanes of `active`.
-template <class Meet>
+// Calls meet(shape, t) for every shape whose box an active ray enters before its limit, near nodes first if
+// kSorted; t are the distances to it. meet may lower `limit` and clear lanes of `active`.
+template <bool kSorted, class Meet>
 void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int8 &active, Meet &&meet) {
     for (int i = 0; i < scene.unboundedCount; ++i)
         meet(scene.unbounded[i], distance(scene, scene.shapes[scene.unbounded[i]], ray, flat));
@@ -64,7 +64,7 @@ void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int
                 Float8 enter = slabs.enter(broadcast(lo), broadcast(hi), reach);
                 if (!any(enter < kInfinity)) continue;
                 if (n.child[i] >= 0) {
-                    stack.push(base, n.child[i], least(enter));
+                    stack.push(base, n.child[i], kSorted ? least(enter) : 0);
                     continue;
                 }
                 t = distance(scene, scene.shapes[~n.child[i]], ray, flat);
@@ -150,13 +150,14 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
             takeNearer(hit, distanceTo(scene, scene.shapes[i], ray), i);
         return hit;
     }
-    traverse(scene, ray, Flat::Seen, hit.t, active, [&](int shape, Float8 t) { takeNearer(hit, t, shape); });
+    traverse<true>(scene, ray, Flat::Seen, hit.t, active,
+                   [&](int shape, Float8 t) { takeNearer(hit, t, shape); });
     return hit;
 }
 
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own) {
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
-    traverse(scene, ray, Flat::BothSides, tMax, active, [&](int index, Float8 t) {
+    traverse<false>(scene, ray, Flat::BothSides, tMax, active, [&](int index, Float8 t) {
         Int8 hit = active & (t < tMax) & (own != index);
         if (any(hit)) pass(scene, scene.shapes[index], hit, share, active);
     });

@@ -90,13 +90,10 @@ Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, 
     cell = Int8{};
     if (m.cell == 0) return colour(m.texture, q, mean);
 
-    // The sample's footprint is an ellipse, long along the view; take its extents along x and z
-    Float8 x = q.x * (1.f / m.cell), z = q.z * (1.f / m.cell);
-    Float8 across = d.x * d.x + d.z * d.z;
-    Float8 alongX = select(across > 1e-12f, d.x * d.x / max(across, 1e-12f), 0.5f);
-    Float8 narrow = width * (1.f / m.cell), wide = narrow * stretch;
-    Float8 wx = sqrt(fmadd(wide * wide, alongX, narrow * narrow * (1.f - alongX)));
-    Float8 wz = sqrt(fmadd(wide * wide, 1.f - alongX, narrow * narrow * alongX));
+    // The sample's footprint is an ellipse, long along the view: a circle across it, and its shadow along d
+    Float8 x = q.x * (1.f / m.cell), z = q.z * (1.f / m.cell), narrow = width * (1.f / m.cell);
+    Float8 alongX = d.x * stretch, alongZ = d.z * stretch;
+    Float8 wx = narrow * sqrt(fmadd(alongX, alongX, 1.f)), wz = narrow * sqrt(fmadd(alongZ, alongZ, 1.f));
     Float8 even = fmadd(squareWave(x, wx) * squareWave(z, wz), 0.5f, 0.5f);
     Int8 sharp = max(wx, wz) < 1.f;
     cell =
