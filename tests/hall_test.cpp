@@ -268,7 +268,8 @@ TEST(Hall, ABallDarkensWhatItStandsOn) {
     auto open = lightAround(false), covered = lightAround(true);
     for (int i = 0; i < 16; ++i) {
         double d = 0.62 + 0.05 * i, square = d * d + 0.25, factor = 0.5 / std::sqrt(square) * 0.25 / square;
-        EXPECT_NEAR((double)(covered[(size_t)i].light.y / open[(size_t)i].light.y), 1 - factor + 1 / 150., 2e-3)
+        EXPECT_NEAR((double)(covered[(size_t)i].light.y / open[(size_t)i].light.y), 1 - factor + 1 / 150.,
+                    2e-3)
             << d;
     }
 }

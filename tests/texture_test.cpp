@@ -137,8 +137,8 @@ TEST(Checker, IsFilteredLikeManySamples) {
 }
 
 TEST(Materials, AreColoursEverywhere) {
-    for (const Material &m : {darkMarble(), boards(), pearl(true, 0.4f), slate(), granite(), oak(),
-                              glass(), mirror(), copper()})
+    for (const Material &m :
+         {darkMarble(), boards(), pearl(true, 0.4f), slate(), granite(), oak(), glass(), mirror(), copper()})
         for (float far : {0.f, 3.3f, 1e3f, 1e9f})
             for (float width : {0.f, 1e-3f, 1.f, 1e6f})
                 for (float cosine : {0.f, 1e-4f, 1.f}) {
