@@ -39,8 +39,9 @@ struct SceneStats {
 // how far the last ones were from the time that they should take, so that nobody sees a step.
 struct Governor {
     static constexpr float kWanted = 0.029f; // seconds a picture
-    static constexpr Quality kLeast = {0, 32, 4, 0.3f, 0.6f, 1, 0.4f, 3, 1 / 8.f};
-    float level = 1, average = kWanted; // 0: film, 1: play, 2: draft, 3: what is left when that is too dear
+    static constexpr Quality kLeast = {0, 32, 4, 1, 0.3f, 0.6f, 1, 0.4f, 3, 1 / 8.f};
+    float level = 1,
+          average = kWanted; // towards 0: film, 1: play, 2: draft, 3: what is left when that is too dear
 
     Quality quality() const {
         const Quality way[] = {kQualities[(int)QualityName::Film], kQualities[(int)QualityName::Play],
@@ -50,7 +51,7 @@ struct Governor {
     }
     void spent(float seconds) {
         average += (seconds - average) * 0.25f;
-        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.f, 3.f);
+        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.1f, 3.f);
     }
 };
 

@@ -47,7 +47,7 @@ Material plain(float diffuse) {
 }
 
 constexpr Candidates kAll = {-1, {}, {}, {}};
-constexpr Quality kExact = {1, 0, 0, 0, 0, 0, 0, kMaxDepth, 1e-30f};
+constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, kMaxDepth, 1e-30f};
 
 struct Stage {
     std::unique_ptr<Scene> scene = std::make_unique<Scene>();

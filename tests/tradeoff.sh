@@ -29,7 +29,7 @@ check "a missing model" refuses 2 "cannot be read" "$tradeoff" pack --model "$WO
 check "bench_pack refuses options it does not know" refuses 2 "usage: bench_pack" "$BUILD/bench_pack" --slow
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/peer_povray" "$SOURCE/tools/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
-    check "bench_trace counts rays" bash -c "'$BUILD/bench_trace' --benchmark_filter='^ray.*A$' --benchmark_min_time=0.01 2>/dev/null | grep -c items_per_second | grep -qx 4"
+    check "bench_trace counts rays" bash -c "'$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null | grep -c items_per_second | grep -qx 4"
     check "bench_trace refuses options it does not know" refuses 2 "" "$BUILD/bench_trace" --slow
 else
     echo "skipped: bench_trace is not built"

@@ -11,7 +11,7 @@ using namespace odraz;
 
 namespace {
 
-constexpr Quality kExact = {1, 0, 0, 0, 0, 0, 0, 12, 1e-6f};
+constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, 12, 1e-6f};
 constexpr Candidates kAll = {-1, {}, {}, {}};
 
 Material matte(Rgb c) {

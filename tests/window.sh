@@ -104,7 +104,7 @@ check "survives a tiny window" kill -0 $pid
 xdotool windowsize "$window" 700 500
 sleep 0.4
 check "Alt-F4 leaves" gone_within $LIMIT xdotool key alt+F4
-check "--stats tells of the scene" grep -qE '^court +[1-9]' "$WORK/out"
+check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
 check "nothing is said on standard error" test ! -s "$WORK/err"
 
 check "plays to its end by itself" bash -c "timeout 20 '$odraz' --window --size 320x180 --from 161 --stats | grep -q ^credits"

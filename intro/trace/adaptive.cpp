@@ -152,17 +152,20 @@ int splitSquares(Tile &t, Square *&squares, Square *&next, int count) {
             else
                 squares[left++] = a;
         }
-        // What neighbours have found out splits more
+        // What neighbours have found out splits more; all are asked before one splits, which wants new
+        // corners
         for (int before = 0; size > 4 && splits > before;) {
             before = splits;
             traceWanted(t, 1);
-            int kept = 0;
+            Square *more = s.squares[2];
+            int kept = 0, found = 0;
             for (int i = 0; i < left; ++i)
                 if (size > q.fine && sidesDiffer(s, squares[i], size, q.mild))
-                    split(squares[i]);
+                    more[found++] = squares[i];
                 else
                     squares[kept++] = squares[i];
             left = kept;
+            for (int i = 0; i < found; ++i) split(more[i]);
         }
         for (int i = 0; i < left; ++i) fill(t, squares[i], size);
         Square *done = squares;

@@ -267,7 +267,7 @@ void shade(const Context &c, const RayStream &in, RayStream &out) {
     for (int i = 0; goesOn && i < run.count; i += 8) scatter(c, in, out, run, i);
 }
 
-Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y) {
+Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
     const Material &m = scene.materials[shape.material];
     if (m.diffuse == 0) return broadcast(Rgb{});
     if (m.texture.pattern == Pattern::Plain && m.cell == 0 && scene.lines == 0)
@@ -278,12 +278,12 @@ Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8
         Float8 t = min(abs((shape.centre.y - view.eye.y) / ray.d.y), kFar);
         Vec3x8 p = fmadd(ray.d, t, ray.o);
         p.y = broadcast(shape.centre.y);
-        return diffuseColour(scene, shape, p, ray.d, min(abs(ray.d.y), 1.f), t * view.spread, cell);
+        return diffuseColour(scene, shape, p, ray.d, min(abs(ray.d.y), 1.f), t * (view.spread * size), cell);
     }
     Float8 t = distance(scene, shape, ray, Flat::Whole);
     Surface8 at = surfaceAt(shape, ray, t);
     Float8 cosine = min(abs(dot(at.n, ray.d)), 1.f);
-    return diffuseColour(scene, shape, at.p, ray.d, cosine, t * view.spread, cell);
+    return diffuseColour(scene, shape, at.p, ray.d, cosine, t * (view.spread * size), cell);
 }
 
 } // namespace odraz

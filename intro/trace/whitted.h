@@ -68,8 +68,8 @@ void traceSamples(const Scene &scene, const View &view, const Quality &quality, 
                   const Candidates &among, float size, int count, const float *x, const float *y,
                   const uint32_t *index, Sample *samples);
 
-// The diffuse colour that eight picture points show of one shape's surface.
-Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y);
+// The diffuse colour that eight picture points show of one shape's surface, to samples `size` pixels wide.
+Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size);
 
 // --- between whitted.cpp, shade.cpp and light.cpp ---
 
