@@ -118,7 +118,10 @@ std::string svg(const Plot &plot) {
         if (p.shipped) text(x.place(p.x) + 9, y.place(p.y) - 7, "start", p.name, " font-weight=\"bold\"");
     }
     for (size_t i = 0; i < plot.series.size(); ++i) {
-        double at = kTop + 14 + 16 * (double)i;
+        // In the corner that no front comes near
+        double at =
+            16 * (double)i +
+            (plot.lessIsBetterY ? kTop + 14 : kHeight - kBottom + 6 - 16 * (double)plot.series.size());
         out += format("<circle cx=\"%.0f\" cy=\"%.1f\" r=\"4\" fill=\"%s\"/>\n", kWidth - kRight - 150,
                       at - 4, kColours[i % kColourCount]);
         text(kWidth - kRight - 140, at, "start", plot.series[i]);

@@ -195,7 +195,7 @@ struct Emitter {
         append(out.width, width);
         append(out.spread, spread);
         append(out.sample, pick(in.sample));
-        append(out.path, pick(in.path) * 2 + branch);
+        append(out.path, (Int8)((Uint8)pick(in.path) * 2u + (uint32_t)branch)); // the oldest falls out
         out.count += __builtin_popcount((unsigned)lanes);
     }
 };

@@ -95,6 +95,10 @@ ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const int *c) {
     return s.corners[c[1]].id != id || s.corners[c[2]].id != id || s.corners[c[3]].id != id;
 }
 
+// --- adaptive.cpp: the quadtree ---
+
+void traceAdaptive(Tile &t);
+
 // --- hidden.cpp: what corners do not tell ---
 
 // Finds the balls and the thin shapes that the tile may show.
