@@ -1,8 +1,7 @@
 // The tracer where floats run out, against the same rays in double precision: far and near, large and small,
 // grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on surfaces.
 #include "base/maths.h"
-#include "trace/beam.h"
-#include "trace/whitted.h"
+#include "stage.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -38,31 +37,10 @@ struct Dice {
 };
 
 Material plain(float diffuse) {
-    Material m = {};
-    m.texture = {Pattern::Plain, 1, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}};
+    Material m = matte({1, 1, 1});
     m.diffuse = diffuse;
-    m.exponent = 1;
-    m.tint = {1, 1, 1};
     return m;
 }
-
-constexpr Candidates kAll = {-1, {}, {}, {}};
-constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, kMaxDepth, 1e-30f};
-
-struct Stage {
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
-    std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
-    Stage() { scene->clear(); }
-    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact) {
-        scene->finish();
-        View view = lookAt(eye, target, 0, 40, 1, 1);
-        float half[8] = {0.5f};
-        uint32_t zero[8] = {};
-        Sample s;
-        traceSamples(*scene, view, quality, *scratch, kAll, 1, 1, half, half, zero, &s);
-        return s;
-    }
-};
 
 } // namespace
 
@@ -206,7 +184,9 @@ TEST(Extremes, SixtyFourBouncesAddUp) {
     g.scene->add(plane({0, 4, 0}, id));
     double sum = 0;
     for (int i = 0; i <= 64; ++i) sum += std::pow(0.97, i);
-    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.3f}).radiance().x, sum, sum * 1e-5);
+    Quality q = kExact;
+    q.depth = kMaxDepth;
+    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.3f}, q).radiance().x, sum, sum * 1e-5);
 }
 
 // Inside a cube of glass, at more than the critical angle: no light gets in or out, bounce after bounce.
@@ -229,7 +209,6 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
     double angle = std::asin(1 / 1.8) * 0.9, sine = std::sin(angle) * 1.8, cosT = std::sqrt(1 - sine * sine),
            cosI = std::cos(angle), across = (1.8 * cosI - cosT) / (1.8 * cosI + cosT),
            along = (cosI - 1.8 * cosT) / (cosI + 1.8 * cosT);
-    q.depth = 0;
     q.depth = 1;
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     Sample s = g.look({0, 0, 0}, {1, (float)std::tan(angle), 0}, q);

@@ -1,6 +1,6 @@
 // Whole rays through small scenes, against Phong's, Snell's and Fresnel's formulas.
 #include "base/maths.h"
-#include "trace/whitted.h"
+#include "stage.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -11,18 +11,6 @@ using namespace odraz;
 
 namespace {
 
-constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, 12, 1e-6f};
-constexpr Candidates kAll = {-1, {}, {}, {}};
-
-Material matte(Rgb c) {
-    Material m = {};
-    m.texture = {Pattern::Plain, 1, {c, c, c, c}};
-    m.diffuse = 1;
-    m.exponent = 1;
-    m.tint = {1, 1, 1};
-    return m;
-}
-
 // Glass that is nothing else.
 Material clearGlass(float ior) {
     Material m = matte({0, 0, 0});
@@ -30,23 +18,6 @@ Material clearGlass(float ior) {
     m.ior = ior;
     return m;
 }
-
-struct Stage {
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
-    std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
-    Stage() { scene->clear(); }
-
-    // The ray from eye to target.
-    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact) {
-        scene->finish();
-        View view = lookAt(eye, target, 0, 40, 1, 1);
-        float half[8] = {0.5f};
-        uint32_t zero[8] = {};
-        Sample s;
-        traceSamples(*scene, view, quality, *scratch, kAll, 1, 1, half, half, zero, &s);
-        return s;
-    }
-};
 
 } // namespace
 

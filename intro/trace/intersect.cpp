@@ -38,6 +38,22 @@ struct Slabs {
     }
 };
 
+// Nodes of the tree that wait to be looked at, the nearest last.
+struct Stack {
+    struct Waiting {
+        int node;
+        float enter;
+    } waiting[7 * kTreeDepth + 8];
+    int count = 0;
+
+    // Pushes behind what was there at `base`, in order.
+    void push(int base, int node, float enter) {
+        int i = count++;
+        for (; i > base && waiting[i - 1].enter < enter; --i) waiting[i] = waiting[i - 1];
+        waiting[i] = {node, enter};
+    }
+};
+
 // Calls meet(shape, t) for every shape whose box an active ray enters before its limit, near nodes first if
 // kSorted; t are the distances to it. meet may lower `limit` and clear lanes of `active`.
 template <bool kSorted, class Meet>
@@ -79,41 +95,36 @@ void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int
 
 // The nearest hit of a single ray, in every lane the same ray: eight boxes or balls at once.
 void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float &t, int &shape) {
+    auto take = [&](int index, float hit) {
+        if (hit > t || (hit == t && index > shape)) return;
+        t = hit;
+        shape = index;
+    };
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
         Stack::Waiting next = stack.waiting[--stack.count];
         if (next.enter > t) continue;
         const Node &n = scene.nodes[next.node];
-        Vec3x8 lo = {load(n.lo[0]), load(n.lo[1]), load(n.lo[2])};
+        Vec3x8 lo = load(n.lo, 0);
         if (n.balls) {
             Vec3x8 f = ray.o - lo;
             Float8 radius = load(n.radius);
             Float8 hit = hitBall(f, radius, ray.d);
             for (int lanes = laneBits((hit <= t) & (hit < kInfinity)); lanes; lanes &= lanes - 1) {
-                int i = __builtin_ctz((unsigned)lanes), index = ~n.child[i];
-                if (hit[i] < t || (hit[i] == t && index < shape)) {
-                    t = hit[i];
-                    shape = index;
-                }
+                int i = __builtin_ctz((unsigned)lanes);
+                take(~n.child[i], hit[i]);
             }
             continue;
         }
-        Vec3x8 hi = {load(n.hi[0]), load(n.hi[1]), load(n.hi[2])};
-        Float8 enter = slabs.enter(lo, hi, broadcast(t));
+        Float8 enter = slabs.enter(lo, load(n.hi, 0), broadcast(t));
         int base = stack.count;
         for (int lanes = laneBits((enter < kInfinity) & (kLanes < n.count)); lanes; lanes &= lanes - 1) {
             int i = __builtin_ctz((unsigned)lanes);
-            if (n.child[i] >= 0) {
+            if (n.child[i] >= 0)
                 stack.push(base, n.child[i], enter[i]);
-                continue;
-            }
-            int index = ~n.child[i];
-            float hit = distanceTo(scene, scene.shapes[index], ray)[0];
-            if (hit < t || (hit == t && index < shape)) {
-                t = hit;
-                shape = index;
-            }
+            else
+                take(~n.child[i], distanceTo(scene, scene.shapes[~n.child[i]], ray)[0]);
         }
     }
 }

@@ -30,22 +30,6 @@ ODRAZ_INLINE void pass(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &s
     if (m.ior == 0) active &= ~hit;
 }
 
-// Nodes of the tree that wait to be looked at, the nearest last.
-struct Stack {
-    struct Waiting {
-        int node;
-        float enter;
-    } waiting[7 * kTreeDepth + 8];
-    int count = 0;
-
-    // Pushes behind what was there at `base`, in order.
-    void push(int base, int node, float enter) {
-        int i = count++;
-        for (; i > base && waiting[i - 1].enter < enter; --i) waiting[i] = waiting[i - 1];
-        waiting[i] = {node, enter};
-    }
-};
-
 // The nearest hit of each ray. Lanes outside `active` cost nothing where whole boxes can be skipped; their
 // result is undefined.
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
