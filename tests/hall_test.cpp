@@ -3,7 +3,7 @@
 #include "lens.h"
 #include "show/hall.h"
 #include "show/materials.h"
-#include "trace/whitted.h"
+#include "stage.h"
 
 #include <cmath>
 #include <vector>
@@ -261,8 +261,8 @@ TEST(Hall, ABallDarkensWhatItStandsOn) {
         std::vector<Sample> samples(16);
         for (int i = 0; i < 16; ++i)
             x[(size_t)i] = 32 + (0.62f + 0.05f * (float)i) * 64 / 6, index[(size_t)i] = (uint32_t)i;
-        traceSamples(*scene, view, kQualities[(int)QualityName::Reference], *scratch, {-1, {}, {}, {}}, 1, 16,
-                     x.data(), y.data(), index.data(), samples.data());
+        traceSamples(*scene, view, kQualities[(int)QualityName::Reference], *scratch, kAll, 1, 16, x.data(),
+                     y.data(), index.data(), samples.data());
         return samples;
     };
     auto open = lightAround(false), covered = lightAround(true);
