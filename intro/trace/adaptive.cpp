@@ -62,18 +62,19 @@ float rangeOf(const TileScratch &s, const int *c) {
     return range({s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]});
 }
 
+// Whether two samples show the same thing, lit and mirroring alike: the first three of the thesis's four
+// tests.
+bool sameMarks(const Sample &a, const Sample &b) {
+    return a.id == b.id && !((a.lights ^ b.lights) & ~kTextured) && a.secondary == b.secondary;
+}
+
 // The four tests of a square's corners, in the thesis's order. Where a mirror or glass shows a texture, the
 // corners of a larger square cannot tell what lies between.
 bool differ(const TileScratch &s, const int *c, int size, const Quality &q) {
     const Sample *k[4] = {&s.corners[c[0]], &s.corners[c[1]], &s.corners[c[2]], &s.corners[c[3]]};
-    bool marks = onSilhouette(s, c);
-    uint32_t textured = 0;
-    for (int i = 0; i < 4; ++i) {
-        marks |= (k[i]->lights ^ k[0]->lights) & ~kTextured || k[i]->secondary != k[0]->secondary;
-        textured |= k[i]->lights;
-    }
-    if (textured & kTextured && size > 8) return true;
-    if (marks && size > 8) return true;
+    bool marks = !(sameMarks(*k[0], *k[1]) && sameMarks(*k[0], *k[2]) && sameMarks(*k[0], *k[3]));
+    bool textured = (k[0]->lights | k[1]->lights | k[2]->lights | k[3]->lights) & kTextured;
+    if ((marks || textured) && size > 8) return true;
     float difference = rangeOf(s, c);
     return difference > q.threshold || (marks && difference > q.mild);
 }
@@ -88,8 +89,7 @@ bool sidesDiffer(const TileScratch &s, Square a, int size, float mild) {
     for (int i = 0; i < 4; ++i) {
         if (s.traced[y[i] * kPlaces + x[i]] != s.stamp) continue;
         int middle = (y[i] >> 2) * kCorners + (x[i] >> 2);
-        const Sample &m = s.corners[middle];
-        if (m.id == c.id && !((m.lights ^ c.lights) & ~kTextured) && m.secondary == c.secondary) continue;
+        if (sameMarks(s.corners[middle], c)) continue;
         if (size > 8 || range({s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]}) > mild)
             return true;
     }
@@ -108,11 +108,12 @@ float rangeOf(const Tile &t, const __m128 (&v)[4]) {
     return range({shown(t.scene, v[0]), shown(t.scene, v[1]), shown(t.scene, v[2]), shown(t.scene, v[3])});
 }
 
-// Splits squares level by level, down to a pixel at least; fills the rest. Returns how many pixels are left
-// in squares[2], to be split on.
-int splitSquares(Tile &t, Square *&squares, Square *&next, int count) {
+// Splits the first `count` squares level by level, down to a pixel at least; fills the rest. Returns how many
+// pixels are left in squares[2], to be split on.
+int splitSquares(Tile &t, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
+    Square *squares = s.squares[0], *next = s.squares[1];
     int rough = 0;
     for (int size = q.coarse; count; size /= 2) {
         int splits = 0, half = size / 2, left = 0;
@@ -223,7 +224,7 @@ void traceAdaptive(Tile &t) {
     }
     s.wantedCount = 0;
     watch(t);
-    Square *squares = s.squares[0], *next = s.squares[1];
+    Square *squares = s.squares[0];
     int count = 0;
     for (int y = 0; y < 4 * t.height; y += q.coarse)
         for (int x = 0; x < 4 * t.width; x += q.coarse) {
@@ -231,7 +232,7 @@ void traceAdaptive(Tile &t) {
             wantCorners(s, squares[count++], q.coarse);
         }
     traceWanted(t, 1);
-    splitPixels(t, splitSquares(t, squares, next, count));
+    splitPixels(t, splitSquares(t, count));
     finishTile(t);
 }
 

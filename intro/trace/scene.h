@@ -28,10 +28,7 @@ inline Light pointLight(Vec3 position, Rgb intensity) { return {position, intens
 // A tree of bounding boxes with up to eight children a node, side by side for eight-wide tests. A node whose
 // children are all balls holds the balls themselves in place of their boxes.
 struct Node {
-    union {
-        float lo[3][8];
-        float centre[3][8];
-    };
+    float lo[3][8]; // or the balls' centres
     union {
         float hi[3][8];
         float radius[8];

@@ -249,11 +249,10 @@ void shadeSky(const Context &c, const RayStream &in) {
         Eight pick(run.ray + i);
         Rgb8 weight = pick(in.weight), light = radiance(c.scene.sky, pick(in.d)) * weight;
         int count = min(run.count - i, 8);
-        Int8 path = pick(in.path);
         if (c.bounces == 0)
             begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light);
         else
-            addRest(c, in, run.ray + i, count, light, hash(path) & (weight.y > c.quality.mark));
+            addRest(c, in, run.ray + i, count, light, hash(pick(in.path)) & (weight.y > c.quality.mark));
     }
 }
 

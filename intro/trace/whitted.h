@@ -26,7 +26,6 @@ struct alignas(16) Sample {
     uint32_t secondary; // sum of hashes of what every secondary ray hit, and of the texture cell there
 
     uint32_t shape() const { return (id - 1) / 8; } // where id != 0
-    bool textured() const { return lights >> 31; }
     Rgb radiance() const { return albedo * light + rest; }
 };
 // A colour of a sample as four floats, the last one 0: the mark that lies there would be a denormal number,
