@@ -21,12 +21,17 @@ struct Reader {
     }
 };
 
+// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
+bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
+    return address >= base && size <= span && address - base <= span - size;
+}
+
 // The program's memory, read and wiped by address.
 struct Memory {
     Program &program;
 
     template <class T> T at(uint64_t address) const {
-        need(address >= program.base && address - program.base + sizeof(T) <= program.bytes.size(),
+        need(within(address, sizeof(T), program.base, program.bytes.size()),
              "its dynamic section points outside the program");
         T value;
         std::memcpy(&value, program.bytes.data() + (address - program.base), sizeof value);
@@ -73,7 +78,8 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     std::sort(loads.begin(), loads.end(), [](auto &a, auto &b) { return a.p_vaddr < b.p_vaddr; });
     uint64_t end = 0, fileEnd = 0, codeEnd = 0, firstWritten = UINT64_MAX;
     for (const Elf64_Phdr &h : loads) {
-        need(h.p_vaddr < UINT32_MAX && h.p_memsz <= kMostMemory && h.p_filesz <= h.p_memsz,
+        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, UINT32_MAX - kPage) &&
+                 h.p_filesz <= h.p_memsz,
              "a segment of an absurd size or address");
         need(h.p_offset <= in.file.size() && h.p_filesz <= in.file.size() - h.p_offset,
              "cut short: a segment's bytes are missing");
@@ -153,7 +159,8 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
         need(name == "dlopen" || name == "dlsym", "it must import dlopen and dlsym and nothing else");
         need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
              "an import is not of type GLOB_DAT");
-        need(r.r_offset >= program.base + program.readOnly && r.r_offset + 8 <= program.base + program.span,
+        need(program.readOnly < program.span &&
+                 within(r.r_offset, 8, program.base + program.readOnly, program.span - program.readOnly),
              "an import's slot is not in writable memory");
         program.slots[name == "dlsym"] = (uint32_t)r.r_offset;
         found[name == "dlsym"] = true;
@@ -189,9 +196,7 @@ void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<
     for (int i = 0; i < header.e_shnum; ++i) {
         Elf64_Shdr s = section((uint64_t)i);
         if (!(s.sh_flags & SHF_ALLOC) || !s.sh_size) continue;
-        need(s.sh_addr >= program.base && s.sh_size <= kMostMemory &&
-                 s.sh_addr + s.sh_size <= program.base + program.span,
-             "a section lies outside the segments");
+        need(within(s.sh_addr, s.sh_size, program.base, program.span), "a section lies outside the segments");
         if (s.sh_flags & SHF_EXECINSTR) extend(s.sh_addr, s.sh_size);
         auto name = in.at<std::array<char, 7>>(names.sh_offset + s.sh_name, cut);
         if (!std::memcmp(name.data(), ".early", 7)) {
@@ -209,7 +214,7 @@ void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<
          "its section .early does not end on a page of its own");
     if (!end)
         for (const Elf64_Phdr &h : headers)
-            if (h.p_type == PT_LOAD && h.p_flags & PF_X) extend(h.p_vaddr, h.p_filesz);
+            if (h.p_type == PT_LOAD && h.p_flags & PF_X && h.p_memsz) extend(h.p_vaddr, h.p_filesz);
     // Within the bytes there are; code that is all zeros at the end is none
     uint64_t all = program.bytes.size();
     program.codeBegin = (uint32_t)std::min(begin - program.base, all);

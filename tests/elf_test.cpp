@@ -17,7 +17,7 @@ namespace {
 struct Example {
     struct Image {
         Elf64_Ehdr header;
-        Elf64_Phdr segments[4];
+        Elf64_Phdr segments[5]; // four, and room for one more
         char interpreter[28];
         char code[64];
     };
@@ -243,6 +243,29 @@ TEST(Reader, WantsTheEarlyPartOnPagesOfItsOwn) {
     EXPECT_EQ(readProgram(s.file()).early, 8192u);
     s.sections[2].sh_addr -= 50; // ... but not when other code shares it
     EXPECT_NE(complaint(s.file()).find(".early"), std::string::npos);
+}
+
+// Found by the fuzzer: sums of addresses and sizes that wrap around.
+TEST(Reader, IsNotFooledByAddressesThatWrapAround) {
+    Sectioned s;
+    s.sections[2].sh_addr = UINT64_MAX - 15;
+    EXPECT_NE(complaint(s.file()).find("outside the segments"), std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.data.relocations[0].r_offset = UINT64_MAX - 7;
+                  e.data.relocations[1].r_offset = UINT64_MAX - 15;
+              }).find("not in writable memory"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.image.segments[1].p_vaddr = 0xfffff000;
+                  e.image.segments[2].p_vaddr = 0x100000000;
+              }).find("absurd"),
+              std::string::npos);
+    // A segment of no size is not loaded, wherever it says it is
+    Example e;
+    e.image.header.e_phnum = 5;
+    e.image.segments[4] = {PT_LOAD, PF_R | PF_X, 0, 0xffffffffffff0000, 0, 4096, 0, 4096};
+    EXPECT_EQ(readProgram(e.file()).codeBegin, 0u);
+    EXPECT_LE(readProgram(e.file()).codeSize, 1u);
 }
 
 // --- Writer ---
