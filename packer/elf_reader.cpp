@@ -9,22 +9,22 @@ namespace pack {
 
 namespace {
 
+// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
+bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
+    return address >= base && size <= span && address - base <= span - size;
+}
+
 // The file, read with bounds.
 struct Reader {
     const std::vector<uint8_t> &file;
 
     template <class T> T at(uint64_t offset, const char *otherwise) const {
-        need(offset <= file.size() && sizeof(T) <= file.size() - offset, otherwise);
+        need(within(offset, sizeof(T), 0, file.size()), otherwise);
         T value;
         std::memcpy(&value, file.data() + offset, sizeof value);
         return value;
     }
 };
-
-// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
-bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
-    return address >= base && size <= span && address - base <= span - size;
-}
 
 // The program's memory, read and wiped by address.
 struct Memory {
@@ -81,8 +81,7 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
         need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, UINT32_MAX - kPage) &&
                  h.p_filesz <= h.p_memsz,
              "a segment of an absurd size or address");
-        need(h.p_offset <= in.file.size() && h.p_filesz <= in.file.size() - h.p_offset,
-             "cut short: a segment's bytes are missing");
+        need(within(h.p_offset, h.p_filesz, 0, in.file.size()), "cut short: a segment's bytes are missing");
         need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X), "a segment is both writable and executable");
         need(h.p_vaddr >= end, "its segments overlap");
         end = h.p_vaddr + h.p_memsz;
