@@ -20,7 +20,10 @@ struct Bench {
     std::unique_ptr<Lens> lens;
 
     void open(int px, int block) {
-        EXPECT_TRUE(model->divide(memory.arena, workers, block));
+        auto scene = std::make_unique<Scene>();
+        model->pose(*scene);
+        scene->finish();
+        EXPECT_TRUE(model->divide(*scene, memory.arena, workers, block, 1));
         lens = std::make_unique<Lens>(px);
     }
     Hemicubes &hemicubes() { return lens->h; }
@@ -227,16 +230,16 @@ TEST(Furnace, ComesOutEven) {
         addRoom(*b.model, {-2, -1.5f, -3}, {2, 1.5f, 3}, 0.5f);
         b.model->addBox({-0.5f, -1.5f, -0.5f}, {0.5f, 0.25f, 0.5f}, 0, 0.5f, Model::kUpright | Model::kTop);
         b.open(64, 1);
-        const bool reflects[1] = {true};
+        std::vector<uint8_t> lit((size_t)b.model->patchCount, 1);
         FormFactors f = {};
         f.capacity = 1 << 20;
         f.links = b.memory.arena.take<Link>(f.capacity);
-        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, reflects, b.workers, b.memory.arena, f, {}));
+        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, lit.data(), b.workers, b.memory.arena, f, {}));
         System s;
         ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));
         for (int i = 0; i < b.model->patchCount; ++i)
-            for (size_t k = f.start[i]; k < f.start[i + 1]; ++k) {
-                s.direct[i * s.columns] += f.links[k].share; // from a neighbour that shines with 1
+            for (int k = 0; k < f.rows[i].count; ++k) {
+                s.direct[i * s.columns] += f.rows[i].links[k].share; // from a neighbour that shines with 1
                 s.reflectance[i * s.columns] = rho;
             }
         int sweeps = solve(s, b.workers, 1e-6f, 5000);

@@ -126,7 +126,7 @@ TEST(Hall, SizeDoesNotMatter) {
         }
         for (int i = 0; i < copy->model->facetCount; ++i) {
             Facet &f = copy->model->facets[i];
-            f.u0 *= scale, f.u1 *= scale, f.v0 *= scale, f.v1 *= scale;
+            for (int k = 0; k < 4; ++k) f.u[k] *= scale, f.v[k] *= scale;
         }
         copy->r->lights = hall.radiosity.lights;
         for (Lamp &l : copy->r->lights.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
@@ -148,7 +148,7 @@ TEST(Hall, SizeDoesNotMatter) {
         double sum = 0, difference = 0;
         int hidden = 0;
         for (int i = 0; i < one->model->texelCount; ++i) {
-            hidden += other->model->visible[i] != one->model->visible[i];
+            hidden += other->model->texels[i].visible != one->model->texels[i].visible;
             for (int c = 0; c < 3; ++c) {
                 double a = (double)other->r->bounced[kNoon][c][i], b = (double)one->r->bounced[kNoon][c][i];
                 ASSERT_TRUE(std::isfinite(a));
@@ -186,8 +186,8 @@ TEST(Hall, LanternsChangeHandsUnseen) {
     auto scene = std::make_unique<Scene>();
     const Chart &floor = s.hall->model.charts[0];
     int texel = floor.texel(floor.across / 2, floor.down / 2);
-    Vec3 place = floor.at(((float)(floor.across / 2) + 0.5f) * floor.width / (float)floor.across,
-                          ((float)(floor.down / 2) + 0.5f) * floor.height / (float)floor.down);
+    Vec3 place = floor.at((float)(floor.across / 2) * floor.width / (float)floor.across,
+                          (float)(floor.down / 2) * floor.height / (float)floor.down);
     double last = -1;
     int most = 0;
     for (int step = 0; step <= 1000; ++step) {

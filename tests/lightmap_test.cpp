@@ -13,9 +13,10 @@ namespace {
 
 struct Sheet {
     Chart chart = {};
-    std::vector<float> texels;
+    std::vector<Cell> cells;
+    std::vector<float> texels, patches;
     Lightmap map = {};
-    // 6 x 4 elements over 3 x 1, standing upright somewhere; value(i, j) of each, the ring as its border
+    // 6 x 4 cells over 3 x 1, standing upright somewhere; value(i, j) of each corner
     template <class Value> explicit Sheet(Value value) {
         chart.corner = {1, 2, -3};
         chart.u = {0, 0, 1}, chart.v = {0, 1, 0}, chart.n = {-1, 0, 0};
@@ -23,36 +24,92 @@ struct Sheet {
         chart.across = 6, chart.down = 4;
         chart.patchAcross = 3, chart.patchDown = 2;
         chart.firstTexel = 5;
+        chart.firstCell = 7;
         chart.firstPatch = 100;
         texels.resize((size_t)(5 + chart.texels()), -99.f);
-        for (int j = -1; j <= 4; ++j)
-            for (int i = -1; i <= 6; ++i)
-                texels[(size_t)chart.texel(i, j)] =
-                    value(std::min(std::max(i, 0), 5), std::min(std::max(j, 0), 3));
-        map = {&chart, {texels.data(), texels.data(), texels.data()}, 1};
+        cells.resize(7 + 24);
+        patches.resize(104, -99.f);
+        for (int j = 0; j <= 4; ++j)
+            for (int i = 0; i <= 6; ++i) texels[(size_t)chart.texel(i, j)] = value(i, j);
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 6; ++i)
+                cells[(size_t)(7 + j * 6 + i)] = {{chart.texel(i, j), chart.texel(i + 1, j),
+                                                   chart.texel(i, j + 1), chart.texel(i + 1, j + 1)},
+                                                  0,
+                                                  0,
+                                                  0,
+                                                  0};
+        for (int k = 0; k < 4; ++k) patches[(size_t)(100 + k)] = (float)k;
+        point();
+    }
+    void point() {
+        map.charts = &chart;
+        map.cells = cells.data();
+        for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
     }
     float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
+    // Divides a cell; its new corners have the given values: above, left, middle, right, below
+    void divide(size_t cell, const float (&values)[5]) {
+        const Cell c = cells[cell];
+        int first = (int)texels.size();
+        texels.insert(texels.end(), values, values + 5);
+        int t[9] = {c.corner[0], first,       c.corner[1], first + 1,  first + 2,
+                    first + 3,   c.corner[2], first + 4,   c.corner[3]};
+        cells[cell].corner[0] = ~(int)cells.size();
+        for (int k : {0, 1, 3, 4})
+            cells.push_back({{t[k], t[k + 1], t[k + 3], t[k + 4]}, 0, 0, 0, c.level + 1});
+        point();
+    }
 };
 
 } // namespace
 
-TEST(Lightmap, IsBilinearBetweenMiddlesAndFlatAtTheBorder) {
+TEST(Lightmap, IsBilinearBetweenCorners) {
     Sheet sheet([](int i, int j) { return (float)(10 * i + j); });
-    for (float s = 0.25f; s <= 2.75f; s += 0.1f)
-        for (float t = 0.125f; t <= 0.875f; t += 0.05f)
-            EXPECT_NEAR(sheet.at(s, t), 10 * (s * 2 - 0.5f) + t * 4 - 0.5f, 1e-4f) << s << ' ' << t;
+    for (float s = 0; s <= 3; s += 0.1f)
+        for (float t = 0; t <= 1; t += 0.05f)
+            EXPECT_NEAR(sheet.at(s, t), 10 * (s * 2) + t * 4, 1e-4f) << s << ' ' << t;
     EXPECT_FLOAT_EQ(sheet.at(0, 0), 0);
-    EXPECT_FLOAT_EQ(sheet.at(3, 1), 53);
+    EXPECT_FLOAT_EQ(sheet.at(3, 1), 64);
     EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border, never another chart's texels
-    EXPECT_FLOAT_EQ(sheet.at(9, 9), 53);
+    EXPECT_FLOAT_EQ(sheet.at(9, 9), 64);
+    EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // and nothing that is not a number
 }
 
-TEST(Lightmap, SharpenedItIsAMosaic) {
-    Sheet sheet([](int i, int j) { return (float)(10 * i + j); });
+TEST(Lightmap, DividedCellsAreMetAtEveryLevel) {
+    Sheet sheet([](int, int) { return 0.f; });
+    sheet.divide(7 + 6 + 2, {0, 0, 8, 0, 0}); // a bump in the middle of cell (2, 1), [1, 1.5] x [0.25, 0.5]
+    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
+    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.375f), 4);
+    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.3125f), 2);
+    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 2);
+    EXPECT_FLOAT_EQ(sheet.at(1, 0.3f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.3f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(0.9f, 0.3f), 0);
+    // Its last quarter once more
+    sheet.divide(sheet.cells.size() - 1, {4, 4, 16, 0, 0});
+    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 16);
+    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
+    // Light is continuous: steps of a thousandth change little
+    for (float s = 0.9f; s < 1.6f; s += 0.01f)
+        for (float t = 0.2f; t < 0.55f; t += 0.001f)
+            EXPECT_LT(std::fabs(sheet.at(s, t) - sheet.at(s, t + 0.001f)), 0.3f) << s << ' ' << t;
+}
+
+TEST(Lightmap, OverItThePatchesAreAMosaic) {
+    Sheet sheet([](int, int) { return 7.f; });
+    sheet.map.mosaic = 1;
     sheet.map.sharpness = kFlat;
     for (float s = 0.013f; s < 3; s += 0.1f)
         for (float t = 0.013f; t < 1; t += 0.06f)
-            EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(10 * (int)(s * 2) + (int)(t * 4))) << s << ' ' << t;
+            EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(2 * (int)(t * 2) + (int)(s / 1.5f))) << s << ' ' << t;
+    sheet.map.mosaic = 0.25f;
+    EXPECT_FLOAT_EQ(sheet.at(2, 0.9f), 0.75f * 7 + 0.25f * 3);
+    // Between their middles, where that is asked for
+    sheet.map.mosaic = sheet.map.sharpness = 1;
+    EXPECT_FLOAT_EQ(sheet.at(0.75f, 0.25f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.25f), 0.5f);
+    EXPECT_FLOAT_EQ(sheet.at(3, 0.5f), 2);
 }
 
 TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {

@@ -48,17 +48,19 @@ struct Room {
         scene->finish();
         return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, {});
     }
-    // Of an element's middle, in one of the planes
+    // Of a texel, in one of the planes
     float at(const float *plane, int chart, int i, int j) const {
         return plane[model->charts[chart].texel(i, j)];
     }
-    void forElements(int chart, const std::function<void(int, Vec3)> &visit) const {
+    // The texels of a chart that lie off its border
+    void forTexels(int chart, const std::function<void(int, Vec3)> &visit) const {
         const Chart &c = model->charts[chart];
-        for (int j = 0; j < c.down; ++j)
-            for (int i = 0; i < c.across; ++i)
-                visit(c.texel(i, j), c.at(((float)i + 0.5f) * c.width / (float)c.across,
-                                          ((float)j + 0.5f) * c.height / (float)c.down));
+        for (int j = 1; j < c.down; ++j)
+            for (int i = 1; i < c.across; ++i)
+                visit(c.texel(i, j),
+                      c.at((float)i * c.width / (float)c.across, (float)j * c.height / (float)c.down));
     }
+    bool visible(int texel) const { return model->texels[texel].visible; }
 };
 
 // From a point at the foot of a corner's normal to a rectangle a x b parallel to it at distance c.
@@ -86,8 +88,8 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
         room.r->lights.lamps[room.r->lights.lampCount++] = {{}, 0, lamp};
         ASSERT_TRUE(room.solve());
         double worst = 0;
-        room.forElements(0, [&](int texel, Vec3 p) {
-            // The mean over the element's four places
+        room.forTexels(0, [&](int texel, Vec3 p) {
+            // The mean over the texel's four places
             double exact = 0;
             for (double u : {-0.0625, 0.0625})
                 for (double v : {-0.0625, 0.0625})
@@ -97,7 +99,7 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
             worst = std::fmax(worst, std::fabs((double)room.r->direct[0][texel] - exact));
         });
         std::printf("lamp at %.1f: largest error %.5f\n", (double)height, worst);
-        EXPECT_LT(worst, 0.006) << height;
+        EXPECT_LT(worst, 0.008) << height;
     }
 }
 
@@ -108,7 +110,7 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
     room.addBall({0, 2.5f, 0}, 0.1f);
     ASSERT_TRUE(room.solve());
     int lit = 0, dark = 0;
-    room.forElements(0, [&](int texel, Vec3 p) {
+    room.forTexels(0, [&](int texel, Vec3 p) {
         double d2 = (double)dot(p - Vec3{0, 2.5f, 0}, p - Vec3{0, 2.5f, 0}),
                exact = 0.01 / d2 * 2.5 / std::sqrt(d2);
         float got = room.r->direct[0][texel];
@@ -117,7 +119,7 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
         if (out > 1.05) {
             EXPECT_NEAR((double)got, exact, exact * 0.02) << p.x << ' ' << p.z;
             ++lit;
-        } else if (out > 0.5 && out < 0.65) {
+        } else if (out > 0.7 && out < 0.76) {
             EXPECT_EQ(got, 0) << p.x << ' ' << p.z;
             ++dark;
         }
@@ -134,7 +136,7 @@ TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
     room.r->lights.skies[0].sky = plainSky({1, 2, 3}, {1, 2, 3});
     room.r->lights.skyCount = 1;
     ASSERT_TRUE(room.solve());
-    room.forElements(0, [&](int texel, Vec3 p) {
+    room.forTexels(0, [&](int texel, Vec3 p) {
         double exact = parallelFormFactor((double)p.x, (double)p.z, -1, 1, -1, 1, 2);
         for (int c = 0; c < 3; ++c)
             EXPECT_NEAR((double)room.r->bounced[0][c][texel], exact * (c + 1), 0.004 * (c + 1))
@@ -146,13 +148,13 @@ TEST(Direct, TheSunComesInThroughTheWindow) {
     Room room;
     room.walls = room.floor = {};
     room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
-    int roof = room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
-    room.model->addFacet(roof, 0, 0, 4, 2);
-    room.model->addFacet(roof, 0, 4, 4, 6);
+    room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
+    room.model->addFacet(0, 0, 4, 2);
+    room.model->addFacet(0, 4, 4, 6);
     room.r->lights.skies[0] = {{}, {0, 1000, 0}, {1, 1, 1}};
     room.r->lights.skyCount = 1;
     ASSERT_TRUE(room.solve());
-    room.forElements(0, [&](int texel, Vec3 p) {
+    room.forTexels(0, [&](int texel, Vec3 p) {
         if (std::fabs(std::fabs(p.z) - 1) < 0.2f) return;
         EXPECT_NEAR(room.r->direct[0][texel], std::fabs(p.z) < 1 ? 1 : 0, 1e-3) << p.x << ' ' << p.z;
     });
@@ -169,7 +171,7 @@ TEST(Leaks, ASealedRoomStaysDark) {
     ASSERT_TRUE(room.solve());
     double leaked = 0;
     for (int chart = first; chart < room.model->chartCount; ++chart)
-        room.forElements(chart, [&](int texel, Vec3) {
+        room.forTexels(chart, [&](int texel, Vec3) {
             leaked += (double)room.r->direct[0][texel];
             for (auto plane : room.r->bounced[0]) leaked += (double)plane[texel];
         });
@@ -187,14 +189,14 @@ TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
     ASSERT_TRUE(room.solve(settings));
     int hidden = 0;
     float least = 1e9f, most = 0;
-    room.forElements(0, [&](int texel, Vec3 p) {
-        bool under = std::fabs(p.x) < 0.5f && std::fabs(p.z) < 0.5f;
-        EXPECT_EQ(room.model->visible[texel] == 0, under) << p.x << ' ' << p.z;
+    room.forTexels(0, [&](int texel, Vec3 p) {
+        bool under = std::fabs(p.x) < 0.49f && std::fabs(p.z) < 0.49f;
+        EXPECT_EQ(!room.visible(texel), under) << p.x << ' ' << p.z;
         hidden += under;
         float v = room.r->bounced[0][0][texel];
         least = std::fmin(least, v), most = std::fmax(most, v);
     });
-    EXPECT_EQ(hidden, 16);
+    EXPECT_EQ(hidden, 9);
     EXPECT_GT(least, most * 0.2f);
 }
 
@@ -222,9 +224,7 @@ TEST(Solve, EnergyIsConserved) {
         const System &s = room.r->system;
         for (int i = 0; i < room.model->patchCount; ++i) {
             const Patch &p = room.model->patches[i];
-            const Chart &c = room.model->charts[p.chart];
-            double area =
-                (double)(c.width * c.height) / (c.patchesAcross() * c.patchesDown()) * (double)p.share;
+            double area = (double)p.area;
             arrived += area * (double)s.direct[i * s.columns];
             absorbed += area * (1 / (double)rho - 1) * (double)s.radiosity[i * s.columns];
         }
@@ -278,7 +278,7 @@ TEST(Extremes, AlmostEverythingIsReflected) {
     // Nearly even, and about what the lamp gives over what walls absorb
     double area = 2 * (4 * 3 + 4 * 6 + 3 * 6) + 4, even = 4 * M_PI * 0.01 / (area * 0.001);
     for (int i = 0; i < room.model->texelCount; ++i)
-        if (room.model->visible[i]) {
+        if (room.visible(i)) {
             ASSERT_NEAR((double)room.r->bounced[0][0][i], even, even * 0.15);
         }
 }
@@ -297,7 +297,7 @@ TEST(Extremes, SizeDoesNotMatter) {
         ASSERT_EQ(room.model->texelCount, one.model->texelCount);
         double sum = 0, difference = 0;
         for (int i = 0; i < room.model->texelCount; ++i) {
-            ASSERT_EQ(room.model->visible[i], one.model->visible[i]) << scale;
+            ASSERT_EQ(room.visible(i), one.visible(i)) << scale;
             for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(room.r->bounced[0][c][i]));
             double a = (double)room.r->bounced[0][0][i], b = (double)one.r->bounced[0][0][i];
             sum += b * b, difference += (a - b) * (a - b);

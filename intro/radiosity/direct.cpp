@@ -8,36 +8,36 @@ namespace odraz {
 
 namespace {
 
-// Eight neighbouring elements, seen from one of their four places.
+// Eight texels, seen from one of their four places.
 struct Places {
-    Vec3x8 p; // just off the surface
-    Vec3 n;
+    Vec3x8 p, n; // just off the surface
     Int8 active;
     int place; // 0 .. 3
 };
 
-// Lambert's formula, a sum over the edges, for the rectangle of sides u and v about q. What lies under the
-// horizon counts negative: it should be little of it.
-Float8 rectangleFormFactor(Vec3x8 p, Vec3 n, Vec3 q, Vec3 u, Vec3 v) {
-    const float signs[4][2] = {{-1, -1}, {-1, 1}, {1, 1}, {1, -1}};
-    auto towards = [&](int k) {
-        return normalize(q + u * (signs[k][0] * 0.5f) + v * (signs[k][1] * 0.5f) - p);
-    };
+// A part of what shines: a parallelogram or a triangle, which repeats its last corner. Clockwise, as seen
+// from where it shines.
+struct Part {
+    Vec3 corner[4], middle;
+    int place; // that looks at it from afar
+};
+
+// Lambert's formula, a sum over the edges. What lies under the horizon counts negative: it should be little
+// of it.
+Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
     Float8 sum = {};
-    Vec3x8 a = towards(3);
-    for (int k = 0; k < 4; ++k) {
-        Vec3x8 b = towards(k);
+    Vec3x8 a = normalize(part.corner[3] - p);
+    for (Vec3 corner : part.corner) {
+        Vec3x8 b = normalize(corner - p), across = cross(a, b);
         Float8 angle = acos(clamp(dot(a, b), -1.f, 1.f));
-        sum = fmadd(angle, dot(normalize(cross(a, b)), n), sum);
+        sum = fmadd(angle, dot(across, n) / max(length(across), 1e-12f), sum);
         a = b;
     }
     return max(sum, 0.f) * (0.5f / kPi);
 }
-constexpr float kNear = 16; // distance^2 over a cell's area within which discs would not do
+constexpr float kNear = 16; // distance^2 over a part's area within which discs would not do
 
-constexpr int kCells = 32;
-
-// A cell of something that shines, from eight places.
+// A part of what shines, from eight places.
 struct Seen {
     Vec3x8 d;
     Float8 factor;
@@ -47,10 +47,47 @@ struct Sums {
     Float8 sky[kMaxSkies][3], single[kMaxBases];
 };
 
+// Divides a facet into parts that are as square as can be; a triangle into such as itself. Returns how many.
+int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
+    Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, f.triangle() ? 2 : 3) - q;
+    int count = 0;
+    auto add = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 middle, int place) {
+        parts[count++] = {{a, b, c, d}, middle, place & 3};
+    };
+    if (f.triangle()) {
+        int rows = 1;
+        while ((rows + 1) * (rows + 1) <= most) ++rows;
+        auto at = [&](int r, int i) { // on the r-th line from the first corner
+            return q + u * ((float)(r - i) / (float)rows) + (f.corner(c, 2) - q) * ((float)i / (float)rows);
+        };
+        for (int r = 0; r < rows; ++r)
+            for (int k = 0; k <= 2 * r; ++k) {
+                int i = k / 2;
+                Vec3 a = at(r, i), b = k & 1 ? at(r, i + 1) : at(r + 1, i + 1),
+                     d = k & 1 ? at(r + 1, i + 1) : at(r + 1, i);
+                add(a, b, d, d, (a + b + d) * (1 / 3.f), k + r);
+            }
+        return count;
+    }
+    float ratio = length(u) / length(v);
+    int across = 1;
+    while (across * 2 <= most && (float)(across * across) < 0.5f * ratio * (float)most) across *= 2;
+    int down = max(most / across, 1);
+    u = u * (1.f / (float)across), v = v * (1.f / (float)down);
+    for (int k = 0; k < across * down; ++k) {
+        int i = k % across, j = k / across;
+        Vec3 a = q + u * (float)i + v * (float)j;
+        add(a, a + v, a + u + v, a + u, a + (u + v) * 0.5f, i + 2 * j);
+    }
+    return count;
+}
+
 struct Context {
     const Model &model;
     const Scene &scene;
     const Lights &lights;
+    int partCount;
+    Part parts[kMaxLampCells];
 
     // What share of the way to points `to` is clear.
     Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
@@ -60,46 +97,68 @@ struct Context {
         return transmittance(scene, {at.p, d}, distance * 0.9999f, active, broadcast(-1)).y;
     }
 
-    // Finds the directions and form factors of the cells of a chart that this place looks at: every fourth,
+    // Finds the directions and form factors of the parts of a facet that this place looks at: every fourth,
     // where it is near all of them. Returns how many.
-    int look(const Places &at, const Chart &c, Seen *seen) {
-        // Cells as square as can be
-        int across = c.width > 2 * c.height ? 16 : 2 * c.width > c.height ? 8 : 2, count = 0;
-        Vec3 u = c.u * (c.width / (float)across), v = c.v * (c.height * (float)across / kCells);
-        float area = length(u) * length(v);
+    int look(const Places &at, int facet, int most, Seen *seen) {
+        const Facet &f = model.facets[facet];
+        const Chart &c = model.charts[f.chart];
         Vec3x8 from = at.p - c.corner;
-        Float8 s = dot(from, c.u), t = dot(from, c.v), h = dot(from, c.n);
-        Float8 ds = s - clamp(s, 0.f, c.width), dt = t - clamp(t, 0.f, c.height);
-        bool near = any(at.active & (fmadd(ds, ds, fmadd(dt, dt, h * h)) < area * kNear) & (h > 0.f));
-        for (int k = 0; k < kCells; ++k) {
-            int i = k % across, j = k / across;
-            if (!near && ((i + 2 * j) & 3) != at.place) continue;
-            Vec3 q = c.corner + u * ((float)i + 0.5f) + v * ((float)j + 0.5f);
+        Float8 height = dot(from, c.n);
+        if (!any(at.active & (height > 0.f))) return 0;
+        Float8 s = dot(from, c.u), t = dot(from, c.v);
+        float u0 = f.u[0], u1 = u0, v0 = f.v[0], v1 = v0, twice = 0;
+        for (int k = 0; k < 4; ++k) {
+            int next = (k + 1) & 3;
+            u0 = min(u0, f.u[k]), u1 = max(u1, f.u[k]), v0 = min(v0, f.v[k]), v1 = max(v1, f.v[k]);
+            twice += f.u[k] * f.v[next] - f.u[next] * f.v[k];
+        }
+        partCount = dissect(c, f, most, parts);
+        float area = 0.5f * twice / (float)partCount;
+        Float8 ds = s - clamp(s, u0, u1), dt = t - clamp(t, v0, v1);
+        bool near =
+            any(at.active & (fmadd(ds, ds, fmadd(dt, dt, height * height)) < area * kNear) & (height > 0.f));
+        int every = near || partCount < 16 ? 1 : 4, count = 0;
+        for (int k = 0; k < partCount; ++k) {
+            if (every == 4 && parts[k].place != at.place) continue;
+            Vec3 q = parts[k].middle;
             Vec3x8 to = q - at.p;
-            Float8 square = dot(to, to), cosines = max(dot(to, at.n), 0.f) * h;
+            Float8 square = dot(to, to), cosines = max(dot(to, at.n), 0.f) * height;
             Int8 faces = at.active & (cosines > 0.f);
             if (!any(faces)) continue;
-            Seen &cell = seen[count++];
-            Float8 share = clear(at, broadcast(q), faces, cell.d);
-            Float8 factor = near ? rectangleFormFactor(at.p, at.n, q, u, v)
-                                 : cosines / square * (4 * area) / fmadd(square, kPi, broadcast(area));
-            cell.factor = select(faces, factor * share, 0.f);
+            Seen &part = seen[count++];
+            Float8 share = clear(at, broadcast(q), faces, part.d);
+            Float8 factor =
+                near ? polygonFormFactor(at.p, at.n, parts[k])
+                     : cosines / square * ((float)every * area) / fmadd(square, kPi, broadcast(area));
+            part.factor = select(faces, factor * share, 0.f);
         }
         return count;
     }
 
+    // Everything that shines on a chart.
+    template <class Take> void lookAtChart(const Places &at, int chart, Seen *seen, Take &&take) {
+        const Chart &c = model.charts[chart];
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
+            for (int i = look(at, f, lights.cells ? lights.cells : 32, seen) - 1; i >= 0; --i) take(seen[i]);
+    }
     void add(const Places &at, Sums &sums);
 };
 
 void Context::add(const Places &at, Sums &sums) {
-    Seen seen[kCells];
-    for (int w = 0; w < model.chartCount; ++w) {
-        if (!model.charts[w].open) continue;
-        for (int i = look(at, model.charts[w], seen) - 1; i >= 0; --i)
-            for (int k = 0; k < lights.skyCount && any(seen[i].factor > 0.f); ++k) {
-                Rgb8 light = radiance(lights.skies[k].sky, seen[i].d) * seen[i].factor;
-                sums.sky[k][0] += light.x, sums.sky[k][1] += light.y, sums.sky[k][2] += light.z;
-            }
+    Seen seen[kMaxLampCells];
+    auto put = [&](int k, const Rgb8 &light) {
+        sums.sky[k][0] += light.x, sums.sky[k][1] += light.y, sums.sky[k][2] += light.z;
+    };
+    for (int w = 0; w < model.chartCount && lights.skyCount; ++w)
+        if (model.charts[w].open)
+            lookAtChart(at, w, seen, [&](const Seen &s) {
+                for (int k = 0; k < lights.skyCount && any(s.factor > 0.f); ++k)
+                    put(k, radiance(lights.skies[k].sky, s.d) * s.factor);
+            });
+    for (int g = 0; g < lights.glowCount; ++g) {
+        const Glow &glow = lights.glows[g];
+        for (int i = look(at, glow.facet, glow.cells, seen) - 1; i >= 0; --i)
+            put(0, broadcast(glow.radiance) * seen[i].factor);
     }
     Vec3x8 d;
     for (int k = 0; k < lights.skyCount; ++k) {
@@ -114,7 +173,7 @@ void Context::add(const Places &at, Sums &sums) {
         const Lamp &lamp = lights.lamps[k];
         Float8 &sum = sums.single[lights.skyCount + k];
         if (lamp.radius == 0) {
-            for (int i = look(at, model.charts[lamp.chart], seen) - 1; i >= 0; --i) sum += seen[i].factor;
+            lookAtChart(at, lamp.chart, seen, [&](const Seen &s) { sum += s.factor; });
             continue;
         }
         // Aim at a point of the disc that the ball shows, another from every place
@@ -131,43 +190,38 @@ void Context::add(const Places &at, Sums &sums) {
     }
 }
 
-// Stores the first `count` lanes.
-void put(float *plane, Float8 x, int count) { _mm256_maskstore_ps(plane, (__m256i)(kLanes < count), x); }
-
 } // namespace
 
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
                      float *const (*sky)[3], float *const *single, const Progress &progress) {
+    static constexpr int kPiece = 64;
     int done = 0; // texels
-    parallelFor(workers, model.chartCount, [&](int index, int worker) {
-        const Chart &c = model.charts[index];
-        Context context = {model, scene, lights};
-        float du = c.width / (float)c.across, dv = c.height / (float)c.down;
-        float off = (sumAbs(c.corner) + c.width + c.height) * 2e-6f;
-        for (int j = 0; j < c.down && !c.open; ++j)
-            for (int i0 = 0; i0 < c.across; i0 += 8) {
-                int count = min(c.across - i0, 8), texel = c.texel(i0, j);
-                int seen[8] = {};
-                for (int k = 0; k < count; ++k) seen[k] = model.visible[texel + k];
-                Sums sums = {};
-                Float8 places = {};
-                for (int place = 0; place < 4; ++place) {
-                    Int8 active = (loadInts(seen) >> place & 1) != 0;
-                    if (!any(active)) continue;
-                    places += select(active, 1.f, 0.f);
-                    Float8 u = (toFloat(kLanes + i0) + placeU(place)) * du;
-                    Vec3x8 p = c.u * u + (c.corner + c.v * (((float)j + placeV(place)) * dv) + c.n * off);
-                    context.add({p, c.n, active, place}, sums);
-                }
-                Float8 inverse = 1.f / max(places, 1.f);
-                for (int k = 0; k < lights.skyCount; ++k)
-                    for (int channel = 0; channel < 3; ++channel)
-                        put(sky[k][channel] + texel, sums.sky[k][channel] * inverse, count);
-                for (int k = 0; k < lights.bases(); ++k)
-                    put(single[k] + texel, sums.single[k] * inverse, count);
+    parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int worker) {
+        Context context = {model, scene, lights, 0, {}};
+        int end = min(piece * kPiece + kPiece, model.freshCount);
+        for (int i = piece * kPiece; i < end; i += 8) {
+            int count = min(end - i, 8), seen[8] = {};
+            Texels8 t = loadTexels(model, model.fresh + i, count);
+            for (int k = 0; k < count; ++k) seen[k] = model.texels[model.fresh[i + k]].visible;
+            Sums sums = {};
+            Float8 places = {};
+            for (int place = 0; place < 4; ++place) {
+                Int8 active = (loadInts(seen) >> place & 1) != 0;
+                if (!any(active)) continue;
+                places += select(active, 1.f, 0.f);
+                context.add({t.place(place) + t.n * t.off, t.n, active, place}, sums);
             }
-        int texels = __atomic_add_fetch(&done, c.texels(), __ATOMIC_RELAXED);
-        if (worker == 0) progress((float)texels / (float)model.texelCount);
+            Float8 inverse = 1.f / max(places, 1.f);
+            auto put = [&](float *plane, Float8 sum) {
+                sum *= inverse;
+                for (int k = 0; k < count; ++k) plane[model.fresh[i + k]] = sum[k];
+            };
+            for (int k = 0; k < lights.skyCount; ++k)
+                for (int channel = 0; channel < 3; ++channel) put(sky[k][channel], sums.sky[k][channel]);
+            for (int k = 0; k < lights.bases(); ++k) put(single[k], sums.single[k]);
+        }
+        int texels = __atomic_add_fetch(&done, end - piece * kPiece, __ATOMIC_RELAXED);
+        if (worker == 0) progress((float)texels / (float)model.freshCount);
     });
 }
 

@@ -1,21 +1,21 @@
-// Direct light on every element: from the sky through windows, from the sun, from lamps. Shadow rays are the
+// Direct light on texels: from the sky through windows, from the sun, from lamps. Shadow rays are the
 // tracer's.
 //
-// Every element is looked at from four places, those that can be seen. Areas that shine are divided into 32
-// cells; from afar each place takes every fourth, so that penumbrae are even and need no random numbers, and
-// a cell counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm
-// for Progressive Radiosity", SIGGRAPH 1989). From near it takes all of them, by Lambert's exact formula.
-// Balls count by their exact form factor. Visibility is one shadow ray to each cell, and one from each place
-// to a ball.
+// Every texel is looked at from four places, those that can be seen. Areas that shine are divided into cells;
+// from afar each place takes every fourth, so that penumbrae are even and need no random numbers, and a cell
+// counts as a disc, cos cos' A / (pi r^2 + A) (Wallace, Elmquist and Haines, "A Ray Tracing Algorithm for
+// Progressive Radiosity", SIGGRAPH 1989). From near it takes all of them, by Lambert's exact formula. Balls
+// count by their exact form factor. Visibility is one shadow ray to each cell, and one from each place to a
+// ball.
 #pragma once
 
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "radiosity/model.h"
+#include "radiosity/elements.h"
 
 namespace odraz {
 
-inline constexpr int kMaxSkies = 12, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxLamps;
+inline constexpr int kMaxSkies = 12, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxLamps, kMaxLampCells = 256;
 
 // A sky that stands in all windows, and the sun, a point so far away that its light is parallel.
 struct SkyKey {
@@ -31,17 +31,26 @@ struct Lamp {
     int chart;
 };
 
+// A facet that shines whatever the sky; it belongs to sky 0.
+struct Glow {
+    int facet;
+    int cells; // 1 .. kMaxLampCells
+    Rgb radiance;
+};
+
 struct Lights {
     SkyKey skies[kMaxSkies];
     Lamp lamps[kMaxLamps];
-    int skyCount, lampCount;
+    const Glow *glows;
+    int skyCount, lampCount, glowCount;
+    int cells; // of a window or lamp, 1 .. kMaxLampCells; 0: 32
 
     int bases() const { return skyCount + lampCount; } // skies first
 };
 
-// Fills planes of texelCount floats: sky[k] with what each texel gets from sky k through the windows (red,
-// green, blue), single[k] with the share of sky k's sunlight, then those of the lamps' radiances. The scene
-// holds the posed model, finished.
+// Adds up light for the fresh texels, in planes: sky[k] gets what comes from sky k through the windows (red,
+// green, blue), single[k] the share of sky k's sunlight, then those of the lamps' radiances. The scene holds
+// the posed model, finished.
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
                      float *const (*sky)[3], float *const *single, const Progress &progress);
 

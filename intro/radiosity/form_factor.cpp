@@ -53,41 +53,47 @@ float sumHemicube(const Hemicubes &h, int index, const float *delta, float *row)
             double run = (double)delta[x];
             int start = x;
             while (++x < px && ids[x] == id) run += (double)delta[x];
-            bool crack =
-                id == kNothing && x == start + 1 && start > 0 && x < px && ids[start - 1] != kNothing;
-            if (crack) id = ids[start - 1];
-            if (id == kNothing || id == kBackSide)
+            if (id == kNothing) {
+                // Of what is seen on both sides, if that is something, one gets the crack
+                for (int k = start; k < x; ++k) {
+                    uint32_t left = k > 0 ? ids[k - 1] : 0, right = k + 1 < px ? ids[k + 1] : 0;
+                    uint32_t above = y > 0 ? ids[k - stride] : 0,
+                             below = y + 1 < 3 * px ? ids[k + stride] : 0;
+                    uint32_t seen = left && right ? left : above && below ? above : kBackSide;
+                    if (seen == kBackSide)
+                        dark += (double)delta[k];
+                    else
+                        row[seen - 1] += delta[k];
+                }
+            } else if (id == kBackSide) {
                 dark += run;
-            else
+            } else {
                 row[id - 1] += (float)run;
+            }
         }
     return (float)dark;
 }
 
-bool findFormFactors(Hemicubes &h, const Model &model, const bool *reflects, Workers &workers, Arena &arena,
-                     FormFactors &factors, const Progress &progress) {
+bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
+                     FormFactors &factors, const Progress &progress, int step) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
     float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
     float *rows = arena.take<float>((size_t)rowFloats * kHemicubeBatch);
-    factors.start = arena.take<size_t>((size_t)count + 1);
-    if (!delta || !rows || !factors.start) return false;
+    factors.rows = arena.take<Row>((size_t)count);
+    factors.used = 0;
+    if (!delta || !rows || !factors.rows) return false;
     deltaFormFactors(h.px, delta);
-    auto lit = [&](int i) {
-        const Chart &c = model.charts[model.patches[i].chart];
-        return !c.open && reflects[c.material];
-    };
 
-    size_t links = 0;
-    int next = 0;
-    for (int i = 0; i < count;) {
+    for (int i = 0, next = 0; i < count;) {
         // Fill an atlas
         Eye eyes[kHemicubeBatch];
         int patchOf[kHemicubeBatch], batch = 0;
-        for (; i < count && batch < kHemicubeBatch; ++i) {
-            const Patch &p = model.patches[i];
-            if (p.share == 0 || !lit(i)) continue;
-            patchOf[batch] = i;
-            eyes[batch++] = hemicubeEye(p.p, model.charts[p.chart].n, (uint32_t)i);
+        for (; i < count && batch < kHemicubeBatch;
+             ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
+            const Patch &p = model.patches[next];
+            if (p.share == 0 || !lit[next]) continue;
+            patchOf[batch] = next;
+            eyes[batch++] = hemicubeEye(p.p, p.n, (uint32_t)next);
         }
         drawHemicubes(h, model, eyes, batch);
         parallelFor(workers, batch, [&](int k, int) {
@@ -99,18 +105,22 @@ bool findFormFactors(Hemicubes &h, const Model &model, const bool *reflects, Wor
         // Keep what is not zero
         for (int k = 0; k < batch; ++k) {
             const float *row = rows + (size_t)k * (size_t)rowFloats;
-            for (; next <= patchOf[k]; ++next) factors.start[next] = links;
+            Row &to = factors.rows[patchOf[k]];
+            Link *link = factors.links + factors.used, *end = factors.links + factors.capacity;
+            to.links = link;
             for (int first = 0; first < rowFloats; first += 8)
                 for (int lanes = laneBits(load(row + first) > 0.f); lanes; lanes &= lanes - 1) {
                     int j = first + __builtin_ctz(lanes);
-                    if (!lit(j)) continue;
-                    if (links == factors.capacity) return false;
-                    factors.links[links++] = {(uint32_t)j, row[j]};
+                    if (!lit[j]) continue;
+                    if (link == end) return false;
+                    *link++ = {(uint32_t)j, row[j]};
                 }
+            to.count = (int)(link - to.links);
+            to.known = true;
+            factors.used = (size_t)(link - factors.links);
         }
         progress((float)i / (float)count);
     }
-    for (; next <= count; ++next) factors.start[next] = links;
     return true;
 }
 

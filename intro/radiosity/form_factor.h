@@ -16,25 +16,32 @@ struct Link {
     float share;
 };
 
-// Row i is links[start[i]] .. links[start[i + 1] - 1].
+struct Row {
+    const Link *links;
+    int count;
+    bool known; // false where no hemicube was drawn: there is none, or it was not reached
+};
+
 struct FormFactors {
     Link *links;
-    size_t *start;
-    size_t capacity;
+    Row *rows; // of every patch
+    size_t capacity, used;
 };
 
 // The form factors of a hemicube's pixels, 3 px rows of px as hemicube.h lays them out.
 void deltaFormFactors(int px, float *delta);
 
 // Adds the pixels of one hemicube to row[patch], for all patches of the model; returns what saw nothing or
-// the backs of things. A pixel that saw nothing between two that did is a crack of rasterisation; it gets
-// what its neighbour saw.
+// the backs of things. A pixel that saw nothing between two that did, in its line or column, is a crack of
+// rasterisation; it gets what its neighbour saw.
 float sumHemicube(const Hemicubes &h, int index, const float *delta, float *row);
 
-// Draws the hemicubes of all patches that have some share and keeps their rows; windows and patches without
-// reflectance have no rows and are left out of those of others (`reflects`, by material). False when the
-// viewer left or the links' capacity is too small.
-bool findFormFactors(Hemicubes &h, const Model &model, const bool *reflects, Workers &workers, Arena &arena,
-                     FormFactors &factors, const Progress &progress);
+// Draws the hemicubes of all patches that have some share and keeps their rows. Windows, and patches that
+// `lit` leaves out, have none and are left out of those of others. `step`, without a factor in common with
+// the number of patches, is how many patches lie from one to the next, so that rows that are had when it is
+// stopped are spread over the model. False when the viewer left or the links' capacity is too small; what
+// there is then is whole.
+bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
+                     FormFactors &factors, const Progress &progress, int step = 1);
 
 } // namespace odraz

@@ -76,19 +76,20 @@ struct Writer {
 };
 
 // Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas.
-void layOut(Writer &out, const Corner *corners, bool top, float x, float y, uint32_t first, uint32_t shape) {
+void layOut(Writer &out, const Corner *corners, int count, bool top, float x, float y, uint32_t first,
+            uint32_t shape) {
     // Reject what lies beyond a border, cut what crosses some
     const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
     int crossed = 0;
     for (int k = 0; k < 4; ++k) {
         int outside = 0;
-        for (int i = 0; i < 4; ++i) outside += borders[k].inside(corners[i]) < 0;
-        if (outside == 4) return;
+        for (int i = 0; i < count; ++i) outside += borders[k].inside(corners[i]) < 0;
+        if (outside == count) return;
         if (outside) crossed |= 1 << k;
     }
     Corner buffers[2][4 + 4]; // every border adds one corner at most
     const Corner *polygon = corners;
-    int count = 4, turn = 0;
+    int turn = 0;
     for (int k = 0; k < 4; ++k) {
         if (!(crossed >> k & 1)) continue;
         count = clip(polygon, count, buffers[turn], borders[k]);
@@ -101,8 +102,8 @@ void layOut(Writer &out, const Corner *corners, bool top, float x, float y, uint
         for (int k = 0; k < 3; ++k) {
             const Corner &c = polygon[k ? i - 2 + k : 0];
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
-            v[0] = fmadd(c.x, out.scaleX, x * c.w);
-            v[1] = fmadd(c.y, out.scaleY, y * c.w);
+            v[0] = clamp(fmadd(c.x, out.scaleX, x * c.w), -c.w, c.w);
+            v[1] = clamp(fmadd(c.y, out.scaleY, y * c.w), -c.w, c.w);
             v[2] = c.w;
             v[3] = c.s;
             v[4] = c.t;
@@ -124,11 +125,11 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         Vec3 local[4];
         float s[4], t[4];
         bool above = false;
-        for (int k = 0; k < 4; ++k) {
-            float u = k == 0 || k == 3 ? f.u0 : f.u1, v = k < 2 ? f.v0 : f.v1;
-            local[k] = eye.frame * (c.at(u, v) - eye.p);
-            s[k] = u * (float)c.patchesAcross() / c.width;
-            t[k] = v * (float)c.patchesDown() / c.height;
+        int count = f.triangle() ? 3 : 4;
+        for (int k = 0; k < count; ++k) {
+            local[k] = eye.frame * (f.corner(c, k) - eye.p);
+            s[k] = f.u[k] * (float)c.patchesAcross() / c.width;
+            t[k] = f.v[k] * (float)c.patchesDown() / c.height;
             above |= local[k].z > 0;
         }
         if (!above) continue;
@@ -136,7 +137,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
         Corner corners[4];
         for (int side = -1; side < 4; ++side) {
-            for (int k = 0; k < 4; ++k) {
+            for (int k = 0; k < count; ++k) {
                 Vec3 p = local[k];
                 float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y;
                 if (side == -1)
@@ -147,7 +148,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
                     corners[k] = {-y, p.z, -x, s[k], t[k]};
             }
             float y = side == -1 ? 1 : (float)(2 + side);
-            layOut(out, corners, side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first, shape);
+            layOut(out, corners, count, side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first, shape);
         }
     }
 }

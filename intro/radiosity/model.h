@@ -1,11 +1,10 @@
-// What radiosity works on: rooms of one-sided rectangles, divided into patches and elements.
+// What radiosity works on: one-sided polygons in planes, divided into patches and elements.
 //
-// A chart is a rectangle of a plane with a grid of elements over it; facets are the parts of it that are
-// really there (a wall with windows has several), so that light is continuous over a whole wall. A patch is a
-// block of elements: it carries a hemicube, the elements carry the light. Each element is looked at in four
-// places; those that lie in no facet or inside a solid are hidden. Elements without any other get their
-// neighbours' light, for interpolation's sake. World units as in Scene; any scale. Up to kMaxCharts charts
-// and kMaxFacets facets; what is too much is dropped.
+// A chart is a rectangle of a plane with a grid of cells over it; facets are the parts of it that are really
+// there, rectangles or triangles (a wall with windows has several), so that light is continuous over a whole
+// wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their quadtrees are
+// the elements; they carry the light, at their corners (elements.h). World units as in Scene; any scale. Up
+// to kMaxCharts charts and kMaxFacets facets; what is too much is dropped.
 #pragma once
 
 #include "base/arena.h"
@@ -14,24 +13,41 @@
 
 namespace odraz {
 
-inline constexpr int kMaxCharts = 400, kMaxFacets = 500;
+inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = kMaxShapes;
 
+// Convex, its corners counter-clockwise about the chart's normal, in world units on the chart. A rectangle
+// along the chart's axes begins with its lower left corner; a triangle repeats its last one.
 struct Facet {
     int chart;
-    float u0, v0, u1, v1; // world units on the chart
+    float u[4], v[4];
+
+    bool triangle() const { return u[3] == u[2] && v[3] == v[2]; }
+    Vec3 corner(const Chart &c, int k) const { return c.at(u[k], v[k]); }
 };
 
-// A block of elements of one chart.
 struct Patch {
     Vec3 p;      // its middle; where some of it is hidden, the visible place nearest to the middle of those
+    Vec3 n;      // of its plane
     float share; // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
-    uint16_t chart;
-    int16_t i, j; // its first element
+    float area;  // of what is visible, once the elements are final
+    int chart;
 };
 
-// The four places of an element, as shares of its sides.
-inline float placeU(int place) { return place & 1 ? 0.75f : 0.25f; }
-inline float placeV(int place) { return place & 2 ? 0.75f : 0.25f; }
+// Where light is kept: a corner of cells. It is looked at from four places about it, a quarter of the cells'
+// sides away along u (bit 0 of a place's number) and v (bit 1).
+struct Texel {
+    int chart, x, y; // in kSteps of an undivided cell
+    uint8_t level;   // of the smallest cell around it
+    uint8_t visible; // a bit for each place that is on a facet and not inside a solid
+    bool fresh;      // it waits to be looked at
+    bool filled;     // hidden, but with light from its neighbours
+};
+
+// Light of a texel that follows from others': it moves so far towards theirs, one after the other.
+struct Tie {
+    int texel, towards;
+    float share;
+};
 
 struct Model {
     Chart charts[kMaxCharts];
@@ -39,27 +55,38 @@ struct Model {
     int chartCount, facetCount;
     bool solid; // no back is to be seen from where there is light: hemicubes leave backs out, which is faster
 
-    // Made by divide()
+    // Made by divide(), refined by split()
     Patch *patches;
-    uint8_t *visible; // of every texel: a bit for each place of an element that can be seen
-    int patchCount, texelCount;
+    Texel *texels;
+    Cell *cells;
+    Tie *ties;
+    int *fresh; // texels that wait to be looked at
+    int patchCount, texelCount, cellCount, tieCount, freshCount;
+    int texelRoom, cellRoom, tieRoom;
+    int *table; // of the texels inside divided cells, by their place
+    uint32_t tableMask;
 
-    // A rectangle with two sides given as vectors, lit on the side of u x v; returns its chart. Without
-    // facet: to be given some by addFacet(). Elements have sides of about `element`; kOpen makes a window of
-    // it.
+    // A rectangle with two sides given as vectors, lit on the side of u x v; returns its chart. kPieces: its
+    // facets are added next, by addFacet(); kOpen makes a window of it. Cells have sides of about `cell`.
     enum Kind { kWhole, kPieces, kOpen };
-    int addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float element, Kind kind = kWhole);
-    void addFacet(int chart, float u0, float v0, float u1, float v1);
+    int addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind kind = kWhole);
+    // To the chart that was added last.
+    void addFacet(float u0, float v0, float u1, float v1) {
+        const float u[4] = {u0, u1, u1, u0}, v[4] = {v0, v0, v1, v1};
+        addFacet(u, v);
+    }
+    void addFacet(const float *u, const float *v);
     // The sides of a box named by kLeft .. kBack, facing out.
     enum Side { kLeft = 1, kRight = 2, kBottom = 4, kTop = 8, kBack = 16, kFront = 32, kUpright = 51 };
-    void addBox(Vec3 lo, Vec3 hi, int material, float element, unsigned sides);
-
-    // Divides all charts: patches have `block` x `block` elements where charts are large enough. Finds what
-    // is hidden. False when the arena is full.
-    bool divide(Arena &arena, Workers &workers, int block);
+    void addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides);
 
     // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open.
     void pose(Scene &scene) const;
+
+    // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
+    // is hidden, in a scene that holds the posed model, finished. There is room for `growth` times as many
+    // texels and cells as there are now. False when the arena is full.
+    bool divide(const Scene &scene, Arena &arena, Workers &workers, int block, int growth);
 };
 
 } // namespace odraz

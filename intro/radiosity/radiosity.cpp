@@ -1,5 +1,7 @@
 #include "radiosity/radiosity.h"
 
+#include "base/maths.h"
+
 namespace odraz {
 
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
@@ -12,7 +14,7 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     return true;
 }
 
-// Patches reflect what arrives: the mean of their elements' direct light.
+// Patches reflect what arrives: the mean of their texels' direct light.
 static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Workers &workers) {
     const Lights &lights = r.lights;
     System &s = r.system;
@@ -27,33 +29,86 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
         bool sky = k < lights.skyCount;
         Rgb light = sky ? lights.skies[k].sunlight : Rgb{1, 1, 1};
         const float strength[3] = {light.x, light.y, light.z};
-        for (int i = 0; i < model.patchCount; ++i) {
-            float share = meanOfPatch(model, i, r.direct[k]), *to = s.direct + (size_t)i * columns + 3 * k;
-            for (int c = 0; c < 3; ++c)
-                to[c] = share * strength[c] + (sky ? meanOfPatch(model, i, r.bounced[k][c]) : 0);
+        // The columns first hold what the sky alone gives, the first of the gathered the lamp's share
+        float *to = s.direct + 3 * k, *single = s.radiosity + 3 * k;
+        meansOfPatches(model, r.direct[k], single, s.columns);
+        for (int c = 0; c < 3; ++c) {
+            if (sky) meansOfPatches(model, r.bounced[k][c], to + c, s.columns);
+            for (size_t i = 0; i < (size_t)model.patchCount; ++i)
+                to[i * columns + (size_t)c] += single[i * columns] * strength[c];
         }
     });
+}
+
+// Divides the cells over which the light of some basis changes most, and looks at what is new.
+static void refine(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
+                   Workers &workers) {
+    // What is compared: the skies' green, the lamps' shares; and the suns'
+    struct Measure {
+        const float *plane;
+        float least; // change that divides
+    } measures[2 * kMaxBases];
+    int count = 0;
+    auto add = [&](const float *plane) {
+        double sum = 0;
+        int seen = 0;
+        for (int t = 0; t < model.texelCount; ++t)
+            if (model.texels[t].visible) sum += (double)(plane[t] * plane[t]), ++seen;
+        if (sum > 0) measures[count++] = {plane, settings.contrast * sqrt((float)(sum / seen))};
+    };
+    for (int k = 0; k < r.lights.bases(); ++k) {
+        if (k < r.lights.skyCount) add(r.bounced[k][1]);
+        if (!(settings.traced >> k & 1)) add(r.direct[k]);
+    }
+    for (int level = 0; level < settings.levels; ++level) {
+        int cells = model.cellCount;
+        for (int i = 0; i < cells; ++i) {
+            const Cell &cell = model.cells[i];
+            if (cell.divided() || cell.level != level) continue;
+            bool divide = false;
+            for (int m = 0; m < count && !divide; ++m) {
+                float low = kInfinity, high = -kInfinity;
+                for (int corner : cell.corner) {
+                    if (!model.texels[corner].visible) continue;
+                    low = min(low, measures[m].plane[corner]), high = max(high, measures[m].plane[corner]);
+                }
+                divide = high - low > settings.contrast * (high + low) + measures[m].least;
+            }
+            if (divide) split(model, i);
+        }
+        findVisible(model, scene, workers);
+        findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, {});
+        settleFresh(model);
+    }
 }
 
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress) {
     // Divide, and see what is hidden
-    if (!model.divide(arena, workers, settings.block) || !takePlanes(r, arena, (size_t)model.texelCount))
+    int growth = settings.levels ? 5 : 1;
+    if (!model.divide(scene, arena, workers, settings.block, growth) ||
+        !takePlanes(r, arena, (size_t)model.texelRoom))
         return false;
     progress(0.05f);
 
     // Form factors
-    bool reflects[kMaxMaterials];
-    for (int i = 0; i < scene.materialCount; ++i) reflects[i] = maxComponent(scene.mean[i]) > 0;
+    auto *lit = arena.take<uint8_t>((size_t)model.patchCount);
     r.factors.capacity = settings.links;
     r.factors.links = arena.take<Link>(settings.links);
-    if (!r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
-    if (!findFormFactors(r.hemicubes, model, reflects, workers, arena, r.factors,
-                         progress.part(0.05f, 0.635f)))
+    if (!lit || !r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+    for (int i = 0; i < model.patchCount; ++i) {
+        const Chart &c = model.charts[model.patches[i].chart];
+        lit[i] = !c.open && maxComponent(scene.mean[c.material]) > 0;
+    }
+    if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
         return false;
 
     // Direct light
-    findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, progress.part(0.635f, 0.92f));
+    findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, progress.part(0.635f, 0.8f));
+    settleFresh(model);
+    refine(r, model, scene, settings, workers);
+    tie(model);
+    progress(0.92f);
     if (workers.aborted()) return false;
 
     // Bounces, brought to the elements
@@ -64,12 +119,11 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     solve(r.system, workers, settings.residual, settings.sweeps);
     progress(0.965f);
     gather(r.factors, model.patchCount, r.system.columns, r.system.radiosity, gathered, workers);
+    fillPatches(model, r.factors, r.system.columns, gathered);
+    addToTexels(model, gathered, r.system.columns, r.bounced[0], 3 * r.lights.bases(), workers);
     parallelFor(workers, r.lights.bases(), [&](int k, int) {
-        for (int c = 0; c < 3; ++c) {
-            addToElements(model, gathered + 3 * k + c, r.system.columns, r.bounced[k][c]);
-            closeGaps(model, r.bounced[k][c]);
-        }
-        closeGaps(model, r.direct[k]);
+        for (float *plane : r.bounced[k]) settle(model, plane);
+        settle(model, r.direct[k]);
     });
     progress(1);
     return !workers.aborted();

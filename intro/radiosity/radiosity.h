@@ -1,7 +1,7 @@
-// A room, solved: for every light its light on every element, bounces and all.
+// A room, solved: for every light its light on every texel, bounces and all.
 //
 // Light is linear: the picture at any time is a weighted sum of these bases, the skies with the bounces of
-// their suns, then the lamps. Direct light of suns and lamps is kept apart, as one number an element, so that
+// their suns, then the lamps. Direct light of suns and lamps is kept apart, as one number a texel, so that
 // it can be left out where the tracer draws it, or put in.
 #pragma once
 
@@ -11,8 +11,14 @@
 namespace odraz {
 
 struct RadiositySettings {
-    int px = 64;   // of a hemicube
-    int block = 3; // a patch is so many elements wide and high
+    int px = 32;   // of a hemicube
+    int block = 3; // a patch is so many undivided cells wide and high
+    // Cells are divided up to so often where some basis changes over them by more than `contrast`, as a share
+    // of the root mean square of its light; but for suns and lamps that the tracer draws (a bit for each
+    // basis)
+    int levels = 0;
+    float contrast = 0.3f;
+    uint32_t traced = 0;
     float residual = 1e-4f;
     int sweeps = 100;       // no more than these
     size_t links = 6 << 20; // room for form factors

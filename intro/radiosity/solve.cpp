@@ -14,7 +14,7 @@ struct Pair {
 // not wait for each other.
 Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
-    const Link *link = f.links + f.start[patch], *end = f.links + f.start[patch + 1];
+    const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;
     Pair sum[4] = {};
     auto add = [&](Pair &s, const Link &l) {
         const float *v = values + (size_t)l.patch * (size_t)columns;
@@ -43,7 +43,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most)
         if (workers.aborted()) return most;
         Float8 changed[2] = {};
         for (int i = 0; i < s.patches; ++i) {
-            if (s.factors->start[i] == s.factors->start[i + 1]) continue;
+            if (s.factors->rows[i].count == 0) continue;
             Pair gathered = gatherRow(*s.factors, i, s.radiosity + block, columns);
             for (int k = 0; k < 2; ++k) {
                 size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
@@ -90,110 +90,24 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
     });
 }
 
-void addToElements(const Model &model, const float *values, int stride, float *plane) {
-    for (int index = 0; index < model.chartCount; ++index) {
-        const Chart &c = model.charts[index];
-        int across = c.patchesAcross(), down = c.patchesDown();
-        // Patches that cannot be seen take what those beside them have
-        auto value = [&](int i, int j) {
-            int k = c.firstPatch + j * across + i;
-            if (model.patches[k].share > 0) return values[(size_t)k * (size_t)stride];
-            float sum = 0;
-            int count = 0;
-            for (int y = max(j - 1, 0); y <= min(j + 1, down - 1); ++y)
-                for (int x = max(i - 1, 0); x <= min(i + 1, across - 1); ++x) {
-                    int n = c.firstPatch + y * across + x;
-                    if (model.patches[n].share == 0) continue;
-                    sum += values[(size_t)n * (size_t)stride];
-                    ++count;
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values) {
+    for (int i = 0; i < model.patchCount; ++i) {
+        if (factors.rows[i].known) continue;
+        const Chart &c = model.charts[model.patches[i].chart];
+        int x = (i - c.firstPatch) % c.patchesAcross(), y = (i - c.firstPatch) / c.patchesAcross();
+        float *to = values + (size_t)i * (size_t)columns;
+        int count = 0;
+        for (int v = max(y - 1, 0); v <= min(y + 1, c.patchesDown() - 1); ++v)
+            for (int u = max(x - 1, 0); u <= min(x + 1, c.patchesAcross() - 1); ++u) {
+                int n = c.firstPatch + v * c.patchesAcross() + u;
+                if (!factors.rows[n].known) continue;
+                ++count;
+                for (int k = 0; k < columns; k += 8) {
+                    Float8 has = load(to + k), more = load(values + (size_t)n * (size_t)columns + k);
+                    store(to + k, fmadd(more - has, broadcast(1.f / (float)count), has));
                 }
-            return count ? sum / (float)count : 0;
-        };
-        // Between which two middles an element lies, and where
-        auto place = [](int element, int size, int patches, int &first) {
-            float x = ((float)element + 0.5f) / (float)size - 0.5f;
-            first = clamp((int)(x + 1) - 1, 0, max(patches - 2, 0));
-            return patches > 1 ? x - (float)first : 0.f;
-        };
-        for (int j = 0; j < c.down; ++j)
-            for (int i = 0; i < c.across; ++i) {
-                int x, y;
-                float fx = place(i, c.patchAcross, across, x), fy = place(j, c.patchDown, down, y);
-                int x1 = min(x + 1, across - 1), y1 = min(y + 1, down - 1);
-                float a = value(x, y), b = value(x1, y), d = value(x, y1), e = value(x1, y1);
-                float v = lerp(lerp(a, b, fx), lerp(d, e, fx), fy);
-                // Going straight on outside must not run below half of the least
-                plane[c.texel(i, j)] += max(v, min(min(a, b), min(d, e)) * 0.5f);
             }
     }
-}
-
-void fillRings(const Model &model, float *plane) {
-    for (int index = 0; index < model.chartCount; ++index) {
-        const Chart &c = model.charts[index];
-        auto copy = [&](int i, int j) {
-            plane[c.texel(i, j)] = plane[c.texel(clamp(i, 0, c.across - 1), clamp(j, 0, c.down - 1))];
-        };
-        for (int i = -1; i <= c.across; ++i) copy(i, -1), copy(i, c.down);
-        for (int j = 0; j < c.down; ++j) copy(-1, j), copy(c.across, j);
-    }
-}
-
-void closeGaps(const Model &model, float *plane) {
-    for (int index = 0; index < model.chartCount; ++index) {
-        const Chart &c = model.charts[index];
-        // Outwards from what is known, ring by ring; -1 marks what is not known yet
-        int unknown = 0, before = -1;
-        for (int j = 0; j < c.down; ++j)
-            for (int i = 0; i < c.across; ++i)
-                if (!model.visible[c.texel(i, j)]) {
-                    plane[c.texel(i, j)] = -1;
-                    ++unknown;
-                }
-        while (unknown && unknown != before) {
-            before = unknown;
-            for (int j = 0; j < c.down; ++j)
-                for (int i = 0; i < c.across; ++i) {
-                    float &v = plane[c.texel(i, j)];
-                    if (v != -1) continue;
-                    float sum = 0;
-                    int count = 0;
-                    auto look = [&](int x, int y) {
-                        if (x < 0 || y < 0 || x >= c.across || y >= c.down) return;
-                        float n = plane[c.texel(x, y)];
-                        if (n < 0) return;
-                        sum += n;
-                        ++count;
-                    };
-                    look(i - 1, j), look(i + 1, j), look(i, j - 1), look(i, j + 1);
-                    if (count) v = -2 - sum / (float)count;
-                }
-            // What was found in this round becomes known after it
-            for (int j = 0; j < c.down; ++j)
-                for (int i = 0; i < c.across; ++i) {
-                    float &v = plane[c.texel(i, j)];
-                    if (v > -2) continue;
-                    v = -2 - v;
-                    --unknown;
-                }
-        }
-        for (int i = c.firstTexel; i < c.firstTexel + c.texels(); ++i) plane[i] = max(plane[i], 0.f);
-    }
-    fillRings(model, plane);
-}
-
-float meanOfPatch(const Model &model, int patch, const float *plane) {
-    const Patch &p = model.patches[patch];
-    const Chart &c = model.charts[p.chart];
-    float sum = 0;
-    int places = 0;
-    for (int j = p.j; j < p.j + c.patchDown; ++j)
-        for (int i = p.i; i < p.i + c.patchAcross; ++i) {
-            int seen = __builtin_popcount(model.visible[c.texel(i, j)]);
-            sum += plane[c.texel(i, j)] * (float)seen;
-            places += seen;
-        }
-    return places ? sum / (float)places : 0;
 }
 
 } // namespace odraz

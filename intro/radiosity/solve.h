@@ -1,4 +1,4 @@
-// The radiosity system B = rho (D + F B), for many right-hand sides at once, and its light on the elements.
+// The radiosity system B = rho (D + F B), for many right-hand sides at once.
 //
 // D is direct light and F B the light that comes by reflection, both as irradiance / pi. Solved by
 // Gauss-Seidel: one sweep after the other over all patches, every new value used at once, until what a sweep
@@ -32,17 +32,8 @@ int solve(System &system, Workers &workers, float residual, int most);
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
             Workers &workers);
 
-// Spreads values of patches ([patches][stride], one column) over the elements of all charts: bilinear between
-// the patches' middles, straight on outside of them. Added to `plane`.
-void addToElements(const Model &model, const float *values, int stride, float *plane);
-
-// Repeats the borders in the rings.
-void fillRings(const Model &model, float *plane);
-
-// Gives hidden elements the mean of their neighbours, and fills the rings.
-void closeGaps(const Model &model, float *plane);
-
-// The mean of a plane over the places of a patch that can be seen; 0 where none can.
-float meanOfPatch(const Model &model, int patch, const float *plane);
+// Gives patches whose rows are not known the mean of those around them on their charts; `values` as for
+// gather().
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values);
 
 } // namespace odraz

@@ -31,7 +31,7 @@ SkyKey keyOf(const Hour &h) {
     float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
     return {{h.low, h.high, h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f)), sun, h.glow},
-            sun * 3000.f,
+            sun * 300.f,
             h.sunlight};
 }
 
@@ -120,15 +120,25 @@ const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Worke
     addMaterials(scene, {}, 0);
     hall.model.pose(scene);
     scene.finish();
-    if (!solveRadiosity(hall.radiosity, hall.model, scene, {}, gl, arena, workers, progress) ||
+    RadiositySettings settings;
+    settings.block = 2;
+    settings.levels = 2;
+    settings.traced = (1u << (kHours + kLanterns)) - 1;
+    if (!solveRadiosity(hall.radiosity, hall.model, scene, settings, gl, arena, workers, progress) ||
         !followBounces(hall, scene, arena, workers))
         return "the hall cannot be solved: OpenGL 3.3 draws no integers here, or memory is short";
     visit(hall, arena);
     closeHemicubes(hall.radiosity.hemicubes);
     for (int i = 0; i < scene.materialCount; ++i) hall.mean[i] = scene.mean[i];
-    for (float *&plane : hall.light)
-        if (!(plane = arena.take<float>((size_t)hall.model.texelCount + 8))) return "not enough memory";
-    hall.map = {hall.model.charts, {hall.light[0], hall.light[1], hall.light[2]}, 1};
+    for (int k = 0; k < 3; ++k) {
+        hall.light[k] = arena.take<float>((size_t)hall.model.texelCount + 8);
+        hall.mosaic[k] = arena.take<float>((size_t)hall.model.patchCount);
+        if (!hall.light[k] || !hall.mosaic[k]) return "not enough memory";
+        hall.map.plane[k] = hall.light[k];
+        hall.map.patch[k] = hall.mosaic[k];
+    }
+    hall.map.charts = hall.model.charts;
+    hall.map.cells = hall.model.cells;
     return nullptr;
 }
 
@@ -136,7 +146,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
     addMaterials(scene, light, grey);
     hall.model.pose(scene);
     scene.lightmap = &hall.map;
-    hall.map.sharpness = 1;
+    hall.map.mosaic = 0;
 
     // The hour, between two that are solved
     int hour = min(max((int)light.hour, 0), kHours - 2);

@@ -15,7 +15,8 @@ inline constexpr int kNoon = 3;    // the hour that scene 4 shows
 struct Hall {
     Model model;
     Radiosity radiosity;
-    float *light[3]; // planes of texels, blended for the picture at hand
+    float *light[3];  // planes of texels, blended for the picture at hand
+    float *mosaic[3]; // colours of patches, where scene 4 shows them
     Lightmap map;
     // Irradiance / pi of every patch after so many bounces of the light of kNoon; [0] is direct light
     Rgb *bounce[kBounces + 1];

@@ -14,7 +14,7 @@ constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f};
 
 void addColumn(Model &m, float x, float z) {
-    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.14f,
+    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.21f,
              Model::kUpright | Model::kTop);
     constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = 0.32f;
     for (int k = 0; k < 8; ++k) {
@@ -23,9 +23,9 @@ void addColumn(Model &m, float x, float z) {
             return Vec3{x + kRadius * cos(a), kLow, z - kRadius * sin(a)};
         };
         Vec3 a = corner(k), b = corner(k + 1);
-        m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.22f);
+        m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.33f);
     }
-    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.14f,
+    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.21f,
              Model::kUpright | Model::kBottom | Model::kTop);
 }
 
@@ -35,49 +35,51 @@ void addStair(Model &m) {
     for (int i = 0; i < kSteps; ++i) {
         float z0 = kStart - kTread * (float)i, z1 = i + 1 < kSteps ? z0 - kTread : -kZ;
         Vec3 hi = {kX, kRise * (float)(i + 1), z0};
-        m.addBox({kLeft, hi.y - kRise, z1}, hi, kStep, 0.18f, Model::kFront | Model::kTop);
-        m.addBox({kLeft, 0, z1}, hi, kStep, 0.18f, Model::kLeft);
+        m.addBox({kLeft, hi.y - kRise, z1}, hi, kStep, 0.27f, Model::kFront | Model::kTop);
+        m.addBox({kLeft, 0, z1}, hi, kStep, 0.27f, Model::kLeft);
     }
 }
 
 void build(Model &m) {
     Vec3 x = {2 * kX, 0, 0}, y = {0, kY, 0}, z = {0, 0, 2 * kZ};
-    m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.2f);
-    m.addRect({-kX, kY, -kZ}, x, z, kBeamX, 0.3f);
-    m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.25f);
+    m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.3f);
+    m.addRect({-kX, kY, -kZ}, x, z, kBeamX, 0.45f);
+    m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.375f);
     // The wall with the entrance
-    int front = m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.25f, Model::kPieces);
-    m.addFacet(front, 0, 0, kX - kDoor, kY);
-    m.addFacet(front, kX + kDoor, 0, 2 * kX, kY);
-    m.addFacet(front, kX - kDoor, kDoorHeight, kX + kDoor, kY);
-    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 0.7f, Model::kOpen);
-    m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.25f);
+    m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.375f, Model::kPieces);
+    m.addFacet(0, 0, kX - kDoor, kY);
+    m.addFacet(kX + kDoor, 0, 2 * kX, kY);
+    m.addFacet(kX - kDoor, kDoorHeight, kX + kDoor, kY);
+    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 1, Model::kOpen);
+    m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.375f);
     // The wall with the windows, in pieces, and their depth
-    int wall = m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.2f, Model::kPieces);
-    m.addFacet(wall, 0, 0, 2 * kZ, kSill);
-    m.addFacet(wall, 0, kLintel, 2 * kZ, kY);
-    float from = kZ;
-    for (int i = 4; i >= -1; --i) {
-        float to = i < 0 ? -kZ : kWindows[i] + kWindow;
-        m.addFacet(wall, kZ - from, kSill, kZ - to, kLintel);
-        if (i < 0) break;
-        from = kWindows[i] - kWindow;
-        Vec3 lo = {-kX - kDeep, kSill, from}, deep = {kDeep, 0, 0}, tall = {0, kLintel - kSill, 0};
+    m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.3f, Model::kPieces);
+    m.addFacet(0, 0, 2 * kZ, kSill);
+    m.addFacet(0, kLintel, 2 * kZ, kY);
+    float from = 0;
+    for (int i = 4; i >= 0; --i) {
+        m.addFacet(from, kSill, kZ - kWindows[i] - kWindow, kLintel);
+        from = kZ - kWindows[i] + kWindow;
+    }
+    m.addFacet(from, kSill, 2 * kZ, kLintel);
+    for (float middle : kWindows) {
+        Vec3 lo = {-kX - kDeep, kSill, middle - kWindow}, deep = {kDeep, 0, 0},
+             tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        m.addRect(lo, wide, deep, kPlaster, 0.15f);        // sill
-        m.addRect(lo + tall, deep, wide, kPlaster, 0.15f); // lintel
-        m.addRect(lo, deep, tall, kPlaster, 0.15f);        // jambs
-        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.15f);
-        m.addRect(lo + wide, -wide, tall, kPlaster, 0.5f, Model::kOpen);
+        m.addRect(lo, wide, deep, kPlaster, 0.225f);        // sill
+        m.addRect(lo + tall, deep, wide, kPlaster, 0.225f); // lintel
+        m.addRect(lo, deep, tall, kPlaster, 0.225f);        // jambs
+        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.225f);
+        m.addRect(lo + wide, -wide, tall, kPlaster, 0.75f, Model::kOpen);
     }
     for (int side = -1; side <= 1; side += 2) {
         float cx = kColumnX * (float)side;
         for (float cz : kColumns) addColumn(m, cx, cz);
-        m.addBox({cx - 0.2f, 5.45f, -kZ}, {cx + 0.2f, 5.85f, kZ}, kBeamZ, 0.3f,
+        m.addBox({cx - 0.2f, 5.45f, -kZ}, {cx + 0.2f, 5.85f, kZ}, kBeamZ, 0.45f,
                  Model::kLeft | Model::kRight | Model::kBottom | Model::kTop);
     }
     for (float cz : kColumns)
-        m.addBox({-kX, 5.85f, cz - 0.15f}, {kX, kY, cz + 0.15f}, kBeamX, 0.3f,
+        m.addBox({-kX, 5.85f, cz - 0.15f}, {kX, kY, cz + 0.15f}, kBeamX, 0.45f,
                  Model::kFront | Model::kBack | Model::kBottom);
     addStair(m);
 }
@@ -86,7 +88,7 @@ void addLamps(Model &m, Lights &lights) {
     for (float cz : kLanternZ) lights.lamps[lights.lampCount++] = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
         Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.004f - kZ};
-        int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 0.5f);
+        int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 0.75f);
         lights.lamps[lights.lampCount++] = {{}, 0, chart};
     }
 }

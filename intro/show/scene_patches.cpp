@@ -42,9 +42,10 @@ void posePatches(double row, Hall *hall, Scene &scene) {
     scene.exposure = value(track(kExposure), row);
     scene.lines = 0.75f * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
+    hall->map.mosaic = 1 - melt;
     if (melt == 1) return;
 
-    // Lay the patches' light over the elements', as it has spread from the visited patch
+    // The patches' light, as it has spread from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
     float reach = ((float)row - kWave) * 1.25f;
@@ -60,15 +61,8 @@ void posePatches(double row, Hall *hall, Scene &scene) {
             float pulse = 0.5f - 0.5f * cos(((float)row - 26) * (kPi / 4));
             own = lerp(own, Rgb{1.3f, 0.55f, 0.26f}, row < 34 ? pulse : 1 - value(track(kTaken), row));
         }
-        const float channels[3] = {own.x, own.y, own.z};
-        for (int k = 0; k < 3; ++k)
-            for (int y = p.j; y < p.j + c.patchDown; ++y)
-                for (int x = p.i; x < p.i + c.patchAcross; ++x) {
-                    float &texel = hall->light[k][c.texel(x, y)];
-                    texel = lerp(channels[k], texel, melt);
-                }
+        hall->mosaic[0][i] = own.x, hall->mosaic[1][i] = own.y, hall->mosaic[2][i] = own.z;
     }
-    for (float *plane : hall->light) fillRings(m, plane);
 }
 
 void letterPatches(double row, const Hall *hall, const Facts &, const View &view, Frame &frame) {

@@ -52,7 +52,7 @@ static void addGrain(Tile &t, int index) {
     place(middle, g.x, g.y);
     float x = g.x, y = g.y;
     if (g.radius > widest) {
-        if (shape.kind == ShapeKind::Polygon) return;
+        if (shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Triangle) return;
         const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
         int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
         float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);

@@ -1,38 +1,59 @@
-// Light kept on the surfaces: every chart is a rectangle with a grid of elements of its own, so that nothing
-// is interpolated across an edge.
+// Light kept on the surfaces: every chart is a rectangle with a grid of cells of its own, divided as
+// quadtrees where light asks for it, so that nothing is interpolated across an edge.
 //
-// Light is counted as the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. The
-// elements' values stand at their middles, rows of `across` along u; around each chart lies a ring of texels
-// that repeats its border, so that bilinear lookups need no case distinction.
+// Light is counted as the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. Its
+// values, the texels, stand at the cells' corners, which neighbours share; light is bilinear in every cell. A
+// texel in the middle of a larger neighbour's side has the value that the neighbour has there: light is
+// continuous over the whole chart.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace odraz {
 
-struct Chart {
-    Vec3 corner;                   // world; where u = v = 0
-    Vec3 u, v, n;                  // unit and orthogonal; n points to the side that is lit and seen
-    float width, height;           // world units along u and v
-    int16_t across, down;          // elements along u and v, 1 ..
-    int8_t patchAcross, patchDown; // elements of a patch along u and v
-    uint8_t material;
-    bool open;      // a window: seen by the hemicubes, passed by rays
-    int firstTexel; // of the ring's first corner
-    int firstPatch;
+inline constexpr int kFinest = 3; // how often a cell may be divided
+inline constexpr int kSteps = 1 << kFinest;
 
-    int stride() const { return across + 2; }
-    int texels() const { return stride() * (down + 2); }
-    int texel(int i, int j) const { return firstTexel + (j + 1) * stride() + i + 1; } // of element (i, j)
+struct Chart {
+    Vec3 corner;                    // world; where u = v = 0
+    Vec3 u, v, n;                   // unit and orthogonal; n points to the side that is lit and seen
+    float width, height;            // world units along u and v
+    int16_t across, down;           // cells along u and v, 1 ..
+    int16_t patchAcross, patchDown; // cells of a patch along u and v
+    uint16_t material;
+    bool open;                   // a window: seen by the hemicubes, passed by rays
+    int firstCell;               // rows of `across`
+    int firstTexel;              // of the corners of cells that are not divided: rows of across + 1
+    int firstPatch;              //
+    int firstFacet, facetsCount; // the parts of it that are there
+
+    int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
+    int texels() const { return (across + 1) * (down + 1); }
     int patchesAcross() const { return across / patchAcross; }
     int patchesDown() const { return down / patchDown; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };
 
+// Its corners lie at (0, 0), (1, 0), (0, 1) and (1, 1). Where it is divided, corner[0] is ~ the first of four
+// children in the same order.
+struct Cell {
+    int corner[4]; // texels
+    int patch, chart;
+    float area; // world units
+    int level;  // how often it comes from a division, 0 .. kFinest
+
+    bool divided() const { return corner[0] < 0; }
+};
+
 struct Lightmap {
     const Chart *charts;
+    const Cell *cells;
     const float *plane[3]; // red, green, blue of every texel
-    float sharpness;       // 1: bilinear; more: elements are told apart, up to kFlat, a mosaic
+    // A picture of the patches over it: how much of that there is, 0 .. 1, their colours, and how sharply
+    // they are told apart: 1: bilinear between their middles; kFlat: a mosaic
+    float mosaic;
+    const float *patch[3];
+    float sharpness;
 };
 inline constexpr float kFlat = 1e4f;
 

@@ -53,7 +53,7 @@ Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
 // A point in the shape's own frame, where its texture lies; a rectangle's lies in the world's.
 Vec3x8 localOf(const Shape &s, Vec3x8 p) {
-    if (s.kind == ShapeKind::Rect) return p;
+    if (s.kind >= ShapeKind::Rect) return p;
     Vec3x8 q = p - s.centre;
     return s.aligned ? q : s.frame * q;
 }
@@ -68,7 +68,7 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
     if (m.texture.pattern == Pattern::Plain && m.cell == 0) {
         colour = broadcast(m.texture.palette[0] * m.diffuse);
     } else {
-        Vec3x8 local = shape.kind == ShapeKind::Rect || shape.aligned ? d : shape.frame * d;
+        Vec3x8 local = shape.kind >= ShapeKind::Rect || shape.aligned ? d : shape.frame * d;
         colour = albedo(m, localOf(shape, p) + shape.textureShift, local, cosine, width, cell) *
                  broadcast(m.diffuse);
     }

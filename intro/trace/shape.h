@@ -6,10 +6,11 @@
 //   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
 //   Polygon   in the local plane y = 0, bounded by a simple closed outline of (x, z) points, convex or not
 //   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z; met only from where y > 0
+//   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew; met as a Rect is
 //
 // Spheres, boxes and cylinders are solid (glass has an inside); planes and polygons are seen from both sides,
-// rectangles from one: what is walled in by them can be looked into from outside. Their solid textures lie in
-// world coordinates, so that those of neighbours join.
+// rectangles and triangles from one: what is walled in by them can be looked into from outside. Their solid
+// textures lie in world coordinates, so that those of neighbours join.
 // Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit.
 #pragma once
 
@@ -19,7 +20,7 @@ namespace odraz {
 
 inline constexpr float kFar = 1e9f;
 
-enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon, Rect };
+enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon, Rect, Triangle };
 
 struct Shape {
     ShapeKind kind;
@@ -28,7 +29,7 @@ struct Shape {
     uint16_t vertexCount; //
     Vec3 centre;          // world
     Vec3 half;            // see above; positive
-    Mat3 frame;           // a rotation
+    Mat3 frame;           // a rotation; but see Triangle
     bool aligned;         // the frame is the world's; Scene::finish() sees to it
     Vec3 textureShift;    // added to local coordinates before texturing: no two balls cut from one place
     int chart = -1;       // index into the lightmap's charts, -1: lit by ambient light
@@ -50,6 +51,8 @@ inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material)
     return {ShapeKind::Cylinder,          (uint8_t)material, 0,    0,  middle,
             {radius, halfHeight, radius}, kIdentity,         true, {}, -1};
 }
+// With sides u and v from one corner, facing u x v; n is that direction.
+Shape triangle(Vec3 corner, Vec3 u, Vec3 v, Vec3 n);
 
 struct Bounds {
     Vec3 lo, hi;

@@ -41,6 +41,15 @@ static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bot
     return select(inside, t, kInfinity);
 }
 
+// The same, by barycentric coordinates.
+static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
+    Float8 t = hitPlane(o.y, d.y);
+    if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
+    Float8 finite = select(t < kInfinity, t, 0.f);
+    Float8 x = fmadd(finite, d.x, o.x), z = fmadd(finite, d.z, o.z);
+    return select((min(x, z) >= -s.half.y) & (x + z <= 1 + s.half.y), t, kInfinity);
+}
+
 static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
     // About the axis, in the plane across it: nearest approach, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
@@ -83,6 +92,8 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) 
         return hitCylinder(s, o, d);
     case ShapeKind::Rect:
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
+    case ShapeKind::Triangle:
+        return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
     default: {
         Float8 t = hitPlane(o.y, d.y);
         Int8 hit = t < kInfinity;
@@ -104,6 +115,10 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         return {onSphere + s.centre, n, s.frame * onSphere, Int8{}};
     }
     Vec3x8 q = s.frame * fromCentre;
+    if (s.kind == ShapeKind::Triangle) {
+        p = p - s.frame.v * q.y;
+        return {p, broadcast(s.frame.v), p, Int8{}};
+    }
     Vec3x8 n = {};
     Int8 face = {};
     switch (s.kind) {

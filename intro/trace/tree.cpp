@@ -1,6 +1,8 @@
 // The tree over a scene's shapes, built anew for every frame.
 #include "trace/scene.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 namespace {
@@ -19,6 +21,15 @@ Bounds boundsOf(const Scene &scene, const Shape &s) {
             Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
             include(b, {p, p});
         }
+        return b;
+    }
+    if (s.kind == ShapeKind::Triangle) {
+        // Its sides, from the rows that measure along them
+        Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
+        u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
+        w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));
+        Bounds b = {s.centre, s.centre};
+        for (Vec3 p : {u, w}) include(b, {s.centre + p, s.centre + p});
         return b;
     }
     Vec3 r = s.half;
@@ -159,7 +170,7 @@ void Scene::finish() {
     unboundedCount = occluderCount = nodeCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
         Shape &s = shapes[i];
-        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1;
+        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && s.kind != ShapeKind::Triangle;
         if (s.kind == ShapeKind::Plane) {
             if (unboundedCount < 8) unbounded[unboundedCount++] = (uint16_t)i;
             continue;

@@ -1,0 +1,46 @@
+// Elements: the cells of a divided model, and the texels at their corners.
+//
+// They are refined where light asks for it, then frozen: the texels that hang in the middle of a larger
+// neighbour's side, and those that are hidden, are tied to others, so that light has neither cracks nor dark
+// rims. Planes are arrays of one float a texel, texelCount + 8 of them.
+#pragma once
+
+#include "radiosity/model.h"
+
+namespace odraz {
+
+// Eight texels, side by side.
+struct Texels8 {
+    Vec3x8 p, n; // the texel itself; the normal of its plane
+    Vec3x8 u, v; // a quarter of a cell's sides
+    Float8 off;  // how far off the plane points lie surely on its side
+    Int8 active;
+
+    Vec3x8 place(int k) const { return p + (k & 1 ? u : -u) + (k & 2 ? v : -v); }
+};
+// Those of the given numbers, `count` of them.
+Texels8 loadTexels(const Model &model, const int *numbers, int count);
+
+// Finds which places of the fresh texels are to be seen.
+void findVisible(Model &model, const Scene &scene, Workers &workers);
+
+// They have been looked at.
+void settleFresh(Model &model);
+
+// Divides a cell into four, unless there is no room. Texels that are new, or stand closer now, are fresh.
+void split(Model &model, int cell);
+
+// Ties hanging and hidden texels, once the cells are final.
+void tie(Model &model);
+// Moves the values of a plane as the ties say.
+void settle(const Model &model, float *plane);
+
+// Adds up a plane over the places of every patch that can be seen: patches' means in mean[patch * stride].
+void meansOfPatches(const Model &model, const float *plane, float *mean, int stride);
+
+// Spreads values of patches ([patches][columns], `columns` a multiple of 8) over the texels: bilinear between
+// the patches' middles, straight on outside of them. Column k is added to planes[k], for `count` of them.
+void addToTexels(const Model &model, const float *values, int columns, float *const *planes, int count,
+                 Workers &workers);
+
+} // namespace odraz
