@@ -1,5 +1,6 @@
 #include "radiosity/elements.h"
 
+#include "base/maths.h"
 #include "base/random.h"
 #include "trace/intersect.h"
 
@@ -176,6 +177,33 @@ void split(Model &m, int index) {
     for (int k = 0; k < 4; ++k) {
         const int *g = grid + (k & 1) + (k & 2) / 2 * 3;
         m.cells[m.cellCount++] = {{g[0], g[1], g[3], g[4]}, cell.patch, chart, cell.area * 0.25f, level};
+    }
+}
+
+bool measure(const Model &m, const float *plane, float contrast, Measure &to) {
+    double sum = 0;
+    int seen = 0;
+    for (int t = 0; t < m.texelCount; ++t)
+        if (m.texels[t].visible) sum += (double)(plane[t] * plane[t]), ++seen;
+    to = {plane, contrast * sqrt((float)(sum / max(seen, 1)))};
+    return sum > 0;
+}
+
+void refine(Model &m, int level, const Measure *measures, int count, float contrast) {
+    int cells = m.cellCount;
+    for (int i = 0; i < cells; ++i) {
+        const Cell &cell = m.cells[i];
+        if (cell.divided() || cell.level != level) continue;
+        bool divide = false;
+        for (int k = 0; k < count && !divide; ++k) {
+            float low = kInfinity, high = -kInfinity;
+            for (int corner : cell.corner) {
+                if (!m.texels[corner].visible) continue;
+                low = min(low, measures[k].plane[corner]), high = max(high, measures[k].plane[corner]);
+            }
+            divide = high - low > fmadd(contrast, high + low, measures[k].least);
+        }
+        if (divide) split(m, i);
     }
 }
 

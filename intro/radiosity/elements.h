@@ -30,6 +30,17 @@ void settleFresh(Model &model);
 // Divides a cell into four, unless there is no room. Texels that are new, or stand closer now, are fresh.
 void split(Model &model, int cell);
 
+// What light may change by over a cell: `least` and a share of what is there.
+struct Measure {
+    const float *plane;
+    float least;
+};
+// With `contrast` times the root mean square of a plane as the least; false where it is dark.
+bool measure(const Model &model, const float *plane, float contrast, Measure &measure);
+// Divides the cells of a level over which one of the measured planes changes by more than that and `contrast`
+// of its sum.
+void refine(Model &model, int level, const Measure *measures, int count, float contrast);
+
 // Ties hanging and hidden texels, once the cells are final.
 void tie(Model &model);
 // Moves the values of a plane as the ties say.

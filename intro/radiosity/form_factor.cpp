@@ -78,7 +78,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
                      FormFactors &factors, const Progress &progress, int step) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
     float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
-    float *rows = arena.take<float>((size_t)rowFloats * kHemicubeBatch);
+    float *rows = arena.take<float>((size_t)rowFloats * (size_t)h.batch);
     factors.rows = arena.take<Row>((size_t)count);
     factors.used = 0;
     if (!delta || !rows || !factors.rows) return false;
@@ -88,12 +88,11 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
         // Fill an atlas
         Eye eyes[kHemicubeBatch];
         int patchOf[kHemicubeBatch], batch = 0;
-        for (; i < count && batch < kHemicubeBatch;
-             ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
+        for (; i < count && batch < h.batch; ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
             const Patch &p = model.patches[next];
             if (p.share == 0 || !lit[next]) continue;
             patchOf[batch] = next;
-            eyes[batch++] = hemicubeEye(p.p, p.n, (uint32_t)next);
+            eyes[batch++] = hemicubeEye(p.p, p.n, (uint32_t)next + h.turn);
         }
         drawHemicubes(h, model, eyes, batch);
         parallelFor(workers, batch, [&](int k, int) {

@@ -161,17 +161,29 @@ Eye hemicubeEye(Vec3 p, Vec3 n, uint32_t number) {
     return {p, {a * c + b * s, b * c - a * s, n}};
 }
 
+// About three quarters of a million pixels, if that is more than one.
+static void shapeAtlas(Hemicubes &h, int px) {
+    h.px = px;
+    h.columns = clamp(1024 / px, 1, kHemicubeBatch / 4);
+    h.lines = clamp(256 / px, 1, 4);
+    if (px < 64 && px >= 32) h.lines = kHemicubeBatch / h.columns;
+    h.batch = h.columns * h.lines;
+}
+
 size_t hemicubeBytes(int px) {
-    return (size_t)kHemicubeBatch * (size_t)(3 * px * px) * 4 + (size_t)kVertices * kFloats * 4 + 128;
+    Hemicubes h;
+    shapeAtlas(h, px);
+    return (size_t)h.batch * (size_t)(3 * px * px) * 4 + (size_t)kVertices * kFloats * 4 + 128;
 }
 
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
-    h.px = px;
+    if (px % 2 || px < 4 || px > kMaxHemicube) return false;
+    shapeAtlas(h, px);
     h.vertices = arena.take<float>((size_t)kVertices * kFloats);
-    h.ids = arena.take<uint32_t>((size_t)kHemicubeBatch * (size_t)(3 * px * px));
-    if (!h.vertices || !h.ids || px % 2 || px < 4 || px > kMaxHemicube) return false;
+    h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
+    if (!h.vertices || !h.ids) return false;
 
     // Look for reversed depth
     GLint extensions = 0;
@@ -184,7 +196,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     }
 
     // An atlas of numbers and depths
-    int width = kHemicubeColumns * px, height = kHemicubeRows * 3 * px;
+    int width = h.columns * px, height = h.lines * 3 * px;
     gl.glGenFramebuffers(1, &h.framebuffer);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
     gl.glGenRenderbuffers(2, h.images);
@@ -228,7 +240,7 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
         size = max(size, sumAbs(c.corner) + c.width + c.height);
     }
     const Gl &gl = *h.gl;
-    int width = kHemicubeColumns * h.px, height = kHemicubeRows * 3 * h.px;
+    int width = h.columns * h.px, height = h.lines * 3 * h.px;
     gl.glBindFramebuffer(GL_FRAMEBUFFER, h.framebuffer);
     gl.glViewport(0, 0, width, height);
     gl.glEnable(GL_DEPTH_TEST);
@@ -243,12 +255,12 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glUniform1f(gl.glGetUniformLocation(h.program, "n"), size * 1e-7f);
     gl.glBindVertexArray(h.vertexArray);
     gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
-    Writer out = {h, 1.f / kHemicubeColumns, 1.f / (3 * kHemicubeRows), 0};
+    Writer out = {h, 1.f / (float)h.columns, 1.f / (float)(3 * h.lines), 0};
     for (int i = 0; i < count; ++i)
-        layOutHemicube(out, model, eyes[i], -1 + 2 * out.scaleX * (float)(i % kHemicubeColumns),
-                       -1 + 6 * out.scaleY * (float)(i / kHemicubeColumns), size * 4e-7f);
+        layOutHemicube(out, model, eyes[i], -1 + 2 * out.scaleX * (float)(i % h.columns),
+                       -1 + 6 * out.scaleY * (float)(i / h.columns), size * 4e-7f);
     out.flush();
-    gl.glReadPixels(0, 0, width, (count + kHemicubeColumns - 1) / kHemicubeColumns * 3 * h.px, GL_RED_INTEGER,
+    gl.glReadPixels(0, 0, width, (count + h.columns - 1) / h.columns * 3 * h.px, GL_RED_INTEGER,
                     GL_UNSIGNED_INT, h.ids);
 }
 

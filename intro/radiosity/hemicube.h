@@ -15,9 +15,8 @@
 
 namespace odraz {
 
-inline constexpr int kHemicubeColumns = 16, kHemicubeRows = 4,
-                     kHemicubeBatch = kHemicubeColumns * kHemicubeRows;
-inline constexpr int kMaxHemicube = 128; // pixels of a top face's side; even
+inline constexpr int kHemicubeBatch = 256; // no picture holds more of them
+inline constexpr int kMaxHemicube = 1024;  // pixels of a top face's side; even
 
 // Numbers in the pictures: a patch's plus one; or these.
 inline constexpr uint32_t kNothing = 0, kBackSide = 0xffffffff;
@@ -34,11 +33,13 @@ Eye hemicubeEye(Vec3 p, Vec3 n, uint32_t number);
 
 struct Hemicubes {
     const Gl *gl;
-    int px;
+    int px, columns, lines; // the picture holds columns x lines hemicubes
+    int batch;              // that many
+    uint32_t turn;          // another number turns all of them otherwise
     GLuint framebuffer, vertexArray, buffer, program, images[2];
     bool clipControl;
     float *vertices;
-    uint32_t *ids; // the atlas as read back: kHemicubeColumns px wide
+    uint32_t *ids; // the atlas as read back: columns * px wide
 };
 
 // Makes what drawing needs on the context that is current; false when the arena is full or the context cannot
@@ -46,16 +47,16 @@ struct Hemicubes {
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
 size_t hemicubeBytes(int px);
 
-// Draws up to kHemicubeBatch hemicubes; h.ids then holds them. The context's framebuffer and viewport are
+// Draws up to h.batch hemicubes; h.ids then holds them. The context's framebuffer and viewport are
 // changed.
 void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count);
 void closeHemicubes(Hemicubes &h);
 
 // The first pixel of a hemicube in h.ids, and what lies from row to row.
 inline const uint32_t *hemicubeIds(const Hemicubes &h, int index) {
-    int row = index / kHemicubeColumns, column = index % kHemicubeColumns;
-    return h.ids + (size_t)row * 3 * (size_t)h.px * kHemicubeColumns * (size_t)h.px + (size_t)(column * h.px);
+    int row = index / h.columns, column = index % h.columns;
+    return h.ids + (size_t)row * 3 * (size_t)h.px * (size_t)(h.columns * h.px) + (size_t)(column * h.px);
 }
-inline int hemicubeStride(const Hemicubes &h) { return kHemicubeColumns * h.px; }
+inline int hemicubeStride(const Hemicubes &h) { return h.columns * h.px; }
 
 } // namespace odraz

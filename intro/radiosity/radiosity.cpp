@@ -1,7 +1,5 @@
 #include "radiosity/radiosity.h"
 
-#include "base/maths.h"
-
 namespace odraz {
 
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
@@ -40,42 +38,20 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
     });
 }
 
-// Divides the cells over which the light of some basis changes most, and looks at what is new.
-static void refine(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
-                   Workers &workers) {
+// Divides the cells over which the light of some basis changes much, and looks at what is new.
+static void refineAll(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
+                      Workers &workers) {
     // What is compared: the skies' green, the lamps' shares; and the suns'
-    struct Measure {
-        const float *plane;
-        float least; // change that divides
-    } measures[2 * kMaxBases];
+    Measure measures[2 * kMaxBases];
     int count = 0;
-    auto add = [&](const float *plane) {
-        double sum = 0;
-        int seen = 0;
-        for (int t = 0; t < model.texelCount; ++t)
-            if (model.texels[t].visible) sum += (double)(plane[t] * plane[t]), ++seen;
-        if (sum > 0) measures[count++] = {plane, settings.contrast * sqrt((float)(sum / seen))};
-    };
-    for (int k = 0; k < r.lights.bases(); ++k) {
-        if (k < r.lights.skyCount) add(r.bounced[k][1]);
-        if (!(settings.traced >> k & 1)) add(r.direct[k]);
+    for (int k = 0; k < r.lights.bases() && settings.levels; ++k) {
+        if (k < r.lights.skyCount)
+            count += measure(model, r.bounced[k][1], settings.contrast, measures[count]);
+        if (!(settings.traced >> k & 1))
+            count += measure(model, r.direct[k], settings.contrast, measures[count]);
     }
     for (int level = 0; level < settings.levels; ++level) {
-        int cells = model.cellCount;
-        for (int i = 0; i < cells; ++i) {
-            const Cell &cell = model.cells[i];
-            if (cell.divided() || cell.level != level) continue;
-            bool divide = false;
-            for (int m = 0; m < count && !divide; ++m) {
-                float low = kInfinity, high = -kInfinity;
-                for (int corner : cell.corner) {
-                    if (!model.texels[corner].visible) continue;
-                    low = min(low, measures[m].plane[corner]), high = max(high, measures[m].plane[corner]);
-                }
-                divide = high - low > settings.contrast * (high + low) + measures[m].least;
-            }
-            if (divide) split(model, i);
-        }
+        refine(model, level, measures, count, settings.contrast);
         findVisible(model, scene, workers);
         findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, {});
         settleFresh(model);
@@ -106,7 +82,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     // Direct light
     findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, progress.part(0.635f, 0.8f));
     settleFresh(model);
-    refine(r, model, scene, settings, workers);
+    refineAll(r, model, scene, settings, workers);
     tie(model);
     progress(0.92f);
     if (workers.aborted()) return false;

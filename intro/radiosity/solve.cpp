@@ -28,7 +28,7 @@ Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns
     return {(sum[0].a + sum[1].a) + (sum[2].a + sum[3].a), (sum[0].b + sum[1].b) + (sum[2].b + sum[3].b)};
 }
 
-int solveBlock(System &s, int block, Workers &workers, float residual, int most) {
+int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
     int columns = s.columns;
     // What the sources put in
     Float8 put[2] = {};
@@ -52,6 +52,12 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most)
                 store(s.radiosity + at, b);
             }
         }
+        if (block == 0 && told.report) {
+            float left = 0;
+            for (int k = 0; k < 16; ++k)
+                if (put[k / 8][k % 8] > 0) left = max(left, changed[k / 8][k % 8] / put[k / 8][k % 8]);
+            told(left);
+        }
         if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) return sweep;
     }
     return most;
@@ -67,10 +73,10 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
     return true;
 }
 
-int solve(System &s, Workers &workers, float residual, int most) {
+int solve(System &s, Workers &workers, float residual, int most, const Progress &told) {
     int sweeps[64] = {}, worst = 0, blocks = s.columns / kSolveBlock;
     parallelFor(workers, blocks, [&](int block, int) {
-        sweeps[block] = solveBlock(s, block * kSolveBlock, workers, residual, most);
+        sweeps[block] = solveBlock(s, block * kSolveBlock, workers, residual, most, told);
     });
     for (int i = 0; i < blocks; ++i) worst = max(worst, sweeps[i]);
     return worst;

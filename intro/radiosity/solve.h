@@ -25,8 +25,9 @@ struct System {
 // Takes the memory, all zero; false when the arena is full.
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
-// Solves; returns the number of sweeps, `most` where that was not enough.
-int solve(System &system, Workers &workers, float residual, int most);
+// Solves; returns the number of sweeps, `most` where that was not enough. `told` hears what residual each of
+// the first right-hand sides' sweeps left.
+int solve(System &system, Workers &workers, float residual, int most, const Progress &told = {});
 
 // One bounce more: from radiosities B of `columns` columns, F B.
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,

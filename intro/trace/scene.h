@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-inline constexpr int kMaxShapes = 65535, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
+inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
                      kMaxOccluders = 24;
 
 // A point or spot light, with a hard shadow. Irradiance at distance r is intensity / r^2.

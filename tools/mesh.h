@@ -1,0 +1,38 @@
+// Models as triangles, read from Wavefront OBJ.
+#pragma once
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+// What is wrong with a file, in one line that begins with its name and, where it is known, the line in it.
+struct ModelError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+struct MeshMaterial {
+    std::string name;
+    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, 0 ..
+};
+
+struct Triangle {
+    std::array<int, 3> corners; // points, counter-clockwise about the side that is lit
+    int material;
+};
+
+struct Mesh {
+    std::vector<std::array<double, 3>> points; // no two alike
+    std::vector<Triangle> triangles;
+    std::vector<MeshMaterial> materials;
+    int flat = 0, twice = 0; // triangles that were left out: without area; given before
+
+    double size() const; // the diagonal of its box
+};
+
+// Polygons of any count are divided into triangles; those without material reflect 0.7. Throws ModelError.
+// What was repaired or ignored is told in `notes`, a line each.
+Mesh readObj(const std::string &path, std::vector<std::string> &notes);
+
+// Twice the area of a triangle, as a vector along its normal.
+std::array<double, 3> normalOf(const Mesh &mesh, const Triangle &t);

@@ -1,0 +1,20 @@
+// From triangles to what radiosity works on: neighbours in one plane and of one material are joined to
+// regions, each a chart; regions that are made of rectangles become few of them.
+#pragma once
+
+#include "mesh.h"
+#include "radiosity/model.h"
+
+namespace odraz {
+
+struct Regions {
+    std::vector<int> material; // of each chart, index into Mesh::materials
+    double area = 0;           // of all
+    bool closed = false; // every edge is shared by two triangles that turn the same way: backs stay unseen
+};
+
+// Adds the mesh to an empty model. Cells have sides of about `cell`. Throws ModelError where there is no
+// room.
+Regions addRegions(const Mesh &mesh, Model &model, double cell);
+
+} // namespace odraz
