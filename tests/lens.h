@@ -9,11 +9,13 @@
 struct Lens {
     HeapArena memory;
     odraz::Hemicubes h = {};
-    std::vector<float> delta;
+    std::vector<float> sums;
 
-    explicit Lens(int px) : memory(odraz::hemicubeBytes(px)), delta((size_t)(3 * px * px)) {
+    explicit Lens(int px) : memory(odraz::hemicubeBytes(px)), sums((size_t)(3 * px * (px + 1))) {
         EXPECT_TRUE(odraz::openHemicubes(h, headlessGl(), memory.arena, px));
+        std::vector<float> delta((size_t)(3 * px * px));
         odraz::deltaFormFactors(px, delta.data());
+        odraz::accumulateFormFactors(px, delta.data(), sums.data());
     }
     Lens(const Lens &) = delete;
     ~Lens() { odraz::closeHemicubes(h); }
@@ -21,7 +23,7 @@ struct Lens {
     // The form factors of the hemicube drawn as number `index`, by patch; `dark` gets what saw nothing.
     std::vector<float> row(const odraz::Model &model, int index = 0, double *dark = nullptr) const {
         std::vector<float> row((size_t)model.patchCount);
-        float left = odraz::sumHemicube(h, index, delta.data(), row.data());
+        float left = odraz::sumHemicube(h, index, sums.data(), row.data());
         if (dark) *dark = (double)left;
         return row;
     }

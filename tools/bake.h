@@ -22,6 +22,7 @@ struct BakeSettings {
     float contrast = 0.15f; // see RadiositySettings
     size_t memory = (size_t)2048 << 20;
     uint32_t turn = 0; // other rotations of the hemicubes
+    int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
 };
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.

@@ -64,21 +64,28 @@ struct Writer {
                 triangles += 2;
             }
     }
-    // Closed and seen from outside; the bottom may be of another material.
+    // Seen from outside; it has a bottom if that is of some material.
     void box(const char *of, Point lo, Point hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(of, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
         rect(of, {hi[0], lo[1], hi[2]}, {0, 0, -z}, {0, y, 0});
-        rect(of, {lo[0], hi[1], hi[2]}, {x, 0, 0}, {0, 0, -z});
+        if (hi[1] < 10) rect(of, {lo[0], hi[1], hi[2]}, {x, 0, 0}, {0, 0, -z});
         rect(of, {hi[0], lo[1], lo[2]}, {-x, 0, 0}, {0, y, 0});
         rect(of, {lo[0], lo[1], hi[2]}, {x, 0, 0}, {0, y, 0});
-        rect(bottom, {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, 0, z});
+        if (bottom) rect(bottom, {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, 0, z});
     }
-    // Closed and seen from inside.
+    // A ceiling, lo to hi at height y, with a lamp let into it.
+    void ceiling(double y, Point lo, Point hi, Point lampLo, Point lampHi) {
+        const double x[4] = {lo[0], lampLo[0], lampHi[0], hi[0]}, z[4] = {lo[2], lampLo[2], lampHi[2], hi[2]};
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i)
+                rect(i == 1 && j == 1 ? "lamp" : "white", {x[i], y, z[j]}, {x[i + 1] - x[i], 0, 0},
+                     {0, 0, z[j + 1] - z[j]});
+    }
+    // The walls and the floor of a room, seen from inside.
     void room(Point lo, Point hi, const char *floor, const char *left, const char *right) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(floor, {lo[0], lo[1], lo[2]}, {0, 0, z}, {x, 0, 0});
-        rect("white", {lo[0], hi[1], lo[2]}, {x, 0, 0}, {0, 0, z});
         rect(left, {lo[0], lo[1], lo[2]}, {0, y, 0}, {0, 0, z});
         rect(right, {hi[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
         rect("white", {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, y, 0});
@@ -88,17 +95,16 @@ struct Writer {
 
 void cube(Writer &w) {
     w.room({-5, 0, -5}, {5, 10, 5}, "floor", "red", "green");
-    w.box("white", {-1, 9.8, -1}, {1, 9.9, 1}, "lamp");
+    w.ceiling(10, {-5, 10, -5}, {5, 10, 5}, {-1, 10, -1}, {1, 10, 1});
 }
 
 void columns(Writer &w) {
     w.room({-20, 0, -15}, {20, 10, 15}, "floor", "red", "white");
+    w.rect("white", {-20, 10, -15}, {40, 0, 0}, {0, 0, 30});
     for (int i = 0; i < 5; ++i)
         for (int j = 0; j < 3; ++j) {
             double x = -14.0 + 7 * i, z = -8.5 + 8.5 * j;
-            // Through floor and ceiling, so that it is closed
-            w.box("stone", {x - 0.6, -0.1, z - 0.6}, {x + 0.6, 10.1, z + 0.6}, "stone");
-            w.box("stone", {x - 0.9, -0.1, z - 0.9}, {x + 0.9, 0.5, z + 0.9}, "stone");
+            w.box("stone", {x - 0.75, 0, z - 0.75}, {x + 0.75, 10, z + 0.75}, nullptr);
         }
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 2; ++j) {
@@ -112,7 +118,10 @@ void corner(Writer &w) {
     const double y = 4;
     for (Point p : {Point{0, 0, 0}, Point{8, 0, 0}, Point{8, 0, 8}}) {
         w.rect("floor", p, {0, 0, 8}, {8, 0, 0});
-        w.rect("white", {p[0], y, p[2]}, {8, 0, 0}, {0, 0, 8});
+        if (p[0] + p[2] > 0)
+            w.rect("white", {p[0], y, p[2]}, {8, 0, 0}, {0, 0, 8});
+        else
+            w.ceiling(y, p, {8, y, 8}, {2, y, 3}, {4, y, 5});
     }
     w.rect("red", {0, 0, 0}, {0, y, 0}, {0, 0, 8});
     w.rect("white", {0, 0, 0}, {8, 0, 0}, {0, y, 0});
@@ -122,7 +131,6 @@ void corner(Writer &w) {
     w.rect("green", {16, 0, 0}, {0, 0, 8}, {0, y, 0});
     w.rect("green", {16, 0, 8}, {0, 0, 8}, {0, y, 0});
     w.rect("white", {16, 0, 16}, {-8, 0, 0}, {0, y, 0});
-    w.box("white", {2, 3.6, 3}, {4, 3.7, 5}, "lamp");
 }
 
 } // namespace

@@ -215,13 +215,11 @@ Regions addRegions(const Mesh &mesh, Model &model, double cell) {
     std::vector<Edge> edges = sortedEdges(mesh);
     Union sets(count);
     Regions regions;
-    regions.closed = true;
     for (size_t i = 0; i < edges.size();) {
         size_t end = i + 1;
         while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
             ++end;
         bool pair = end == i + 2 && edges[i].forward != edges[i + 1].forward;
-        regions.closed &= pair;
         if (pair) {
             int a = sets.root(edges[i].triangle), b = sets.root(edges[i + 1].triangle);
             // Against the region's first triangle: no drift along a bent surface
@@ -253,7 +251,6 @@ Regions addRegions(const Mesh &mesh, Model &model, double cell) {
             builder.add({t}, {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}});
         }
     }
-    model.solid = regions.closed;
     return regions;
 }
 

@@ -10,7 +10,6 @@ namespace odraz {
 struct Regions {
     std::vector<int> material; // of each chart, index into Mesh::materials
     double area = 0;           // of all
-    bool closed = false; // every edge is shared by two triangles that turn the same way: backs stay unseen
 };
 
 // Adds the mesh to an empty model. Cells have sides of about `cell`. Throws ModelError where there is no

@@ -4,8 +4,6 @@
 #include "base/random.h"
 #include "trace/intersect.h"
 
-#include <initializer_list>
-
 namespace odraz {
 
 namespace {
@@ -20,18 +18,22 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 
 // A place inside a solid that stands against a wall may look along it and see the wall: so in several
 // directions; and from two sides, so that what touches a solid's edge counts as inside. In a model whose
-// backs may be seen it is inside where it sees nothing else.
+// backs may be seen it is inside where it sees nothing else to all sides; upwards it may, for tubes have no
+// lids.
 Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, Vec3x8 p) {
-    Vec3x8 lean = normalize(t.u) * broadcast(0.83f) + normalize(t.v) * broadcast(0.61f);
+    Vec3x8 u = normalize(t.u), v = normalize(t.v);
     Vec3x8 aside = (t.u + t.v) * broadcast(0.08f);
     Int8 some = {}, all = t.active;
-    for (float side : {1.f, -1.f})
-        for (float slant : {1.f, 0.004f}) {
-            Vec3x8 d = normalize(t.n + lean * broadcast(side * slant));
-            Int8 sees = seesBack(scene, p + aside * broadcast(side) + t.n * t.off, d, t.active);
-            some |= sees;
-            all &= sees;
-        }
+    for (int i = 0; i < (model.solid ? 4 : 8); ++i) {
+        float side = i & 1 ? -1 : 1, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
+        Vec3x8 lean = (i < 4 ? u * broadcast(0.83f) + v * broadcast(0.61f)
+                             : u * broadcast(-0.61f) + v * broadcast(0.83f)) *
+                      broadcast(side * slant);
+        Int8 sees =
+            seesBack(scene, p + aside * broadcast(side) + t.n * t.off, normalize(t.n + lean), t.active);
+        some |= sees;
+        all &= sees;
+    }
     return model.solid ? some : all;
 }
 
@@ -180,6 +182,26 @@ void split(Model &m, int index) {
     }
 }
 
+// Whether some of a cell, or all that was looked at, is hidden although it lies on a facet: what is to be
+// seen of it may be small.
+static bool partlyHidden(const Model &m, const Cell &cell) {
+    int quarters = 0;
+    for (int k = 0; k < 4; ++k) quarters += quarterIsVisible(m, cell, k);
+    if (quarters == 4 || (quarters == 0 && cell.level > 0)) return false;
+    const Chart &c = m.charts[cell.chart];
+    const Texel &low = m.texels[cell.corner[0]], &high = m.texels[cell.corner[3]];
+    float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+    for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
+        const Facet &f = m.facets[i];
+        float u0 = min(min(f.u[0], f.u[1]), f.u[2]), u1 = max(max(f.u[0], f.u[1]), f.u[2]),
+              v0 = min(min(f.v[0], f.v[1]), f.v[2]), v1 = max(max(f.v[0], f.v[1]), f.v[2]);
+        if (u0 < (float)high.x * du && u1 > (float)low.x * du && v0 < (float)high.y * dv &&
+            v1 > (float)low.y * dv)
+            return true;
+    }
+    return false;
+}
+
 bool measure(const Model &m, const float *plane, float contrast, Measure &to) {
     double sum = 0;
     int seen = 0;
@@ -194,7 +216,7 @@ void refine(Model &m, int level, const Measure *measures, int count, float contr
     for (int i = 0; i < cells; ++i) {
         const Cell &cell = m.cells[i];
         if (cell.divided() || cell.level != level) continue;
-        bool divide = false;
+        bool divide = partlyHidden(m, cell);
         for (int k = 0; k < count && !divide; ++k) {
             float low = kInfinity, high = -kInfinity;
             for (int corner : cell.corner) {

@@ -38,7 +38,7 @@ struct Measure {
 // With `contrast` times the root mean square of a plane as the least; false where it is dark.
 bool measure(const Model &model, const float *plane, float contrast, Measure &measure);
 // Divides the cells of a level over which one of the measured planes changes by more than that and `contrast`
-// of its sum.
+// of its sum, and those that are hidden in part.
 void refine(Model &model, int level, const Measure *measures, int count, float contrast);
 
 // Ties hanging and hidden texels, once the cells are final.

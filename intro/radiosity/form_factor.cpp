@@ -42,17 +42,22 @@ void deltaFormFactors(int px, float *delta) {
         }
 }
 
-float sumHemicube(const Hemicubes &h, int index, const float *delta, float *row) {
+void accumulateFormFactors(int px, const float *delta, float *sums) {
+    for (int y = 0; y < 3 * px; ++y) {
+        double sum = 0;
+        *sums++ = 0;
+        for (int x = 0; x < px; ++x) *sums++ = (float)(sum += (double)*delta++);
+    }
+}
+
+float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) {
     const uint32_t *ids = hemicubeIds(h, index);
     int px = h.px, stride = hemicubeStride(h);
-    // Pixels of one number in a line are summed first: fewer roundings, and fewer additions far apart
-    double dark = 0;
-    for (int y = 0; y < 3 * px; ++y, ids += stride, delta += px)
-        for (int x = 0; x < px;) {
-            uint32_t id = ids[x];
-            double run = (double)delta[x];
-            int start = x;
-            while (++x < px && ids[x] == id) run += (double)delta[x];
+    float dark = 0;
+    for (int y = 0; y < 3 * px; ++y, ids += stride, sums += px + 1) {
+        int start = 0;
+        auto end = [&](int x) { // of a run of one number
+            uint32_t id = ids[start];
             if (id == kNothing) {
                 // Of what is seen on both sides, if that is something, one gets the crack
                 for (int k = start; k < x; ++k) {
@@ -60,29 +65,43 @@ float sumHemicube(const Hemicubes &h, int index, const float *delta, float *row)
                     uint32_t above = y > 0 ? ids[k - stride] : 0,
                              below = y + 1 < 3 * px ? ids[k + stride] : 0;
                     uint32_t seen = left && right ? left : above && below ? above : kBackSide;
+                    float share = sums[k + 1] - sums[k];
                     if (seen == kBackSide)
-                        dark += (double)delta[k];
+                        dark += share;
                     else
-                        row[seen - 1] += delta[k];
+                        row[seen - 1] += share;
                 }
             } else if (id == kBackSide) {
-                dark += run;
+                dark += sums[x] - sums[start];
             } else {
-                row[id - 1] += (float)run;
+                row[id - 1] += sums[x] - sums[start];
             }
-        }
-    return (float)dark;
+            start = x;
+        };
+        // Where one number ends and the next begins, for eight pixels at once
+        int x = 1;
+        for (; x + 8 <= px; x += 8)
+            for (int ends = laneBits(loadInts((const int *)ids + x - 1) != loadInts((const int *)ids + x));
+                 ends; ends &= ends - 1)
+                end(x + __builtin_ctz((unsigned)ends));
+        for (; x < px; ++x)
+            if (ids[x] != ids[x - 1]) end(x);
+        end(px);
+    }
+    return dark;
 }
 
 bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
                      FormFactors &factors, const Progress &progress, int step) {
     int count = model.patchCount, rowFloats = (count + 7) & ~7;
     float *delta = arena.take<float>((size_t)(3 * h.px * h.px));
+    float *sums = arena.take<float>((size_t)(3 * h.px * (h.px + 1)));
     float *rows = arena.take<float>((size_t)rowFloats * (size_t)h.batch);
     factors.rows = arena.take<Row>((size_t)count);
     factors.used = 0;
-    if (!delta || !rows || !factors.rows) return false;
+    if (!delta || !sums || !rows || !factors.rows) return false;
     deltaFormFactors(h.px, delta);
+    accumulateFormFactors(h.px, delta, sums);
 
     for (int i = 0, next = 0; i < count;) {
         // Fill an atlas
@@ -98,7 +117,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;
-            sumHemicube(h, k, delta, row);
+            sumHemicube(h, k, sums, row);
         });
         if (workers.aborted()) return false;
         // Keep what is not zero

@@ -88,7 +88,7 @@ bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
 }
 
 // Finds a patch of the floor in the nave, and keeps what it sees.
-void visit(Hall &hall, Arena &arena) {
+bool visit(Hall &hall, const Gl &gl, Arena &arena) {
     const Model &m = hall.model;
     float least = kInfinity;
     for (int i = 0; i < m.patchCount; ++i) {
@@ -97,37 +97,38 @@ void visit(Hall &hall, Arena &arena) {
         least = distance;
         hall.visited = i;
     }
-    Hemicubes &h = hall.radiosity.hemicubes;
+    Hemicubes h;
+    hall.seen = arena.take<uint32_t>((size_t)(3 * kSeen * kSeen));
+    if (!hall.seen || !openHemicubes(h, gl, arena, kSeen)) return false;
     Eye eye = {m.patches[hall.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
     drawHemicubes(h, m, &eye, 1);
-    hall.seen = arena.take<uint32_t>((size_t)(3 * h.px * h.px));
-    for (int i = 0; hall.seen && i < 3 * h.px * h.px; ++i)
-        hall.seen[i] = hemicubeIds(h, 0)[i / h.px * hemicubeStride(h) + i % h.px];
+    for (int i = 0; i < 3 * kSeen * kSeen; ++i)
+        hall.seen[i] = hemicubeIds(h, 0)[i / kSeen * hemicubeStride(h) + i % kSeen];
+    closeHemicubes(h);
+    return true;
 }
 
 } // namespace
 
 size_t hallBytes() { return (size_t)160 << 20; }
 
-const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,
-                     const Progress &progress) {
+void prepareHall(Hall &hall, Scene &scene) {
     Lights &lights = hall.radiosity.lights;
     lights.skyCount = kHours;
     for (int i = 0; i < kHours; ++i) lights.skies[i] = keyOf(kDay[i]);
     buildHall(hall.model, lights);
-
     scene.clear();
     addMaterials(scene, {}, 0);
     hall.model.pose(scene);
     scene.finish();
-    RadiositySettings settings;
-    settings.block = 2;
-    settings.levels = 2;
-    settings.traced = (1u << (kHours + kLanterns)) - 1;
-    if (!solveRadiosity(hall.radiosity, hall.model, scene, settings, gl, arena, workers, progress) ||
-        !followBounces(hall, scene, arena, workers))
+}
+
+const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,
+                     const Progress &progress) {
+    prepareHall(hall, scene);
+    if (!solveRadiosity(hall.radiosity, hall.model, scene, kHallSettings, gl, arena, workers, progress) ||
+        !followBounces(hall, scene, arena, workers) || !visit(hall, gl, arena))
         return "the hall cannot be solved: OpenGL 3.3 draws no integers here, or memory is short";
-    visit(hall, arena);
     closeHemicubes(hall.radiosity.hemicubes);
     for (int i = 0; i < scene.materialCount; ++i) hall.mean[i] = scene.mean[i];
     for (int k = 0; k < 3; ++k) {
@@ -193,7 +194,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
     };
     scene.ambientHigh = mean(0);
     scene.contact = true;
-    scene.ambientLow = mean(1);
+    scene.ambientLow = mean(3);
     scene.exposure = 1;
 }
 

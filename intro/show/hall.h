@@ -11,6 +11,7 @@ inline constexpr int kLanterns = 3, kStrips = 8;
 inline constexpr int kHours = 8;   // of the day that are solved: dawn to dusk, and night
 inline constexpr int kBounces = 4; // kept one by one, for scene 4
 inline constexpr int kNoon = 3;    // the hour that scene 4 shows
+inline constexpr int kSeen = 64;   // pixels of the hemicube that it shows
 
 struct Hall {
     Model model;
@@ -20,8 +21,8 @@ struct Hall {
     Lightmap map;
     // Irradiance / pi of every patch after so many bounces of the light of kNoon; [0] is direct light
     Rgb *bounce[kBounces + 1];
-    // The patch that scene 4 visits, and what it sees: its hemicube, 3 px rows of px as hemicube.h lays them
-    // out
+    // The patch that scene 4 visits, and what it sees: a hemicube, 3 kSeen rows of kSeen as hemicube.h lays
+    // them out, finer than those that the hall is solved with
     int visited;
     uint32_t *seen;
     Rgb mean[kMaxMaterials]; // each material's reflectance
@@ -36,6 +37,15 @@ struct HallLight {
 };
 
 size_t hallBytes();
+// As it ships: see `tradeoff radiosity`.
+inline constexpr RadiositySettings kHallSettings = {.px = 16,
+                                                    .block = 1,
+                                                    .levels = 1,
+                                                    .contrast = 0.3f,
+                                                    .traced = (1u << (kHours + kLanterns)) - 1,
+                                                    .residual = 1e-3f};
+// Builds it and fills a scene with it, for solveRadiosity().
+void prepareHall(Hall &hall, Scene &scene);
 // Builds and solves it, using `scene` for the while. Null, or a line that says what is missing and what to
 // do.
 const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,

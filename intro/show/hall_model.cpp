@@ -11,10 +11,11 @@ constexpr float kSill = 1.75f, kLintel = 5.25f, kWindow = 0.625f, kDeep = 0.5f;
 constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
 constexpr float kWindows[] = {-6.5f, -3.25f, 0, 3.25f, 6.5f};
 constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
+constexpr float kBeam = 0.15f; // half of one across
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f};
 
 void addColumn(Model &m, float x, float z) {
-    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.21f,
+    m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.29f,
              Model::kUpright | Model::kTop);
     constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = 0.32f;
     for (int k = 0; k < 8; ++k) {
@@ -23,9 +24,9 @@ void addColumn(Model &m, float x, float z) {
             return Vec3{x + kRadius * cos(a), kLow, z - kRadius * sin(a)};
         };
         Vec3 a = corner(k), b = corner(k + 1);
-        m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.33f);
+        m.addRect(a, b - a, {0, kHigh - kLow, 0}, kShaft, 0.46f);
     }
-    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.21f,
+    m.addBox({x - 0.38f, kHigh, z - 0.38f}, {x + 0.38f, 5.45f, z + 0.38f}, kBlock, 0.29f,
              Model::kUpright | Model::kBottom | Model::kTop);
 }
 
@@ -35,25 +36,29 @@ void addStair(Model &m) {
     for (int i = 0; i < kSteps; ++i) {
         float z0 = kStart - kTread * (float)i, z1 = i + 1 < kSteps ? z0 - kTread : -kZ;
         Vec3 hi = {kX, kRise * (float)(i + 1), z0};
-        m.addBox({kLeft, hi.y - kRise, z1}, hi, kStep, 0.27f, Model::kFront | Model::kTop);
-        m.addBox({kLeft, 0, z1}, hi, kStep, 0.27f, Model::kLeft);
+        m.addBox({kLeft, hi.y - kRise, z1}, hi, kStep, 0.38f, Model::kFront | Model::kTop);
+        m.addBox({kLeft, 0, z1}, hi, kStep, 0.38f, Model::kLeft);
     }
 }
 
 void build(Model &m) {
     Vec3 x = {2 * kX, 0, 0}, y = {0, kY, 0}, z = {0, 0, 2 * kZ};
-    m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.3f);
-    m.addRect({-kX, kY, -kZ}, x, z, kBeamX, 0.45f);
-    m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.375f);
+    m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.42f);
+    // The ceiling, parted by the beams: light of one bay is not that of the next
+    for (int i = 0; i < 5; ++i) {
+        float from = i ? kColumns[i - 1] + kBeam : -kZ, to = i < 4 ? kColumns[i] - kBeam : kZ;
+        m.addRect({-kX, kY, from}, x, {0, 0, to - from}, kBeamX, 0.62f);
+    }
+    m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.52f);
     // The wall with the entrance
-    m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.375f, Model::kPieces);
+    m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.52f, Model::kPieces);
     m.addFacet(0, 0, kX - kDoor, kY);
     m.addFacet(kX + kDoor, 0, 2 * kX, kY);
     m.addFacet(kX - kDoor, kDoorHeight, kX + kDoor, kY);
-    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 1, Model::kOpen);
-    m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.375f);
+    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 1.39f, Model::kOpen);
+    m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.52f);
     // The wall with the windows, in pieces, and their depth
-    m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.3f, Model::kPieces);
+    m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.42f, Model::kPieces);
     m.addFacet(0, 0, 2 * kZ, kSill);
     m.addFacet(0, kLintel, 2 * kZ, kY);
     float from = 0;
@@ -66,20 +71,20 @@ void build(Model &m) {
         Vec3 lo = {-kX - kDeep, kSill, middle - kWindow}, deep = {kDeep, 0, 0},
              tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        m.addRect(lo, wide, deep, kPlaster, 0.225f);        // sill
-        m.addRect(lo + tall, deep, wide, kPlaster, 0.225f); // lintel
-        m.addRect(lo, deep, tall, kPlaster, 0.225f);        // jambs
-        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.225f);
-        m.addRect(lo + wide, -wide, tall, kPlaster, 0.75f, Model::kOpen);
+        m.addRect(lo, wide, deep, kPlaster, 0.31f);        // sill
+        m.addRect(lo + tall, deep, wide, kPlaster, 0.31f); // lintel
+        m.addRect(lo, deep, tall, kPlaster, 0.31f);        // jambs
+        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.31f);
+        m.addRect(lo + wide, -wide, tall, kPlaster, 1.04f, Model::kOpen);
     }
     for (int side = -1; side <= 1; side += 2) {
         float cx = kColumnX * (float)side;
         for (float cz : kColumns) addColumn(m, cx, cz);
-        m.addBox({cx - 0.2f, 5.45f, -kZ}, {cx + 0.2f, 5.85f, kZ}, kBeamZ, 0.45f,
+        m.addBox({cx - 0.2f, 5.45f, -kZ}, {cx + 0.2f, 5.85f, kZ}, kBeamZ, 0.62f,
                  Model::kLeft | Model::kRight | Model::kBottom | Model::kTop);
     }
     for (float cz : kColumns)
-        m.addBox({-kX, 5.85f, cz - 0.15f}, {kX, kY, cz + 0.15f}, kBeamX, 0.45f,
+        m.addBox({-kX, 5.85f, cz - kBeam}, {kX, kY, cz + kBeam}, kBeamX, 0.62f,
                  Model::kFront | Model::kBack | Model::kBottom);
     addStair(m);
 }
@@ -88,7 +93,7 @@ void addLamps(Model &m, Lights &lights) {
     for (float cz : kLanternZ) lights.lamps[lights.lampCount++] = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
         Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.004f - kZ};
-        int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 0.75f);
+        int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 1.04f);
         lights.lamps[lights.lampCount++] = {{}, 0, chart};
     }
 }

@@ -21,8 +21,8 @@ enum HallPart {
 
 inline constexpr float kLanternRadius = 0.15f;
 
-// Adds charts and facets to an empty model, the floor first, then the ceiling; and the lamps: lanterns, then
-// strips.
+// Adds charts and facets to an empty model, the floor first, then the five bays of the ceiling; and the
+// lamps: lanterns, then strips.
 void buildHall(Model &model, Lights &lights);
 
 } // namespace odraz

@@ -77,7 +77,7 @@ void letterPatches(double row, const Hall *hall, const Facts &, const View &view
     drawStrokes(frame, &line, 1, h * 0.0012f, {0.8f, 0.35f, 0.17f}, 0.8f * open);
 
     const Model &m = hall->model;
-    int side = hall->radiosity.hemicubes.px;
+    constexpr int side = kSeen;
     float flap = smoothstep(0.35f, 1.f, open); // how far the sides have folded out
     float limit = (1 + flap) * size;
     for (int y = max((int)(y0 - limit), 0); y < min((int)(y0 + limit), frame.height); ++y)

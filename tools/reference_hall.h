@@ -1,0 +1,30 @@
+// The film's hall, and what its light is compared with: three of its lights, gathered by rays alone.
+#pragma once
+
+#include "reference.h"
+#include "show/hall.h"
+
+namespace odraz {
+
+// The hall, solved with some settings. Throws std::runtime_error.
+struct SolvedHall {
+    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers,
+               size_t memory = hallBytes());
+
+    std::unique_ptr<unsigned char[]> memory;
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<Hall> hall;
+    double seconds; // of processor time
+};
+
+// The light of one basis: the sky and the bounces of the sun at noon, the bounces of a lantern, a strip's
+// all.
+inline constexpr int kHallBases[3] = {kNoon, kHours + 1, kHours + kLanterns + 3};
+
+// Probes for each of the bases, from a fine solution.
+std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, int side, Workers &workers);
+
+// Root mean square over all three, each as a share of its own light; percent.
+double rmsPercent(const SolvedHall &solved, const std::array<std::vector<Probe>, 3> &probes);
+
+} // namespace odraz
