@@ -150,6 +150,7 @@ struct Baker {
         Step s = {told, Bake::kSteps[1]};
         workers.abort = stop;
         h.turn = b.settings.turn;
+        h.turns = std::min(b.settings.turns, h.batch);
         bool done = findFormFactors(h, m, lit, workers, b.arena, b.factors, s.progress(), step);
         workers.abort = &never;
         closeHemicubes(h);
@@ -240,7 +241,7 @@ struct Baker {
         }
         const BakeSettings &s = b.settings;
         double element = s.element > 0 ? s.element : area / 30000,
-               patch = s.patch > 0 ? s.patch : area / 1500;
+               patch = s.patch > 0 ? s.patch : area / 6000;
         int levels = s.adaptive ? 2 : 0;
         double cell = std::sqrt(element) * (1 << levels);
         Regions regions = addRegions(mesh, m, cell);
@@ -248,8 +249,7 @@ struct Baker {
         findLamps();
         Material plain = {};
         b.scene->add(plain);
-        for (int i = 0; i < m.chartCount; ++i) m.charts[i].material = 0;
-        m.pose(*b.scene);
+        poseFacets(m, *b.scene);
         b.scene->finish();
         if (told) told(Bake::kSteps[0], 0.5f, -1);
         int block = (int)std::clamp(std::sqrt(patch) / cell + 0.5, 1., 1000.);

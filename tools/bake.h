@@ -12,16 +12,17 @@
 namespace odraz {
 
 struct BakeSettings {
-    int hemicube = 64;             // pixels; even, 4 .. kMaxHemicube
-    double patch = 0, element = 0; // areas; 0: a 1500th, a 30000th of the model's
+    int hemicube = 16;             // pixels; even, 4 .. kMaxHemicube
+    double patch = 0, element = 0; // areas; 0: a 6000th, a 30000th of the model's
     int bounces = -1;              // -1: until the residual is reached
     float residual = 1e-4f;
     int lampSamples = 32; // parts of the largest lamp, 1 .. kMaxLampCells
     bool analytic = true; // direct light by shadow rays; else lamps are seen by hemicubes
     bool adaptive = false;
-    float contrast = 0.15f; // see RadiositySettings
+    float contrast = 0.05f; // see RadiositySettings
     size_t memory = (size_t)2048 << 20;
     uint32_t turn = 0; // other rotations of the hemicubes
+    int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
     int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
 };
 

@@ -2,6 +2,7 @@
 #include "baked.h"
 
 #include "picture.h"
+#include "regions.h"
 #include "trace/adaptive.h"
 #include "trace/frame.h"
 
@@ -55,7 +56,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     white.diffuse = 1;
     scene->clear();
     scene->add(white);
-    model->pose(*scene);
+    poseFacets(*model, *scene);
     scene->lightmap = &map;
     scene->finish();
 

@@ -195,6 +195,21 @@ struct Builder {
 
 } // namespace
 
+void poseFacets(const Model &model, Scene &scene) {
+    for (int i = 0; i < model.facetCount; ++i) {
+        const Facet &f = model.facets[i];
+        const Chart &c = model.charts[f.chart];
+        Shape s = model.shapeOf(i);
+        if (f.triangle()) {
+            Vec3 corner = f.corner(c, 0);
+            s = triangle(corner, f.corner(c, 1) - corner, f.corner(c, 2) - corner, c.n);
+        }
+        s.chart = f.chart;
+        s.material = 0;
+        scene.add(s);
+    }
+}
+
 Regions addRegions(const Mesh &mesh, Model &model, double cell) {
     if (mesh.materials.size() > 65535) throw ModelError("a model may have 65535 materials at most");
     size_t count = mesh.triangles.size();

@@ -12,6 +12,9 @@ struct Regions {
     double area = 0;           // of all
 };
 
+// Adds all facets of a model to a scene, as its material 0.
+void poseFacets(const Model &model, Scene &scene);
+
 // Adds the mesh to an empty model. Cells have sides of about `cell`. Throws ModelError where there is no
 // room.
 Regions addRegions(const Mesh &mesh, Model &model, double cell);

@@ -209,7 +209,7 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
                 Int8 active = (loadInts(seen) >> place & 1) != 0;
                 if (!any(active)) continue;
                 places += select(active, 1.f, 0.f);
-                context.add({t.place(place) + t.n * t.off, t.n, active, place}, sums);
+                context.add({t.place(place), t.n, active, place}, sums);
             }
             Float8 inverse = 1.f / max(places, 1.f);
             auto put = [&](float *plane, Float8 sum) {

@@ -8,6 +8,8 @@ namespace odraz {
 
 namespace {
 
+void put(Vec3x8 &to, int k, Vec3 v) { to.x[k] = v.x, to.y[k] = v.y, to.z[k] = v.z; }
+
 // Whether the nearest thing that points see in a direction is a back: then they lie inside a solid. Fronts
 // alone stop a ray of the tracer, both sides stop light.
 Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
@@ -20,17 +22,14 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 // directions; and from two sides, so that what touches a solid's edge counts as inside. In a model whose
 // backs may be seen it is inside where it sees nothing else to all sides; upwards it may, for tubes have no
 // lids.
-Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, Vec3x8 p) {
-    Vec3x8 u = normalize(t.u), v = normalize(t.v);
-    Vec3x8 aside = (t.u + t.v) * broadcast(0.08f);
+Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, int place) {
     Int8 some = {}, all = t.active;
+    float x = place & 1 ? 1 : -1, y = place & 2 ? 1 : -1;
     for (int i = 0; i < (model.solid ? 4 : 8); ++i) {
-        float side = i & 1 ? -1 : 1, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
-        Vec3x8 lean = (i < 4 ? u * broadcast(0.83f) + v * broadcast(0.61f)
-                             : u * broadcast(-0.61f) + v * broadcast(0.83f)) *
-                      broadcast(side * slant);
-        Int8 sees =
-            seesBack(scene, p + aside * broadcast(side) + t.n * t.off, normalize(t.n + lean), t.active);
+        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
+        float a = side * 10 * slant, b = side * 8 * slant;
+        Vec3x8 d = normalize(t.n + t.u * broadcast(i < 4 ? a : -b) + t.v * broadcast(i < 4 ? b : a));
+        Int8 sees = seesBack(scene, t.at(x + side, y + side), d, t.active);
         some |= sees;
         all &= sees;
     }
@@ -119,18 +118,15 @@ void tieBetween(Model &m, int a, int b) {
 } // namespace
 
 Texels8 loadTexels(const Model &model, const int *numbers, int count) {
-    Texels8 t = {};
+    Texels8 t;
     for (int k = 0; k < 8; ++k) {
         const Texel &texel = model.texels[numbers[min(k, count - 1)]];
         const Chart &c = model.charts[texel.chart];
         float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
-        Vec3 p = c.at((float)texel.x * du, (float)texel.y * dv);
+        put(t.p, k, c.at((float)texel.x * du, (float)texel.y * dv));
+        put(t.u, k, c.u), put(t.v, k, c.v), put(t.n, k, c.n);
         float quarter = (float)kSteps / (float)(4 << texel.level);
-        Vec3 u = c.u * (du * quarter), v = c.v * (dv * quarter);
-        t.p.x[k] = p.x, t.p.y[k] = p.y, t.p.z[k] = p.z;
-        t.n.x[k] = c.n.x, t.n.y[k] = c.n.y, t.n.z[k] = c.n.z;
-        t.u.x[k] = u.x, t.u.y[k] = u.y, t.u.z[k] = u.z;
-        t.v.x[k] = v.x, t.v.y[k] = v.y, t.v.z[k] = v.z;
+        t.du[k] = du * quarter, t.dv[k] = dv * quarter;
         t.off[k] = (sumAbs(c.corner) + c.width + c.height) * 2e-6f;
     }
     t.active = kLanes < count;
@@ -145,7 +141,7 @@ void findVisible(Model &model, const Scene &scene, Workers &workers) {
             Texels8 t = loadTexels(model, model.fresh + i, count);
             int visible[8] = {};
             for (int place = 0; place < 4; ++place) {
-                Int8 open = ~insideSolid(model, scene, t, t.place(place));
+                Int8 open = ~insideSolid(model, scene, t, place);
                 for (int k = 0; k < count; ++k) {
                     const Texel &texel = model.texels[model.fresh[i + k]];
                     const Chart &c = model.charts[texel.chart];

@@ -11,12 +11,14 @@ namespace odraz {
 
 // Eight texels, side by side.
 struct Texels8 {
-    Vec3x8 p, n; // the texel itself; the normal of its plane
-    Vec3x8 u, v; // a quarter of a cell's sides
-    Float8 off;  // how far off the plane points lie surely on its side
+    Vec3x8 p, u, v, n; // the texel itself; its chart's axes and normal
+    Float8 du, dv;     // a quarter of a cell's sides
+    Float8 off;        // how far off the plane points lie surely on its side
     Int8 active;
 
-    Vec3x8 place(int k) const { return p + (k & 1 ? u : -u) + (k & 2 ? v : -v); }
+    // One of its four places, just off the plane.
+    Vec3x8 place(int k) const { return at(k & 1 ? 1.f : -1.f, k & 2 ? 1.f : -1.f); }
+    Vec3x8 at(float x, float y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
 };
 // Those of the given numbers, `count` of them.
 Texels8 loadTexels(const Model &model, const int *numbers, int count);

@@ -107,17 +107,20 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
         // Fill an atlas
         Eye eyes[kHemicubeBatch];
         int patchOf[kHemicubeBatch], batch = 0;
-        for (; i < count && batch < h.batch; ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
+        for (; i < count && (batch + 1) * h.turns <= h.batch;
+             ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
             const Patch &p = model.patches[next];
             if (p.share == 0 || !lit[next]) continue;
-            patchOf[batch] = next;
-            eyes[batch++] = hemicubeEye(p.p, p.n, (uint32_t)next + h.turn);
+            for (int k = 0; k < h.turns; ++k)
+                eyes[batch * h.turns + k] =
+                    hemicubeEye(p.p, p.n, (uint32_t)next + h.turn + (uint32_t)k * 0x9e3779b9u);
+            patchOf[batch++] = next;
         }
-        drawHemicubes(h, model, eyes, batch);
+        drawHemicubes(h, model, eyes, batch * h.turns);
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;
-            sumHemicube(h, k, sums, row);
+            for (int j = 0; j < h.turns; ++j) sumHemicube(h, k * h.turns + j, sums, row);
         });
         if (workers.aborted()) return false;
         // Keep what is not zero
@@ -131,7 +134,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
                     int j = first + __builtin_ctz(lanes);
                     if (!lit[j]) continue;
                     if (link == end) return false;
-                    *link++ = {(uint32_t)j, row[j]};
+                    *link++ = {(uint32_t)j, row[j] / (float)h.turns};
                 }
             to.count = (int)(link - to.links);
             to.known = true;

@@ -34,9 +34,9 @@ void deltaFormFactors(int px, float *delta);
 // Their sums along every row, from 0 on: px + 1 of each.
 void accumulateFormFactors(int px, const float *delta, float *sums);
 
-// Adds the pixels of one hemicube to row[patch], for all patches of the model, by those sums; returns what saw
-// nothing or the backs of things. A pixel that saw nothing between two that did, in its line or column, is a
-// crack of rasterisation; it gets what its neighbour saw.
+// Adds the pixels of one hemicube to row[patch], for all patches of the model, by those sums; returns what
+// saw nothing or the backs of things. A pixel that saw nothing between two that did, in its line or column,
+// is a crack of rasterisation; it gets what its neighbour saw.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // Draws the hemicubes of all patches that have some share and keeps their rows. Windows, and patches that

@@ -75,20 +75,24 @@ struct Writer {
     }
 };
 
-// Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas.
-void layOut(Writer &out, const Corner *corners, int count, bool top, float x, float y, uint32_t first,
-            uint32_t shape) {
-    // Reject what lies beyond a border, cut what crosses some
+// Beyond which borders of the five faces a point lies: four bits a face, in the order of kBorders.
+uint32_t outside(Vec3 p) {
+    float sum = p.x + p.y, difference = p.x - p.y;
+    uint32_t low = p.z < 0, right = p.x < p.z, left = -p.x < p.z, front = p.y < p.z, back = -p.y < p.z;
+    uint32_t a = sum<0, b = sum> 0, c = difference<0, d = difference> 0;
+    auto face = [](uint32_t k0, uint32_t k1, uint32_t k2, uint32_t k3) {
+        return k0 | k1 << 1 | k2 << 2 | k3 << 3;
+    };
+    return face(p.x<-p.z, p.x> p.z, p.y<-p.z, p.y> p.z) | face(a, c, low, right) << 4 |
+           face(d, a, low, front) << 8 | face(b, d, low, left) << 12 | face(c, b, low, back) << 16;
+}
+
+// Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas,
+// having cut it at the borders that it crosses.
+void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t crossed, float x, float y,
+            uint32_t first, uint32_t shape) {
     const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
-    int crossed = 0;
-    for (int k = 0; k < 4; ++k) {
-        int outside = 0;
-        for (int i = 0; i < count; ++i) outside += borders[k].inside(corners[i]) < 0;
-        if (outside == count) return;
-        if (outside) crossed |= 1 << k;
-    }
     Corner buffers[2][4 + 4]; // every border adds one corner at most
-    const Corner *polygon = corners;
     int turn = 0;
     for (int k = 0; k < 4; ++k) {
         if (!(crossed >> k & 1)) continue;
@@ -102,6 +106,7 @@ void layOut(Writer &out, const Corner *corners, int count, bool top, float x, fl
         for (int k = 0; k < 3; ++k) {
             const Corner &c = polygon[k ? i - 2 + k : 0];
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
+            // Nothing beyond the picture, be it by a rounding: OpenGL would clip all triangles, which is slow
             v[0] = clamp(fmadd(c.x, out.scaleX, x * c.w), -c.w, c.w);
             v[1] = clamp(fmadd(c.y, out.scaleY, y * c.w), -c.w, c.w);
             v[2] = c.w;
@@ -121,34 +126,30 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
         if (back && model.solid) continue;
-        // Into the hemicube's frame, unless all of it lies under the horizon
+        // Into the hemicube's frame; what lies beyond one border of a face is not on it
         Vec3 local[4];
-        float s[4], t[4];
-        bool above = false;
+        uint32_t all = ~0u, some = 0;
         int count = f.triangle() ? 3 : 4;
         for (int k = 0; k < count; ++k) {
             local[k] = eye.frame * (f.corner(c, k) - eye.p);
-            s[k] = f.u[k] * (float)c.patchesAcross() / c.width;
-            t[k] = f.v[k] * (float)c.patchesDown() / c.height;
-            above |= local[k].z > 0;
+            uint32_t code = outside(local[k]);
+            all &= code, some |= code;
         }
-        if (!above) continue;
         uint32_t first = back ? kBackSide : (uint32_t)c.firstPatch + 1;
         uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
-        Corner corners[4];
-        for (int side = -1; side < 4; ++side) {
+        float perU = (float)c.patchesAcross() / c.width, perV = (float)c.patchesDown() / c.height;
+        for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
+            if (all & 15) continue;
+            Corner corners[4];
             for (int k = 0; k < count; ++k) {
                 Vec3 p = local[k];
-                float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y;
-                if (side == -1)
-                    corners[k] = {p.x, p.y, p.z, s[k], t[k]};
-                else if (side < 2)
-                    corners[k] = {y, p.z, x, s[k], t[k]};
-                else
-                    corners[k] = {-y, p.z, -x, s[k], t[k]};
+                float x = side & 1 ? p.y : p.x, y = side & 1 ? -p.x : p.y, turn = side < 2 ? 1 : -1;
+                corners[k] = {turn * y, p.z, turn * x, f.u[k] * perU, f.v[k] * perV};
+                if (side == -1) corners[k].x = p.x, corners[k].y = p.y, corners[k].w = p.z;
             }
             float y = side == -1 ? 1 : (float)(2 + side);
-            layOut(out, corners, count, side == -1, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first, shape);
+            layOut(out, corners, count, side == -1, some, x0 + out.scaleX, fmadd(y, out.scaleY, y0), first,
+                   shape);
         }
     }
 }
@@ -168,6 +169,7 @@ static void shapeAtlas(Hemicubes &h, int px) {
     h.lines = clamp(256 / px, 1, 4);
     if (px < 64 && px >= 32) h.lines = kHemicubeBatch / h.columns;
     h.batch = h.columns * h.lines;
+    h.turns = 1;
 }
 
 size_t hemicubeBytes(int px) {

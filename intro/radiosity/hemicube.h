@@ -36,6 +36,7 @@ struct Hemicubes {
     int px, columns, lines; // the picture holds columns x lines hemicubes
     int batch;              // that many
     uint32_t turn;          // another number turns all of them otherwise
+    int turns; // so many hemicubes for each patch, turned otherwise, whose mean counts: 1 .. batch
     GLuint framebuffer, vertexArray, buffer, program, images[2];
     bool clipControl;
     float *vertices;

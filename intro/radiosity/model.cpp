@@ -135,25 +135,22 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     return true;
 }
 
+Shape Model::shapeOf(int facet) const {
+    const Facet &f = facets[facet];
+    const Chart &c = charts[f.chart];
+    Shape s = {};
+    s.kind = ShapeKind::Rect;
+    s.centre = c.at((f.u[0] + f.u[2]) * 0.5f, (f.v[0] + f.v[2]) * 0.5f);
+    s.half = {(f.u[2] - f.u[0]) * 0.5f, 0, (f.v[2] - f.v[0]) * 0.5f};
+    s.frame = {c.u, c.n, c.v};
+    s.material = (uint8_t)c.material;
+    s.chart = f.chart;
+    return s;
+}
+
 void Model::pose(Scene &scene) const {
-    for (int i = 0; i < facetCount; ++i) {
-        const Facet &f = facets[i];
-        const Chart &c = charts[f.chart];
-        if (c.open) continue;
-        Shape s = {};
-        if (f.triangle()) {
-            Vec3 corner = f.corner(c, 0);
-            s = triangle(corner, f.corner(c, 1) - corner, f.corner(c, 2) - corner, c.n);
-        } else {
-            s.kind = ShapeKind::Rect;
-            s.centre = c.at((f.u[0] + f.u[2]) * 0.5f, (f.v[0] + f.v[2]) * 0.5f);
-            s.half = {(f.u[2] - f.u[0]) * 0.5f, 0, (f.v[2] - f.v[0]) * 0.5f};
-            s.frame = {c.u, c.n, c.v};
-        }
-        s.material = (uint8_t)c.material;
-        s.chart = f.chart;
-        scene.add(s);
-    }
+    for (int i = 0; i < facetCount; ++i)
+        if (!charts[facets[i].chart].open) scene.add(shapeOf(i));
 }
 
 } // namespace odraz

@@ -80,8 +80,10 @@ struct Model {
     enum Side { kLeft = 1, kRight = 2, kBottom = 4, kTop = 8, kBack = 16, kFront = 32, kUpright = 51 };
     void addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides);
 
-    // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open.
+    // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open. All
+    // must be rectangles: for models with triangles there is poseFacets() of tools/regions.h.
     void pose(Scene &scene) const;
+    Shape shapeOf(int facet) const;
 
     // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
     // is hidden, in a scene that holds the posed model, finished. There is room for `growth` times as many
