@@ -68,26 +68,60 @@ struct Baker {
         return p;
     }
 
-    void findLamps() {
-        double largest = 0;
-        auto areaOf = [&](const Facet &f) {
-            double twice = 0;
-            for (int k = 0; k < 4; ++k)
-                twice +=
-                    (double)f.u[k] * (double)f.v[(k + 1) & 3] - (double)f.u[(k + 1) & 3] * (double)f.v[k];
-            return twice / 2;
+    static double areaOf(const Facet &f) {
+        double twice = 0;
+        for (int k = 0; k < 4; ++k)
+            twice += (double)f.u[k] * (double)f.v[(k + 1) & 3] - (double)f.u[(k + 1) & 3] * (double)f.v[k];
+        return twice / 2;
+    }
+
+    // A lamp is what of one material hangs together. The largest has as many parts as asked, others less by
+    // their area; of facets that are smaller than a part some stand for all.
+    void findLamps(const Mesh &mesh, const Regions &regions) {
+        std::vector<int> lampAt(mesh.points.size(), -1), parent;
+        auto root = [&](int i) {
+            while (parent[(size_t)i] != i) i = parent[(size_t)i];
+            return i;
         };
-        for (int i = 0; i < b.model->facetCount; ++i)
-            if (maxComponent(b.emits(b.model->facets[i].chart)) > 0)
-                largest = std::max(largest, areaOf(b.model->facets[i]));
-        for (int i = 0; i < b.model->facetCount; ++i) {
-            const Facet &f = b.model->facets[i];
-            Rgb e = b.emits(f.chart);
-            if (maxComponent(e) == 0) continue;
-            double share = areaOf(f) / largest * b.settings.lampSamples;
-            b.glows.push_back({i, std::max(1, (int)std::lround(share)), e});
+        std::vector<int> lampOf(mesh.triangles.size(), -1);
+        for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+            const Triangle &t = mesh.triangles[i];
+            const auto &e = mesh.materials[(size_t)t.material].emits;
+            if (e[0] + e[1] + e[2] == 0) continue;
+            int lamp = (int)parent.size();
+            parent.push_back(lamp);
+            for (int c : t.corners) {
+                int &at = lampAt[(size_t)c];
+                if (at >= 0 && mesh.triangles[(size_t)at].material == t.material)
+                    lamp = parent[(size_t)root(lampOf[(size_t)at])] = root(lamp);
+                at = (int)i;
+            }
+            lampOf[i] = lamp;
         }
-        if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
+        std::vector<double> areas(parent.size());
+        auto lampOfFacet = [&](int f) {
+            int lamp = lampOf[(size_t)regions.triangle[(size_t)b.model->facets[f].chart]];
+            return lamp < 0 ? -1 : root(lamp);
+        };
+        double largest = 0;
+        for (int i = 0; i < b.model->facetCount; ++i)
+            if (int lamp = lampOfFacet(i); lamp >= 0)
+                largest = std::max(largest, areas[(size_t)lamp] += areaOf(b.model->facets[i]));
+        std::vector<double> due(parent.size(), 0.5);
+        for (int i = 0; i < b.model->facetCount; ++i) {
+            int lamp = lampOfFacet(i);
+            if (lamp < 0) continue;
+            double all = areas[(size_t)lamp], parts = std::max(1., b.settings.lampSamples * all / largest);
+            double own = parts * areaOf(b.model->facets[i]) / all;
+            Rgb e = b.emits(b.model->facets[i].chart);
+            if (own >= 1)
+                b.glows.push_back({i, std::min((int)std::lround(own), kMaxLampCells), e});
+            else if ((due[(size_t)lamp] += own) >= 1) {
+                --due[(size_t)lamp];
+                b.glows.push_back({i, 1, e * (float)(1 / own)});
+            }
+        }
+        if (parent.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
     }
 
     // Backs that no ray sees are left out of the hemicubes: that is faster. 64 rays from 500 patches.
@@ -118,7 +152,7 @@ struct Baker {
             sumHemicube(h, (int)k, sums, row.data());
             for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
         }
-        return links * (size_t)rows / eyes.size() * 5 / 4 + 1000;
+        return links * (size_t)rows / eyes.size() * (size_t)b.settings.turns * 5 / 4 + 1000;
     }
 
     void findRows(uint8_t *lit) {
@@ -128,6 +162,18 @@ struct Baker {
             if (!findRowsByRays(m, *b.scene, lit, b.settings.rays, workers, b.arena, b.factors))
                 refuseMemory(b.arena.used + b.factors.capacity * sizeof(Link), b.settings.memory);
             b.whole = true;
+            return;
+        }
+        // OpenGL's time grows with the polygons, that of rays hardly
+        if (m.facetCount > 1500 && b.settings.hemicube <= 64 && b.settings.turns == 1 && !b.settings.turn) {
+            Step s = {told, Bake::kSteps[1]};
+            workers.abort = stop;
+            b.whole = findRowsByRayHemicubes(m, *b.scene, lit, b.settings.hemicube, workers, b.arena,
+                                             b.factors, s.progress());
+            workers.abort = &never;
+            if (!b.whole && !*stop)
+                refuseMemory(b.arena.used + b.factors.capacity * sizeof(Link), b.settings.memory);
+            countRows();
             return;
         }
         if (!openHemicubes(h, gl, b.arena, b.settings.hemicube))
@@ -157,7 +203,10 @@ struct Baker {
         if (!done && !*stop)
             throw std::runtime_error("the rows took more memory than estimated: raise --memory");
         b.whole = done;
-        for (int i = 0; i < m.patchCount; ++i) b.rows += b.factors.rows[i].known;
+        countRows();
+    }
+    void countRows() {
+        for (int i = 0; i < b.model->patchCount; ++i) b.rows += b.factors.rows[i].known;
     }
 
     // Light that patches get and give, and from it what the texels get by reflection.
@@ -240,13 +289,14 @@ struct Baker {
             area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
         }
         const BakeSettings &s = b.settings;
-        double element = s.element > 0 ? s.element : area / 30000,
-               patch = s.patch > 0 ? s.patch : area / 6000;
+        double element = s.element > 0 ? s.element : area / 30000, patch = s.patch;
         int levels = s.adaptive ? 2 : 0;
         double cell = std::sqrt(element) * (1 << levels);
         Regions regions = addRegions(mesh, m, cell);
+        // A hemicube of many polygons takes longer: then there are fewer of them
+        if (!(patch > 0)) patch = area / std::clamp(6000. * 4000 / m.facetCount, 500., 6000.);
         b.material = regions.material;
-        findLamps();
+        findLamps(mesh, regions);
         Material plain = {};
         b.scene->add(plain);
         poseFacets(m, *b.scene);

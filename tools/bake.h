@@ -13,10 +13,11 @@ namespace odraz {
 
 struct BakeSettings {
     int hemicube = 16;             // pixels; even, 4 .. kMaxHemicube
-    double patch = 0, element = 0; // areas; 0: a 6000th, a 30000th of the model's
+    double patch = 0, element = 0; // areas; 0: a 6000th or, of many polygons, more; a
+                                   // 30000th of the model's
     int bounces = -1;              // -1: until the residual is reached
     float residual = 1e-4f;
-    int lampSamples = 32; // parts of the largest lamp, 1 .. kMaxLampCells
+    int lampSamples = 16; // parts of the largest lamp, 1 .. kMaxLampCells
     bool analytic = true; // direct light by shadow rays; else lamps are seen by hemicubes
     bool adaptive = false;
     float contrast = 0.05f; // see RadiositySettings

@@ -46,7 +46,7 @@ Clusters::Clusters(Model &m, double patch, const std::function<int(int)> &group,
     for (int i = 0; i < m.chartCount; ++i) {
         const Chart &c = m.charts[i];
         int own = c.patchesAcross() * c.patchesDown();
-        if ((double)c.width * (double)c.height >= patch / 4 || own > 1) {
+        if ((double)c.width * (double)c.height >= patch / 2 || own > 1) {
             patches += own;
             continue;
         }

@@ -12,7 +12,7 @@ namespace odraz {
 
 class Clusters {
 public:
-    // Replaces the patches of the charts of a divided model that are smaller than a quarter of `patch` by
+    // Replaces the patches of the charts of a divided model that are smaller than half of `patch` by
     // shared ones. `group` tells charts apart that must not share. Takes memory for the patches.
     Clusters(Model &model, double patch, const std::function<int(int chart)> &group, Arena &arena);
 

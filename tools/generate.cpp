@@ -1,5 +1,6 @@
 #include "generate.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -35,11 +36,21 @@ struct Writer {
         }
         return entry->second;
     }
+    void use(const char *of) {
+        if (of != material) faces += "usemtl " + std::string(of) + "\n";
+        material = of;
+    }
+    void triangle(const char *of, int a, int b, int c) {
+        use(of);
+        char line[100];
+        std::snprintf(line, sizeof line, "f %d %d %d\n", a, b, c);
+        faces += line;
+        ++triangles;
+    }
     // Lit on the side of u x v. In as many steps along its sides as the area asks for, never one side more
     // than twice another.
     void rect(const char *of, Point corner, Point u, Point v) {
-        if (of != material) faces += "usemtl " + std::string(of) + "\n";
-        material = of;
+        use(of);
         auto length = [](const Point &a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
         int across = 1, down = 1;
         if (area > 0) {
@@ -133,6 +144,26 @@ void corner(Writer &w) {
     w.rect("white", {16, 0, 16}, {-8, 0, 0}, {0, y, 0});
 }
 
+// A sphere seen from inside, its points moved in and out; what is near the top shines.
+void cave(Writer &w) {
+    int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
+    auto at = [&](int i, int j) {
+        double a = 2 * M_PI * (i % columns) / columns, b = M_PI * j / rows;
+        double r =
+            10 + 0.8 * std::sin(5 * a) * std::sin(3 * b) + 0.4 * std::sin(11 * b + 3 * a) * std::sin(b);
+        Point p = {r * std::sin(b) * std::cos(a), 0.7 * r * std::cos(b), r * std::sin(b) * std::sin(a)};
+        for (double &x : p) x = std::round(x * 1e6) / 1e6 + 0.0;
+        return w.number(p);
+    };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const char *of = j < std::max(1, rows / 16) ? "lamp" : j < rows / 2 ? "white" : "stone";
+            int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+            if (j > 0) w.triangle(of, a, c, b);
+            if (j + 1 < rows) w.triangle(of, a, d, c);
+        }
+}
+
 } // namespace
 
 std::string generateObj(const std::string &kind, double area, size_t *triangles) {
@@ -143,6 +174,8 @@ std::string generateObj(const std::string &kind, double area, size_t *triangles)
         columns(w);
     else if (kind == "corner")
         corner(w);
+    else if (kind == "cave")
+        cave(w);
     else
         return {};
     if (triangles) *triangles = w.triangles;

@@ -32,7 +32,7 @@ constexpr char kUsage[] =
     "  --adaptive         start with elements of 16 times the area and divide them where light changes\n"
     "  --bounces N        follow light over N bounces (default: until the residual is reached)\n"
     "  --residual R       stop when a sweep changes less than this share of the light (default 1e-4)\n"
-    "  --lamp-samples N   parts of the largest lamp, 1 to 256 (default 32)\n"
+    "  --lamp-samples N   parts of the largest lamp, 1 to 256 (default 16)\n"
     "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them\n"
     "  --memory MB        most memory for the solution (default 2048)\n"
     "generate divides polygons into triangles of at most --area; without it they stay whole.\n"

@@ -39,6 +39,11 @@ bool seesBacks(const Model &model, const Scene &scene, const std::vector<Probe> 
 bool findRowsByRays(const Model &model, const Scene &scene, const uint8_t *lit, int side, Workers &workers,
                     Arena &arena, FormFactors &factors);
 
+// The same hemicubes that OpenGL draws, each pixel found by a ray: faster where there are thousands of
+// polygons. False where memory is short or `stop` ended it.
+bool findRowsByRayHemicubes(const Model &model, const Scene &scene, const uint8_t *lit, int px,
+                            Workers &workers, Arena &arena, FormFactors &factors, const Progress &progress);
+
 // The light of a solution at a probe.
 Rgb lightAtProbe(const Model &model, float *const light[3], const Probe &probe);
 

@@ -8,18 +8,18 @@ namespace odraz {
 
 namespace {
 
-// Eight texels, seen from one of their four places.
+// Eight texels, seen from one of their places each.
 struct Places {
     Vec3x8 p, n; // just off the surface
     Int8 active;
-    int place; // 0 .. 3
+    int round; // 0 .. 3: whose parts of what shines they look at
 };
 
 // A part of what shines: a parallelogram or a triangle, which repeats its last corner. Clockwise, as seen
 // from where it shines.
 struct Part {
     Vec3 corner[4], middle;
-    int place; // that looks at it from afar
+    int round; // that looks at it from afar
 };
 
 // Lambert's formula, a sum over the edges. What lies under the horizon counts negative: it should be little
@@ -51,8 +51,8 @@ struct Sums {
 int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
     Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, f.triangle() ? 2 : 3) - q;
     int count = 0;
-    auto add = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 middle, int place) {
-        parts[count++] = {{a, b, c, d}, middle, place & 3};
+    auto add = [&](Vec3 a, Vec3 b, Vec3 c, Vec3 d, Vec3 middle, int round) {
+        parts[count++] = {{a, b, c, d}, middle, round & 3};
     };
     if (f.triangle()) {
         int rows = 1;
@@ -119,7 +119,7 @@ struct Context {
             any(at.active & (fmadd(ds, ds, fmadd(dt, dt, height * height)) < area * kNear) & (height > 0.f));
         int every = near || partCount < 16 ? 1 : 4, count = 0;
         for (int k = 0; k < partCount; ++k) {
-            if (every == 4 && parts[k].place != at.place) continue;
+            if (every == 4 && parts[k].round != at.round) continue;
             Vec3 q = parts[k].middle;
             Vec3x8 to = q - at.p;
             Float8 square = dot(to, to), cosines = max(dot(to, at.n), 0.f) * height;
@@ -184,7 +184,7 @@ void Context::add(const Places &at, Sums &sums) {
         if (!any(lit)) continue;
         Vec3x8 side = normalize(cross(to, Vec3x8{to.y, to.z, -to.x}));
         Vec3x8 up = normalize(cross(to, side));
-        float x = at.place & 1 ? 0.5f : -0.5f, y = at.place & 2 ? 0.5f : -0.5f;
+        float x = at.round & 1 ? 0.5f : -0.5f, y = at.round & 2 ? 0.5f : -0.5f;
         Vec3x8 target = (side * broadcast(x) + up * broadcast(y)) * broadcast(lamp.radius) + lamp.centre;
         sum += select(lit, factor * clear(at, target, lit, d), 0.f);
     }
@@ -204,14 +204,14 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
             Texels8 t = loadTexels(model, model.fresh + i, count);
             for (int k = 0; k < count; ++k) seen[k] = model.texels[model.fresh[i + k]].visible;
             Sums sums = {};
-            Float8 places = {};
-            for (int place = 0; place < 4; ++place) {
-                Int8 active = (loadInts(seen) >> place & 1) != 0;
-                if (!any(active)) continue;
-                places += select(active, 1.f, 0.f);
-                context.add({t.place(place), t.n, active, place}, sums);
+            Float8 looked = {};
+            for (int round = 0; round < 4; ++round) {
+                Places8 places = placesOf(seen, round);
+                if (!any(places.active)) break;
+                looked += select(places.active, 1.f, 0.f);
+                context.add({t.at(places.x, places.y), t.n, places.active, round}, sums);
             }
-            Float8 inverse = 1.f / max(places, 1.f);
+            Float8 inverse = 1.f / max(looked, 1.f);
             auto put = [&](float *plane, Float8 sum) {
                 sum *= inverse;
                 for (int k = 0; k < count; ++k) plane[model.fresh[i + k]] = sum[k];

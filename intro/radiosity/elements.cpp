@@ -22,14 +22,13 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 // directions; and from two sides, so that what touches a solid's edge counts as inside. In a model whose
 // backs may be seen it is inside where it sees nothing else to all sides; upwards it may, for tubes have no
 // lids.
-Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, int place) {
-    Int8 some = {}, all = t.active;
-    float x = place & 1 ? 1 : -1, y = place & 2 ? 1 : -1;
+Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
+    Int8 some = {}, all = places.active;
     for (int i = 0; i < (model.solid ? 4 : 8); ++i) {
         float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
         float a = side * 10 * slant, b = side * 8 * slant;
         Vec3x8 d = normalize(t.n + t.u * broadcast(i < 4 ? a : -b) + t.v * broadcast(i < 4 ? b : a));
-        Int8 sees = seesBack(scene, t.at(x + side, y + side), d, t.active);
+        Int8 sees = seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
         some |= sees;
         all &= sees;
     }
@@ -133,25 +132,42 @@ Texels8 loadTexels(const Model &model, const int *numbers, int count) {
     return t;
 }
 
+Places8 placesOf(const int *masks, int round) {
+    Places8 places = {};
+    for (int k = 0; k < 8; ++k) {
+        int mask = masks[k];
+        for (int i = 0; i < round; ++i) mask &= mask - 1;
+        if (!mask) continue;
+        int number = __builtin_ctz((unsigned)mask);
+        places.x[k] = number & 1 ? 1 : -1, places.y[k] = number & 2 ? 1 : -1;
+        places.number[k] = number;
+        places.active[k] = -1;
+    }
+    return places;
+}
+
 void findVisible(Model &model, const Scene &scene, Workers &workers) {
     static constexpr int kPiece = 64;
     parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int) {
         for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, model.freshCount); i += 8) {
-            int count = min(model.freshCount - i, 8);
+            int count = min(model.freshCount - i, 8), masks[8] = {}, visible[8] = {};
+            for (int k = 0; k < 4 * count; ++k) {
+                const Texel &t = model.texels[model.fresh[i + k / 4]];
+                const Chart &c = model.charts[t.chart];
+                float quarter = (float)kSteps * 0.25f / (float)(1 << t.level);
+                float u = (float)t.x + (k & 1 ? quarter : -quarter),
+                      v = (float)t.y + (k & 2 ? quarter : -quarter);
+                masks[k / 4] |= onFacet(model, c, u * c.width / (float)(c.across * kSteps),
+                                        v * c.height / (float)(c.down * kSteps))
+                                << (k & 3);
+            }
             Texels8 t = loadTexels(model, model.fresh + i, count);
-            int visible[8] = {};
-            for (int place = 0; place < 4; ++place) {
-                Int8 open = ~insideSolid(model, scene, t, place);
-                for (int k = 0; k < count; ++k) {
-                    const Texel &texel = model.texels[model.fresh[i + k]];
-                    const Chart &c = model.charts[texel.chart];
-                    float quarter = 0.25f / (float)(1 << texel.level);
-                    float u = (float)texel.x / kSteps + (place & 1 ? quarter : -quarter),
-                          v = (float)texel.y / kSteps + (place & 2 ? quarter : -quarter);
-                    if (open[k] &&
-                        onFacet(model, c, u * c.width / (float)c.across, v * c.height / (float)c.down))
-                        visible[k] |= 1 << place;
-                }
+            for (int round = 0; round < 4; ++round) {
+                Places8 places = placesOf(masks, round);
+                if (!any(places.active)) break;
+                Int8 open = places.active & ~insideSolid(model, scene, t, places);
+                for (int k = 0; k < 8; ++k)
+                    if (open[k]) visible[k] |= 1 << places.number[k];
             }
             for (int k = 0; k < count; ++k) model.texels[model.fresh[i + k]].visible = (uint8_t)visible[k];
         }

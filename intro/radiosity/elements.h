@@ -16,10 +16,18 @@ struct Texels8 {
     Float8 off;        // how far off the plane points lie surely on its side
     Int8 active;
 
-    // One of its four places, just off the plane.
-    Vec3x8 place(int k) const { return at(k & 1 ? 1.f : -1.f, k & 2 ? 1.f : -1.f); }
-    Vec3x8 at(float x, float y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
+    // Just off the plane, so many quarters aside.
+    Vec3x8 at(Float8 x, Float8 y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
 };
+
+// Eight texels' places of one round: of each the round-th that its mask has.
+struct Places8 {
+    Float8 x, y; // -1 or 1: on which side of the texel
+    Int8 number; // 0 .. 3
+    Int8 active;
+};
+Places8 placesOf(const int *masks, int round);
+
 // Those of the given numbers, `count` of them.
 Texels8 loadTexels(const Model &model, const int *numbers, int count);
 
