@@ -231,9 +231,13 @@ int runSolve(Arguments &a, Workers &workers) {
         throw;
     }
     const Model &m = *b->model;
-    Baked(*b).save(out);
-    int elements = 0;
-    for (int i = 0; i < m.cellCount; ++i) elements += !m.cells[i].divided();
+    Baked baked(*b);
+    baked.save(out);
+    int elements = 0, last = -1;
+    baked.forPieces([&](int, int cell, const std::vector<BakedPoint> &) {
+        elements += cell != last;
+        last = cell;
+    });
     std::printf("%zu triangles, %d polygons in one plane each; %d patches, %d elements\n",
                 mesh.triangles.size(), m.chartCount, m.patchCount, elements);
     std::printf("processor seconds: dividing %.2f, form factors %.2f (%d hemicubes), direct light %.2f, "
