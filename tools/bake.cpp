@@ -293,8 +293,13 @@ struct Baker {
         int levels = s.adaptive ? 2 : 0;
         double cell = std::sqrt(element) * (1 << levels);
         Regions regions = addRegions(mesh, m, cell);
+        // What is about as large as an element is one
+        for (int i = 0; i < m.chartCount; ++i) {
+            Chart &c = m.charts[i];
+            if ((double)(c.width * c.height) < 3 * cell * cell) c.across = c.down = 1;
+        }
         // A hemicube of many polygons takes longer: then there are fewer of them
-        if (!(patch > 0)) patch = area / std::clamp(6000. * 4000 / m.facetCount, 500., 6000.);
+        if (!(patch > 0)) patch = area / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
         b.material = regions.material;
         findLamps(mesh, regions);
         Material plain = {};
