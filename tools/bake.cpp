@@ -1,6 +1,7 @@
 #include "bake.h"
 
 #include "clusters.h"
+#include "lamps.h"
 #include "reference.h"
 #include "regions.h"
 
@@ -66,62 +67,6 @@ struct Baker {
         T *p = b.arena.take<T>(count);
         if (!p) refuseMemory(b.arena.used + count * sizeof(T), b.settings.memory);
         return p;
-    }
-
-    static double areaOf(const Facet &f) {
-        double twice = 0;
-        for (int k = 0; k < 4; ++k)
-            twice += (double)f.u[k] * (double)f.v[(k + 1) & 3] - (double)f.u[(k + 1) & 3] * (double)f.v[k];
-        return twice / 2;
-    }
-
-    // A lamp is what of one material hangs together. The largest has as many parts as asked, others less by
-    // their area; of facets that are smaller than a part some stand for all.
-    void findLamps(const Mesh &mesh, const Regions &regions) {
-        std::vector<int> lampAt(mesh.points.size(), -1), parent;
-        auto root = [&](int i) {
-            while (parent[(size_t)i] != i) i = parent[(size_t)i];
-            return i;
-        };
-        std::vector<int> lampOf(mesh.triangles.size(), -1);
-        for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-            const Triangle &t = mesh.triangles[i];
-            const auto &e = mesh.materials[(size_t)t.material].emits;
-            if (e[0] + e[1] + e[2] == 0) continue;
-            int lamp = (int)parent.size();
-            parent.push_back(lamp);
-            for (int c : t.corners) {
-                int &at = lampAt[(size_t)c];
-                if (at >= 0 && mesh.triangles[(size_t)at].material == t.material)
-                    lamp = parent[(size_t)root(lampOf[(size_t)at])] = root(lamp);
-                at = (int)i;
-            }
-            lampOf[i] = lamp;
-        }
-        std::vector<double> areas(parent.size());
-        auto lampOfFacet = [&](int f) {
-            int lamp = lampOf[(size_t)regions.triangle[(size_t)b.model->facets[f].chart]];
-            return lamp < 0 ? -1 : root(lamp);
-        };
-        double largest = 0;
-        for (int i = 0; i < b.model->facetCount; ++i)
-            if (int lamp = lampOfFacet(i); lamp >= 0)
-                largest = std::max(largest, areas[(size_t)lamp] += areaOf(b.model->facets[i]));
-        std::vector<double> due(parent.size(), 0.5);
-        for (int i = 0; i < b.model->facetCount; ++i) {
-            int lamp = lampOfFacet(i);
-            if (lamp < 0) continue;
-            double all = areas[(size_t)lamp], parts = std::max(1., b.settings.lampSamples * all / largest);
-            double own = parts * areaOf(b.model->facets[i]) / all;
-            Rgb e = b.emits(b.model->facets[i].chart);
-            if (own >= 1)
-                b.glows.push_back({i, std::min((int)std::lround(own), kMaxLampCells), e});
-            else if ((due[(size_t)lamp] += own) >= 1) {
-                --due[(size_t)lamp];
-                b.glows.push_back({i, 1, e * (float)(1 / own)});
-            }
-        }
-        if (parent.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
     }
 
     // Backs that no ray sees are left out of the hemicubes: that is faster. 64 rays from 500 patches.
@@ -301,7 +246,8 @@ struct Baker {
         // A hemicube of many polygons takes longer: then there are fewer of them
         if (!(patch > 0)) patch = area / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
         b.material = regions.material;
-        findLamps(mesh, regions);
+        b.glows = findLamps(mesh, regions, m, s.lampSamples);
+        if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
         Material plain = {};
         b.scene->add(plain);
         poseFacets(m, *b.scene);
