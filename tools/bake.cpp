@@ -43,6 +43,9 @@ double processorSeconds() {
                              " of --memory: larger patches or elements need less");
 }
 
+// How often cells are divided in adaptive solutions.
+constexpr int kDivided = 2;
+
 struct Baker {
     Bake &b;
     const Gl &gl;
@@ -235,8 +238,7 @@ struct Baker {
         }
         const BakeSettings &s = b.settings;
         double element = s.element > 0 ? s.element : area / 30000, patch = s.patch;
-        int levels = s.adaptive ? 2 : 0;
-        double cell = std::sqrt(element) * (1 << levels);
+        double cell = std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
         Regions regions = addRegions(mesh, m, cell);
         // What is about as large as an element is one
         for (int i = 0; i < m.chartCount; ++i) {
@@ -248,13 +250,14 @@ struct Baker {
         b.material = regions.material;
         b.glows = findLamps(mesh, regions, m, s.lampSamples);
         if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
+        if (b.glows.size() > kManyLamps) b.settings.analytic = false;
         Material plain = {};
         b.scene->add(plain);
         poseFacets(m, *b.scene);
         b.scene->finish();
         if (told) told(Bake::kSteps[0], 0.5f, -1);
         int block = (int)std::clamp(std::sqrt(patch) / cell + 0.5, 1., 1000.);
-        if (!m.divide(*b.scene, b.arena, workers, block, levels ? 20 : 1)) {
+        if (!m.divide(*b.scene, b.arena, workers, block, s.adaptive ? 20 : 1)) {
             size_t each = sizeof(Texel) + sizeof(Cell) + 8 * sizeof(Tie) + 16;
             refuseMemory(b.arena.used + (size_t)m.texelRoom * each, s.memory);
         }
@@ -282,26 +285,24 @@ struct Baker {
             indirect[c] = take<float>(texels);
         }
         float *const sky[1][3] = {{b.direct[0], b.direct[1], b.direct[2]}};
-        if (s.analytic) {
-            Lights lights = {};
-            lights.skyCount = 1;
-            lights.glows = b.glows.data();
-            lights.glowCount = (int)b.glows.size();
-            Step step = {told, Bake::kSteps[2]};
-            findDirectLight(m, *b.scene, lights, workers, sky, single, step.progress());
+        Lights lights = {};
+        lights.skyCount = 1;
+        lights.glows = b.glows.data();
+        lights.glowCount = (int)b.glows.size();
+        Step step = {told, Bake::kSteps[2]};
+        auto look = [&](const Progress &progress) {
+            if (s.analytic) findDirectLight(m, *b.scene, lights, workers, sky, single, progress);
             settleFresh(m);
-            Measure measures[3];
-            int count = 0;
-            for (int c = 0; c < 3 && levels; ++c)
-                count += measure(m, b.direct[c], s.contrast, measures[count]);
-            for (int level = 0; level < levels; ++level) {
-                refine(m, level, measures, count, s.contrast);
-                findVisible(m, *b.scene, workers);
-                findDirectLight(m, *b.scene, lights, workers, sky, single, {});
-                settleFresh(m);
-            }
-        } else {
-            settleFresh(m);
+        };
+        look(step.progress());
+        Measure measures[3];
+        int count = 0;
+        for (int c = 0; c < 3 && s.adaptive && s.analytic; ++c)
+            count += measure(m, b.direct[c], s.contrast, measures[count]);
+        for (int level = 0; level < (s.adaptive ? kDivided : 0); ++level) {
+            refine(m, level, measures, count, s.contrast);
+            findVisible(m, *b.scene, workers);
+            look({});
         }
         tie(m);
         lap(2);

@@ -7,8 +7,10 @@
 
 namespace odraz {
 
-// What shines, for direct light. A lamp is what of one material hangs together. The largest has so many
-// parts, others fewer by their area; of facets that are smaller than a part some stand for all.
+// Lamps of more facets than these are better seen by hemicubes.
+inline constexpr size_t kManyLamps = 256;
+
+// What shines, for direct light. The largest facet has so many parts, others fewer by their area.
 std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples);
 
 } // namespace odraz

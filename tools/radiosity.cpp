@@ -3,6 +3,7 @@
 #include "generate.h"
 #include "host/headless.h"
 #include "host/threads.h"
+#include "lamps.h"
 #include "trace/frame.h"
 
 #include <cerrno>
@@ -33,7 +34,8 @@ constexpr char kUsage[] =
     "  --bounces N        follow light over N bounces (default: until the residual is reached)\n"
     "  --residual R       stop when a sweep changes less than this share of the light (default 1e-4)\n"
     "  --lamp-samples N   parts of the largest lamp, 1 to 256 (default 16)\n"
-    "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them\n"
+    "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them (which are\n"
+    "                     taken for more than 256 lamps)\n"
     "  --memory MB        most memory for the solution (default 2048)\n"
     "generate divides polygons into triangles of at most --area; without it they stay whole.\n"
     "export: CSV has a line for every element; PLY and OBJ have colours at their points.\n";
@@ -243,6 +245,7 @@ int runSolve(Arguments &a, Workers &workers) {
     std::printf("processor seconds: dividing %.2f, form factors %.2f (%d hemicubes), direct light %.2f, "
                 "solving %.2f\n",
                 b->seconds[0], b->seconds[1], b->rows, b->seconds[2], b->seconds[3]);
+    if (b->glows.size() > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", b->glows.size());
     if (!b->whole)
         std::printf("stopped: direct light, and the rows of %d patches\n", b->rows);
     else if (s.bounces >= 0)

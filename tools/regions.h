@@ -9,7 +9,6 @@ namespace odraz {
 
 struct Regions {
     std::vector<int> material; // of each chart, index into Mesh::materials
-    std::vector<int> triangle; // one of each chart, index into Mesh::triangles
     double area = 0;           // of all
 };
 

@@ -205,6 +205,7 @@ static bool partlyHidden(const Model &m, const Cell &cell) {
     float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
     for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
         const Facet &f = m.facets[i];
+        if (f.triangle()) continue; // it fills half of its rectangle anyway
         float u0 = min(min(f.u[0], f.u[1]), f.u[2]), u1 = max(max(f.u[0], f.u[1]), f.u[2]),
               v0 = min(min(f.v[0], f.v[1]), f.v[2]), v1 = max(max(f.v[0], f.v[1]), f.v[2]);
         if (u0 < (float)high.x * du && u1 > (float)low.x * du && v0 < (float)high.y * dv &&
