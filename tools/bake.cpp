@@ -81,26 +81,29 @@ struct Baker {
         m.solid = !seesBacks(m, *b.scene, places, 8, workers);
     }
 
-    // How many links the rows will have: as many as those of some patches, spread over the model.
+    // How many links the rows will have: as many as those of 64 patches or more, spread over the model, and
+    // some.
     size_t estimateLinks(Hemicubes &h, const uint8_t *lit, const float *sums) {
         const Model &m = *b.model;
         std::vector<Eye> eyes;
-        int rows = 0;
+        size_t rows = 0, links = 0, seen = 0;
         for (int i = 0; i < m.patchCount; ++i) rows += lit[i] && m.patches[i].share > 0;
-        int every = std::max(1, rows / h.batch), seen = 0;
-        for (int i = 0; i < m.patchCount && (int)eyes.size() < h.batch; ++i)
+        size_t every = std::max((size_t)1, rows / (size_t)std::max(h.batch, 64));
+        for (int i = 0; i < m.patchCount; ++i)
             if (lit[i] && m.patches[i].share > 0 && seen++ % every == 0)
                 eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
         if (eyes.empty()) return 1;
-        drawHemicubes(h, m, eyes.data(), (int)eyes.size());
-        size_t links = 0;
         std::vector<float> row((size_t)m.patchCount);
-        for (size_t k = 0; k < eyes.size(); ++k) {
-            std::fill(row.begin(), row.end(), 0.f);
-            sumHemicube(h, (int)k, sums, row.data());
-            for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
+        for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
+            int count = std::min(h.batch, (int)(eyes.size() - first));
+            drawHemicubes(h, m, &eyes[first], count);
+            for (int k = 0; k < count; ++k) {
+                std::fill(row.begin(), row.end(), 0.f);
+                sumHemicube(h, k, sums, row.data());
+                for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
+            }
         }
-        return links * (size_t)rows / eyes.size() * (size_t)b.settings.turns * 5 / 4 + 1000;
+        return links * rows / eyes.size() * (size_t)b.settings.turns * 5 / 4 + 1000;
     }
 
     void findRows(uint8_t *lit) {
