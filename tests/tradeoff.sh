@@ -1,6 +1,7 @@
 # The programs that measure: their quick runs, and what they refuse.
 . "$(dirname "$0")/common.sh"
 tradeoff=$BUILD/tradeoff
+[ -x "$tradeoff" ] || { echo "SKIPPED: tradeoff is not built"; exit 77; }
 check "the packer's trade is measured" bash -c "'$tradeoff' pack --quick --model '$SOURCE/tests/odraz.model' --csv '$WORK/csv' --plot '$WORK/svg' '$BUILD/odraz-safe' >'$WORK/out'"
 check "... as a table" grep -qx "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb" "$WORK/csv"
 check "... with one point that ships" test "$(awk -F, '$3 == 1' "$WORK/csv" | wc -l)" = 1
