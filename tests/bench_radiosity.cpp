@@ -1,7 +1,5 @@
 // How fast radiosity is: hemicubes, and whole solutions of the thesis's sizes beside its table 4.1.
 #include "generate.h"
-#include "host/headless.h"
-#include "host/threads.h"
 #include "measured.h"
 #include "reference_hall.h"
 
@@ -10,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <unistd.h>
 
 using namespace odraz;
 
@@ -85,13 +82,8 @@ int main(int argc, char **argv) {
     static const int never = 0;
     Gl gl;
     Workers workers;
-    const char *missing = openHeadlessGl(gl);
-    if (!missing) missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &never);
-    if (missing) {
-        std::fprintf(stderr, "bench_radiosity: %s\n", missing);
-        return 1;
-    }
     try {
+        openAll(gl, workers);
         std::printf("hemicubes: processor ms each, with their rows\n%-28s %7s %7s %7s %7s\n", "", "16 px",
                     "32 px", "64 px", "128 px");
         SolvedHall hall(kHallSettings, gl, workers);

@@ -1,6 +1,8 @@
 #include "measured.h"
 
 #include "generate.h"
+#include "host/headless.h"
+#include "host/threads.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -27,6 +29,13 @@ Mesh generatedMesh(const std::string &kind, double area) {
     unlink(obj.c_str()), unlink(mtl.c_str()), rmdir(folder);
     if (!wrong.empty()) throw std::runtime_error(wrong);
     return mesh;
+}
+
+void openAll(Gl &gl, Workers &workers) {
+    static const int never = 0;
+    const char *missing = openHeadlessGl(gl);
+    if (!missing) missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &never);
+    if (missing) throw std::runtime_error(missing);
 }
 
 double areaOf(const Mesh &mesh) {

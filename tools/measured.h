@@ -10,6 +10,9 @@ namespace odraz {
 // std::runtime_error.
 Mesh generatedMesh(const std::string &kind, double area);
 
+// OpenGL without a display and a thread for every processor. Throws std::runtime_error.
+void openAll(Gl &gl, Workers &workers);
+
 double areaOf(const Mesh &mesh);
 
 // Probes and what a converged solution has there: form factors by rays, of many small patches.

@@ -87,6 +87,20 @@ struct Arguments {
         problem = std::string(option) + " needs a value; see radiosity --help";
         return nullptr;
     }
+    bool text(const char *option, std::string &to) {
+        const char *text = value(option);
+        if (text) to = text;
+        return text;
+    }
+    // One of two words.
+    bool choice(const char *option, const char *first, const char *second, bool &isFirst) {
+        std::string word;
+        if (!text(option, word)) return false;
+        isFirst = word == first;
+        if (!isFirst && word != second)
+            problem = std::string(option) + " is " + first + " or " + second + ", not " + word;
+        return problem.empty();
+    }
     bool number(const char *option, double least, double most, double &to) {
         const char *text = value(option);
         if (!text) return false;
@@ -139,11 +153,9 @@ int runGenerate(Arguments &a) {
     bool good = true;
     while (const char *word = good ? a.next() : nullptr) {
         std::string w = word;
-        if (w == "-o") {
-            const char *v = a.value("-o");
-            good = v;
-            if (v) out = v;
-        } else if (w == "--area")
+        if (w == "-o")
+            good = a.text("-o", out);
+        else if (w == "--area")
             good = a.number("--area", 1e-4, 1e6, area);
         else if (word[0] != '-' && kind.empty())
             kind = w;
@@ -172,11 +184,9 @@ int runSolve(Arguments &a, Workers &workers) {
     bool good = true;
     while (const char *word = good ? a.next() : nullptr) {
         std::string w = word;
-        if (w == "-o") {
-            const char *v = a.value("-o");
-            good = v;
-            if (v) out = v;
-        } else if (w == "--hemicube") {
+        if (w == "-o")
+            good = a.text("-o", out);
+        else if (w == "--hemicube") {
             good = a.whole("--hemicube", 4, kMaxHemicube, s.hemicube);
             if (good && s.hemicube % 2) return refuse("--hemicube takes an even number");
         } else if (w == "--patch")
@@ -193,13 +203,9 @@ int runSolve(Arguments &a, Workers &workers) {
             good = a.number("--memory", 1, 1e6, memory);
         else if (w == "--adaptive")
             s.adaptive = true;
-        else if (w == "--direct") {
-            const char *v = a.value("--direct");
-            good = v;
-            if (v && std::strcmp(v, "analytic") && std::strcmp(v, "hemicube"))
-                return refuse(std::string("--direct is analytic or hemicube, not ") + v);
-            s.analytic = v && v[0] == 'a';
-        } else if (word[0] != '-' && model.empty())
+        else if (w == "--direct")
+            good = a.choice("--direct", "analytic", "hemicube", s.analytic);
+        else if (word[0] != '-' && model.empty())
             model = w;
         else
             good = a.unknown(word);
@@ -284,11 +290,9 @@ int runRender(Arguments &a, Workers &workers) {
     bool good = true, eye = false, at = false;
     while (const char *word = good ? a.next() : nullptr) {
         std::string w = word;
-        if (w == "-o") {
-            const char *v = a.value("-o");
-            good = v;
-            if (v) out = v;
-        } else if (w == "--eye")
+        if (w == "-o")
+            good = a.text("-o", out);
+        else if (w == "--eye")
             good = eye = a.place("--eye", s.eye);
         else if (w == "--at")
             good = at = a.place("--at", s.target);
@@ -299,13 +303,9 @@ int runRender(Arguments &a, Workers &workers) {
             if (v && (std::sscanf(v, "%dx%d%c", &s.width, &s.height, &rest) != 2 || s.width < 1 ||
                       s.height < 1 || s.width > kMaxWidth || s.height > kMaxHeight))
                 return refuse(std::string("--size takes pixels like 1280x720, up to 7680x4320, not ") + v);
-        } else if (w == "--tone") {
-            const char *v = a.value("--tone");
-            good = v;
-            if (v && std::strcmp(v, "log") && std::strcmp(v, "film"))
-                return refuse(std::string("--tone is log or film, not ") + v);
-            s.logarithmic = v && v[0] == 'l';
-        } else if (word[0] != '-' && in.empty())
+        } else if (w == "--tone")
+            good = a.choice("--tone", "log", "film", s.logarithmic);
+        else if (word[0] != '-' && in.empty())
             in = w;
         else
             good = a.unknown(word);

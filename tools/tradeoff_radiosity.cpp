@@ -1,12 +1,9 @@
-#include "host/headless.h"
-#include "host/threads.h"
 #include "measured.h"
 #include "plot.h"
 #include "reference_hall.h"
 #include "tradeoff.h"
 
 #include <cstdio>
-#include <unistd.h>
 
 using namespace odraz;
 
@@ -90,12 +87,6 @@ int tradeoffRadiosity(const Sweep &sweep) {
     static const int never = 0;
     Gl gl;
     Workers workers;
-    const char *missing = openHeadlessGl(gl);
-    if (!missing) missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &never);
-    if (missing) {
-        std::fprintf(stderr, "tradeoff: %s\n", missing);
-        return 1;
-    }
     std::string csv = "scene,setting,shipped,cpu_s,rms_percent\n";
     Plot plot = {"radiosity: a room, a hall of columns, a corner, and the film's hall",
                  "processor time of a solution, s",
@@ -118,6 +109,7 @@ int tradeoffRadiosity(const Sweep &sweep) {
         plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
     };
     try {
+        openAll(gl, workers);
         int series = 0;
         for (const char *kind : {"cube", "columns", "corner"}) {
             Mesh mesh = generatedMesh(kind, 0);
