@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <map>
-#include <set>
 #include <sstream>
 #include <unordered_map>
 

@@ -188,7 +188,6 @@ struct Builder {
         int material = mesh.triangles[(size_t)triangles[0]].material;
         c.material = (uint16_t)material;
         regions.material.push_back(material);
-        regions.area += twice / 2;
         return true;
     }
 };

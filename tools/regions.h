@@ -9,7 +9,6 @@ namespace odraz {
 
 struct Regions {
     std::vector<int> material; // of each chart, index into Mesh::materials
-    double area = 0;           // of all
 };
 
 // Adds all facets of a model to a scene, as its material 0.

@@ -37,6 +37,8 @@ Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
 }
 constexpr float kNear = 16; // distance^2 over a part's area within which discs would not do
 
+constexpr int kParts = 32; // of a window or a lamp of its own
+
 // A part of what shines, from eight places.
 struct Seen {
     Vec3x8 d;
@@ -139,7 +141,7 @@ struct Context {
     template <class Take> void lookAtChart(const Places &at, int chart, Seen *seen, Take &&take) {
         const Chart &c = model.charts[chart];
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
-            for (int i = look(at, f, lights.cells ? lights.cells : 32, seen) - 1; i >= 0; --i) take(seen[i]);
+            for (int i = look(at, f, kParts, seen) - 1; i >= 0; --i) take(seen[i]);
     }
     void add(const Places &at, Sums &sums);
 };

@@ -43,7 +43,6 @@ struct Lights {
     Lamp lamps[kMaxLamps];
     const Glow *glows;
     int skyCount, lampCount, glowCount;
-    int cells; // of a window or lamp, 1 .. kMaxLampCells; 0: 32
 
     int bases() const { return skyCount + lampCount; } // skies first
 };

@@ -27,7 +27,7 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
         bool sky = k < lights.skyCount;
         Rgb light = sky ? lights.skies[k].sunlight : Rgb{1, 1, 1};
         const float strength[3] = {light.x, light.y, light.z};
-        // The columns first hold what the sky alone gives, the first of the gathered the lamp's share
+        // Until it is solved for, the radiosity has room for the share of the sun or lamp
         float *to = s.direct + 3 * k, *single = s.radiosity + 3 * k;
         meansOfPatches(model, r.direct[k], single, s.columns);
         for (int c = 0; c < 3; ++c) {
