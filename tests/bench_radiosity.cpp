@@ -7,17 +7,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
-#include <ctime>
 
 using namespace odraz;
 
 namespace {
-
-double processorSeconds() {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 double median(std::vector<double> v) {
     std::sort(v.begin(), v.end());

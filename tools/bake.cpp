@@ -17,6 +17,12 @@ const char *const Bake::kSteps[4] = {"dividing", "form factors", "direct light",
 
 void Bake::Free::operator()(void *memory) const { munmap(memory, *(size_t *)memory); }
 
+double processorSeconds() {
+    timespec t;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
+}
+
 Rgb Bake::reflects(int chart) const {
     const auto &r = materials[(size_t)material[(size_t)chart]].reflects;
     return {r[0], r[1], r[2]};
@@ -25,17 +31,7 @@ Rgb Bake::emits(int chart) const {
     const auto &e = materials[(size_t)material[(size_t)chart]].emits;
     return {e[0], e[1], e[2]};
 }
-Rgb Bake::radiosity(int chart, int texel) const {
-    return Rgb{light[0][texel], light[1][texel], light[2][texel]} * reflects(chart) + emits(chart);
-}
-
 namespace {
-
-double processorSeconds() {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 [[noreturn]] void refuseMemory(size_t needed, size_t allowed) {
     throw std::runtime_error("needs about " + std::to_string(needed >> 20) + " MB, more than the " +
@@ -215,8 +211,6 @@ struct Baker {
         gather(b.factors, m.patchCount, (int)columns, s.radiosity, gathered, workers);
         if (!b.settings.analytic)
             for (size_t i = 0; i < (size_t)m.patchCount * columns; ++i) gathered[i] += s.direct[i];
-        if (b.settings.bounces == 0 && b.settings.analytic)
-            std::fill(gathered, gathered + (size_t)m.patchCount * columns, 0.f);
         fillPatches(m, b.factors, (int)columns, gathered);
         addToTexels(m, gathered, (int)columns, indirect, 3, workers);
     }
@@ -234,11 +228,7 @@ struct Baker {
         Model &m = *b.model;
         // Divide
         if (told) told(Bake::kSteps[0], 0, -1);
-        double area = 0;
-        for (const Triangle &t : mesh.triangles) {
-            auto n = normalOf(mesh, t);
-            area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
-        }
+        double area = areaOf(mesh);
         const BakeSettings &s = b.settings;
         double element = s.element > 0 ? s.element : area / 30000, patch = s.patch;
         double cell = std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);

@@ -27,6 +27,9 @@ struct BakeSettings {
     int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
 };
 
+// User and system time of all threads.
+double processorSeconds();
+
 // What is told while it works: which step, how far it is, and while solving what is left to change.
 using Told = std::function<void(const char *step, float done, float residual)>;
 
@@ -54,8 +57,6 @@ struct Bake {
 
     Rgb reflects(int chart) const;
     Rgb emits(int chart) const;
-    // What leaves a texel, seen from its chart: radiance.
-    Rgb radiosity(int chart, int texel) const;
 };
 
 // Workers watch no abort of their own. Throws ModelError, or std::runtime_error for the rest. A value other

@@ -38,15 +38,6 @@ void openAll(Gl &gl, Workers &workers) {
     if (missing) throw std::runtime_error(missing);
 }
 
-double areaOf(const Mesh &mesh) {
-    double area = 0;
-    for (const Triangle &t : mesh.triangles) {
-        auto n = normalOf(mesh, t);
-        area += std::sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
-    }
-    return area;
-}
-
 std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick) {
     static const int never = 0;
     double area = areaOf(mesh);

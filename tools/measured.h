@@ -13,8 +13,6 @@ Mesh generatedMesh(const std::string &kind, double area);
 // OpenGL without a display and a thread for every processor. Throws std::runtime_error.
 void openAll(Gl &gl, Workers &workers);
 
-double areaOf(const Mesh &mesh);
-
 // Probes and what a converged solution has there: form factors by rays, of many small patches.
 std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick);
 

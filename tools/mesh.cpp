@@ -75,6 +75,12 @@ std::array<double, 3> normalOf(const Mesh &m, const Triangle &t) {
     return cross(minus(m.points[(size_t)t.corners[1]], a), minus(m.points[(size_t)t.corners[2]], a));
 }
 
+double areaOf(const Mesh &m) {
+    double area = 0;
+    for (const Triangle &t : m.triangles) area += length(normalOf(m, t)) / 2;
+    return area;
+}
+
 double Mesh::size() const {
     Point lo = points.at(0), hi = lo;
     for (const Point &p : points)

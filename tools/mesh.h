@@ -36,3 +36,6 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes);
 
 // Twice the area of a triangle, as a vector along its normal.
 std::array<double, 3> normalOf(const Mesh &mesh, const Triangle &t);
+
+// Of all triangles.
+double areaOf(const Mesh &mesh);

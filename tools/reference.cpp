@@ -28,8 +28,6 @@ struct Fan {
     }
 };
 
-float offOf(const Chart &c) { return (sumAbs(c.corner) + c.width + c.height) * 2e-6f; }
-
 bool onFacet(const Facet &f, float u, float v) {
     for (int k = 0; k < 4; ++k) {
         int next = (k + 1) & 3;
@@ -45,7 +43,7 @@ int castFan(const Scene &scene, const Chart &from, Vec3 p, int side, uint32_t se
     Fan fan(from.n, side, seed);
     Ray8 ray;
     int backs = 0;
-    ray.o = broadcast(p + from.n * offOf(from));
+    ray.o = broadcast(p + from.n * from.off());
     for (int first = 0; first < side * side; first += 8) {
         int count = std::min(8, side * side - first);
         for (int k = 0; k < 8; ++k) {
@@ -129,7 +127,7 @@ double facetFormFactor(const Model &m, const Scene &scene, int facet, const Char
     double area = (double)length(cross(u, v)) * (f.triangle() ? 0.5 : 1), factor = 0;
     uint32_t state = pcg(seed * 7919u + 1);
     for (int first = 0; first < side * side; first += 8) {
-        Ray8 ray = {broadcast(p + from.n * offOf(from)), {}};
+        Ray8 ray = {broadcast(p + from.n * from.off()), {}};
         Float8 far, kernel;
         for (int k = 0; k < 8; ++k) {
             int i = (first + k) % side, j = (first + k) / side;
@@ -240,7 +238,7 @@ bool findRowsByRayHemicubes(const Model &m, const Scene &scene, const uint8_t *l
         const Chart &c = m.charts[p.chart];
         std::vector<uint32_t> ids((size_t)(3 * px * px));
         Ray8 ray;
-        ray.o = broadcast(p.p + c.n * offOf(c));
+        ray.o = broadcast(p.p + c.n * c.off());
         for (int first = 0; first < 3 * px * px; first += 8) {
             int lanes = std::min(8, 3 * px * px - first);
             for (int k = 0; k < 8; ++k) {

@@ -4,7 +4,6 @@
 #include "trace/intersect.h"
 
 #include <cmath>
-#include <ctime>
 
 namespace odraz {
 
@@ -12,17 +11,12 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     : memory(new unsigned char[bytes + 64]()), scene(std::make_unique<Scene>()),
       hall(std::make_unique<Hall>()) {
     Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
-    auto now = [] {
-        timespec t;
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-        return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-    };
-    double began = now();
+    double began = processorSeconds();
     prepareHall(*hall, *scene);
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, arena, workers, {}))
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
-    seconds = now() - began;
+    seconds = processorSeconds() - began;
 }
 
 namespace {
@@ -46,7 +40,7 @@ bool drawnByTracer(int basis) { return basis < kHours + kLanterns; }
 
 // What share of a ball's or the sun's light arrives at a place.
 float arrives(const Scene &scene, const Chart &c, Vec3 at, Vec3 from, float radius) {
-    Vec3 p = at + c.n * ((sumAbs(c.corner) + c.width + c.height) * 2e-6f), to = from - p;
+    Vec3 p = at + c.n * c.off(), to = from - p;
     float far = length(to), cosine = dot(to, c.n) / far;
     float factor = radius > 0 ? ballFormFactor(broadcast(cosine), broadcast(radius * radius / (far * far)))[0]
                               : std::fmax(cosine, 0.f);

@@ -126,7 +126,7 @@ Texels8 loadTexels(const Model &model, const int *numbers, int count) {
         put(t.u, k, c.u), put(t.v, k, c.v), put(t.n, k, c.n);
         float quarter = (float)kSteps / (float)(4 << texel.level);
         t.du[k] = du * quarter, t.dv[k] = dv * quarter;
-        t.off[k] = (sumAbs(c.corner) + c.width + c.height) * 2e-6f;
+        t.off[k] = c.off();
     }
     t.active = kLanes < count;
     return t;

@@ -31,6 +31,8 @@ struct Chart {
     int texels() const { return (across + 1) * (down + 1); }
     int patchesAcross() const { return across / patchAcross; }
     int patchesDown() const { return down / patchDown; }
+    // How far off the plane points lie surely on its side
+    float off() const { return (sumAbs(corner) + width + height) * 2e-6f; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };
 
