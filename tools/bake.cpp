@@ -271,20 +271,19 @@ struct Baker {
 
         // Direct light
         size_t texels = (size_t)m.texelRoom + 8;
-        float *indirect[3], *single[1] = {take<float>(texels)};
+        float *indirect[3];
         for (int c = 0; c < 3; ++c) {
             b.direct[c] = take<float>(texels);
             b.light[c] = take<float>(texels);
             indirect[c] = take<float>(texels);
         }
-        float *const sky[1][3] = {{b.direct[0], b.direct[1], b.direct[2]}};
         Lights lights = {};
-        lights.skyCount = 1;
+        lights.skyCount = 3;
         lights.glows = b.glows.data();
         lights.glowCount = (int)b.glows.size();
         Step step = {told, Bake::kSteps[2]};
         auto look = [&](const Progress &progress) {
-            if (s.analytic) findDirectLight(m, *b.scene, lights, workers, sky, single, progress);
+            if (s.analytic) findDirectLight(m, *b.scene, lights, workers, b.direct, progress);
             settleFresh(m);
         };
         look(step.progress());

@@ -104,6 +104,13 @@ ODRAZ_INLINE float least(Float8 x) {
     return min(m, (Float8)_mm256_permute_ps(m, 0xb1))[0];
 }
 
+// The sum of the lanes, always in the same order.
+ODRAZ_INLINE float total(Float8 x) {
+    Float8 s = x + (Float8)_mm256_permute2f128_ps(x, x, 1);
+    s += (Float8)_mm256_permute_ps(s, 0x4e);
+    return (s + (Float8)_mm256_permute_ps(s, 0xb1))[0];
+}
+
 template <class T> ODRAZ_INLINE T clamp(T x, float lo, float hi) { return min(max(x, lo), hi); }
 ODRAZ_INLINE int clamp(int x, int lo, int hi) { return min(max(x, lo), hi); }
 template <class T> ODRAZ_INLINE T saturate(T x) { return clamp(x, 0.f, 1.f); }

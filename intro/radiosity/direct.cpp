@@ -45,9 +45,6 @@ struct Seen {
     Float8 factor;
 };
 
-struct Sums {
-    Float8 sky[kMaxSkies][3], single[kMaxBases];
-};
 
 // Divides a facet into parts that are as square as can be; a triangle into such as itself. Returns how many.
 int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
@@ -143,37 +140,39 @@ struct Context {
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
             for (int i = look(at, f, kParts, seen) - 1; i >= 0; --i) take(seen[i]);
     }
-    void add(const Places &at, Sums &sums);
+    void add(const Places &at, Float8 *sums);
 };
 
-void Context::add(const Places &at, Sums &sums) {
+void Context::add(const Places &at, Float8 *sums) {
     Seen seen[kMaxLampCells];
-    auto put = [&](int k, const Rgb8 &light) {
-        sums.sky[k][0] += light.x, sums.sky[k][1] += light.y, sums.sky[k][2] += light.z;
-    };
     for (int w = 0; w < model.chartCount && lights.skyCount; ++w)
         if (model.charts[w].open)
             lookAtChart(at, w, seen, [&](const Seen &s) {
-                for (int k = 0; k < lights.skyCount && any(s.factor > 0.f); ++k)
-                    put(k, radiance(lights.skies[k].sky, s.d) * s.factor);
+                if (!any(s.factor > 0.f)) return;
+                Float8 sky[kMaxSkies];
+                lights.sky(lights.skies, s.d, sky);
+                for (int k = 0; k < lights.skyCount; ++k) sums[k] = fmadd(sky[k], s.factor, sums[k]);
             });
     for (int g = 0; g < lights.glowCount; ++g) {
         const Glow &glow = lights.glows[g];
         for (int i = look(at, glow.facet, glow.cells, seen) - 1; i >= 0; --i)
-            put(0, broadcast(glow.radiance) * seen[i].factor);
+            sums[0] = fmadd(seen[i].factor, glow.radiance.x, sums[0]),
+            sums[1] = fmadd(seen[i].factor, glow.radiance.y, sums[1]),
+            sums[2] = fmadd(seen[i].factor, glow.radiance.z, sums[2]);
     }
+    sums += lights.skyCount;
     Vec3x8 d;
-    for (int k = 0; k < lights.skyCount; ++k) {
-        if (maxComponent(lights.skies[k].sunlight) == 0) continue;
-        Vec3 sun = lights.skies[k].sunAt;
+    for (int k = 0; k < lights.sunCount; ++k) {
+        Vec3 sun = lights.suns[k];
         Int8 faces = at.active & (dot(sun - at.p, at.n) > 0.f);
         if (!any(faces)) continue;
         Float8 share = clear(at, broadcast(sun), faces, d);
-        sums.single[k] += select(faces, share * dot(d, at.n), 0.f);
+        sums[k] += select(faces, share * dot(d, at.n), 0.f);
     }
+    sums += lights.sunCount;
     for (int k = 0; k < lights.lampCount; ++k) {
         const Lamp &lamp = lights.lamps[k];
-        Float8 &sum = sums.single[lights.skyCount + k];
+        Float8 &sum = sums[k];
         if (lamp.radius == 0) {
             lookAtChart(at, lamp.chart, seen, [&](const Seen &s) { sum += s.factor; });
             continue;
@@ -195,7 +194,7 @@ void Context::add(const Places &at, Sums &sums) {
 } // namespace
 
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
-                     float *const (*sky)[3], float *const *single, const Progress &progress) {
+                     float *const *direct, const Progress &progress) {
     static constexpr int kPiece = 64;
     int done = 0; // texels
     parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int worker) {
@@ -205,7 +204,7 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
             int count = min(end - i, 8), seen[8] = {};
             Texels8 t = loadTexels(model, model.fresh + i, count);
             for (int k = 0; k < count; ++k) seen[k] = model.texels[model.fresh[i + k]].visible;
-            Sums sums = {};
+            Float8 sums[kMaxBases] = {};
             Float8 looked = {};
             for (int round = 0; round < 4; ++round) {
                 Places8 places = placesOf(seen, round);
@@ -214,13 +213,10 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
                 context.add({t.at(places.x, places.y), t.n, places.active, round}, sums);
             }
             Float8 inverse = 1.f / max(looked, 1.f);
-            auto put = [&](float *plane, Float8 sum) {
-                sum *= inverse;
-                for (int k = 0; k < count; ++k) plane[model.fresh[i + k]] = sum[k];
-            };
-            for (int k = 0; k < lights.skyCount; ++k)
-                for (int channel = 0; channel < 3; ++channel) put(sky[k][channel], sums.sky[k][channel]);
-            for (int k = 0; k < lights.bases(); ++k) put(single[k], sums.single[k]);
+            for (int k = 0; k < lights.bases(); ++k) {
+                Float8 sum = sums[k] * inverse;
+                for (int t = 0; t < count; ++t) direct[k][model.fresh[i + t]] = sum[t];
+            }
         }
         int texels = __atomic_add_fetch(&done, end - piece * kPiece, __ATOMIC_RELAXED);
         if (worker == 0) progress((float)texels / (float)model.freshCount);

@@ -15,14 +15,8 @@
 
 namespace odraz {
 
-inline constexpr int kMaxSkies = 12, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxLamps, kMaxLampCells = 256;
-
-// A sky that stands in all windows, and the sun, a point so far away that its light is parallel.
-struct SkyKey {
-    Sky sky;
-    Vec3 sunAt;   // world
-    Rgb sunlight; // irradiance / pi on what faces it
-};
+inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps,
+                     kMaxLampCells = 256;
 
 // Something that shines with radiance 1: a ball, or where radius is 0 a chart, on its lit side.
 struct Lamp {
@@ -31,26 +25,32 @@ struct Lamp {
     int chart;
 };
 
-// A facet that shines whatever the sky; it belongs to sky 0.
+// A facet that shines whatever the sky: red, green and blue count to the first three skies.
 struct Glow {
     int facet;
     int cells; // 1 .. kMaxLampCells
     Rgb radiance;
 };
 
+// All of it has one colour: what is linear in it has its colour later. A basis is one of the skies, then one of
+// the suns, then one of the lamps.
 struct Lights {
-    SkyKey skies[kMaxSkies];
+    // Skies stand in all windows: functions of the unit direction that may be negative, but for the first one,
+    // which tells where light from the windows changes
+    void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
+    const void *skies;
+    Vec3 suns[kMaxSuns]; // world; so far away that their light is parallel; irradiance / pi of 1 on what faces them
     Lamp lamps[kMaxLamps];
     const Glow *glows;
-    int skyCount, lampCount, glowCount;
+    int skyCount, sunCount, lampCount, glowCount;
 
-    int bases() const { return skyCount + lampCount; } // skies first
+    int firstLamp() const { return skyCount + sunCount; }
+    int bases() const { return firstLamp() + lampCount; }
 };
 
-// Adds up light for the fresh texels, in planes: sky[k] gets what comes from sky k through the windows (red,
-// green, blue), single[k] the share of sky k's sunlight, then those of the lamps' radiances. The scene holds
-// the posed model, finished.
+// Adds up light for the fresh texels: direct[k] is a plane, the share of basis k that arrives. The scene holds the
+// posed model, finished.
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
-                     float *const (*sky)[3], float *const *single, const Progress &progress);
+                     float *const *direct, const Progress &progress);
 
 } // namespace odraz

@@ -301,7 +301,7 @@ void meansOfPatches(const Model &m, const float *plane, float *mean, int stride)
 }
 
 void addToTexels(const Model &m, const float *values, int columns, float *const *planes, int count,
-                 Workers &workers) {
+                 Workers &workers, int tied) {
     static constexpr int kPiece = 1024;
     parallelFor(workers, (m.texelCount + kPiece - 1) / kPiece, [&](int piece, int) {
         for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, m.texelCount); ++i) {
@@ -321,11 +321,21 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
                 return values + (size_t)(c.firstPatch + y * across + x) * (size_t)columns;
             };
             const float *at[4] = {from(x0, y0), from(x1, y0), from(x0, y1), from(x1, y1)};
+            float share = 1;
             for (int k = 0; k < count; k += 8) {
                 Float8 a = load(at[0] + k), b = load(at[1] + k), d = load(at[2] + k), e = load(at[3] + k);
-                Float8 upper = fmadd(b - a, x, a), lower = fmadd(e - d, x, d);
-                // Going straight on outside must not run below half of the least
-                Float8 v = max(fmadd(lower - upper, y, upper), min(min(a, b), min(d, e)) * 0.5f);
+                auto between = [&](Float8 x, Float8 y) {
+                    Float8 upper = fmadd(b - a, x, a), lower = fmadd(e - d, x, d);
+                    return fmadd(lower - upper, y, upper);
+                };
+                Float8 v = between(x, y), least = min(min(a, b), min(d, e)) * 0.5f;
+                if (k < tied) {
+                    Float8 inside = between(saturate(x), saturate(y));
+                    if (k == 0 && v[0] < least[0]) share = (inside[0] - least[0]) / (inside[0] - v[0]);
+                    least = select(kLanes < tied - k, inside + (v - inside) * share, least);
+                    v = select(kLanes < tied - k, least, v);
+                }
+                v = max(v, least);
                 for (int j = 0; j < min(count - k, 8); ++j) planes[k + j][i] += v[j];
             }
         }

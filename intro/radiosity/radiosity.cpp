@@ -24,36 +24,25 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
             to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;
     }
     parallelFor(workers, lights.bases(), [&](int k, int) {
-        bool sky = k < lights.skyCount;
-        Rgb light = sky ? lights.skies[k].sunlight : Rgb{1, 1, 1};
-        const float strength[3] = {light.x, light.y, light.z};
-        // Until it is solved for, the radiosity has room for the share of the sun or lamp
-        float *to = s.direct + 3 * k, *single = s.radiosity + 3 * k;
-        meansOfPatches(model, r.direct[k], single, s.columns);
-        for (int c = 0; c < 3; ++c) {
-            if (sky) meansOfPatches(model, r.bounced[k][c], to + c, s.columns);
-            for (size_t i = 0; i < (size_t)model.patchCount; ++i)
-                to[i * columns + (size_t)c] += single[i * columns] * strength[c];
-        }
+        float *to = s.direct + 3 * k;
+        meansOfPatches(model, r.direct[k], to, s.columns);
+        for (size_t i = 0; i < (size_t)model.patchCount; ++i, to += columns) to[1] = to[2] = to[0];
     });
 }
 
 // Divides the cells over which the light of some basis changes much, and looks at what is new.
 static void refineAll(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
                       Workers &workers) {
-    // What is compared: the skies' green, the lamps' shares; and the suns'
-    Measure measures[2 * kMaxBases];
+    // Of the skies the first one tells
+    Measure measures[kMaxBases];
     int count = 0;
-    for (int k = 0; k < r.lights.bases() && settings.levels; ++k) {
-        if (k < r.lights.skyCount)
-            count += measure(model, r.bounced[k][1], settings.contrast, measures[count]);
-        if (!(settings.traced >> k & 1))
+    for (int k = 0; k < r.lights.bases() && settings.levels; ++k)
+        if ((k == 0 || k >= r.lights.skyCount) && !(settings.traced >> k & 1))
             count += measure(model, r.direct[k], settings.contrast, measures[count]);
-    }
     for (int level = 0; level < settings.levels; ++level) {
         refine(model, level, measures, count, settings.contrast);
         findVisible(model, scene, workers);
-        findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, {});
+        findDirectLight(model, scene, r.lights, workers, r.direct, {});
         settleFresh(model);
     }
 }
@@ -80,7 +69,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         return false;
 
     // Direct light
-    findDirectLight(model, scene, r.lights, workers, r.bounced, r.direct, progress.part(0.635f, 0.8f));
+    findDirectLight(model, scene, r.lights, workers, r.direct, progress.part(0.635f, 0.8f));
     settleFresh(model);
     refineAll(r, model, scene, settings, workers);
     tie(model);
@@ -96,29 +85,17 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     progress(0.965f);
     gather(r.factors, model.patchCount, r.system.columns, r.system.radiosity, gathered, workers);
     fillPatches(model, r.factors, r.system.columns, gathered);
-    addToTexels(model, gathered, r.system.columns, r.bounced[0], 3 * r.lights.bases(), workers);
+    addToTexels(model, gathered, r.system.columns, r.bounced[0], 3 * r.lights.bases(), workers,
+                3 * r.lights.skyCount);
     parallelFor(workers, r.lights.bases(), [&](int k, int) {
-        for (float *plane : r.bounced[k]) settle(model, plane);
+        for (float *plane : r.bounced[k]) {
+            for (int t = 0; t < model.texelCount && k < r.lights.skyCount; ++t) plane[t] += r.direct[k][t];
+            settle(model, plane);
+        }
         settle(model, r.direct[k]);
     });
     progress(1);
     return !workers.aborted();
-}
-
-void blend(const Radiosity &r, const Model &model, const Blend &weights, float *const plane[3]) {
-    for (int c = 0; c < 3; ++c) {
-        auto channel = [&](Rgb w) { return c == 0 ? w.x : c == 1 ? w.y : w.z; };
-        for (int t = 0; t < model.texelCount; ++t) plane[c][t] = 0;
-        auto add = [&](const float *from, float weight) {
-            if (weight == 0) return;
-            for (int t = 0; t < model.texelCount; t += 8)
-                store(plane[c] + t, fmadd(load(from + t), weight, load(plane[c] + t)));
-        };
-        for (int k = 0; k < r.lights.bases(); ++k) {
-            add(r.bounced[k][c], channel(weights.bounced[k]));
-            add(r.direct[k], channel(weights.direct[k]));
-        }
-    }
 }
 
 } // namespace odraz

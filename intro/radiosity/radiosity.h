@@ -1,8 +1,8 @@
 // A room, solved: for every light its light on every texel, bounces and all.
 //
-// Light is linear: the picture at any time is a weighted sum of these bases, the skies with the bounces of
-// their suns, then the lamps. Direct light of suns and lamps is kept apart, as one number a texel, so that
-// it can be left out where the tracer draws it, or put in.
+// Light is linear: the picture at any time is a weighted sum of these bases, skies, suns and lamps. Direct light
+// of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer draws it,
+// or put in.
 #pragma once
 
 #include "base/progress.h"
@@ -18,7 +18,7 @@ struct RadiositySettings {
     // basis)
     int levels = 0;
     float contrast = 0.3f;
-    uint32_t traced = 0;
+    uint64_t traced = 0;
     float residual = 1e-4f;
     int sweeps = 100;       // no more than these
     size_t links = 6 << 20; // room for form factors
@@ -28,8 +28,8 @@ struct Radiosity {
     Lights lights;
     FormFactors factors;
     System system;                // of all bases; columns 3 basis + channel
-    float *bounced[kMaxBases][3]; // planes of texels; with a sky's light through the windows
-    float *direct[kMaxBases];     // planes: what share of the sunlight or the lamp's radiance arrives
+    float *bounced[kMaxBases][3]; // planes of texels; of skies all that arrives, direct light too
+    float *direct[kMaxBases];     // planes: what share arrives from the sky, the sun or the lamp itself
     Hemicubes hemicubes;          // open as long as the context is
 };
 
@@ -37,12 +37,5 @@ struct Radiosity {
 // cannot do it, or the viewer left.
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress);
-
-// How much of each basis there is.
-struct Blend {
-    Rgb bounced[kMaxBases]; // weights of skies (0 .. 1), radiances of lamps
-    Rgb direct[kMaxBases];  // sunlight, radiance; {} where the tracer draws what they light directly
-};
-void blend(const Radiosity &r, const Model &model, const Blend &weights, float *const plane[3]);
 
 } // namespace odraz

@@ -36,7 +36,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
         for (int k = 0; k < 2; ++k) {
             size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
             Float8 source = load(s.reflectance + at) * load(s.direct + at);
-            put[k] += source;
+            put[k] += abs(source);
             store(s.radiosity + at, source);
         }
     for (int sweep = 1; sweep <= most; ++sweep) {

@@ -27,14 +27,6 @@ constexpr Hour kDay[kHours] = {
     {-62, 1, {}, {0.03f, 0.04f, 0.075f}, {0.01f, 0.018f, 0.045f}, {}},
 };
 
-SkyKey keyOf(const Hour &h) {
-    float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
-    Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
-    return {{h.low, h.high, h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f)), sun, h.glow},
-            sun * 300.f,
-            h.sunlight};
-}
-
 Hour between(const Hour &a, const Hour &b, float t) {
     return {lerp(a.aside, b.aside, t), lerp(a.height, b.height, t), lerp(a.sunlight, b.sunlight, t),
             lerp(a.low, b.low, t),     lerp(a.high, b.high, t),     lerp(a.glow, b.glow, t)};
@@ -66,6 +58,9 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 // The light of scene 4, bounce by bounce, and what its patch sees.
 bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
     const Radiosity &r = hall.radiosity;
+    const float none[kLanterns] = {};
+    LightVector noon;
+    lightVector({kNoon, {}, {}, 0}, none, noon);
     size_t patches = (size_t)hall.model.patchCount, columns = (size_t)r.system.columns;
     float *radiosity = arena.take<float>(patches * kSolveBlock),
           *gathered = arena.take<float>(patches * kSolveBlock);
@@ -74,8 +69,9 @@ bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
         if (!(hall.bounce[b] = arena.take<Rgb>(patches))) return false;
         if (b > 0) gather(r.factors, hall.model.patchCount, kSolveBlock, radiosity, gathered, workers);
         for (size_t i = 0; i < patches; ++i) {
-            const float *direct = r.system.direct + i * columns + 3 * kNoon;
-            Rgb light = {direct[0], direct[1], direct[2]};
+            Rgb light = {};
+            for (int k = 0; k < kFirstLantern; ++k)
+                light += noon.bounced[k] * r.system.direct[i * columns + 3 * (size_t)k];
             const float *in = gathered + i * kSolveBlock;
             light += Rgb{in[0], in[1], in[2]};
             hall.bounce[b][i] = light;
@@ -110,12 +106,46 @@ bool visit(Hall &hall, const Gl &gl, Arena &arena) {
 
 } // namespace
 
+Daylight daylightAt(float hour) {
+    int before = min(max((int)hour, 0), kHours - 2);
+    Hour h = between(kDay[before], kDay[before + 1], hour - (float)before);
+    float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
+    Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
+    Rgb ground = h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f));
+    return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f, h.glow, {}, 0, 0},
+            sun * 300.f,
+            h.sunlight + h.glow * kNearGlow};
+}
+
+void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
+    v = {};
+    Daylight now = daylightAt(light.hour);
+    now.sky.near = {}; // it is part of the sun
+    project(now.sky, v.bounced);
+    // The sun's bounce, between two positions; its light, where the tracer does not draw it
+    float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
+    int before = min((int)at, kSuns - 2);
+    for (int i = 0; i < 2; ++i) {
+        Rgb part = now.sunlight * (i ? at - (float)before : (float)(before + 1) - at);
+        v.bounced[kSh + before + i] = part;
+        v.direct[kSh + before + i] = part * (1 - light.sun);
+    }
+    for (int i = 0; i < kLanterns; ++i) {
+        v.bounced[kFirstLantern + i] = kLanternLight * light.lanterns[i];
+        v.direct[kFirstLantern + i] = v.bounced[kFirstLantern + i] * (1 - drawn[i]);
+    }
+    for (int i = 0; i < kStrips; ++i)
+        v.bounced[kFirstStrip + i] = v.direct[kFirstStrip + i] = kStripLight * light.strips[i];
+}
+
 size_t hallBytes() { return (size_t)160 << 20; }
 
 void prepareHall(Hall &hall, Scene &scene) {
     Lights &lights = hall.radiosity.lights;
-    lights.skyCount = kHours;
-    for (int i = 0; i < kHours; ++i) lights.skies[i] = keyOf(kDay[i]);
+    lights.skyCount = kSh;
+    lights.sky = [](const void *, const Vec3x8 &d, Float8 *y) { evaluate(d, y); };
+    lights.sunCount = kSuns;
+    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.25f).sunAt;
     buildHall(hall.model, lights);
     scene.clear();
     addMaterials(scene, {}, 0);
@@ -149,39 +179,25 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
     scene.lightmap = &hall.map;
     hall.map.mosaic = 0;
 
-    // The hour, between two that are solved
-    int hour = min(max((int)light.hour, 0), kHours - 2);
-    float t = light.hour - (float)hour;
-    SkyKey now = keyOf(between(kDay[hour], kDay[hour + 1], t));
+    Daylight now = daylightAt(light.hour);
     scene.sky = now.sky;
-    Blend weights = {};
-    weights.bounced[hour] = Rgb{1, 1, 1} * (1 - t);
-    weights.bounced[hour + 1] = Rgb{1, 1, 1} * t;
-    if (light.sun > 0) {
-        Rgb strength = now.sunlight * (light.sun * dot(now.sunAt, now.sunAt));
-        scene.add(pointLight(now.sunAt, strength));
-    }
-    weights.direct[hour] = kDay[hour].sunlight * ((1 - t) * (1 - light.sun));
-    weights.direct[hour + 1] = kDay[hour + 1].sunlight * (t * (1 - light.sun));
+    if (light.sun > 0) scene.add(pointLight(now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))));
 
     // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
     // the third's share
-    float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2]));
+    float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
         if (on == 0) continue;
-        float drawn = saturate((on - least) / (0.15f * on));
+        drawn[i] = saturate((on - least) / (0.15f * on));
         Vec3 place = hall.radiosity.lights.lamps[i].centre;
-        Rgb radiance = kLanternLight * on;
-        weights.bounced[kHours + i] = radiance;
-        weights.direct[kHours + i] = radiance * (1 - drawn);
         scene.add(sphere(place, kLanternRadius, kLantern + i));
-        if (drawn > 0) scene.add(pointLight(place, radiance * (drawn * kLanternRadius * kLanternRadius)));
+        if (drawn[i] > 0)
+            scene.add(pointLight(place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius)));
     }
-    for (int i = 0; i < kStrips; ++i)
-        weights.bounced[kHours + kLanterns + i] = weights.direct[kHours + kLanterns + i] =
-            kStripLight * light.strips[i];
-    blend(hall.radiosity, hall.model, weights, hall.light);
+    LightVector vector;
+    lightVector(light, drawn, vector);
+    relight(hall.radiosity, hall.model, vector, hall.light);
 
     // Balls get what floor and ceiling get on average
     auto mean = [&](int chart) {

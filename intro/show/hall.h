@@ -3,12 +3,15 @@
 // from the entrance.
 #pragma once
 
-#include "radiosity/radiosity.h"
+#include "transfer/relight.h"
+#include "transfer/spherical_harmonics.h"
 
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
-inline constexpr int kHours = 8;   // of the day that are solved: dawn to dusk, and night
+inline constexpr int kHours = 8;   // of the day, from dawn to dusk and night
+inline constexpr int kSuns = 28;   // positions whose bounces are solved, four for each hour
+inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns; // of the bases
 inline constexpr int kBounces = 4; // kept one by one, for scene 4
 inline constexpr int kNoon = 3;    // the hour that scene 4 shows
 inline constexpr int kSeen = 64;   // pixels of the hemicube that it shows
@@ -30,7 +33,7 @@ struct Hall {
 
 // How the hall is lit.
 struct HallLight {
-    float hour;                // 0 .. kHours - 1, in between two are blended
+    float hour;                // 0 .. kHours - 1
     float lanterns[kLanterns]; // 0 .. 1
     float strips[kStrips];
     float sun; // how much of the sun the tracer draws: 1, or less where the lightmap has its direct light
@@ -42,8 +45,19 @@ inline constexpr RadiositySettings kHallSettings = {.px = 16,
                                                     .block = 1,
                                                     .levels = 1,
                                                     .contrast = 0.3f,
-                                                    .traced = (1u << (kHours + kLanterns)) - 1,
+                                                    .traced = ((1ull << (kSuns + kLanterns)) - 1) << kSh,
                                                     .residual = 1e-3f};
+// The sky of an hour, and its sun.
+struct Daylight {
+    Sky sky;
+    Vec3 sunAt;   // world
+    Rgb sunlight; // irradiance / pi on what faces it
+};
+Daylight daylightAt(float hour);
+
+// What there is of each basis. Lanterns: which share of each the tracer draws.
+void lightVector(const HallLight &light, const float *drawn, LightVector &vector);
+
 // Builds it and fills a scene with it, for solveRadiosity().
 void prepareHall(Hall &hall, Scene &scene);
 // Builds and solves it, using `scene` for the while. Null, or a line that says what is missing and what to

@@ -63,11 +63,10 @@ void poseTable(double row, Hall *, Scene &scene) {
     scene.ambientLow = {0.075f, 0.065f, 0.055f};
     scene.ambientHigh = {0.11f, 0.135f, 0.18f};
     // Late light: a glow stands where the key light comes from, and on every ball
-    scene.sky = {{0.34f, 0.33f, 0.36f},
-                 {0.030f, 0.070f, 0.17f},
-                 {0.20f, 0.20f, 0.22f},
-                 normalize(Vec3{-4.5f, 2.2f, 3.5f}),
-                 {1.1f, 0.62f, 0.30f}};
+    scene.sky = plainSky({0.34f, 0.33f, 0.36f}, {0.030f, 0.070f, 0.17f});
+    scene.sky.sun = normalize(Vec3{-4.5f, 2.2f, 3.5f});
+    scene.sky.near = {1.1f, 0.62f, 0.30f};
+    scene.sky.glow = scene.sky.near * 0.25f;
     scene.fog = 0.02f;
     scene.exposure = 0.9f;
 }

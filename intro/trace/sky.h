@@ -5,16 +5,24 @@
 
 namespace odraz {
 
-// Radiances. From the horizon's colour to the zenith's by elevation; the ground below; around the sun a glow
-// that falls with the fourth power of the cosine, and nearer to it a brighter one.
+// Radiances: low + slope y + curve y^2 by the sine y of the elevation, or `least` where y is below that. Around the
+// sun a wide glow; with least = -1 both are polynomials of degree 4, which spherical harmonics of bands 0 to 4 hold
+// without an error. Nearer to the sun a small bright one, and over all that clouds of noise.
 struct Sky {
-    Rgb low, high, ground;
+    Rgb low, slope, curve;
+    float least;
     Vec3 sun; // unit
-    Rgb glow; // {} where no sun is seen
+    Rgb glow, near; // {} where no sun is seen
+    Rgb clouds; // their radiance
+    float cover; // 0: no clouds; 1: hardly anything else
+    float drift; // how far they have moved
 };
 
-// One without sun and ground: the horizon's colour goes on below it.
-inline Sky plainSky(Rgb low, Rgb high) { return {low, high, low, {0, 1, 0}, {}}; }
+// From the horizon's colour to the zenith's; the horizon's goes on below it.
+inline Sky plainSky(Rgb low, Rgb high) { return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0}; }
+
+// Irradiance / pi of the near glow on what faces it: as if the sun were that much stronger.
+inline constexpr float kNearGlow = 2 / 65.f;
 
 // The radiance from unit directions.
 Rgb8 radiance(const Sky &sky, const Vec3x8 &d);
