@@ -46,10 +46,11 @@ const Frame &frame(Intro &intro, double seconds, const Quality &quality, const C
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
     const SceneEntry &entry = kScenes[m.shot->scene];
     Scene &scene = *intro.scene;
+    CameraKey c = camera ? *camera : pose(m.shot->path, m.storyRow);
     scene.clear();
+    scene.eye = c.eye;
     entry.pose(m.storyRow, intro.hall, scene);
     scene.finish();
-    CameraKey c = camera ? *camera : pose(m.shot->path, m.storyRow);
 
     // Trace, letter, develop
     Frame &picture = intro.picture;

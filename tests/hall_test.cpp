@@ -12,6 +12,8 @@ using namespace odraz;
 
 namespace {
 
+constexpr int kNoonSun = kSh + 2 * kNoon;
+
 struct Solved {
     HeapArena memory{hallBytes() + sizeof(Hall)};
     Workers workers = serialWorkers();
@@ -130,7 +132,7 @@ TEST(Hall, SizeDoesNotMatter) {
         }
         copy->r->lights = hall.radiosity.lights;
         for (Lamp &l : copy->r->lights.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
-        for (SkyKey &k : copy->r->lights.skies) k.sunAt *= Vec3{scale, scale, scale};
+        for (Vec3 &sun : copy->r->lights.suns) sun *= Vec3{scale, scale, scale};
         // The hall's own materials, over the copy's facets
         auto scene = std::make_unique<Scene>();
         poseHall(*solved().hall, {}, 0, *scene);
@@ -150,7 +152,8 @@ TEST(Hall, SizeDoesNotMatter) {
         for (int i = 0; i < one->model->texelCount; ++i) {
             hidden += other->model->texels[i].visible != one->model->texels[i].visible;
             for (int c = 0; c < 3; ++c) {
-                double a = (double)other->r->bounced[kNoon][c][i], b = (double)one->r->bounced[kNoon][c][i];
+                double a = (double)(other->r->bounced[0][c][i] + other->r->bounced[kNoonSun][c][i]),
+                       b = (double)(one->r->bounced[0][c][i] + one->r->bounced[kNoonSun][c][i]);
                 ASSERT_TRUE(std::isfinite(a));
                 sum += b * b, difference += (a - b) * (a - b);
             }
@@ -219,6 +222,9 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     const Hall &hall = *s.hall;
     double mean[kBounces + 1] = {}, solution = 0;
     const System &system = hall.radiosity.system;
+    const float none[kLanterns] = {};
+    LightVector noon;
+    lightVector({kNoon, {}, {}, 1}, none, noon);
     for (int i = 0; i < hall.model.patchCount; ++i) {
         const Patch &p = hall.model.patches[i];
         const Chart &c = hall.model.charts[p.chart];
@@ -230,7 +236,8 @@ TEST(Hall, BouncesRunUpToTheSolution) {
                 EXPECT_GE(hall.bounce[b][i].y, hall.bounce[b - 1][i].y * 0.9999f);
             }
         }
-        solution += (double)system.radiosity[i * system.columns + 3 * kNoon + 1];
+        for (int k = 0; k < kFirstLantern; ++k)
+            solution += (double)(system.radiosity[i * system.columns + 3 * k + 1] * noon.bounced[k].y);
     }
     for (int b = 1; b <= kBounces; ++b) {
         std::printf("after %d bounces: %.3f of the light\n", b, mean[b] / solution);

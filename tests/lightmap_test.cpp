@@ -160,10 +160,18 @@ TEST(Sky, RisesFromTheHorizonToTheZenith) {
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, 1, 0})).x[0], 0);
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{1, 0, 0})).y[0], 2);
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // no ground: the horizon goes on
-    sky.ground = {};
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 0);
+    sky.least = -1;
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or does not
+    sky.least = 0;
     sky.sun = {0.6f, 0.8f, 0};
-    sky.glow = {1, 1, 1};
-    EXPECT_GT(radiance(sky, broadcast(sky.sun)).x[0],
-              radiance(sky, broadcast(Vec3{-0.6f, 0.8f, 0})).x[0] + 1);
+    sky.glow = sky.near = {0.5f, 0.5f, 0.5f};
+    Sky without = plainSky({1, 2, 3}, {0, 0, 0});
+    EXPECT_NEAR((double)(radiance(sky, broadcast(sky.sun)).x[0] - radiance(without, broadcast(sky.sun)).x[0]), 1, 1e-5);
+    // The near glow's irradiance on what faces the sun, by the midpoint rule
+    double sum = 0;
+    for (int i = 0; i < 10000; ++i) {
+        double cosine = (i + 0.5) / 10000;
+        sum += std::pow(cosine, 64) * cosine * 2e-4;
+    }
+    EXPECT_NEAR((double)kNearGlow, sum, 1e-5);
 }

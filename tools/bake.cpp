@@ -211,7 +211,7 @@ struct Baker {
         gather(b.factors, m.patchCount, (int)columns, s.radiosity, gathered, workers);
         if (!b.settings.analytic)
             for (size_t i = 0; i < (size_t)m.patchCount * columns; ++i) gathered[i] += s.direct[i];
-        fillPatches(m, b.factors, (int)columns, gathered);
+        fillPatches(m, b.factors, (int)columns, gathered, 0, m.patchCount);
         addToTexels(m, gathered, (int)columns, indirect, 3, workers);
     }
 

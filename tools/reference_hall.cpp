@@ -21,22 +21,29 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
 
 namespace {
 
-// All of a basis that arrives by the lightmap: where the tracer draws what comes directly, without that.
+// Noon without lamps, one lantern, one strip; what arrives of them by the lightmap: where the tracer draws what comes
+// directly, without that.
+enum { kAtNoon, kByLantern, kByStrip };
+constexpr int kLanternBasis = kFirstLantern + 1, kStripBasis = kFirstStrip + 3;
+
 struct Planes {
     std::vector<float> sum[3];
     float *plane[3];
-    Planes(const Hall &hall, int basis, bool direct) {
-        size_t count = (size_t)hall.model.texelCount;
+    Planes(const Hall &hall, int light) {
+        LightVector v = {};
+        const float drawn[kLanterns] = {};
+        if (light == kAtNoon)
+            lightVector({kNoon, {}, {}, 1}, drawn, v);
+        else
+            v.bounced[light == kByLantern ? kLanternBasis : kStripBasis] = {1, 1, 1};
+        if (light == kByStrip) v.direct[kStripBasis] = {1, 1, 1};
         for (int c = 0; c < 3; ++c) {
-            const float *bounced = hall.radiosity.bounced[basis][c], *own = hall.radiosity.direct[basis];
-            for (size_t i = 0; i < count; ++i) sum[c].push_back(bounced[i] + (direct ? own[i] : 0));
-            sum[c].resize(count + 8);
+            sum[c].resize((size_t)hall.model.texelCount + 8);
             plane[c] = sum[c].data();
         }
+        relight(hall.radiosity, hall.model, v, plane);
     }
 };
-
-bool drawnByTracer(int basis) { return basis < kHours + kLanterns; }
 
 // What share of a ball's or the sun's light arrives at a place.
 float arrives(const Scene &scene, const Chart &c, Vec3 at, Vec3 from, float radius) {
@@ -58,11 +65,13 @@ std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, 
     std::vector<Probe> places;
     for (const Probe &p : placeProbes(m, count))
         if (maxComponent(fine.scene->mean[m.charts[p.chart].material]) > 0) places.push_back(p);
+    Daylight noon = daylightAt(kNoon);
+    noon.sky.near = {}; // it is part of the sun
     std::array<std::vector<Probe>, 3> all;
-    for (size_t b = 0; b < 3; ++b) {
-        int basis = kHallBases[b];
-        Planes planes(*fine.hall, basis, !drawnByTracer(basis));
-        std::vector<Probe> &probes = all[b] = places;
+    for (int light = kAtNoon; light <= kByStrip; ++light) {
+        Planes planes(*fine.hall, light);
+        const Lamp &lamp = lights.lamps[(light == kByStrip ? kStripBasis : kLanternBasis) - kFirstLantern];
+        std::vector<Probe> &probes = all[(size_t)light] = places;
         parallelFor(workers, (int)probes.size(), [&](int index, int) {
             Probe &probe = probes[(size_t)index];
             double sum[3] = {};
@@ -70,30 +79,27 @@ std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, 
             int backs = castFan(*fine.scene, m.charts[probe.chart], probe.p, side, (uint32_t)index,
                                 [&](int chart, Vec3 at, Vec3 d) {
                                     if (chart < 0) {
-                                        if (basis >= kHours) return;
-                                        Rgb8 sky = radiance(lights.skies[basis].sky, broadcast(d));
+                                        if (light != kAtNoon) return;
+                                        Rgb8 sky = radiance(noon.sky, broadcast(d));
                                         return add({sky.x[0], sky.y[0], sky.z[0]});
                                     }
                                     const Chart &c = m.charts[chart];
-                                    Rgb light = lightAtProbe(m, planes.plane, {chart, at, {}, false});
+                                    Rgb arriving = lightAtProbe(m, planes.plane, {chart, at, {}, false});
                                     // What the tracer draws is sharp: found anew for every place
-                                    if (basis < kHours)
-                                        light += lights.skies[basis].sunlight *
-                                                 arrives(*fine.scene, c, at, lights.skies[basis].sunAt, 0);
-                                    else if (drawnByTracer(basis)) {
-                                        const Lamp &lamp = lights.lamps[basis - kHours];
+                                    if (light == kAtNoon)
+                                        arriving += noon.sunlight * arrives(*fine.scene, c, at, noon.sunAt, 0);
+                                    else if (light == kByLantern) {
                                         float share = arrives(*fine.scene, c, at, lamp.centre, lamp.radius);
-                                        light += Rgb{share, share, share};
+                                        arriving += Rgb{share, share, share};
                                     }
-                                    add(light * fine.scene->mean[c.material]);
+                                    add(arriving * fine.scene->mean[c.material]);
                                 });
             probe.inside = backs > side * side / 20;
             double rays = side * side;
             probe.light = {(float)(sum[0] / rays), (float)(sum[1] / rays), (float)(sum[2] / rays)};
-            if (drawnByTracer(basis)) return;
-            const Chart &lamp = m.charts[lights.lamps[basis - kHours].chart];
-            float factor = (float)facetFormFactor(m, *fine.scene, lamp.firstFacet, m.charts[probe.chart],
-                                                  probe.p, side, (uint32_t)index);
+            if (light != kByStrip) return;
+            float factor = (float)facetFormFactor(m, *fine.scene, m.charts[lamp.chart].firstFacet,
+                                                  m.charts[probe.chart], probe.p, side, (uint32_t)index);
             probe.light += Rgb{factor, factor, factor};
         });
         dropInside(probes);
@@ -103,9 +109,9 @@ std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, 
 
 double rmsPercent(const SolvedHall &solved, const std::array<std::vector<Probe>, 3> &probes) {
     double sum = 0;
-    for (size_t b = 0; b < 3; ++b) {
-        Planes planes(*solved.hall, kHallBases[b], !drawnByTracer(kHallBases[b]));
-        double rms = rmsPercent(solved.hall->model, planes.plane, probes[b]);
+    for (int light = kAtNoon; light <= kByStrip; ++light) {
+        Planes planes(*solved.hall, light);
+        double rms = rmsPercent(solved.hall->model, planes.plane, probes[(size_t)light]);
         sum += rms * rms / 3;
     }
     return std::sqrt(sum);

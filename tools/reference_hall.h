@@ -17,11 +17,8 @@ struct SolvedHall {
     double seconds; // of processor time
 };
 
-// The light of one basis: the sky and the bounces of the sun at noon, the bounces of a lantern, a strip's
-// all.
-inline constexpr int kHallBases[3] = {kNoon, kHours + 1, kHours + kLanterns + 3};
-
-// Probes for each of the bases, from a fine solution.
+// Probes for noon (the sky and the sun's bounces), a lantern (its bounces) and a strip (all of it), from a fine
+// solution.
 std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, int side, Workers &workers);
 
 // Root mean square over all three, each as a share of its own light; percent.

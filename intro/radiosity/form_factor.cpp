@@ -110,7 +110,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
         for (; i < count && (batch + 1) * h.turns <= h.batch;
              ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
             const Patch &p = model.patches[next];
-            if (p.share == 0 || !lit[next]) continue;
+            if (p.share == 0 || lit[next] != kReflects) continue;
             for (int k = 0; k < h.turns; ++k)
                 eyes[batch * h.turns + k] =
                     hemicubeEye(p.p, p.n, (uint32_t)next + h.turn + (uint32_t)k * 0x9e3779b9u);
@@ -132,7 +132,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
             for (int first = 0; first < rowFloats; first += 8)
                 for (int lanes = laneBits(load(row + first) > 0.f); lanes; lanes &= lanes - 1) {
                     int j = first + __builtin_ctz(lanes);
-                    if (!lit[j]) continue;
+                    if (lit[j] == kUnlit) continue;
                     if (link == end) return false;
                     *link++ = {(uint32_t)j, row[j] / (float)h.turns};
                 }

@@ -39,8 +39,10 @@ void accumulateFormFactors(int px, const float *delta, float *sums);
 // is a crack of rasterisation; it gets what its neighbour saw.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
-// Draws the hemicubes of all patches that have some share and keeps their rows. Windows, and patches that
-// `lit` leaves out, have none and are left out of those of others. `step`, without a factor in common with
+// What a patch is to form factors: nothing; it has a row, and is in those of others; or that alone.
+enum : uint8_t { kUnlit, kReflects, kShines };
+
+// Draws the hemicubes of all patches that have some share and keeps their rows, as `lit` tells of each. `step`, without a factor in common with
 // the number of patches, is how many patches lie from one to the next, so that rows that are had when it is
 // stopped are spread over the model. False when the viewer left or the links' capacity is too small; what
 // there is then is whole.

@@ -63,7 +63,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     if (!lit || !r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
     for (int i = 0; i < model.patchCount; ++i) {
         const Chart &c = model.charts[model.patches[i].chart];
-        lit[i] = !c.open && maxComponent(scene.mean[c.material]) > 0;
+        lit[i] = !c.open && maxComponent(scene.mean[c.material]) > 0 ? kReflects : kShines;
     }
     if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
         return false;
@@ -84,7 +84,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     solve(r.system, workers, settings.residual, settings.sweeps);
     progress(0.965f);
     gather(r.factors, model.patchCount, r.system.columns, r.system.radiosity, gathered, workers);
-    fillPatches(model, r.factors, r.system.columns, gathered);
+    fillPatches(model, r.factors, r.system.columns, gathered, 0, model.patchCount);
     addToTexels(model, gathered, r.system.columns, r.bounced[0], 3 * r.lights.bases(), workers,
                 3 * r.lights.skyCount);
     parallelFor(workers, r.lights.bases(), [&](int k, int) {

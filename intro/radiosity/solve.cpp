@@ -96,21 +96,22 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
     });
 }
 
-void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values) {
-    for (int i = 0; i < model.patchCount; ++i) {
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first, int count) {
+    values -= (size_t)first * (size_t)columns;
+    for (int i = first; i < first + count; ++i) {
         if (factors.rows[i].known) continue;
         const Chart &c = model.charts[model.patches[i].chart];
         int x = (i - c.firstPatch) % c.patchesAcross(), y = (i - c.firstPatch) / c.patchesAcross();
         float *to = values + (size_t)i * (size_t)columns;
-        int count = 0;
+        int found = 0;
         for (int v = max(y - 1, 0); v <= min(y + 1, c.patchesDown() - 1); ++v)
             for (int u = max(x - 1, 0); u <= min(x + 1, c.patchesAcross() - 1); ++u) {
                 int n = c.firstPatch + v * c.patchesAcross() + u;
                 if (!factors.rows[n].known) continue;
-                ++count;
+                ++found;
                 for (int k = 0; k < columns; k += 8) {
                     Float8 has = load(to + k), more = load(values + (size_t)n * (size_t)columns + k);
-                    store(to + k, fmadd(more - has, broadcast(1.f / (float)count), has));
+                    store(to + k, fmadd(more - has, broadcast(1.f / (float)found), has));
                 }
             }
     }

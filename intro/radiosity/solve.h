@@ -34,7 +34,7 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
             Workers &workers);
 
 // Gives patches whose rows are not known the mean of those around them on their charts; `values` as for
-// gather().
-void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values);
+// gather(), of `count` patches from `first` on, whole charts.
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first, int count);
 
 } // namespace odraz

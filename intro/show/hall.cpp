@@ -123,7 +123,7 @@ void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
     now.sky.near = {}; // it is part of the sun
     project(now.sky, v.bounced);
     // The sun's bounce, between two positions; its light, where the tracer does not draw it
-    float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
+    float at = clamp(light.hour * 2, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
         Rgb part = now.sunlight * (i ? at - (float)before : (float)(before + 1) - at);
@@ -138,14 +138,14 @@ void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
         v.bounced[kFirstStrip + i] = v.direct[kFirstStrip + i] = kStripLight * light.strips[i];
 }
 
-size_t hallBytes() { return (size_t)160 << 20; }
+size_t hallBytes() { return (size_t)224 << 20; }
 
 void prepareHall(Hall &hall, Scene &scene) {
     Lights &lights = hall.radiosity.lights;
     lights.skyCount = kSh;
     lights.sky = [](const void *, const Vec3x8 &d, Float8 *y) { evaluate(d, y); };
     lights.sunCount = kSuns;
-    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.25f).sunAt;
+    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.5f).sunAt;
     buildHall(hall.model, lights);
     scene.clear();
     addMaterials(scene, {}, 0);
@@ -153,10 +153,23 @@ void prepareHall(Hall &hall, Scene &scene) {
     scene.finish();
 }
 
+bool polish(Hall &hall, const GlossySettings &settings, Arena &arena, Workers &workers) {
+    // How much there is of each basis in the course of a day
+    float importance[kMaxBases] = {};
+    for (int hour = 0; hour < kHours; ++hour) {
+        LightVector v;
+        lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, importance, v);
+        for (int k = 0; k < kFirstStrip + kStrips; ++k) importance[k] += length(v.bounced[k]);
+    }
+    for (int i = 0; i < kSuns; ++i) importance[kSh + i] = 1;
+    return findGlossy(hall.floor, hall.model, hall.radiosity, 0, importance, settings, arena, workers);
+}
+
 const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,
                      const Progress &progress) {
     prepareHall(hall, scene);
     if (!solveRadiosity(hall.radiosity, hall.model, scene, kHallSettings, gl, arena, workers, progress) ||
+        !polish(hall, {}, arena, workers) ||
         !followBounces(hall, scene, arena, workers) || !visit(hall, gl, arena))
         return "the hall cannot be solved: OpenGL 3.3 draws no integers here, or memory is short";
     closeHemicubes(hall.radiosity.hemicubes);
@@ -167,8 +180,12 @@ const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Worke
         if (!hall.light[k] || !hall.mosaic[k]) return "not enough memory";
         hall.map.plane[k] = hall.light[k];
         hall.map.patch[k] = hall.mosaic[k];
+        hall.map.gloss[k] = hall.floor.plane[k];
     }
     hall.map.charts = hall.model.charts;
+    hall.map.glossy = hall.floor.chart;
+    hall.map.glossAcross = hall.floor.across;
+    hall.map.glossDown = hall.floor.down;
     hall.map.cells = hall.model.cells;
     return nullptr;
 }
@@ -198,6 +215,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
     LightVector vector;
     lightVector(light, drawn, vector);
     relight(hall.radiosity, hall.model, vector, hall.light);
+    relightGlossy(hall.floor, vector, scene.eye, 0.06f, 0.5f * (1 - grey));
 
     // Balls get what floor and ceiling get on average
     auto mean = [&](int chart) {

@@ -3,14 +3,13 @@
 // from the entrance.
 #pragma once
 
-#include "transfer/relight.h"
-#include "transfer/spherical_harmonics.h"
+#include "transfer/glossy.h"
 
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
 inline constexpr int kHours = 8;   // of the day, from dawn to dusk and night
-inline constexpr int kSuns = 28;   // positions whose bounces are solved, four for each hour
+inline constexpr int kSuns = 14;   // positions whose bounces are solved, two for each hour
 inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns; // of the bases
 inline constexpr int kBounces = 4; // kept one by one, for scene 4
 inline constexpr int kNoon = 3;    // the hour that scene 4 shows
@@ -19,6 +18,7 @@ inline constexpr int kSeen = 64;   // pixels of the hemicube that it shows
 struct Hall {
     Model model;
     Radiosity radiosity;
+    Glossy floor;
     float *light[3];  // planes of texels, blended for the picture at hand
     float *mosaic[3]; // colours of patches, where scene 4 shows them
     Lightmap map;
@@ -46,7 +46,7 @@ inline constexpr RadiositySettings kHallSettings = {.px = 16,
                                                     .levels = 1,
                                                     .contrast = 0.3f,
                                                     .traced = ((1ull << (kSuns + kLanterns)) - 1) << kSh,
-                                                    .residual = 1e-3f};
+                                                    .residual = 1e-2f};
 // The sky of an hour, and its sun.
 struct Daylight {
     Sky sky;
@@ -60,6 +60,8 @@ void lightVector(const HallLight &light, const float *drawn, LightVector &vector
 
 // Builds it and fills a scene with it, for solveRadiosity().
 void prepareHall(Hall &hall, Scene &scene);
+// Finds the gloss of the floor, once the hall is solved.
+bool polish(Hall &hall, const GlossySettings &settings, Arena &arena, Workers &workers);
 // Builds and solves it, using `scene` for the while. Null, or a line that says what is missing and what to
 // do.
 const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Workers &workers,

@@ -75,7 +75,7 @@ void build(Model &m) {
         m.addRect(lo + tall, deep, wide, kPlaster, 0.31f); // lintel
         m.addRect(lo, deep, tall, kPlaster, 0.31f);        // jambs
         m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.31f);
-        m.addRect(lo + wide, -wide, tall, kPlaster, 1.04f, Model::kOpen);
+        m.addRect(lo + wide, -wide, tall, kPlaster, 0.6f, Model::kOpen);
     }
     for (int side = -1; side <= 1; side += 2) {
         float cx = kColumnX * (float)side;

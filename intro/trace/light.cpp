@@ -75,15 +75,20 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
     Occluders occluders(scene, run);
     for (int i = 0; i < run.count; i += 8) {
         Vec3x8 p = load(run.p, i), n = load(run.n, i);
-        Rgb8 diffuse;
-        if (shape.chart >= 0)
-            diffuse = lightAt(*scene.lightmap, scene.lightmap->charts[shape.chart], p);
-        else
+        Rgb8 diffuse, highlight = {};
+        if (shape.chart >= 0) {
+            const Chart &chart = scene.lightmap->charts[shape.chart];
+            diffuse = lightAt(*scene.lightmap, chart, p);
+            if (&chart == scene.lightmap->glossy) highlight = glossAt(*scene.lightmap, p);
+        } else
             diffuse =
                 broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
-        if (occluders.count) diffuse = diffuse * occluders.open(shape, p, n);
+        if (occluders.count) {
+            Float8 open = occluders.open(shape, p, n);
+            diffuse = diffuse * open, highlight = highlight * open;
+        }
         store(run.diffuse, i, diffuse);
-        store(run.highlight, i, Rgb8{});
+        store(run.highlight, i, highlight);
         store(run.states + i, Int8{});
     }
 

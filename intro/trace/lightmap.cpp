@@ -21,18 +21,17 @@ static Rgb8 between(const float *const plane[3], Float8 x, Float8 y, Corner &&co
     return {channel(plane[0]), channel(plane[1]), channel(plane[2])};
 }
 
-// The colours of the patches, which stand at their middles.
-static Rgb8 mosaicAt(const Lightmap &map, const Chart &c, const Vec3x8 &q) {
-    int across = c.patchesAcross(), down = c.patchesDown();
+// The colours of patches, in rows of `across`, which stand at their middles.
+static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sharpness, const Chart &c, const Vec3x8 &q) {
     auto place = [&](Vec3 axis, float size, int count, Int8 &low, Int8 &high) {
         Float8 x = clamp(along(axis, q, (float)count / size) - 0.5f, 0.f, (float)(count - 1));
         low = toInt(x);
         high = select(low < count - 1, low + 1, low);
-        return saturate(fmadd(x - toFloat(low) - 0.5f, map.sharpness, 0.5f));
+        return saturate(fmadd(x - toFloat(low) - 0.5f, sharpness, 0.5f));
     };
     Int8 i[2], j[2];
     Float8 x = place(c.u, c.width, across, i[0], i[1]), y = place(c.v, c.height, down, j[0], j[1]);
-    return between(map.patch, x, y, [&](int k) { return j[k >> 1] * across + i[k & 1] + c.firstPatch; });
+    return between(plane, x, y, [&](int k) { return j[k >> 1] * across + i[k & 1]; });
 }
 
 Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
@@ -53,8 +52,16 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
     }
     Rgb8 light =
         between(map.plane, x, y, [&](int k) { return k ? gatherInts(map.cells, cell * 8 + k) : corner; });
-    if (map.mosaic > 0) light = light + (mosaicAt(map, c, q) - light) * broadcast(map.mosaic);
+    if (map.mosaic > 0) {
+        const float *const plane[3] = {map.patch[0] + c.firstPatch, map.patch[1] + c.firstPatch,
+                                       map.patch[2] + c.firstPatch};
+        light = light + (mosaicAt(plane, c.patchesAcross(), c.patchesDown(), map.sharpness, c, q) - light) * broadcast(map.mosaic);
+    }
     return light;
+}
+
+Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p) {
+    return mosaicAt(map.gloss, map.glossAcross, map.glossDown, 1, *map.glossy, p - map.glossy->corner);
 }
 
 Int8 patchAt(const Chart &c, const Vec3x8 &p, Float8 width, Float8 &clear) {

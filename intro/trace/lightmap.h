@@ -56,11 +56,18 @@ struct Lightmap {
     float mosaic;
     const float *patch[3];
     float sharpness;
+    // What one chart, or none, throws back towards the eye besides: of squares, rows of glossAcross
+    const Chart *glossy;
+    int glossAcross, glossDown;
+    const float *gloss[3];
 };
 inline constexpr float kFlat = 1e4f;
 
 // The light of a chart at points of its plane.
 Rgb8 lightAt(const Lightmap &map, const Chart &chart, const Vec3x8 &p);
+
+// The same of what it throws back besides.
+Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p);
 
 // Which patch points lie in, as a number for comparisons, and how much of a sample `width` wide lies clear of
 // the lines between patches: 1 .. 0.

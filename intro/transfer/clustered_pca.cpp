@@ -1,0 +1,154 @@
+#include "transfer/clustered_pca.h"
+
+#include "base/random.h"
+
+namespace odraz {
+
+namespace {
+
+struct Clustering {
+    ClusteredPca &p;
+    const PcaSettings &settings;
+
+    float *axesOf(int c) { return const_cast<float *>(p.axesOf(c)); }
+    const float *rowOf(int r) const { return p.data + (size_t)r * (size_t)p.columns; }
+    float *weightsOf(int r) const { return p.weights + (size_t)r * (size_t)p.dimensions; }
+
+    // The square of the distance to a cluster's subspace, or to its mean where no weights are asked for;
+    // coordinates there go to `weights`.
+    float project(int r, int c, float *weights) const {
+        const float *row = rowOf(r), *mean = p.axesOf(c);
+        Float8 far = {};
+        for (int i = 0; i < p.columns; i += 8) {
+            Float8 off = load(row + i) - load(mean + i);
+            far = fmadd(off, off, far);
+        }
+        float square = total(far);
+        for (int d = 0; weights && d < p.dimensions; d += 8) {
+            const float *axes = mean + (size_t)(1 + d) * (size_t)p.columns;
+            Float8 sum[8] = {};
+            for (int i = 0; i < p.columns; i += 8) {
+                Float8 off = load(row + i) - load(mean + i);
+                const float *axis = axes + i;
+#pragma GCC unroll 8
+                for (int k = 0; k < 8; ++k, axis += p.columns) sum[k] = fmadd(off, load(axis), sum[k]);
+            }
+            for (int k = 0; k < 8; ++k) {
+                float w = weights[d + k] = total(sum[k]);
+                square -= w * w;
+            }
+        }
+        return max(square, 0.f);
+    }
+
+    // Gram and Schmidt, twice, so that rounding leaves nothing. What is left of an axis that depends on those before
+    // it is noise: it becomes zero.
+    void orthonormalize(float *axes) const {
+        auto dotOf = [&](const float *a, const float *b) {
+            Float8 sum = {};
+            for (int i = 0; i < p.columns; i += 8) sum = fmadd(load(a + i), load(b + i), sum);
+            return total(sum);
+        };
+        for (int d = 0; d < p.dimensions; ++d) {
+            float *axis = axes + (size_t)d * (size_t)p.columns;
+            float before = dotOf(axis, axis);
+            auto addTo = [&](const float *other, float much, float scale) {
+                for (int i = 0; i < p.columns; i += 8)
+                    store(axis + i, fmadd(load(other + i), much, load(axis + i)) * scale);
+            };
+            for (int e = 0; e < 2 * d; ++e) {
+                const float *other = axes + (size_t)(e % d) * (size_t)p.columns;
+                addTo(other, -dotOf(axis, other), 1);
+            }
+            float left = dotOf(axis, axis);
+            addTo(axis, 0, left > before * 1e-10f && left > 1e-30f ? 1 / sqrt(left) : 0);
+        }
+    }
+
+    // The mean and the axes of a cluster, from its members and the weights that they have.
+    void sharpen(int c) {
+        int begin = p.first[c], end = p.first[c + 1], columns = p.columns;
+        float *mean = axesOf(c), *axes = mean + columns;
+        if (begin == end) return;
+        for (int i = 0; i < columns; i += 8) {
+            Float8 sum = {};
+            for (int m = begin; m < end; ++m) sum += load(rowOf(p.members[m]) + i);
+            store(mean + i, sum * (1.f / (float)(end - begin)));
+        }
+        for (int step = 0; step < settings.iterations; ++step) {
+            for (int d = 0; d < p.dimensions; d += 8)
+                for (int i = 0; i < columns; i += 8) {
+                    Float8 sum[8] = {};
+                    for (int m = begin; m < end; ++m) {
+                        int r = p.members[m];
+                        Float8 off = load(rowOf(r) + i) - load(mean + i);
+                        const float *weights = weightsOf(r) + d;
+#pragma GCC unroll 8
+                        for (int k = 0; k < 8; ++k) sum[k] = fmadd(off, weights[k], sum[k]);
+                    }
+                    for (int k = 0; k < 8; ++k) store(axes + (size_t)(d + k) * (size_t)columns + i, sum[k]);
+                }
+            orthonormalize(axes);
+            for (int m = begin; m < end; ++m) project(p.members[m], c, weightsOf(p.members[m]));
+        }
+    }
+
+    // The cluster into whose subspace a row fits best, of those whose means are near, and its own.
+    void assign(int r) {
+        int nearest[8], tried = 0, best = p.cluster[r];
+        float far[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
+        for (int c = 0; c < p.clusters; ++c) {
+            if (p.first[c] == p.first[c + 1] || c == p.cluster[r]) continue;
+            float distance = project(r, c, nullptr);
+            int at = tried;
+            for (; at > 0 && distance < far[at - 1]; --at)
+                if (at < settings.tried) far[at] = far[at - 1], nearest[at] = nearest[at - 1];
+            if (at == settings.tried) continue;
+            far[at] = distance, nearest[at] = c;
+            tried = min(tried + 1, settings.tried);
+        }
+        for (int k = 0; k < tried; ++k) {
+            float distance = project(r, nearest[k], weights);
+            if (!(distance < least)) continue;
+            least = distance, best = nearest[k];
+            for (int d = 0; d < p.dimensions; ++d) weightsOf(r)[d] = weights[d];
+        }
+        p.cluster[r] = best;
+    }
+
+    void sortMembers() {
+        for (int c = 0; c <= p.clusters; ++c) p.first[c] = 0;
+        for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
+        for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
+        // Every cluster's begin moves to its end, and back
+        for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
+        for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
+        p.first[0] = 0;
+    }
+};
+
+} // namespace
+
+bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Workers &workers) {
+    p.clusters = settings.clusters;
+    p.dimensions = settings.dimensions;
+    p.axes = arena.take<float>((size_t)p.clusters * (size_t)(1 + p.dimensions) * (size_t)p.columns);
+    p.weights = arena.take<float>((size_t)p.rows * (size_t)p.dimensions);
+    p.members = arena.take<int>((size_t)p.rows);
+    p.first = arena.take<int>((size_t)p.clusters + 1);
+    if (!p.axes || !p.weights || !p.members || !p.first) return false;
+    Clustering work = {p, settings};
+    // At first any weights will do
+    for (int i = 0; i < p.rows * p.dimensions; ++i) p.weights[i] = unitFloat(pcg((uint32_t)i)) - 0.5f;
+    for (int round = 0;; ++round) {
+        work.sortMembers();
+        parallelFor(workers, p.clusters, [&](int c, int) { work.sharpen(c); });
+        if (round == settings.rounds) return true;
+        static constexpr int kPiece = 64;
+        parallelFor(workers, (p.rows + kPiece - 1) / kPiece, [&](int piece, int) {
+            for (int r = piece * kPiece; r < min(piece * kPiece + kPiece, p.rows); ++r) work.assign(r);
+        });
+    }
+}
+
+} // namespace odraz
