@@ -12,7 +12,7 @@ using namespace odraz;
 
 namespace {
 
-constexpr int kNoonSun = kSh + 2 * kNoon;
+constexpr int kNoonSun = kSh + 4 * kNoon;
 
 struct Solved {
     HeapArena memory{hallBytes() + sizeof(Hall)};

@@ -7,13 +7,15 @@
 
 namespace odraz {
 
-SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes)
+SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes,
+                       const std::function<void(Lights &)> &change, const Progress &progress)
     : memory(new unsigned char[bytes + 64]()), scene(std::make_unique<Scene>()),
       hall(std::make_unique<Hall>()) {
     Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
     double began = processorSeconds();
     prepareHall(*hall, *scene);
-    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, arena, workers, {}))
+    if (change) change(hall->radiosity.lights);
+    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, arena, workers, progress))
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = processorSeconds() - began;

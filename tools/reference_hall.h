@@ -8,8 +8,9 @@ namespace odraz {
 
 // The hall, solved with some settings. Throws std::runtime_error.
 struct SolvedHall {
-    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers,
-               size_t memory = hallBytes());
+    // `change` may put other lights into it before it is solved
+    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = hallBytes(),
+               const std::function<void(Lights &)> &change = {}, const Progress &progress = {});
 
     std::unique_ptr<unsigned char[]> memory;
     std::unique_ptr<Scene> scene;

@@ -10,10 +10,14 @@
 static constexpr char kUsage[] =
     "usage: tradeoff trace [--quick] [--scene NAME] [--csv FILE] [--plot FILE]\n"
     "       tradeoff radiosity [--quick] [--csv FILE] [--plot FILE]\n"
+    "       tradeoff transfer [--quick] [--csv FILE] [--plot FILE]\n"
     "       tradeoff pack [--quick] [--model FILE] [--csv FILE] [--plot FILE] [FILM]\n"
     "trace: how near to 256 samples a pixel the tracer's settings come, against processor time;\n"
     "       --quick leaves out most settings and traces small pictures; --scene: one alone, all its knobs\n"
     "radiosity: how near to references by rays solutions come, against processor time\n"
+    "transfer: how near the hall's transfer is when it is compressed, against the time of relighting: of rows of\n"
+    "       elements (pca, blocks, cpca: Frobenius error of the matrix), of the floor's gloss (rms of what the eye\n"
+    "       gets), of fewer bands (rms of the day's light)\n"
     "pack:  how small the packer makes FILM (build/odraz-safe) with less and more search, contexts,\n"
     "       and memory, against how fast that is decoded; --model: the contexts that ship "
     "(tests/odraz.model)\n"
@@ -64,7 +68,8 @@ int main(int argc, char **argv) {
     if (!mayWrite(sweep.csv) || !mayWrite(sweep.plot)) return 2;
     if (what == "trace") return tradeoffTrace(sweep, scene);
     if (what == "radiosity") return tradeoffRadiosity(sweep);
+    if (what == "transfer") return tradeoffTransfer(sweep);
     if (what == "pack") return tradeoffPack(sweep, film, model);
-    std::fprintf(stderr, "tradeoff: name what to measure: trace, radiosity or pack\n");
+    std::fprintf(stderr, "tradeoff: name what to measure: trace, radiosity, transfer or pack\n");
     return 2;
 }

@@ -17,6 +17,9 @@ int tradeoffTrace(const Sweep &sweep, const std::string &scene);
 // Solutions of generated models and of the film's hall, against references by rays. Returns the exit status.
 int tradeoffRadiosity(const Sweep &sweep);
 
+// The hall's transfer compressed in several ways. Returns the exit status.
+int tradeoffTransfer(const Sweep &sweep);
+
 // `model`: a file of contexts to start from, those that ship; empty for ordinary ones. Returns the exit
 // status, having said on stderr what went wrong.
 int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);

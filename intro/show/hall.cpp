@@ -17,13 +17,13 @@ struct Hour {
     Rgb sunlight, low, high, glow;
 };
 constexpr Hour kDay[kHours] = {
-    {62, 9, {2.4f, 1.3f, 0.65f}, {0.75f, 0.56f, 0.48f}, {0.2f, 0.28f, 0.52f}, {0.8f, 0.45f, 0.2f}},
-    {44, 24, {3.8f, 3.0f, 2.1f}, {0.95f, 1.0f, 1.1f}, {0.3f, 0.52f, 1.0f}, {0.7f, 0.6f, 0.4f}},
-    {22, 38, {4.2f, 3.8f, 3.1f}, {1.1f, 1.22f, 1.35f}, {0.36f, 0.64f, 1.25f}, {0.6f, 0.55f, 0.5f}},
-    {0, 45, {4.3f, 3.9f, 3.3f}, {1.15f, 1.3f, 1.45f}, {0.38f, 0.66f, 1.3f}, {0.6f, 0.55f, 0.5f}},
-    {-24, 36, {4.2f, 3.7f, 2.9f}, {1.1f, 1.2f, 1.3f}, {0.36f, 0.63f, 1.2f}, {0.6f, 0.5f, 0.45f}},
-    {-44, 20, {3.8f, 2.6f, 1.5f}, {1.0f, 0.88f, 0.8f}, {0.28f, 0.45f, 0.9f}, {0.9f, 0.6f, 0.35f}},
-    {-60, 7, {2.6f, 1.2f, 0.5f}, {0.75f, 0.42f, 0.29f}, {0.17f, 0.19f, 0.4f}, {1.1f, 0.45f, 0.16f}},
+    {62, 9, {2.4f, 1.3f, 0.65f}, {0.38f, 0.21f, 0.16f}, {0.06f, 0.09f, 0.22f}, {0.8f, 0.42f, 0.18f}},
+    {44, 24, {3.7f, 3.0f, 2.2f}, {0.30f, 0.36f, 0.44f}, {0.06f, 0.14f, 0.38f}, {0.4f, 0.32f, 0.22f}},
+    {22, 38, {4.1f, 3.7f, 3.1f}, {0.25f, 0.36f, 0.52f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
+    {0, 45, {4.2f, 3.8f, 3.2f}, {0.24f, 0.36f, 0.54f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
+    {-24, 36, {4.1f, 3.6f, 2.9f}, {0.26f, 0.36f, 0.50f}, {0.06f, 0.14f, 0.40f}, {0.3f, 0.26f, 0.22f}},
+    {-44, 20, {3.7f, 2.6f, 1.5f}, {0.28f, 0.24f, 0.25f}, {0.06f, 0.10f, 0.28f}, {0.6f, 0.38f, 0.2f}},
+    {-60, 7, {2.6f, 1.2f, 0.5f}, {0.36f, 0.15f, 0.09f}, {0.05f, 0.06f, 0.17f}, {0.9f, 0.38f, 0.13f}},
     {-62, 1, {}, {0.03f, 0.04f, 0.075f}, {0.01f, 0.018f, 0.045f}, {}},
 };
 
@@ -112,7 +112,8 @@ Daylight daylightAt(float hour) {
     float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
     Rgb ground = h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f));
-    return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f, h.glow, {}, 0, 0},
+    return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f, h.glow,
+             h.low * 0.8f + h.sunlight * 0.11f, 0.1f, hour * 0.7f},
             sun * 300.f,
             h.sunlight + h.glow * kNearGlow};
 }
@@ -123,7 +124,7 @@ void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
     now.sky.near = {}; // it is part of the sun
     project(now.sky, v.bounced);
     // The sun's bounce, between two positions; its light, where the tracer does not draw it
-    float at = clamp(light.hour * 2, 0.f, (float)(kSuns - 1));
+    float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
         Rgb part = now.sunlight * (i ? at - (float)before : (float)(before + 1) - at);
@@ -145,7 +146,7 @@ void prepareHall(Hall &hall, Scene &scene) {
     lights.skyCount = kSh;
     lights.sky = [](const void *, const Vec3x8 &d, Float8 *y) { evaluate(d, y); };
     lights.sunCount = kSuns;
-    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.5f).sunAt;
+    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.25f).sunAt;
     buildHall(hall.model, lights);
     scene.clear();
     addMaterials(scene, {}, 0);

@@ -35,7 +35,7 @@ static constexpr Texture kLimestone = {
     {{0.74f, 0.70f, 0.63f}, {0.66f, 0.62f, 0.55f}, {0.60f, 0.56f, 0.50f}, {0.45f, 0.42f, 0.38f}}};
 Material limestone() { return {kLimestone, {}, 0, 1, 0, 1, 0, false, 0, {}, {1, 1, 1}, {}}; }
 Material hallFloor() {
-    return {kWhiteMarble, kSlate, 1.125f, 0.85f, 0.1f, 160, 0.06f, true, 0, {}, {1, 1, 1}, {}};
+    return {kWhiteMarble, kSlate, 1.125f, 0.85f, 0.1f, 160, 0.06f, true, 0, {}, {0.8f, 0.8f, 0.8f}, {}};
 }
 Material plaster(Rgb colour) { return {plain(colour), {}, 0, 1, 0, 1, 0, false, 0, {}, {1, 1, 1}, {}}; }
 static Material beam(Pattern pattern) {

@@ -12,7 +12,7 @@ static constexpr Key kLantern2[] = {
 static constexpr Key kLantern3[] = {
     {180, 0, Smooth}, {188, 0.6f, Linear}, {216, 0.6f, Smooth}, {236, 0, Linear}};
 static constexpr Key kExposure[] = {
-    {0, 1.9f, Smooth}, {60, 1.5f, Linear}, {130, 1.5f, Smooth}, {180, 2.1f, Linear}};
+    {0, 2.3f, Smooth}, {60, 2.0f, Linear}, {130, 2.0f, Smooth}, {180, 2.1f, Linear}};
 
 void poseDay(double row, Hall *hall, Scene &scene) {
     HallLight light = {};

@@ -22,7 +22,7 @@ struct Sky {
 inline Sky plainSky(Rgb low, Rgb high) { return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0}; }
 
 // Irradiance / pi of the near glow on what faces it: as if the sun were that much stronger.
-inline constexpr float kNearGlow = 2 / 65.f;
+inline constexpr float kNearGlow = 2 / 66.f;
 
 // The radiance from unit directions.
 Rgb8 radiance(const Sky &sky, const Vec3x8 &d);

@@ -1,0 +1,58 @@
+// The hall's transfer, measured: its rows as a matrix, compressed in several ways, and its light against radiosity
+// solutions made for that very light.
+#pragma once
+
+#include "reference_hall.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+// Memory of a size, zero, as an arena.
+struct OwnArena {
+    explicit OwnArena(size_t bytes)
+        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0} {}
+    std::unique_ptr<unsigned char[]> memory;
+    Arena arena;
+};
+
+// Rows of texels: for each basis red, green and blue, the sky's with direct light, the strips' too; skies, suns and
+// lamps scaled to weigh alike.
+struct TransferRows {
+    int rows, columns;
+    std::vector<float> data;
+};
+TransferRows rowsOf(const SolvedHall &hall, bool suns);
+// Texels divided into `clusters` blocks of as many, by where they are and what way they face.
+std::vector<int> blocksOf(const Model &model, int clusters);
+
+struct Compressed {
+    std::unique_ptr<OwnArena> memory;
+    ClusteredPca pca;
+    double seconds;      // processor time
+    double errorPercent; // of the matrix, Frobenius
+    size_t bytes() const {
+        return ((size_t)pca.clusters * (size_t)(1 + pca.dimensions) * (size_t)pca.columns +
+                (size_t)pca.rows * (size_t)pca.dimensions) *
+               sizeof(float);
+    }
+};
+Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings, Workers &workers);
+
+// Light from compressed rows: `light` weighs their columns. Planes of as many texels as there are rows.
+void relightRows(const ClusteredPca &pca, const float *light, float *const plane[3]);
+
+// Solutions made for the very skies and suns of hours of the day, from the same form factors; and how far the relit
+// hall is from them.
+struct DayError {
+    float hour;
+    double lightmap, whole; // rms, percent of the light in the lightmap; with the sun's own light
+};
+std::vector<DayError> dayErrors(const std::vector<float> &hours, int bands, const Gl &gl, Workers &workers);
+
+// The median time of a call in milliseconds, of processor time.
+double medianMs(const std::function<void()> &call, int rounds = 9);
+
+} // namespace odraz
