@@ -1,4 +1,5 @@
-// What transfer costs: at start-up, step by step, and in every frame; and how exact the relit hall is over the day.
+// What transfer costs: at start-up, step by step, and in every frame; and how exact the relit hall is over
+// the day.
 #include "measured.h"
 #include "transfer.h"
 
@@ -17,8 +18,9 @@ struct Clock {
         float end;
         double seconds;
     };
-    std::vector<Step> steps = {{"elements", 0.05f, 0},     {"hemicubes, form factors", 0.635f, 0}, {"direct light", 0.8f, 0},
-                               {"finer elements", 0.92f, 0}, {"bounces of all bases", 0.965f, 0},    {"to the elements", 1, 0}};
+    std::vector<Step> steps = {
+        {"elements", 0.05f, 0},       {"hemicubes, form factors", 0.635f, 0}, {"direct light", 0.8f, 0},
+        {"finer elements", 0.92f, 0}, {"bounces of all bases", 0.965f, 0},    {"to the elements", 1, 0}};
     size_t now = 0;
     double last = processorSeconds();
 
@@ -41,7 +43,8 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
     OwnArena memory((size_t)64 << 20);
     for (int round = 0; round < 5; ++round) {
         Clock clock;
-        solved = std::make_unique<SolvedHall>(kHallSettings, gl, workers, hallBytes(), nullptr, clock.progress());
+        solved =
+            std::make_unique<SolvedHall>(kHallSettings, gl, workers, hallBytes(), nullptr, clock.progress());
         names.clear();
         // The first step begins when the memory is there
         clock.steps[0].seconds = solved->seconds;
@@ -55,7 +58,8 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
             GlossySettings settings;
             if (!pca) settings.pca = {.clusters = 1, .dimensions = 0, .rounds = 0};
             double began = processorSeconds();
-            if (!polish(*solved->hall, settings, memory.arena, workers)) throw std::runtime_error("memory is short");
+            if (!polish(*solved->hall, settings, memory.arena, workers))
+                throw std::runtime_error("memory is short");
             double took = processorSeconds() - began;
             times[(size_t)(6 + pca)].push_back(pca ? took - times[6].back() : took);
         }
@@ -63,8 +67,8 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
     names.push_back("the floor's matrices");
     names.push_back("their clustered PCA");
     const Hall &hall = *solved->hall;
-    std::printf("start-up, processor seconds, the median of five: %d elements, %d patches, %d bases\n", hall.model.texelCount,
-                hall.model.patchCount, hall.radiosity.lights.bases());
+    std::printf("start-up, processor seconds, the median of five: %d elements, %d patches, %d bases\n",
+                hall.model.texelCount, hall.model.patchCount, hall.radiosity.lights.bases());
     double sum = 0;
     for (size_t i = 0; i < times.size(); ++i) {
         std::sort(times[i].begin(), times[i].end());
@@ -89,9 +93,11 @@ void everyFrame(const SolvedHall &solved, Workers &workers) {
         LightVector v;
         double vector = medianMs([&] { lightVector(light, drawn, v); }),
                rows = medianMs([&] { relight(hall.radiosity, hall.model, v, plane); }),
-               floor = medianMs([&] { relightGlossy(hall.floor, v, {3, 1.55f, 3}, 0.06f, 1); });
-        std::printf("  %-26s light vector %.3f, relight %.3f (%.3f for 8,000 elements), gloss %.3f\n", name, vector, rows,
-                    rows * 8000 / texels, floor);
+               floor = medianMs([&] {
+                   relightGlossy(hall.floor, v, {3, 1.55f, 3}, 0.06f, 1);
+               });
+        std::printf("  %-26s light vector %.3f, relight %.3f (%.3f for 8,000 elements), gloss %.3f\n", name,
+                    vector, rows, rows * 8000 / texels, floor);
     };
     show("noon", {kNoon, {}, {}, 1});
     show("three lanterns, night", {kHours - 1, {1, 1, 1}, {}, 1});
@@ -103,11 +109,14 @@ void everyFrame(const SolvedHall &solved, Workers &workers) {
         std::vector<float> light((size_t)rows.columns, 1.f);
         std::printf("  %d x %d%s: uncompressed %.1f MB\n", rows.rows, rows.columns, suns ? ", with suns" : "",
                     (double)rows.data.size() * 4e-6);
-        for (PcaSettings s : {PcaSettings{.clusters = 64, .dimensions = 8}, PcaSettings{.clusters = 64, .dimensions = 16},
-                              PcaSettings{.clusters = 64, .dimensions = 24}, PcaSettings{.clusters = 128, .dimensions = 24}}) {
+        for (PcaSettings s :
+             {PcaSettings{.clusters = 64, .dimensions = 8}, PcaSettings{.clusters = 64, .dimensions = 16},
+              PcaSettings{.clusters = 64, .dimensions = 24},
+              PcaSettings{.clusters = 128, .dimensions = 24}}) {
             Compressed c = compressed(rows, blocksOf(hall.model, s.clusters), s, workers);
             double ms = medianMs([&] { relightRows(c.pca, light.data(), plane); });
-            std::printf("  %3d clusters x %2d: error %.2f %%, %.1f MB, start-up %.3f s, relight %.3f ms (%.3f for 8,000)\n",
+            std::printf("  %3d clusters x %2d: error %.2f %%, %.1f MB, start-up %.3f s, relight %.3f ms "
+                        "(%.3f for 8,000)\n",
                         s.clusters, s.dimensions, c.errorPercent, (double)c.bytes() * 1e-6, c.seconds, ms,
                         ms * 8000 / rows.rows);
         }
@@ -129,12 +138,13 @@ int main(int argc, char **argv) {
         startUp(gl, workers, solved);
         everyFrame(*solved, workers);
         solved.reset();
-        std::printf("the relit hall against solutions for that very sky and sun, rms %%: in the lightmap; with the sun itself\n");
+        std::printf("the relit hall against solutions for that very sky and sun, rms %%: in the lightmap; "
+                    "with the sun itself\n");
         std::vector<float> hours;
         for (int i = 0; i < 2 * kHours - 1; ++i) hours.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
         for (const DayError &e : dayErrors(hours, kBands, gl, workers))
-            std::printf("  hour %.3f%s: %.2f; %.2f\n", (double)e.hour, std::fmod(e.hour, 0.25f) == 0 ? "" : ", between suns",
-                        e.lightmap, e.whole);
+            std::printf("  hour %.3f%s: %.2f; %.2f\n", (double)e.hour,
+                        std::fmod(e.hour, 0.25f) == 0 ? "" : ", between suns", e.lightmap, e.whole);
     } catch (const std::runtime_error &e) {
         std::fprintf(stderr, "bench_transfer: %s\n", e.what());
         return 1;

@@ -166,7 +166,8 @@ TEST(Sky, RisesFromTheHorizonToTheZenith) {
     sky.sun = {0.6f, 0.8f, 0};
     sky.glow = sky.near = {0.5f, 0.5f, 0.5f};
     Sky without = plainSky({1, 2, 3}, {0, 0, 0});
-    EXPECT_NEAR((double)(radiance(sky, broadcast(sky.sun)).x[0] - radiance(without, broadcast(sky.sun)).x[0]), 1, 1e-5);
+    EXPECT_NEAR((double)(radiance(sky, broadcast(sky.sun)).x[0] - radiance(without, broadcast(sky.sun)).x[0]),
+                1, 1e-5);
     // The near glow's irradiance on what faces the sun, by the midpoint rule
     double sum = 0;
     for (int i = 0; i < 10000; ++i) {

@@ -145,7 +145,8 @@ TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
         const int strength[3] = {1, -2, 3};
         for (int k = 0; k < 3; ++k)
             for (int c = 0; c < 3; ++c)
-                EXPECT_NEAR((double)room.r->bounced[k][c][texel], exact * strength[k], 0.012) << p.x << ' ' << p.z;
+                EXPECT_NEAR((double)room.r->bounced[k][c][texel], exact * strength[k], 0.012)
+                    << p.x << ' ' << p.z;
     });
 }
 

@@ -1,12 +1,14 @@
-// Spherical harmonics: against the recurrence in double precision, closed forms of rotation and windowing, and what
-// a sky loses by them.
+// Spherical harmonics: against the recurrence in double precision, closed forms of rotation and windowing,
+// and what a sky loses by them.
 #include "transfer/spherical_harmonics.h"
 
 #include "base/random.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <vector>
 
 using namespace odraz;
 
@@ -58,7 +60,8 @@ double value(const float *f, Vec3 d) {
 // The rotation by `angle` about a unit axis (Rodrigues), as rows.
 Mat3 about(Vec3 k, float angle) {
     auto row = [&](Vec3 e) { // what the transposed matrix does to e
-        Vec3 turned = e * std::cos(angle) - cross(k, e) * std::sin(angle) + k * (dot(k, e) * (1 - std::cos(angle)));
+        Vec3 turned =
+            e * std::cos(angle) - cross(k, e) * std::sin(angle) + k * (dot(k, e) * (1 - std::cos(angle)));
         return turned;
     };
     return {row({1, 0, 0}), row({0, 1, 0}), row({0, 0, 1})};
@@ -72,7 +75,8 @@ TEST(SphericalHarmonics, AreThoseOfTheRecurrence) {
         auto y = at(d);
         for (int l = 0; l < kBands; ++l)
             for (int m = -l; m <= l; ++m)
-                worst = std::fmax(worst, std::fabs((double)y[(size_t)(l * (l + 1) + m)] - byRecurrence(l, m, d)));
+                worst =
+                    std::fmax(worst, std::fabs((double)y[(size_t)(l * (l + 1) + m)] - byRecurrence(l, m, d)));
     }
     std::printf("largest difference %.1e\n", worst);
     EXPECT_LT(worst, 2e-6);
@@ -92,8 +96,16 @@ TEST(SphericalHarmonics, AreOrthonormal) {
 }
 
 TEST(SphericalHarmonics, HoldTheGradientAndTheGlowExactly) {
-    Sky sky = {{0.9f, 0.7f, 0.5f}, {-0.3f, 0.1f, 0.6f}, {-0.2f, 0.1f, 0.3f}, -1, normalize(Vec3{-0.6f, 0.4f, 0.3f}),
-               {1, 0.5f, 0.25f}, {}, {}, 0, 0};
+    Sky sky = {{0.9f, 0.7f, 0.5f},
+               {-0.3f, 0.1f, 0.6f},
+               {-0.2f, 0.1f, 0.3f},
+               -1,
+               normalize(Vec3{-0.6f, 0.4f, 0.3f}),
+               {1, 0.5f, 0.25f},
+               {},
+               {},
+               0,
+               0};
     Rgb light[kSh];
     project(sky, light);
     float red[kSh], blue[kSh];
@@ -102,5 +114,123 @@ TEST(SphericalHarmonics, HoldTheGradientAndTheGlowExactly) {
         Rgb8 exact = radiance(sky, broadcast(d));
         EXPECT_NEAR(value(red, d), (double)exact.x[0], 1e-5);
         EXPECT_NEAR(value(blue, d), (double)exact.z[0], 1e-5);
+    }
+}
+
+TEST(SphericalHarmonics, TurnAboutThePoleAsAnglesDo) {
+    float f[kSh], turned[kSh];
+    Random random = {3};
+    for (float &v : f) v = random.next() * 2 - 1;
+    for (float angle : {0.f, 0.3f, 1.5707963f, 3.f, -2.f}) {
+        rotate(f, about({0, 1, 0}, angle), turned);
+        for (int l = 0; l < kBands; ++l)
+            for (int m = 0; m <= l; ++m) {
+                // cos m(a + angle), sin m(a + angle), or the other way round: one of the two fits throughout
+                float c = f[l * (l + 1) + m], s = f[l * (l + 1) - m], cosine = std::cos((float)m * angle),
+                      sine = std::sin((float)m * angle);
+                EXPECT_NEAR(turned[l * (l + 1) + m], m ? c * cosine + s * sine : c, 3e-6f) << angle;
+                if (m) {
+                    EXPECT_NEAR(turned[l * (l + 1) - m], s * cosine - c * sine, 3e-6f) << angle;
+                }
+            }
+    }
+}
+
+TEST(SphericalHarmonics, TurnAboutAnyAxis) {
+    Random random = {11};
+    for (int round = 0; round < 20; ++round) {
+        Vec3 axis = normalize(Vec3{random.next() - 0.5f, random.next() - 0.5f, random.next() - 0.5f});
+        Mat3 m = about(axis, random.next() * 6 - 3);
+        float f[kSh], turned[kSh], back[kSh];
+        for (float &v : f) v = random.next() * 2 - 1;
+        rotate(f, m, turned);
+        // As a function
+        for (int i = 0; i < 50; ++i) {
+            Vec3 d = directions()[(size_t)(7 * i)];
+            EXPECT_NEAR(value(turned, d), value(f, m * d), 1e-5);
+        }
+        // The first band is a vector: (x, y, z) at orders -1, 0, 1 with signs -, +, -
+        Vec3 v = transposeTimes(m, Vec3{-f[1], f[2], -f[3]});
+        EXPECT_NEAR(turned[1], -v.x, 3e-6f);
+        EXPECT_NEAR(turned[2], v.y, 3e-6f);
+        EXPECT_NEAR(turned[3], -v.z, 3e-6f);
+        // Lengths of bands stay; back again is where it was
+        for (int l = 0; l < kBands; ++l) {
+            double before = 0, after = 0;
+            for (int k = l * l; k < (l + 1) * (l + 1); ++k) {
+                before += (double)(f[k] * f[k]);
+                after += (double)(turned[k] * turned[k]);
+            }
+            EXPECT_NEAR(after, before, 1e-5);
+        }
+        Mat3 inverse = {{m.u.x, m.v.x, m.w.x}, {m.u.y, m.v.y, m.w.y}, {m.u.z, m.v.z, m.w.z}};
+        rotate(turned, inverse, back);
+        for (int k = 0; k < kSh; ++k) EXPECT_NEAR(back[k], f[k], 5e-6f);
+    }
+}
+
+// A lobe about an axis has the coefficients of the axis itself, times a number for each band.
+TEST(SphericalHarmonics, ALobeTurnsToItsAxis) {
+    float lobe[kSh] = {}, turned[kSh];
+    for (int l = 0; l < kBands; ++l) lobe[l * (l + 1)] = 1.f / (float)(l + 1); // about the pole
+    for (Vec3 axis : {Vec3{1, 0, 0}, normalize(Vec3{0.3f, -0.4f, 0.8f}), Vec3{0, -1, 0}}) {
+        Vec3 u = normalize(std::fabs(axis.y) < 0.9f ? cross({0, 1, 0}, axis) : Vec3{1, 0, 0});
+        rotate(lobe, {u, axis, cross(u, axis)}, turned);
+        auto y = at(axis);
+        for (int l = 0; l < kBands; ++l)
+            for (int k = l * l; k < (l + 1) * (l + 1); ++k)
+                EXPECT_NEAR(turned[k], (double)y[(size_t)k] * std::sqrt(4 * M_PI / (2 * l + 1)) / (l + 1),
+                            3e-6);
+    }
+}
+
+// A bright spot rings without a window, far below zero; windowed it does nearly not, and keeps its energy.
+TEST(SphericalHarmonics, AWindowEndsRinging) {
+    auto least = [](float exponent, double &most) {
+        auto y = at({0, 1, 0});
+        double low = most = 0;
+        for (Vec3 d : directions()) {
+            auto there = at(d);
+            double sum = 0;
+            for (int l = 0; l < kBands; ++l)
+                for (int k = l * l; k < (l + 1) * (l + 1); ++k)
+                    sum += (double)(y[(size_t)k] * there[(size_t)k]) *
+                           (exponent > 0 ? (double)window(l, exponent) : 1);
+            low = std::fmin(low, sum), most = std::fmax(most, sum);
+        }
+        return low;
+    };
+    double most = 0;
+    EXPECT_LT(least(0, most), -0.15 * most);
+    EXPECT_GT(least(5, most), -0.01 * most);
+    EXPECT_EQ(window(0, 16), 1);
+    for (int l = 1; l < kBands; ++l) EXPECT_NEAR((double)window(l, 16), std::exp(-l * (l + 1) / 32.), 1e-6);
+    EXPECT_GE(window(4, 1e-6f), 0); // as narrow as can be: nothing but the mean is left
+    EXPECT_NEAR(window(4, 1e6f), 1, 1e-4);
+}
+
+// Extremes of skies: nothing, something far brighter than the rest, clouds.
+TEST(SphericalHarmonics, SkiesAtTheExtremes) {
+    Rgb light[kSh];
+    project({}, light);
+    for (Rgb c : light) EXPECT_EQ(sumAbs(c), 0);
+    Sky spot = plainSky({}, {});
+    spot.glow = {1e-9f, 1e-9f, 1e-9f};
+    spot.near = {1e6f, 1e6f, 1e6f};
+    spot.sun = {0, 1, 0};
+    project(spot, light);
+    // The mean: 2 pi / 65 times its strength
+    EXPECT_NEAR((double)light[0].x * 0.28209479, 1e6 * 2 * M_PI / 65 * 0.28209479 * 0.28209479, 20);
+    for (Rgb c : light) EXPECT_TRUE(std::isfinite(c.x) && std::fabs(c.x) < 1e6f);
+    Sky clouds = {{0.3f, 0.4f, 0.5f}, {}, {}, -1, {0, 1, 0}, {}, {}, {1, 1, 1}, 0.2f, 0};
+    Rgb before[kSh];
+    project(clouds, before);
+    for (int i = 1; i <= 50; ++i) { // they move without a jump
+        clouds.drift = (float)i * 0.02f;
+        project(clouds, light);
+        for (int k = 0; k < kSh; ++k) {
+            EXPECT_LT(std::fabs(light[k].x - before[k].x), 0.02f) << i << ' ' << k;
+            before[k] = light[k];
+        }
     }
 }

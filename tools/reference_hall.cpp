@@ -23,8 +23,8 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
 
 namespace {
 
-// Noon without lamps, one lantern, one strip; what arrives of them by the lightmap: where the tracer draws what comes
-// directly, without that.
+// Noon without lamps, one lantern, one strip; what arrives of them by the lightmap: where the tracer draws
+// what comes directly, without that.
 enum { kAtNoon, kByLantern, kByStrip };
 constexpr int kLanternBasis = kFirstLantern + 1, kStripBasis = kFirstStrip + 3;
 
@@ -89,7 +89,8 @@ std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, 
                                     Rgb arriving = lightAtProbe(m, planes.plane, {chart, at, {}, false});
                                     // What the tracer draws is sharp: found anew for every place
                                     if (light == kAtNoon)
-                                        arriving += noon.sunlight * arrives(*fine.scene, c, at, noon.sunAt, 0);
+                                        arriving +=
+                                            noon.sunlight * arrives(*fine.scene, c, at, noon.sunAt, 0);
                                     else if (light == kByLantern) {
                                         float share = arrives(*fine.scene, c, at, lamp.centre, lamp.radius);
                                         arriving += Rgb{share, share, share};

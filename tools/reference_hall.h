@@ -18,8 +18,8 @@ struct SolvedHall {
     double seconds; // of processor time
 };
 
-// Probes for noon (the sky and the sun's bounces), a lantern (its bounces) and a strip (all of it), from a fine
-// solution.
+// Probes for noon (the sky and the sun's bounces), a lantern (its bounces) and a strip (all of it), from a
+// fine solution.
 std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, int side, Workers &workers);
 
 // Root mean square over all three, each as a share of its own light; percent.

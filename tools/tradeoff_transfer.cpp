@@ -22,15 +22,16 @@ struct Table {
                  true,
                  true};
 
-    void put(const char *method, int bands, int clusters, int dimensions, bool shipped, size_t bytes, double ms, double error,
-             int series) {
+    void put(const char *method, int bands, int clusters, int dimensions, bool shipped, size_t bytes,
+             double ms, double error, int series) {
         char line[200];
-        std::snprintf(line, sizeof line, "%s,%d,%d,%d,%d,%zu,%.4f,%.3f\n", method, bands, clusters, dimensions, shipped, bytes,
-                      ms, error);
+        std::snprintf(line, sizeof line, "%s,%d,%d,%d,%d,%zu,%.4f,%.3f\n", method, bands, clusters,
+                      dimensions, shipped, bytes, ms, error);
         std::fputs(line, stdout);
         std::fflush(stdout);
         csv += line;
-        std::string name = std::string(method) + " " + std::to_string(clusters) + " x " + std::to_string(dimensions);
+        std::string name =
+            std::string(method) + " " + std::to_string(clusters) + " x " + std::to_string(dimensions);
         if (series >= 0 && error > 0) plot.points.push_back({ms, error, name, shipped, series});
     }
 };
@@ -62,11 +63,13 @@ void sweepRows(Table &table, const SolvedHall &solved, const Sweep &sweep, Worke
     auto measure = [&](const char *method, PcaSettings settings, int series) {
         Compressed c = compressed(rows, blocksOf(hall.model, settings.clusters), settings, workers);
         double ms = medianMs([&] { relightRows(c.pca, light.data(), plane); });
-        table.put(method, kBands, settings.clusters, settings.dimensions, false, c.bytes(), ms, c.errorPercent, series);
+        table.put(method, kBands, settings.clusters, settings.dimensions, false, c.bytes(), ms,
+                  c.errorPercent, series);
     };
     std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {16, 32, 64, 128, 256};
     if (sweep.quick) dimensions = {8, 16}, clusters = {64};
-    for (int d : dimensions) measure("pca", {.clusters = 1, .dimensions = d, .rounds = 0, .iterations = 12}, 0);
+    for (int d : dimensions)
+        measure("pca", {.clusters = 1, .dimensions = d, .rounds = 0, .iterations = 12}, 0);
     for (int k : clusters)
         for (int d : dimensions) {
             measure("blocks", {.clusters = k, .dimensions = d, .rounds = 0, .iterations = 8}, 1);
@@ -90,7 +93,8 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
         for (int i = 0; i < kLights; ++i) {
             relightGlossy(floor, lightOf(i), eye, 0.06f, 1);
             std::vector<float> got;
-            for (const float *plane : floor.plane) got.insert(got.end(), plane, plane + floor.across * floor.down);
+            for (const float *plane : floor.plane)
+                got.insert(got.end(), plane, plane + floor.across * floor.down);
             if (!settings.dimensions) exact[i] = got;
             double e = 0, a = 0;
             for (size_t k = 0; k < got.size(); ++k) {
@@ -101,7 +105,8 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
         }
         LightVector noon = lightOf(kNoon);
         double ms = medianMs([&] { relightGlossy(floor, noon, eye, 0.06f, 1); });
-        size_t rows = (size_t)settings.clusters * (size_t)(1 + settings.dimensions), width = (size_t)floor.pca.columns;
+        size_t rows = (size_t)settings.clusters * (size_t)(1 + settings.dimensions),
+               width = (size_t)floor.pca.columns;
         table.put(method, kBands, settings.dimensions ? settings.clusters : 0, settings.dimensions, shipped,
                   (rows * width + (size_t)floor.pca.rows * (size_t)settings.dimensions) * sizeof(float), ms,
                   100 * std::sqrt(error / all), series);

@@ -41,7 +41,8 @@ TransferRows rowsOf(const SolvedHall &solved, bool suns) {
                     if (pass == 0)
                         square[kindOf(basis)] += (double)(v * v);
                     else
-                        t.data[(size_t)i * (size_t)t.columns + 3 * k + c] = v / (float)std::sqrt(square[kindOf(basis)]);
+                        t.data[(size_t)i * (size_t)t.columns + 3 * k + c] =
+                            v / (float)std::sqrt(square[kindOf(basis)]);
                 }
             }
     return t;
@@ -53,7 +54,8 @@ std::vector<int> blocksOf(const Model &m, int clusters) {
     for (int i = 0; i < m.texelCount; ++i) {
         const Texel &t = m.texels[i];
         const Chart &c = m.charts[t.chart];
-        Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps), (float)t.y * c.height / (float)(c.down * kSteps));
+        Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps),
+                      (float)t.y * c.height / (float)(c.down * kSteps));
         at.push_back({p.x, p.y, p.z, c.n.x * 6, c.n.y * 6, c.n.z * 6});
     }
     std::vector<int> order((size_t)m.texelCount), block((size_t)m.texelCount);
@@ -88,7 +90,8 @@ std::vector<int> blocksOf(const Model &m, int clusters) {
     return block;
 }
 
-Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings, Workers &workers) {
+Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
+                      Workers &workers) {
     Compressed c;
     size_t bytes = ((size_t)settings.clusters * (size_t)(1 + settings.dimensions) * (size_t)rows.columns +
                     (size_t)rows.rows * (size_t)(settings.dimensions + 3) + (size_t)settings.clusters) *
@@ -104,9 +107,11 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
     c.seconds = processorSeconds() - began;
     double error = 0, all = 0;
     for (int r = 0; r < rows.rows; ++r) {
-        const float *axes = c.pca.axesOf(c.pca.cluster[r]), *weights = c.pca.weights + (size_t)r * (size_t)c.pca.dimensions;
+        const float *axes = c.pca.axesOf(c.pca.cluster[r]),
+                    *weights = c.pca.weights + (size_t)r * (size_t)c.pca.dimensions;
         for (int i = 0; i < rows.columns; ++i) {
-            double v = (double)axes[i], exact = (double)rows.data[(size_t)r * (size_t)rows.columns + (size_t)i];
+            double v = (double)axes[i],
+                   exact = (double)rows.data[(size_t)r * (size_t)rows.columns + (size_t)i];
             for (int d = 0; d < c.pca.dimensions; ++d)
                 v += (double)weights[d] * (double)axes[(size_t)(1 + d) * (size_t)rows.columns + (size_t)i];
             error += (v - exact) * (v - exact), all += exact * exact;
@@ -195,15 +200,18 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, int bands, cons
             for (size_t c = 0; c < 3; ++c) {
                 auto channel = [&](Rgb v) { return (double)(c == 0 ? v.x : c == 1 ? v.y : v.z); };
                 for (size_t t = 0; t < texels; ++t) {
-                    double direct = (double)very.hall->radiosity.direct[sun][t], g = (double)got[c][t], e = (double)exact[c][t];
-                    double withSun = g + direct * channel(days[i].sunlight), truth = e + direct * channel(alone);
+                    double direct = (double)very.hall->radiosity.direct[sun][t], g = (double)got[c][t],
+                           e = (double)exact[c][t];
+                    double withSun = g + direct * channel(days[i].sunlight),
+                           truth = e + direct * channel(alone);
                     whole += (withSun - truth) * (withSun - truth), wholeBase += truth * truth;
                     // That part of the lightmap's light is the sun's in the picture
                     e -= direct * channel(near);
                     error += (g - e) * (g - e), base += e * e;
                 }
             }
-            all.push_back({hours[first + i], 100 * std::sqrt(error / base), 100 * std::sqrt(whole / wholeBase)});
+            all.push_back(
+                {hours[first + i], 100 * std::sqrt(error / base), 100 * std::sqrt(whole / wholeBase)});
         }
     }
     return all;

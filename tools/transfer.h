@@ -1,5 +1,5 @@
-// The hall's transfer, measured: its rows as a matrix, compressed in several ways, and its light against radiosity
-// solutions made for that very light.
+// The hall's transfer, measured: its rows as a matrix, compressed in several ways, and its light against
+// radiosity solutions made for that very light.
 #pragma once
 
 #include "reference_hall.h"
@@ -13,13 +13,14 @@ namespace odraz {
 // Memory of a size, zero, as an arena.
 struct OwnArena {
     explicit OwnArena(size_t bytes)
-        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0} {}
+        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64),
+                                                         bytes, 0} {}
     std::unique_ptr<unsigned char[]> memory;
     Arena arena;
 };
 
-// Rows of texels: for each basis red, green and blue, the sky's with direct light, the strips' too; skies, suns and
-// lamps scaled to weigh alike.
+// Rows of texels: for each basis red, green and blue, the sky's with direct light, the strips' too; skies,
+// suns and lamps scaled to weigh alike.
 struct TransferRows {
     int rows, columns;
     std::vector<float> data;
@@ -39,13 +40,14 @@ struct Compressed {
                sizeof(float);
     }
 };
-Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings, Workers &workers);
+Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
+                      Workers &workers);
 
 // Light from compressed rows: `light` weighs their columns. Planes of as many texels as there are rows.
 void relightRows(const ClusteredPca &pca, const float *light, float *const plane[3]);
 
-// Solutions made for the very skies and suns of hours of the day, from the same form factors; and how far the relit
-// hall is from them.
+// Solutions made for the very skies and suns of hours of the day, from the same form factors; and how far the
+// relit hall is from them.
 struct DayError {
     float hour;
     double lightmap, whole; // rms, percent of the light in the lightmap; with the sun's own light

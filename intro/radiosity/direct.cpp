@@ -45,7 +45,6 @@ struct Seen {
     Float8 factor;
 };
 
-
 // Divides a facet into parts that are as square as can be; a triangle into such as itself. Returns how many.
 int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
     Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, f.triangle() ? 2 : 3) - q;

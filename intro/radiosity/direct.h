@@ -15,8 +15,8 @@
 
 namespace odraz {
 
-inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16, kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps,
-                     kMaxLampCells = 256;
+inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16,
+                     kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps, kMaxLampCells = 256;
 
 // Something that shines with radiance 1: a ball, or where radius is 0 a chart, on its lit side.
 struct Lamp {
@@ -32,14 +32,15 @@ struct Glow {
     Rgb radiance;
 };
 
-// All of it has one colour: what is linear in it has its colour later. A basis is one of the skies, then one of
-// the suns, then one of the lamps.
+// All of it has one colour: what is linear in it has its colour later. A basis is one of the skies, then one
+// of the suns, then one of the lamps.
 struct Lights {
-    // Skies stand in all windows: functions of the unit direction that may be negative, but for the first one,
-    // which tells where light from the windows changes
+    // Skies stand in all windows: functions of the unit direction that may be negative, but for the first
+    // one, which tells where light from the windows changes
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
-    Vec3 suns[kMaxSuns]; // world; so far away that their light is parallel; irradiance / pi of 1 on what faces them
+    Vec3 suns[kMaxSuns]; // world; so far away that their light is parallel; irradiance / pi of 1 on what
+                         // faces them
     Lamp lamps[kMaxLamps];
     const Glow *glows;
     int skyCount, sunCount, lampCount, glowCount;
@@ -48,8 +49,8 @@ struct Lights {
     int bases() const { return firstLamp() + lampCount; }
 };
 
-// Adds up light for the fresh texels: direct[k] is a plane, the share of basis k that arrives. The scene holds the
-// posed model, finished.
+// Adds up light for the fresh texels: direct[k] is a plane, the share of basis k that arrives. The scene
+// holds the posed model, finished.
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
                      float *const *direct, const Progress &progress);
 

@@ -42,10 +42,10 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 // What a patch is to form factors: nothing; it has a row, and is in those of others; or that alone.
 enum : uint8_t { kUnlit, kReflects, kShines };
 
-// Draws the hemicubes of all patches that have some share and keeps their rows, as `lit` tells of each. `step`, without a factor in common with
-// the number of patches, is how many patches lie from one to the next, so that rows that are had when it is
-// stopped are spread over the model. False when the viewer left or the links' capacity is too small; what
-// there is then is whole.
+// Draws the hemicubes of all patches that have some share and keeps their rows, as `lit` tells of each.
+// `step`, without a factor in common with the number of patches, is how many patches lie from one to the
+// next, so that rows that are had when it is stopped are spread over the model. False when the viewer left or
+// the links' capacity is too small; what there is then is whole.
 bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
                      FormFactors &factors, const Progress &progress, int step = 1);
 

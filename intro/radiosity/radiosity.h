@@ -1,8 +1,8 @@
 // A room, solved: for every light its light on every texel, bounces and all.
 //
-// Light is linear: the picture at any time is a weighted sum of these bases, skies, suns and lamps. Direct light
-// of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer draws it,
-// or put in.
+// Light is linear: the picture at any time is a weighted sum of these bases, skies, suns and lamps. Direct
+// light of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer
+// draws it, or put in.
 #pragma once
 
 #include "base/progress.h"

@@ -96,7 +96,8 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
     });
 }
 
-void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first, int count) {
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first,
+                 int count) {
     values -= (size_t)first * (size_t)columns;
     for (int i = first; i < first + count; ++i) {
         if (factors.rows[i].known) continue;

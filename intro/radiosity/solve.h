@@ -35,6 +35,7 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
 
 // Gives patches whose rows are not known the mean of those around them on their charts; `values` as for
 // gather(), of `count` patches from `first` on, whole charts.
-void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first, int count);
+void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first,
+                 int count);
 
 } // namespace odraz

@@ -112,8 +112,8 @@ Daylight daylightAt(float hour) {
     float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
     Rgb ground = h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f));
-    return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f, h.glow,
-             h.low * 0.8f + h.sunlight * 0.11f, 0.1f, hour * 0.7f},
+    return {{h.low, (h.high - ground) * 0.5f, (h.high + ground) * 0.5f - h.low, -1, sun, h.glow * 0.25f,
+             h.glow, h.low * 0.8f + h.sunlight * 0.11f, 0.1f, hour * 0.7f},
             sun * 300.f,
             h.sunlight + h.glow * kNearGlow};
 }
@@ -170,8 +170,8 @@ const char *loadHall(Hall &hall, Scene &scene, const Gl &gl, Arena &arena, Worke
                      const Progress &progress) {
     prepareHall(hall, scene);
     if (!solveRadiosity(hall.radiosity, hall.model, scene, kHallSettings, gl, arena, workers, progress) ||
-        !polish(hall, {}, arena, workers) ||
-        !followBounces(hall, scene, arena, workers) || !visit(hall, gl, arena))
+        !polish(hall, {}, arena, workers) || !followBounces(hall, scene, arena, workers) ||
+        !visit(hall, gl, arena))
         return "the hall cannot be solved: OpenGL 3.3 draws no integers here, or memory is short";
     closeHemicubes(hall.radiosity.hemicubes);
     for (int i = 0; i < scene.materialCount; ++i) hall.mean[i] = scene.mean[i];
@@ -199,7 +199,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
 
     Daylight now = daylightAt(light.hour);
     scene.sky = now.sky;
-    if (light.sun > 0) scene.add(pointLight(now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))));
+    if (light.sun > 0)
+        scene.add(pointLight(now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))));
 
     // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
     // the third's share

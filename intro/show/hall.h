@@ -8,8 +8,8 @@
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
-inline constexpr int kHours = 8;   // of the day, from dawn to dusk and night
-inline constexpr int kSuns = 28;   // positions whose bounces are solved, four for each hour
+inline constexpr int kHours = 8; // of the day, from dawn to dusk and night
+inline constexpr int kSuns = 28; // positions whose bounces are solved, four for each hour
 inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns; // of the bases
 inline constexpr int kBounces = 4; // kept one by one, for scene 4
 inline constexpr int kNoon = 3;    // the hour that scene 4 shows

@@ -22,7 +22,8 @@ static Rgb8 between(const float *const plane[3], Float8 x, Float8 y, Corner &&co
 }
 
 // The colours of patches, in rows of `across`, which stand at their middles.
-static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sharpness, const Chart &c, const Vec3x8 &q) {
+static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sharpness, const Chart &c,
+                     const Vec3x8 &q) {
     auto place = [&](Vec3 axis, float size, int count, Int8 &low, Int8 &high) {
         Float8 x = clamp(along(axis, q, (float)count / size) - 0.5f, 0.f, (float)(count - 1));
         low = toInt(x);
@@ -55,7 +56,8 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
     if (map.mosaic > 0) {
         const float *const plane[3] = {map.patch[0] + c.firstPatch, map.patch[1] + c.firstPatch,
                                        map.patch[2] + c.firstPatch};
-        light = light + (mosaicAt(plane, c.patchesAcross(), c.patchesDown(), map.sharpness, c, q) - light) * broadcast(map.mosaic);
+        light = light + (mosaicAt(plane, c.patchesAcross(), c.patchesDown(), map.sharpness, c, q) - light) *
+                            broadcast(map.mosaic);
     }
     return light;
 }

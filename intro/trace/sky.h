@@ -5,21 +5,24 @@
 
 namespace odraz {
 
-// Radiances: low + slope y + curve y^2 by the sine y of the elevation, or `least` where y is below that. Around the
-// sun a wide glow; with least = -1 both are polynomials of degree 4, which spherical harmonics of bands 0 to 4 hold
-// without an error. Nearer to the sun a small bright one, and over all that clouds of noise.
+// Radiances: low + slope y + curve y^2 by the sine y of the elevation, or `least` where y is below that.
+// Around the sun a wide glow; with least = -1 both are polynomials of degree 4, which spherical harmonics of
+// bands 0 to 4 hold without an error. Nearer to the sun a small bright one, and over all that clouds of
+// noise.
 struct Sky {
     Rgb low, slope, curve;
     float least;
-    Vec3 sun; // unit
+    Vec3 sun;       // unit
     Rgb glow, near; // {} where no sun is seen
-    Rgb clouds; // their radiance
-    float cover; // 0: no clouds; 1: hardly anything else
-    float drift; // how far they have moved
+    Rgb clouds;     // their radiance
+    float cover;    // 0: no clouds; 1: hardly anything else
+    float drift;    // how far they have moved
 };
 
 // From the horizon's colour to the zenith's; the horizon's goes on below it.
-inline Sky plainSky(Rgb low, Rgb high) { return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0}; }
+inline Sky plainSky(Rgb low, Rgb high) {
+    return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0};
+}
 
 // Irradiance / pi of the near glow on what faces it: as if the sun were that much stronger.
 inline constexpr float kNearGlow = 2 / 66.f;

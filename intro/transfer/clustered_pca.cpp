@@ -41,8 +41,8 @@ struct Clustering {
         return max(square, 0.f);
     }
 
-    // Gram and Schmidt, twice, so that rounding leaves nothing. What is left of an axis that depends on those before
-    // it is noise: it becomes zero.
+    // Gram and Schmidt, twice, so that rounding leaves nothing. What is left of an axis that depends on those
+    // before it is noise: it becomes zero.
     void orthonormalize(float *axes) const {
         auto dotOf = [&](const float *a, const float *b) {
             Float8 sum = {};
@@ -51,6 +51,11 @@ struct Clustering {
         };
         for (int d = 0; d < p.dimensions; ++d) {
             float *axis = axes + (size_t)d * (size_t)p.columns;
+            // To a size whose square is a number
+            Float8 largest = broadcast(1e-35f);
+            for (int i = 0; i < p.columns; i += 8) largest = max(abs(load(axis + i)), largest);
+            float size = 1 / -least(-largest);
+            for (int i = 0; i < p.columns; i += 8) store(axis + i, load(axis + i) * size);
             float before = dotOf(axis, axis);
             auto addTo = [&](const float *other, float much, float scale) {
                 for (int i = 0; i < p.columns; i += 8)
@@ -61,7 +66,7 @@ struct Clustering {
                 addTo(other, -dotOf(axis, other), 1);
             }
             float left = dotOf(axis, axis);
-            addTo(axis, 0, left > before * 1e-10f && left > 1e-30f ? 1 / sqrt(left) : 0);
+            addTo(axis, 0, left > before * 1e-10f ? 1 / sqrt(left) : 0);
         }
     }
 

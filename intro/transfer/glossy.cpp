@@ -12,7 +12,8 @@ constexpr int kPadded = 32; // of 25 coefficients
 struct Arriving {
     float sum[3 * kMaxBases][kPadded];
 
-    // Adds four links: the coefficients of each, times the radiances that it brings of `columns` bases and channels.
+    // Adds four links: the coefficients of each, times the radiances that it brings of `columns` bases and
+    // channels.
     void add(const float (&coefficients)[4][kPadded], const float *const *radiances, int columns) {
         for (int k = 0; k < columns; ++k) {
             Float8 s[4];
@@ -77,7 +78,8 @@ void findMatrix(const Model &m, const Radiosity &r, int patch, float *matrix) {
 bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const float *importance,
                 const GlossySettings &settings, Arena &arena, Workers &workers) {
     const Chart &c = m.charts[chart];
-    int patchesAcross = c.patchesAcross(), patchesDown = c.patchesDown(), patches = patchesAcross * patchesDown;
+    int patchesAcross = c.patchesAcross(), patchesDown = c.patchesDown(),
+        patches = patchesAcross * patchesDown;
     g.chart = &c;
     g.bases = r.lights.bases();
     g.across = (patchesAcross + 1) / 2, g.down = (patchesDown + 1) / 2;
@@ -97,7 +99,8 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
             if (r.lights.lamps[k].chart == m.patches[i].chart)
                 for (int channel = 0; channel < 3; ++channel)
                     r.system.radiosity[i * r.system.columns + 3 * (r.lights.firstLamp() + k) + channel] = 1;
-    parallelFor(workers, patches, [&](int i, int) { findMatrix(m, r, c.firstPatch + i, each + (size_t)i * width); });
+    parallelFor(workers, patches,
+                [&](int i, int) { findMatrix(m, r, c.firstPatch + i, each + (size_t)i * width); });
     fillPatches(m, r.factors, columns, each, c.firstPatch, patches);
 
     // The means of squares; they begin in clusters that are blocks, about as wide as high
@@ -105,13 +108,15 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
     while (wide < g.across && (wide + 1) * (wide + 1) * g.down <= clusters * g.across) ++wide;
     int high = min(clusters / wide, g.down);
     parallelFor(workers, count, [&](int i, int) {
-        int x = i % g.across, y = i / g.across, u = x * patchesAcross / g.across, v = y * patchesDown / g.down,
-            uEnd = (x + 1) * patchesAcross / g.across, vEnd = (y + 1) * patchesDown / g.down;
+        int x = i % g.across, y = i / g.across, u = x * patchesAcross / g.across,
+            v = y * patchesDown / g.down, uEnd = (x + 1) * patchesAcross / g.across,
+            vEnd = (y + 1) * patchesDown / g.down;
         float *to = g.matrices + (size_t)i * width, share = 1.f / (float)((uEnd - u) * (vEnd - v));
         for (; v < vEnd; ++v)
             for (int k = u; k < uEnd; ++k) {
                 const float *from = each + (size_t)(v * patchesAcross + k) * width;
-                for (int j = 0; j < columns; j += 8) store(to + j, fmadd(load(from + j), share, load(to + j)));
+                for (int j = 0; j < columns; j += 8)
+                    store(to + j, fmadd(load(from + j), share, load(to + j)));
             }
         g.pca.cluster[i] = y * high / g.down * wide + x * wide / g.across;
     });
@@ -183,7 +188,8 @@ void relightGlossy(const Glossy &g, const LightVector &light, Vec3 eye, float re
             Vec3x8 d = normalize(chart.u * s + chart.v * t + (chart.corner - eye));
             Float8 cosine = dot(d, chart.n), y[kSh], weight[kMaxDimensions];
             evaluate(fmadd(broadcast(chart.n), cosine * -2.f, d), y);
-            for (int k = 0; k < pca.dimensions; ++k) weight[k] = gather(pca.weights + k, square * pca.dimensions);
+            for (int k = 0; k < pca.dimensions; ++k)
+                weight[k] = gather(pca.weights + k, square * pca.dimensions);
             Float8 grazing = 1.f - saturate(abs(cosine)), twice = grazing * grazing;
             Float8 mirrored = fmadd(twice * twice * grazing, 1 - reflect, broadcast(reflect)) * strength;
             for (int channel = 0; channel < 3; ++channel) {
@@ -191,7 +197,8 @@ void relightGlossy(const Glossy &g, const LightVector &light, Vec3 eye, float re
                 for (int j = 0; j < kSh; ++j) {
                     int at = channel * kSh + j;
                     Float8 arriving = broadcast(shown[0][at]);
-                    for (int k = 0; k < pca.dimensions; ++k) arriving = fmadd(weight[k], shown[1 + k][at], arriving);
+                    for (int k = 0; k < pca.dimensions; ++k)
+                        arriving = fmadd(weight[k], shown[1 + k][at], arriving);
                     sum = fmadd(arriving, y[j], sum);
                 }
                 sum = max(sum, 0.f) * mirrored;

@@ -12,7 +12,8 @@ void relight(const Radiosity &r, const Model &model, const LightVector &light, f
             auto add = [&](const float *from, Rgb weights) {
                 float weight = c == 0 ? weights.x : c == 1 ? weights.y : weights.z;
                 if (weight == 0) return;
-                for (int t = first; t < end; t += 8) store(sum + t, fmadd(load(from + t), weight, load(sum + t)));
+                for (int t = first; t < end; t += 8)
+                    store(sum + t, fmadd(load(from + t), weight, load(sum + t)));
             };
             for (int k = 0; k < r.lights.bases(); ++k) {
                 add(r.bounced[k][c], light.bounced[k]);

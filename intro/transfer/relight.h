@@ -1,5 +1,5 @@
-// The light of a moment, from a room's bases: what transfer is for. Nothing but multiplications and additions, a
-// row for each texel.
+// The light of a moment, from a room's bases: what transfer is for. Nothing but multiplications and
+// additions, a row for each texel.
 #pragma once
 
 #include "radiosity/radiosity.h"

@@ -9,7 +9,8 @@ void evaluate(const Vec3x8 &d, Float8 *y) {
     Float8 z = d.y, zz = z * z;
     const Float8 along[kBands][kBands] = {
         {broadcast(0.28209479f), z * 0.48860251f, fmadd(zz, 0.94617470f, -0.31539157f),
-         z * fmadd(zz, 1.86588166f, -1.11952900f), fmadd(fmadd(zz, 3.70249414f, -3.17356641f), zz, 0.31735664f)},
+         z * fmadd(zz, 1.86588166f, -1.11952900f),
+         fmadd(fmadd(zz, 3.70249414f, -3.17356641f), zz, 0.31735664f)},
         {broadcast(-0.48860251f), z * -1.09254843f, fmadd(zz, -2.28522899f, 0.45704580f),
          z * fmadd(zz, -4.68332580f, 2.00713963f)},
         {broadcast(0.54627422f), z * 1.44530572f, fmadd(zz, 3.31161143f, -0.47308735f)},
@@ -54,7 +55,9 @@ void project(const Sky &sky, Rgb *light) {
     for (int k = 0; k < kSh; ++k) light[k] = {total(sum[k].x), total(sum[k].y), total(sum[k].z)};
 }
 
-float window(int band, float exponent) { return exp2((float)(band * (band + 1)) * (-0.72134752f / exponent)); }
+float window(int band, float exponent) {
+    return exp2((float)(band * (band + 1)) * (-0.72134752f / exponent));
+}
 
 void rotate(const float *f, const Mat3 &m, float *turned) {
     for (int k = 0; k < kSh; ++k) turned[k] = 0;

@@ -1,0 +1,231 @@
+// Clustered PCA: against a singular value decomposition in double precision (Eigen), on data of a known
+// structure, and at the extremes.
+#include "transfer/clustered_pca.h"
+
+#include "base/random.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Data {
+    int rows, columns;
+    std::vector<float> values;
+    Data(int rows, int columns) : rows(rows), columns(columns), values((size_t)rows * (size_t)columns) {}
+    float &at(int r, int c) { return values[(size_t)r * (size_t)columns + (size_t)c]; }
+};
+
+struct Result {
+    std::vector<unsigned char> memory = std::vector<unsigned char>((size_t)16 << 20);
+    ClusteredPca p = {};
+    double error = 0, size = 0; // Frobenius, squared
+    std::vector<int> cluster;
+
+    Result(
+        const Data &d, PcaSettings settings, const std::function<int(int)> &seed = [](int) { return 0; }) {
+        cluster.resize((size_t)d.rows);
+        for (int r = 0; r < d.rows; ++r) cluster[(size_t)r] = seed(r);
+        p.rows = d.rows, p.columns = d.columns, p.data = d.values.data(), p.cluster = cluster.data();
+        Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
+        Workers workers = serialWorkers();
+        EXPECT_TRUE(compress(p, settings, arena, workers));
+        for (int r = 0; r < d.rows; ++r) {
+            EXPECT_TRUE(cluster[(size_t)r] >= 0 && cluster[(size_t)r] < settings.clusters);
+            for (int c = 0; c < d.columns; ++c) {
+                const float *axes = p.axesOf(cluster[(size_t)r]);
+                double v = (double)axes[c],
+                       exact = (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c];
+                for (int k = 0; k < p.dimensions; ++k)
+                    v += (double)p.weights[r * p.dimensions + k] * (double)axes[(1 + k) * d.columns + c];
+                EXPECT_TRUE(std::isfinite(v));
+                error += (v - exact) * (v - exact), size += exact * exact;
+            }
+        }
+    }
+    double percent() const { return 100 * std::sqrt(error / size); }
+};
+
+// What the best subspace of so many dimensions leaves, squared.
+double bestLeft(const Data &d, int dimensions) {
+    Eigen::MatrixXd m(d.rows, d.columns);
+    for (int r = 0; r < d.rows; ++r)
+        for (int c = 0; c < d.columns; ++c)
+            m(r, c) = (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c];
+    m.rowwise() -= m.colwise().mean().eval();
+    Eigen::BDCSVD<Eigen::MatrixXd> svd(m);
+    double left = 0;
+    for (long k = dimensions; k < svd.singularValues().size(); ++k)
+        left += std::pow(svd.singularValues()[k], 2);
+    return left;
+}
+
+// Rows whose singular values fall as 2^-(k / half).
+Data falling(int rows, int columns, double half) {
+    Data d(rows, columns);
+    Random random = {5};
+    for (int k = 0; k < 40; ++k) {
+        std::vector<float> u((size_t)rows), v((size_t)columns);
+        for (float &x : u) x = random.next() - 0.5f;
+        for (float &x : v) x = random.next() - 0.5f;
+        for (int r = 0; r < rows; ++r)
+            for (int c = 0; c < columns; ++c)
+                d.at(r, c) += u[(size_t)r] * v[(size_t)c] * (float)std::exp2(-k / half);
+    }
+    for (int r = 0; r < rows; ++r)
+        for (int c = 0; c < columns; ++c) d.at(r, c) += 3 + (float)c * 0.1f; // a mean
+    return d;
+}
+
+// Several flats, each of four dimensions, about means far apart, taken by turns.
+Data flats(int count, int rows, int columns) {
+    Data d(rows, columns);
+    Random random = {9};
+    std::vector<std::vector<float>> basis;
+    for (int f = 0; f < count * 5; ++f) {
+        basis.emplace_back();
+        for (int c = 0; c < columns; ++c)
+            basis.back().push_back((random.next() - 0.5f) * (f % 5 ? 1.f : 4.f));
+    }
+    for (int r = 0; r < rows; ++r)
+        for (int k = 0; k < 5; ++k) {
+            float weight = k ? random.next() - 0.5f : 1;
+            for (int c = 0; c < columns; ++c)
+                d.at(r, c) += weight * basis[(size_t)(r % count * 5 + k)][(size_t)c];
+        }
+    return d;
+}
+
+} // namespace
+
+TEST(Pca, LeavesNoMoreThanTheBestSubspace) {
+    for (double half : {1., 3., 10.})
+        for (int dimensions : {8, 16, 24}) {
+            Data d = falling(300, 64, half);
+            Result r(d, {.clusters = 1, .dimensions = dimensions, .rounds = 0, .iterations = 12});
+            double best = bestLeft(d, dimensions), noise = r.size * 1e-13; // of floats
+            std::printf("%d axes of values that halve every %g: %.4f %% left, the best %.4f %%\n", dimensions,
+                        half, r.percent(), 100 * std::sqrt(best / r.size));
+            EXPECT_LT(r.error, best * 1.02 + noise);
+            EXPECT_GT(r.error, best * 0.999 - noise);
+        }
+}
+
+TEST(Pca, WideRowsToo) { // more columns than rows, as the floor's matrices
+    Data d = falling(60, 2000, 4);
+    Result r(d, {.clusters = 1, .dimensions = 16, .rounds = 0, .iterations = 12});
+    EXPECT_LT(r.error, bestLeft(d, 16) * 1.02);
+}
+
+TEST(Pca, AxesAreOrthonormal) {
+    Data d = falling(300, 64, 3);
+    Result r(d, {.clusters = 3, .dimensions = 16}, [](int row) { return row % 3; });
+    for (int c = 0; c < 3; ++c)
+        for (int a = 0; a < 16; ++a)
+            for (int b = 0; b <= a; ++b) {
+                double dot = 0;
+                for (int k = 0; k < 64; ++k)
+                    dot += (double)r.p.axesOf(c)[(1 + a) * 64 + k] * (double)r.p.axesOf(c)[(1 + b) * 64 + k];
+                EXPECT_NEAR(dot, a == b, 1e-5);
+            }
+}
+
+// From seeds that are wrong for a third of the rows the flats are found, where one subspace of as many
+// dimensions cannot hold them.
+TEST(Clustering, FindsTheFlats) {
+    Data d = flats(4, 400, 48);
+    PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};
+    auto seed = [](int row) { return row % 3 ? row % 4 : (row / 3) % 4; };
+    Result found(d, settings, seed);
+    settings.rounds = 0;
+    Result blocks(d, settings, seed), one(d, {.clusters = 1, .dimensions = 8, .rounds = 0, .iterations = 12});
+    std::printf("one subspace %.2f %%, as seeded %.2f %%, clustered %.4f %%\n", one.percent(),
+                blocks.percent(), found.percent());
+    EXPECT_LT(found.percent(), 0.01);
+    EXPECT_GT(one.percent(), 5);
+    EXPECT_GT(blocks.percent(), 1);
+}
+
+// More rounds never do harm.
+TEST(Clustering, Descends) {
+    Data d = falling(400, 64, 20);
+    double last = 1e30;
+    for (int rounds = 0; rounds < 6; ++rounds) {
+        Result r(d, {.clusters = 8, .dimensions = 8, .rounds = rounds, .iterations = 8, .tried = 7},
+                 [](int row) { return row / 50; });
+        EXPECT_LT(r.error, last * 1.005) << rounds;
+        last = r.error;
+    }
+}
+
+TEST(Extremes, AllRowsEqual) {
+    Data d(100, 24);
+    for (int r = 0; r < 100; ++r)
+        for (int c = 0; c < 24; ++c) d.at(r, c) = (float)c * 0.37f - 2;
+    Result r(d, {.clusters = 4, .dimensions = 8}, [](int row) { return row % 4; });
+    EXPECT_LT(r.percent(), 1e-4);
+}
+
+TEST(Extremes, NothingButZero) {
+    Data d(50, 16);
+    Result r(d, {.clusters = 2, .dimensions = 8}, [](int row) { return row % 2; });
+    EXPECT_EQ(r.error, 0);
+}
+
+TEST(Extremes, OneRow) {
+    Data d(1, 8);
+    for (int c = 0; c < 8; ++c) d.at(0, c) = (float)c;
+    Result r(d, {.clusters = 1, .dimensions = 8});
+    EXPECT_EQ(r.error, 0);
+}
+
+TEST(Extremes, MoreClustersThanRows) {
+    Data d = falling(10, 16, 3);
+    Result r(d, {.clusters = 40, .dimensions = 8}, [](int row) { return row * 4; });
+    EXPECT_LT(r.percent(), 1e-4);
+}
+
+TEST(Extremes, FewerDimensionsInTheDataThanAsked) {
+    Data d = flats(1, 100, 40); // four, where 16 are asked for
+    Result r(d, {.clusters = 2, .dimensions = 16}, [](int row) { return row % 2; });
+    EXPECT_LT(r.percent(), 1e-3);
+    Data line(60, 16); // and one
+    for (int row = 0; row < 60; ++row)
+        for (int c = 0; c < 16; ++c) line.at(row, c) = (float)row * (float)(c + 1) * 1e-3f;
+    EXPECT_LT(Result(line, {.clusters = 1, .dimensions = 8}).percent(), 1e-3);
+}
+
+TEST(Extremes, TinyAndHuge) {
+    for (float scale : {1e-9f, 1e-6f, 1e6f, 1e12f}) {
+        Data d = falling(100, 32, 2);
+        double plain = Result(d, {.clusters = 2, .dimensions = 8}, [](int row) { return row % 2; }).percent();
+        for (float &v : d.values) v *= scale;
+        double scaled =
+            Result(d, {.clusters = 2, .dimensions = 8}, [](int row) { return row % 2; }).percent();
+        EXPECT_NEAR(scaled, plain, plain * 0.05) << scale;
+    }
+}
+
+TEST(Extremes, NoDimensionsAtAll) { // plain k-means
+    Data d = flats(4, 400, 48);
+    Result r(d, {.clusters = 4, .dimensions = 0, .rounds = 6}, [](int row) { return row % 4; });
+    EXPECT_GT(r.percent(), 1);
+    EXPECT_LT(r.percent(), 60);
+}
+
+TEST(Extremes, NoMemory) {
+    Data d = falling(10, 16, 3);
+    std::vector<int> cluster(10);
+    ClusteredPca p = {};
+    p.rows = 10, p.columns = 16, p.data = d.values.data(), p.cluster = cluster.data();
+    unsigned char little[256];
+    Arena arena = {little, sizeof little, 0};
+    Workers workers = serialWorkers();
+    EXPECT_FALSE(compress(p, {.clusters = 4, .dimensions = 8}, arena, workers));
+}
