@@ -250,6 +250,21 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     EXPECT_GT(mean[kBounces], 0.9 * solution);
 }
 
+// Windows let light out: whatever basis lights them, they give nothing back.
+TEST(Hall, WindowsReflectNothing) {
+    const Hall &hall = *solved().hall;
+    const System &system = hall.radiosity.system;
+    double out = 0, in = 0;
+    for (int i = 0; i < hall.model.patchCount; ++i)
+        if (hall.model.charts[hall.model.patches[i].chart].open)
+            for (int k = 0; k < system.columns; ++k) {
+                out += std::fabs((double)system.radiosity[i * system.columns + k]);
+                in += std::fabs((double)system.direct[i * system.columns + k]);
+            }
+    EXPECT_EQ(out, 0);
+    EXPECT_GT(in, 0);
+}
+
 // A ball that rests on the floor takes from its light what it covers of what the floor sees, and no more.
 TEST(Hall, ABallDarkensWhatItStandsOn) {
     Solved &s = solved();

@@ -18,7 +18,8 @@ static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Wor
     System &s = r.system;
     size_t columns = (size_t)s.columns;
     for (int i = 0; i < model.patchCount; ++i) {
-        Rgb mean = scene.mean[model.charts[model.patches[i].chart].material];
+        const Chart &c = model.charts[model.patches[i].chart];
+        Rgb mean = c.open ? Rgb{} : scene.mean[c.material];
         float *to = s.reflectance + (size_t)i * columns;
         for (int k = 0; k < lights.bases(); ++k)
             to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;

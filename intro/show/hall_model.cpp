@@ -71,10 +71,10 @@ void build(Model &m) {
         Vec3 lo = {-kX - kDeep, kSill, middle - kWindow}, deep = {kDeep, 0, 0},
              tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        m.addRect(lo, wide, deep, kPlaster, 0.31f);        // sill
-        m.addRect(lo + tall, deep, wide, kPlaster, 0.31f); // lintel
-        m.addRect(lo, deep, tall, kPlaster, 0.31f);        // jambs
-        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.31f);
+        m.addRect(lo, wide, deep, kPlaster, 0.2f);        // sill
+        m.addRect(lo + tall, deep, wide, kPlaster, 0.2f); // lintel
+        m.addRect(lo, deep, tall, kPlaster, 0.2f);        // jambs
+        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.2f);
         m.addRect(lo + wide, -wide, tall, kPlaster, 0.6f, Model::kOpen);
     }
     for (int side = -1; side <= 1; side += 2) {
