@@ -178,7 +178,7 @@ TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
         if (hour == kNoon) noon = scene->ambientHigh.y;
         night = scene->ambientHigh.y;
     }
-    EXPECT_GT(noon, 20 * night);
+    EXPECT_GT(noon, 10 * night);
     EXPECT_GT(night, 0);
 }
 

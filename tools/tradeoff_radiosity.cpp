@@ -75,8 +75,8 @@ std::vector<HallSetting> hallSettings(bool quick) {
     for (float contrast : quick ? std::vector<float>{} : std::vector<float>{0.1f, 0.6f})
         with("contrast " + std::to_string(contrast).substr(0, 3),
              [&](RadiositySettings &s) { s.contrast = contrast; });
-    for (float residual : quick ? std::vector<float>{} : std::vector<float>{1e-2f, 1e-4f})
-        with(residual < 1e-3f ? "residual 1e-4" : "residual 1e-2",
+    for (float residual : quick ? std::vector<float>{} : std::vector<float>{1e-3f, 1e-4f})
+        with(residual < 1e-3f ? "residual 1e-4" : "residual 1e-3",
              [&](RadiositySettings &s) { s.residual = residual; });
     return all;
 }

@@ -18,7 +18,7 @@ static constexpr Key kBounce[] = {{100, 0, Smooth},    {101.5f, 1, Linear}, {108
                                   {109.5f, 2, Linear}, {116, 2, Smooth},    {117.5f, 3, Linear},
                                   {122, 3, Smooth},    {124, 4, Linear}};
 static constexpr Key kExposure[] = {
-    {84, 1.5f, Smooth}, {100, 1.9f, Linear}, {140, 1.9f, Smooth}, {180, 1.3f, Linear}};
+    {84, 1.5f, Smooth}, {100, 1.9f, Linear}, {140, 1.9f, Smooth}, {180, 1.7f, Linear}};
 static constexpr Key kMelt[] = {{134, 0, Smooth}, {166, 1, Linear}};
 static constexpr Key kReal[] = {{140, 0, Smooth}, {172, 1, Linear}};
 

@@ -3,23 +3,34 @@
 namespace odraz {
 
 void relight(const Radiosity &r, const Model &model, const LightVector &light, float *const plane[3]) {
-    constexpr int kPiece = 512; // texels whose sums stay in the nearest cache
-    for (int c = 0; c < 3; ++c)
+    for (int c = 0; c < 3; ++c) {
+        // What there is, and four at a time: sums are loaded and stored once for them
+        const float *from[2 * kMaxBases + 3];
+        float weight[2 * kMaxBases + 3];
+        int count = 0;
+        auto add = [&](const float *plane, Rgb weights) {
+            float w = c == 0 ? weights.x : c == 1 ? weights.y : weights.z;
+            if (w != 0) from[count] = plane, weight[count++] = w;
+        };
+        for (int k = 0; k < r.lights.bases(); ++k) {
+            add(r.bounced[k][c], light.bounced[k]);
+            add(r.direct[k], light.direct[k]);
+        }
+        for (int k = 0; k < 3; ++k) from[count + k] = plane[c], weight[count + k] = 0;
+
+        constexpr int kPiece = 512; // texels whose sums stay in the nearest cache
         for (int first = 0; first < model.texelCount; first += kPiece) {
             int end = min(first + kPiece, model.texelCount);
-            float *sum = plane[c];
-            for (int t = first; t < end; t += 8) store(sum + t, Float8{});
-            auto add = [&](const float *from, Rgb weights) {
-                float weight = c == 0 ? weights.x : c == 1 ? weights.y : weights.z;
-                if (weight == 0) return;
-                for (int t = first; t < end; t += 8)
-                    store(sum + t, fmadd(load(from + t), weight, load(sum + t)));
-            };
-            for (int k = 0; k < r.lights.bases(); ++k) {
-                add(r.bounced[k][c], light.bounced[k]);
-                add(r.direct[k], light.direct[k]);
-            }
+            for (int t = first; t < end; t += 8) store(plane[c] + t, Float8{});
+            for (int k = 0; k < count; k += 4)
+                for (int t = first; t < end; t += 8) {
+                    Float8 sum = load(plane[c] + t);
+#pragma GCC unroll 4
+                    for (int i = 0; i < 4; ++i) sum = fmadd(load(from[k + i] + t), weight[k + i], sum);
+                    store(plane[c] + t, sum);
+                }
         }
+    }
 }
 
 } // namespace odraz
