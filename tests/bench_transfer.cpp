@@ -27,7 +27,7 @@ struct Clock {
     Progress progress() {
         return {[](float done, void *p) {
                     Clock &c = *(Clock *)p;
-                    if (c.now < c.steps.size() && done >= c.steps[c.now].end - 1e-4f) {
+                    while (c.now < c.steps.size() && done >= c.steps[c.now].end - 1e-4f) {
                         double t = processorSeconds();
                         c.steps[c.now++].seconds = t - c.last;
                         c.last = t;
@@ -142,7 +142,7 @@ int main(int argc, char **argv) {
                     "with the sun itself\n");
         std::vector<float> hours;
         for (int i = 0; i < 2 * kHours - 1; ++i) hours.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
-        for (const DayError &e : dayErrors(hours, kBands, gl, workers))
+        for (const DayError &e : dayErrors(hours, {kBands}, gl, workers))
             std::printf("  hour %.3f%s: %.2f; %.2f\n", (double)e.hour,
                         std::fmod(e.hour, 0.25f) == 0 ? "" : ", between suns", e.lightmap, e.whole);
     } catch (const std::runtime_error &e) {

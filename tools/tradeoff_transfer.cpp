@@ -116,10 +116,11 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
     measure("floor uncompressed", {.clusters = squares, .dimensions = 0, .rounds = 0}, false, -1);
     PcaSettings shipped = GlossySettings().pca;
     measure("floor cpca", shipped, true, 4);
-    std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {1, 4, 8, 16, 32};
+    std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {1, 4, 8, 16};
     if (sweep.quick) dimensions = {16}, clusters = {1, 8};
     for (int k : clusters)
         for (int d : dimensions) {
+            if (k * (1 + d) >= squares) continue; // nothing would be saved
             measure("floor blocks", {.clusters = k, .dimensions = d, .rounds = 0}, false, 3);
             if (k > 1 && (k != shipped.clusters || d != shipped.dimensions))
                 measure("floor cpca", {.clusters = k, .dimensions = d, .rounds = 3}, false, 4);
@@ -144,10 +145,13 @@ int tradeoffTransfer(const Sweep &sweep) {
         // How much of the day's light fewer bands hold, the sun's own counted
         std::vector<float> hours;
         for (int i = 0; i < kHours; ++i) hours.push_back((float)i);
-        for (int bands = sweep.quick ? 4 : 1; bands <= kBands; ++bands) {
+        std::vector<int> bands = {1, 2, 3, 4, kBands};
+        std::vector<DayError> errors = dayErrors(hours, bands, gl, workers);
+        for (int used : bands) {
             double sum = 0;
-            for (const DayError &e : dayErrors(hours, bands, gl, workers)) sum += e.whole * e.whole;
-            table.put("bands", bands, 0, 0, bands == kBands, 0, 0, std::sqrt(sum / kHours), -1);
+            for (const DayError &e : errors)
+                if (e.bands == used) sum += e.whole * e.whole;
+            table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / kHours), -1);
         }
     } catch (const std::runtime_error &e) {
         std::fprintf(stderr, "tradeoff: %s\n", e.what());

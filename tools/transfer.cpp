@@ -150,7 +150,8 @@ void relightRows(const ClusteredPca &p, const float *light, float *const plane[3
     }
 }
 
-std::vector<DayError> dayErrors(const std::vector<float> &hours, int bands, const Gl &gl, Workers &workers) {
+std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
+                                Workers &workers) {
     constexpr size_t kMost = 10; // skies at once
     RadiositySettings settings = kHallSettings;
     settings.levels = 0; // the same elements, whatever the lights
@@ -185,33 +186,36 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, int bands, cons
             got[c] = planes[c].data(), exact[c] = planes[c + 3].data();
         }
         for (size_t i = 0; i < days.size(); ++i) {
-            LightVector light, own = {};
-            const float drawn[kLanterns] = {};
-            lightVector({hours[first + i], {}, {}, 1}, drawn, light);
-            for (int k = bands * bands; k < kSh; ++k) light.bounced[k] = {};
-            relight(relit.hall->radiosity, m, light, got);
+            LightVector own = {};
             int sky = 3 * (int)i, sun = 3 * (int)days.size() + (int)i;
             own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
             Rgb near = days[i].sky.near * kNearGlow, alone = days[i].sunlight - near;
             own.bounced[sun] = alone;
             relight(very.hall->radiosity, very.hall->model, own, exact);
-            // The picture draws the sun with the glow around it; the glow is in the sky here
-            double error = 0, base = 0, whole = 0, wholeBase = 0;
-            for (size_t c = 0; c < 3; ++c) {
-                auto channel = [&](Rgb v) { return (double)(c == 0 ? v.x : c == 1 ? v.y : v.z); };
-                for (size_t t = 0; t < texels; ++t) {
-                    double direct = (double)very.hall->radiosity.direct[sun][t], g = (double)got[c][t],
-                           e = (double)exact[c][t];
-                    double withSun = g + direct * channel(days[i].sunlight),
-                           truth = e + direct * channel(alone);
-                    whole += (withSun - truth) * (withSun - truth), wholeBase += truth * truth;
-                    // That part of the lightmap's light is the sun's in the picture
-                    e -= direct * channel(near);
-                    error += (g - e) * (g - e), base += e * e;
+            for (int used : bands) {
+                LightVector light;
+                const float drawn[kLanterns] = {};
+                lightVector({hours[first + i], {}, {}, 1}, drawn, light);
+                for (int k = used * used; k < kSh; ++k) light.bounced[k] = {};
+                relight(relit.hall->radiosity, m, light, got);
+                // The picture draws the sun with the glow around it; the glow is in the sky here
+                double error = 0, base = 0, whole = 0, wholeBase = 0;
+                for (size_t c = 0; c < 3; ++c) {
+                    auto channel = [&](Rgb v) { return (double)(c == 0 ? v.x : c == 1 ? v.y : v.z); };
+                    for (size_t t = 0; t < texels; ++t) {
+                        double direct = (double)very.hall->radiosity.direct[sun][t], g = (double)got[c][t],
+                               e = (double)exact[c][t];
+                        double withSun = g + direct * channel(days[i].sunlight),
+                               truth = e + direct * channel(alone);
+                        whole += (withSun - truth) * (withSun - truth), wholeBase += truth * truth;
+                        // That part of the lightmap's light is the sun's in the picture
+                        e -= direct * channel(near);
+                        error += (g - e) * (g - e), base += e * e;
+                    }
                 }
+                all.push_back({hours[first + i], used, 100 * std::sqrt(error / base),
+                               100 * std::sqrt(whole / wholeBase)});
             }
-            all.push_back(
-                {hours[first + i], 100 * std::sqrt(error / base), 100 * std::sqrt(whole / wholeBase)});
         }
     }
     return all;

@@ -50,9 +50,11 @@ void relightRows(const ClusteredPca &pca, const float *light, float *const plane
 // relit hall is from them.
 struct DayError {
     float hour;
+    int bands;              // of the sky's that are used
     double lightmap, whole; // rms, percent of the light in the lightmap; with the sun's own light
 };
-std::vector<DayError> dayErrors(const std::vector<float> &hours, int bands, const Gl &gl, Workers &workers);
+std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
+                                Workers &workers);
 
 // The median time of a call in milliseconds, of processor time.
 double medianMs(const std::function<void()> &call, int rounds = 9);

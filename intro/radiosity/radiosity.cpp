@@ -71,6 +71,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
 
     // Direct light
     findDirectLight(model, scene, r.lights, workers, r.direct, progress.part(0.635f, 0.8f));
+    progress(0.8f);
     settleFresh(model);
     refineAll(r, model, scene, settings, workers);
     tie(model);

@@ -30,6 +30,7 @@ Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns
 
 int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
     int columns = s.columns;
+    float *values = s.block + (size_t)block * (size_t)s.patches;
     // What the sources put in
     Float8 put[2] = {};
     for (int i = 0; i < s.patches; ++i)
@@ -37,19 +38,21 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
             size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
             Float8 source = load(s.reflectance + at) * load(s.direct + at);
             put[k] += abs(source);
-            store(s.radiosity + at, source);
+            store(values + i * kSolveBlock + 8 * k, source);
         }
-    for (int sweep = 1; sweep <= most; ++sweep) {
-        if (workers.aborted()) return most;
+    int sweep = 1;
+    for (; sweep <= most; ++sweep) {
+        if (workers.aborted()) break;
         Float8 changed[2] = {};
         for (int i = 0; i < s.patches; ++i) {
             if (s.factors->rows[i].count == 0) continue;
-            Pair gathered = gatherRow(*s.factors, i, s.radiosity + block, columns);
+            Pair gathered = gatherRow(*s.factors, i, values, kSolveBlock);
             for (int k = 0; k < 2; ++k) {
                 size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
                 Float8 b = load(s.reflectance + at) * ((k ? gathered.b : gathered.a) + load(s.direct + at));
-                changed[k] += abs(b - load(s.radiosity + at));
-                store(s.radiosity + at, b);
+                float *value = values + i * kSolveBlock + 8 * k;
+                changed[k] += abs(b - load(value));
+                store(value, b);
             }
         }
         if (block == 0 && told.report) {
@@ -58,17 +61,20 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
                 if (put[k / 8][k % 8] > 0) left = max(left, changed[k / 8][k % 8] / put[k / 8][k % 8]);
             told(left);
         }
-        if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) return sweep;
+        if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) break;
     }
-    return most;
+    for (int i = 0; i < s.patches; ++i)
+        for (int k = 0; k < kSolveBlock; k += 8)
+            store(s.radiosity + (size_t)i * (size_t)columns + block + k, load(values + i * kSolveBlock + k));
+    return min(sweep, most);
 }
 
 } // namespace
 
 bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches, int unknowns) {
     int columns = (unknowns + kSolveBlock - 1) / kSolveBlock * kSolveBlock;
-    s = {&factors, patches, columns, {}, {}, {}};
-    for (float **p : {&s.reflectance, &s.direct, &s.radiosity})
+    s = {&factors, patches, columns, {}, {}, {}, {}};
+    for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.block})
         if (!(*p = arena.take<float>((size_t)patches * (size_t)columns))) return false;
     return true;
 }
@@ -98,12 +104,12 @@ void gather(const FormFactors &factors, int patches, int columns, const float *r
 
 void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first,
                  int count) {
-    values -= (size_t)first * (size_t)columns;
+    auto valuesOf = [&](int patch) { return values + (size_t)(patch - first) * (size_t)columns; };
     for (int i = first; i < first + count; ++i) {
         if (factors.rows[i].known) continue;
         const Chart &c = model.charts[model.patches[i].chart];
         int x = (i - c.firstPatch) % c.patchesAcross(), y = (i - c.firstPatch) / c.patchesAcross();
-        float *to = values + (size_t)i * (size_t)columns;
+        float *to = valuesOf(i);
         int found = 0;
         for (int v = max(y - 1, 0); v <= min(y + 1, c.patchesDown() - 1); ++v)
             for (int u = max(x - 1, 0); u <= min(x + 1, c.patchesAcross() - 1); ++u) {
@@ -111,7 +117,7 @@ void fillPatches(const Model &model, const FormFactors &factors, int columns, fl
                 if (!factors.rows[n].known) continue;
                 ++found;
                 for (int k = 0; k < columns; k += 8) {
-                    Float8 has = load(to + k), more = load(values + (size_t)n * (size_t)columns + k);
+                    Float8 has = load(to + k), more = load(valuesOf(n) + k);
                     store(to + k, fmadd(more - has, broadcast(1.f / (float)found), has));
                 }
             }

@@ -20,6 +20,7 @@ struct System {
     float *reflectance;   // [patches][columns]
     float *direct;        // [patches][columns], D
     float *radiosity;     // [patches][columns], B: reflected light, as radiance
+    float *block;         // [patches][kSolveBlock] for each block in turn, while it is solved: close together
 };
 
 // Takes the memory, all zero; false when the arena is full.

@@ -157,9 +157,10 @@ void prepareHall(Hall &hall, Scene &scene) {
 bool polish(Hall &hall, const GlossySettings &settings, Arena &arena, Workers &workers) {
     // How much there is of each basis in the course of a day
     float importance[kMaxBases] = {};
+    const float drawn[kLanterns] = {};
     for (int hour = 0; hour < kHours; ++hour) {
         LightVector v;
-        lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, importance, v);
+        lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, drawn, v);
         for (int k = 0; k < kFirstStrip + kStrips; ++k) importance[k] += length(v.bounced[k]);
     }
     for (int i = 0; i < kSuns; ++i) importance[kSh + i] = 1;

@@ -66,7 +66,7 @@ void poseTable(double row, Hall *, Scene &scene) {
     scene.sky = plainSky({0.34f, 0.33f, 0.36f}, {0.030f, 0.070f, 0.17f});
     scene.sky.sun = normalize(Vec3{-4.5f, 2.2f, 3.5f});
     scene.sky.near = {1.1f, 0.62f, 0.30f};
-    scene.sky.glow = scene.sky.near * 0.25f;
+    scene.sky.glow = scene.sky.near * 0.1f;
     scene.fog = 0.02f;
     scene.exposure = 0.9f;
 }
