@@ -103,7 +103,7 @@ void letterPatches(double row, const Hall *hall, const Facts &, const View &view
             if (id != kNothing && id != kBackSide) {
                 const Chart &c = m.charts[m.patches[id - 1].chart];
                 colour =
-                    c.open ? Rgb{0.8f, 0.9f, 1.05f} : hall->bounce[0][id - 1] * hall->mean[c.material] * 3.f;
+                    c.open ? Rgb{0.8f, 0.9f, 1.05f} : hall->bounce[0][id - 1] * hall->mean[c.material] * 6.f;
             }
             size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
             frame.plane[0][at] = colour.x, frame.plane[1][at] = colour.y, frame.plane[2][at] = colour.z;
