@@ -22,7 +22,7 @@ check "... and as a plot" bash -c "grep -q '^<svg' '$WORK/trace.svg' && [ \$(gre
 check "a scene alone" bash -c "'$tradeoff' trace --quick --scene field | grep -q '^field,play,1,'"
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
-check "no name" refuses 2 "name what to measure: trace, radiosity or pack" "$tradeoff"
+check "no name" refuses 2 "name what to measure: trace, radiosity, transfer or pack" "$tradeoff"
 check "an unknown option" refuses 2 "cannot use '--slow'" "$tradeoff" pack --slow
 check "a missing film" refuses 2 "cannot read" "$tradeoff" pack "$WORK/none"
 check "a film that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
