@@ -55,7 +55,7 @@ struct Daylight {
 };
 Daylight daylightAt(float hour);
 
-// What there is of each basis. Lanterns: which share of each the tracer draws.
+// What there is of each basis, if the tracer draws such shares of the lanterns' own light.
 void lightVector(const HallLight &light, const float *drawn, LightVector &vector);
 
 // Builds it and fills a scene with it, for solveRadiosity().

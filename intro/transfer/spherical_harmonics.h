@@ -24,8 +24,8 @@ Vec3x8 direction(int first, float &solidAngle);
 // A sky's coefficients, red, green and blue.
 void project(const Sky &sky, Rgb *light);
 
-// Multiplies the band l by e^(-l (l + 1) / (2 exponent)): what convolution with a lobe does that falls about
-// as cos^exponent. The lobe of the heat equation is nowhere negative, and what it blurs does not ring.
+// What a band l is to be multiplied by, e^(-l (l + 1) / (2 exponent)): convolution with a lobe that falls
+// about as cos^exponent. The lobe of the heat equation is nowhere negative, and what it blurs does not ring.
 float window(int band, float exponent);
 
 // Turns a function by a rotation: turned(d) = f(m d). Exact but for rounding, by a quadrature that is.
