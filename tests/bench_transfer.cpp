@@ -81,18 +81,15 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
 void everyFrame(const SolvedHall &solved, Workers &workers) {
     const Hall &hall = *solved.hall;
     int texels = hall.model.texelCount;
-    std::vector<float> planes[3];
-    float *plane[3];
-    for (size_t c = 0; c < 3; ++c) planes[c].resize((size_t)texels + 8), plane[c] = planes[c].data();
+    TexelPlanes planes(texels);
     OwnArena memory((size_t)64 << 20);
     if (!polish(*solved.hall, {}, memory.arena, workers)) throw std::runtime_error("memory is short");
 
     std::printf("a frame, ms of one thread\n");
-    const float drawn[kLanterns] = {};
     auto show = [&](const char *name, const HallLight &light) {
         LightVector v;
-        double vector = medianMs([&] { lightVector(light, drawn, v); }),
-               rows = medianMs([&] { relight(hall.radiosity, hall.model, v, plane); }),
+        double vector = medianMs([&] { v = lightVector(light); }),
+               rows = medianMs([&] { relight(hall.radiosity, hall.model, v, planes.plane); }),
                floor = medianMs([&] {
                    relightGlossy(hall.floor, v, {3, 1.55f, 3}, 0.06f, 1);
                });
@@ -114,7 +111,7 @@ void everyFrame(const SolvedHall &solved, Workers &workers) {
               PcaSettings{.clusters = 64, .dimensions = 24},
               PcaSettings{.clusters = 128, .dimensions = 24}}) {
             Compressed c = compressed(rows, blocksOf(hall.model, s.clusters), s, workers);
-            double ms = medianMs([&] { relightRows(c.pca, light.data(), plane); });
+            double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
             std::printf("  %3d clusters x %2d: error %.2f %%, %.1f MB, start-up %.3f s, relight %.3f ms "
                         "(%.3f for 8,000)\n",
                         s.clusters, s.dimensions, c.errorPercent, (double)c.bytes() * 1e-6, c.seconds, ms,

@@ -30,4 +30,6 @@ refuses() {
     return 1
 }
 
+less() { awk "BEGIN { exit !($1 < $2) }"; } # less A B: numbers
+
 finish() { exit $FAILED; }

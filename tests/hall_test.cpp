@@ -222,9 +222,7 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     const Hall &hall = *s.hall;
     double mean[kBounces + 1] = {}, solution = 0;
     const System &system = hall.radiosity.system;
-    const float none[kLanterns] = {};
-    LightVector noon;
-    lightVector({kNoon, {}, {}, 1}, none, noon);
+    LightVector noon = lightVector({kNoon, {}, {}, 1});
     for (int i = 0; i < hall.model.patchCount; ++i) {
         const Patch &p = hall.model.patches[i];
         const Chart &c = hall.model.charts[p.chart];

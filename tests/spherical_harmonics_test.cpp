@@ -125,7 +125,7 @@ TEST(SphericalHarmonics, TurnAboutThePoleAsAnglesDo) {
         rotate(f, about({0, 1, 0}, angle), turned);
         for (int l = 0; l < kBands; ++l)
             for (int m = 0; m <= l; ++m) {
-                // cos m(a + angle), sin m(a + angle), or the other way round: one of the two fits throughout
+                // turned(a) = f(a + angle)
                 float c = f[l * (l + 1) + m], s = f[l * (l + 1) - m], cosine = std::cos((float)m * angle),
                       sine = std::sin((float)m * angle);
                 EXPECT_NEAR(turned[l * (l + 1) + m], m ? c * cosine + s * sine : c, 3e-6f) << angle;

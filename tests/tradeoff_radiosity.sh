@@ -6,7 +6,6 @@ check "radiosity's trade is measured" bash -c "'$tradeoff' radiosity --quick --c
 check "... as a table" grep -qx "scene,setting,shipped,cpu_s,rms_percent" "$WORK/csv"
 # rms SCENE SETTING, seconds SCENE SETTING
 rms() { awk -F, -v s="$1" -v q="$2" '$1 == s && $2 == q { print $5 }' "$WORK/csv"; }
-less() { awk "BEGIN { exit !($1 < $2) }"; }
 for scene in cube columns corner hall; do
     check "... with one point of $scene that ships" test "$(awk -F, -v s=$scene '$1 == s && $3 == 1' "$WORK/csv" | wc -l)" = 1
 done

@@ -7,7 +7,6 @@ check "... as a table" grep -qx "method,bands,clusters,dimensions,shipped,bytes,
 check "... that is printed too" cmp -s "$WORK/csv" "$WORK/out"
 # error METHOD BANDS CLUSTERS DIMENSIONS
 error() { awk -F, -v m="$1" -v b="$2" -v c="$3" -v d="$4" '$1 == m && $2 == b && $3 == c && $4 == d { print $8 }' "$WORK/csv"; }
-less() { awk "BEGIN { exit !($1 < $2) }"; }
 check "one subspace does poorly" less 20 "$(error pca 5 1 16)"
 check "... blocks do better" less "$(error blocks 5 64 16)" "$(error pca 5 1 16)"
 check "... and clusters best" less "$(error cpca 5 64 16)" "$(error blocks 5 64 16)"

@@ -18,21 +18,12 @@ SolvedHall &solved() {
     return hall;
 }
 
-LightVector at(const HallLight &light) {
-    const float drawn[kLanterns] = {};
-    LightVector v;
-    lightVector(light, drawn, v);
-    return v;
-}
-
 // The floor's gloss, compressed or not.
 struct Floor {
     OwnArena memory{(size_t)64 << 20};
     explicit Floor(bool compress) {
         GlossySettings settings;
-        const Chart &c = solved().hall->model.charts[0];
-        int squares = ((c.patchesAcross() + 1) / 2) * ((c.patchesDown() + 1) / 2);
-        if (!compress) settings.pca = {.clusters = squares, .dimensions = 0, .rounds = 0};
+        if (!compress) settings.pca = uncompressedFloor(solved().hall->model);
         EXPECT_TRUE(polish(*solved().hall, settings, memory.arena, serial));
     }
     std::vector<float> seen(const LightVector &light, Vec3 eye, float reflect = 1) const {
@@ -76,7 +67,7 @@ TEST(Gloss, IsWhatRaysBring) {
     Vec3 eye = {2.5f, 1.6f, 4};
     for (HallLight by :
          {HallLight{kNoon, {}, {}, 1}, HallLight{kHours - 1, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
-        LightVector light = at(by);
+        LightVector light = lightVector(by);
         std::vector<float> got = floor.seen(light, eye);
         double error = 0, all = 0;
         for (int square = 30; square < g.across * g.down; square += 13) {
@@ -138,7 +129,7 @@ TEST(Gloss, IsWhatRaysBring) {
 
 TEST(Gloss, SurvivesItsCompression) {
     std::vector<float> exact, got;
-    LightVector noon = at({kNoon, {}, {}, 1}), lamps = at({kHours - 1, {1, 1, 1}, {}, 1});
+    LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kHours - 1, {1, 1, 1}, {}, 1});
     for (const LightVector &light : {noon, lamps}) {
         {
             Floor floor(false);
@@ -159,7 +150,7 @@ TEST(Gloss, SurvivesItsCompression) {
 // From every height, below the floor and on it; no light; light from a millionth to a million.
 TEST(Gloss, AtTheExtremes) {
     Floor floor(true);
-    LightVector noon = at({kNoon, {}, {}, 1});
+    LightVector noon = lightVector({kNoon, {}, {}, 1});
     const Glossy &g = solved().hall->floor;
     const Chart &c = *g.chart;
     Vec3 middle = c.at(c.width * 4.5f / (float)g.across, c.height * 2.5f / (float)g.down);
@@ -200,11 +191,10 @@ TEST(Rows, RelightAsTheyWere) {
     TransferRows rows = rowsOf(solved(), true);
     PcaSettings settings = {.clusters = 128, .dimensions = 32};
     Compressed c = compressed(rows, blocksOf(solved().hall->model, 128), settings, serial);
-    std::vector<float> light((size_t)rows.columns), planes[3];
-    float *plane[3];
-    for (size_t k = 0; k < 3; ++k) planes[k].resize((size_t)rows.rows + 8), plane[k] = planes[k].data();
+    std::vector<float> light((size_t)rows.columns);
+    TexelPlanes planes(rows.rows);
     for (size_t i = 0; i < light.size(); ++i) light[i] = (float)((i * 37) % 11);
-    relightRows(c.pca, light.data(), plane);
+    relightRows(c.pca, light.data(), planes.plane);
     double error = 0, all = 0;
     for (int r = 0; r < rows.rows; ++r)
         for (int k = 0; k < 3; ++k) {
@@ -212,7 +202,7 @@ TEST(Rows, RelightAsTheyWere) {
             for (int i = k; i < rows.columns; i += 3)
                 exact += (double)rows.data[(size_t)r * (size_t)rows.columns + (size_t)i] *
                          (double)light[(size_t)i];
-            error += std::pow((double)plane[k][r] - exact, 2), all += exact * exact;
+            error += std::pow((double)planes.plane[k][r] - exact, 2), all += exact * exact;
         }
     std::printf("relit from 128 x 32: %.3f %%\n", 100 * std::sqrt(error / all));
     EXPECT_LT(std::sqrt(error / all), 0.01);

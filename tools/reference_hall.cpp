@@ -9,13 +9,11 @@ namespace odraz {
 
 SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes,
                        const std::function<void(Lights &)> &change, const Progress &progress)
-    : memory(new unsigned char[bytes + 64]()), scene(std::make_unique<Scene>()),
-      hall(std::make_unique<Hall>()) {
-    Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
+    : memory(bytes), scene(std::make_unique<Scene>()), hall(std::make_unique<Hall>()) {
     double began = processorSeconds();
     prepareHall(*hall, *scene);
     if (change) change(hall->radiosity.lights);
-    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, arena, workers, progress))
+    if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, memory.arena, workers, progress))
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = processorSeconds() - began;
@@ -28,21 +26,14 @@ namespace {
 enum { kAtNoon, kByLantern, kByStrip };
 constexpr int kLanternBasis = kFirstLantern + 1, kStripBasis = kFirstStrip + 3;
 
-struct Planes {
-    std::vector<float> sum[3];
-    float *plane[3];
-    Planes(const Hall &hall, int light) {
+struct Planes : TexelPlanes {
+    Planes(const Hall &hall, int light) : TexelPlanes(hall.model.texelCount) {
         LightVector v = {};
-        const float drawn[kLanterns] = {};
         if (light == kAtNoon)
-            lightVector({kNoon, {}, {}, 1}, drawn, v);
+            v = lightVector({kNoon, {}, {}, 1});
         else
             v.bounced[light == kByLantern ? kLanternBasis : kStripBasis] = {1, 1, 1};
         if (light == kByStrip) v.direct[kStripBasis] = {1, 1, 1};
-        for (int c = 0; c < 3; ++c) {
-            sum[c].resize((size_t)hall.model.texelCount + 8);
-            plane[c] = sum[c].data();
-        }
         relight(hall.radiosity, hall.model, v, plane);
     }
 };

@@ -6,13 +6,35 @@
 
 namespace odraz {
 
+// Memory of a size, zero, as an arena.
+struct OwnArena {
+    explicit OwnArena(size_t bytes)
+        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64),
+                                                         bytes, 0} {}
+    std::unique_ptr<unsigned char[]> memory;
+    Arena arena;
+};
+
+// Red, green and blue of texels, for relight().
+struct TexelPlanes {
+    explicit TexelPlanes(int texels) {
+        for (size_t c = 0; c < 3; ++c) {
+            values[c].resize((size_t)texels + 8);
+            plane[c] = values[c].data();
+        }
+    }
+    TexelPlanes(const TexelPlanes &) = delete; // the pointers are its own
+    std::vector<float> values[3];
+    float *plane[3];
+};
+
 // The hall, solved with some settings. Throws std::runtime_error.
 struct SolvedHall {
     // `change` may put other lights into it before it is solved
     SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = hallBytes(),
                const std::function<void(Lights &)> &change = {}, const Progress &progress = {});
 
-    std::unique_ptr<unsigned char[]> memory;
+    OwnArena memory;
     std::unique_ptr<Scene> scene;
     std::unique_ptr<Hall> hall;
     double seconds; // of processor time

@@ -43,26 +43,21 @@ LightVector lightOf(int which) {
         for (float &lantern : light.lanterns) lantern = 1;
     if (which == kHours + 1)
         for (float &strip : light.strips) strip = 1;
-    const float drawn[kLanterns] = {};
-    LightVector v;
-    lightVector(light, drawn, v);
-    return v;
+    return lightVector(light);
 }
 
 void sweepRows(Table &table, const SolvedHall &solved, const Sweep &sweep, Workers &workers) {
     const Hall &hall = *solved.hall;
     size_t texels = (size_t)hall.model.texelCount;
-    std::vector<float> planes[3];
-    float *plane[3];
-    for (size_t c = 0; c < 3; ++c) planes[c].resize(texels + 8), plane[c] = planes[c].data();
+    TexelPlanes planes(hall.model.texelCount);
     LightVector noon = lightOf(kNoon);
     TransferRows rows = rowsOf(solved, false);
     table.put("uncompressed", kBands, 0, 0, true, texels * (size_t)rows.columns * sizeof(float),
-              medianMs([&] { relight(hall.radiosity, hall.model, noon, plane); }), 0, -1);
+              medianMs([&] { relight(hall.radiosity, hall.model, noon, planes.plane); }), 0, -1);
     std::vector<float> light((size_t)rows.columns, 1.f);
     auto measure = [&](const char *method, PcaSettings settings, int series) {
         Compressed c = compressed(rows, blocksOf(hall.model, settings.clusters), settings, workers);
-        double ms = medianMs([&] { relightRows(c.pca, light.data(), plane); });
+        double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
         table.put(method, kBands, settings.clusters, settings.dimensions, false, c.bytes(), ms,
                   c.errorPercent, series);
     };
@@ -111,16 +106,15 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
                   (rows * width + (size_t)floor.pca.rows * (size_t)settings.dimensions) * sizeof(float), ms,
                   100 * std::sqrt(error / all), series);
     };
-    const Chart &c = hall.model.charts[0];
-    int squares = ((c.patchesAcross() + 1) / 2) * ((c.patchesDown() + 1) / 2);
-    measure("floor uncompressed", {.clusters = squares, .dimensions = 0, .rounds = 0}, false, -1);
+    PcaSettings uncompressed = uncompressedFloor(hall.model);
+    measure("floor uncompressed", uncompressed, false, -1);
     PcaSettings shipped = GlossySettings().pca;
     measure("floor cpca", shipped, true, 4);
     std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {1, 4, 8, 16};
     if (sweep.quick) dimensions = {16}, clusters = {1, 8};
     for (int k : clusters)
         for (int d : dimensions) {
-            if (k * (1 + d) >= squares) continue; // nothing would be saved
+            if (k * (1 + d) >= uncompressed.clusters) continue; // nothing would be saved
             measure("floor blocks", {.clusters = k, .dimensions = d, .rounds = 0}, false, 3);
             if (k > 1 && (k != shipped.clusters || d != shipped.dimensions))
                 measure("floor cpca", {.clusters = k, .dimensions = d, .rounds = 3}, false, 4);

@@ -121,6 +121,12 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
     return c;
 }
 
+PcaSettings uncompressedFloor(const Model &m) {
+    const Chart &c = m.charts[0];
+    return {
+        .clusters = (c.patchesAcross() + 1) / 2 * ((c.patchesDown() + 1) / 2), .dimensions = 0, .rounds = 0};
+}
+
 void relightRows(const ClusteredPca &p, const float *light, float *const plane[3]) {
     for (int c = 0; c < p.clusters; ++c) {
         // The representatives' colours; columns run red, green, blue: three vectors have eight of each
@@ -179,32 +185,25 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
             for (size_t i = 0; i < days.size(); ++i) l.suns[i] = days[i].sunAt;
             l.lampCount = 0;
         });
-        std::vector<float> planes[6];
-        float *got[3], *exact[3];
-        for (size_t c = 0; c < 3; ++c) {
-            for (size_t k : {c, c + 3}) planes[k].assign(texels + 8, 0);
-            got[c] = planes[c].data(), exact[c] = planes[c + 3].data();
-        }
+        TexelPlanes got(m.texelCount), exact(m.texelCount);
         for (size_t i = 0; i < days.size(); ++i) {
             LightVector own = {};
             int sky = 3 * (int)i, sun = 3 * (int)days.size() + (int)i;
             own.bounced[sky] = {1, 0, 0}, own.bounced[sky + 1] = {0, 1, 0}, own.bounced[sky + 2] = {0, 0, 1};
             Rgb near = days[i].sky.near * kNearGlow, alone = days[i].sunlight - near;
             own.bounced[sun] = alone;
-            relight(very.hall->radiosity, very.hall->model, own, exact);
+            relight(very.hall->radiosity, very.hall->model, own, exact.plane);
             for (int used : bands) {
-                LightVector light;
-                const float drawn[kLanterns] = {};
-                lightVector({hours[first + i], {}, {}, 1}, drawn, light);
+                LightVector light = lightVector({hours[first + i], {}, {}, 1});
                 for (int k = used * used; k < kSh; ++k) light.bounced[k] = {};
-                relight(relit.hall->radiosity, m, light, got);
+                relight(relit.hall->radiosity, m, light, got.plane);
                 // The picture draws the sun with the glow around it; the glow is in the sky here
                 double error = 0, base = 0, whole = 0, wholeBase = 0;
                 for (size_t c = 0; c < 3; ++c) {
                     auto channel = [&](Rgb v) { return (double)(c == 0 ? v.x : c == 1 ? v.y : v.z); };
                     for (size_t t = 0; t < texels; ++t) {
-                        double direct = (double)very.hall->radiosity.direct[sun][t], g = (double)got[c][t],
-                               e = (double)exact[c][t];
+                        double direct = (double)very.hall->radiosity.direct[sun][t],
+                               g = (double)got.plane[c][t], e = (double)exact.plane[c][t];
                         double withSun = g + direct * channel(days[i].sunlight),
                                truth = e + direct * channel(alone);
                         whole += (withSun - truth) * (withSun - truth), wholeBase += truth * truth;

@@ -10,15 +10,6 @@
 
 namespace odraz {
 
-// Memory of a size, zero, as an arena.
-struct OwnArena {
-    explicit OwnArena(size_t bytes)
-        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64),
-                                                         bytes, 0} {}
-    std::unique_ptr<unsigned char[]> memory;
-    Arena arena;
-};
-
 // Rows of texels: for each basis red, green and blue, the sky's with direct light, the strips' too; skies,
 // suns and lamps scaled to weigh alike.
 struct TransferRows {
@@ -55,6 +46,9 @@ struct DayError {
 };
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
                                 Workers &workers);
+
+// The floor's gloss without compression: a cluster for each of its squares.
+PcaSettings uncompressedFloor(const Model &model);
 
 // The median time of a call in milliseconds, of processor time.
 double medianMs(const std::function<void()> &call, int rounds = 9);

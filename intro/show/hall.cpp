@@ -58,9 +58,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 // The light of scene 4, bounce by bounce, and what its patch sees.
 bool followBounces(Hall &hall, Scene &scene, Arena &arena, Workers &workers) {
     const Radiosity &r = hall.radiosity;
-    const float none[kLanterns] = {};
-    LightVector noon;
-    lightVector({kNoon, {}, {}, 0}, none, noon);
+    LightVector noon = lightVector({kNoon, {}, {}, 0});
     size_t patches = (size_t)hall.model.patchCount, columns = (size_t)r.system.columns;
     float *radiosity = arena.take<float>(patches * kSolveBlock),
           *gathered = arena.take<float>(patches * kSolveBlock);
@@ -118,8 +116,8 @@ Daylight daylightAt(float hour) {
             h.sunlight + h.glow * kNearGlow};
 }
 
-void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
-    v = {};
+LightVector lightVector(const HallLight &light, const float *drawn) {
+    LightVector v = {};
     Daylight now = daylightAt(light.hour);
     now.sky.near = {}; // it is part of the sun
     project(now.sky, v.bounced);
@@ -133,10 +131,11 @@ void lightVector(const HallLight &light, const float *drawn, LightVector &v) {
     }
     for (int i = 0; i < kLanterns; ++i) {
         v.bounced[kFirstLantern + i] = kLanternLight * light.lanterns[i];
-        v.direct[kFirstLantern + i] = v.bounced[kFirstLantern + i] * (1 - drawn[i]);
+        v.direct[kFirstLantern + i] = v.bounced[kFirstLantern + i] * (1 - (drawn ? drawn[i] : 0));
     }
     for (int i = 0; i < kStrips; ++i)
         v.bounced[kFirstStrip + i] = v.direct[kFirstStrip + i] = kStripLight * light.strips[i];
+    return v;
 }
 
 size_t hallBytes() { return (size_t)224 << 20; }
@@ -157,10 +156,8 @@ void prepareHall(Hall &hall, Scene &scene) {
 bool polish(Hall &hall, const GlossySettings &settings, Arena &arena, Workers &workers) {
     // How much there is of each basis in the course of a day
     float importance[kMaxBases] = {};
-    const float drawn[kLanterns] = {};
     for (int hour = 0; hour < kHours; ++hour) {
-        LightVector v;
-        lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, drawn, v);
+        LightVector v = lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
         for (int k = 0; k < kFirstStrip + kStrips; ++k) importance[k] += length(v.bounced[k]);
     }
     for (int i = 0; i < kSuns; ++i) importance[kSh + i] = 1;
@@ -215,8 +212,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Scene &scene) {
         if (drawn[i] > 0)
             scene.add(pointLight(place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius)));
     }
-    LightVector vector;
-    lightVector(light, drawn, vector);
+    LightVector vector = lightVector(light, drawn);
     relight(hall.radiosity, hall.model, vector, hall.light);
     relightGlossy(hall.floor, vector, scene.eye, 0.06f, 0.5f * (1 - grey));
 

@@ -55,8 +55,8 @@ struct Daylight {
 };
 Daylight daylightAt(float hour);
 
-// What there is of each basis, if the tracer draws such shares of the lanterns' own light.
-void lightVector(const HallLight &light, const float *drawn, LightVector &vector);
+// What there is of each basis. `drawn`: which shares of the lanterns' own light the tracer draws; null: none.
+LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 
 // Builds it and fills a scene with it, for solveRadiosity().
 void prepareHall(Hall &hall, Scene &scene);
