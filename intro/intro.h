@@ -4,7 +4,7 @@
 #include "base/arena.h"
 #include "base/parallel.h"
 #include "show/show.h"
-#include "trace/adaptive.h"
+#include "trace/picture/adaptive.h"
 
 namespace odraz {
 

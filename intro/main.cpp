@@ -1,6 +1,6 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "dump.h"
-#include "early.h"
+#include "start/early.h"
 #include "host/files.h"
 #include "host/headless.h"
 #include "host/machine.h"

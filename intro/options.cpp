@@ -1,6 +1,6 @@
 #include "options.h"
 
-#include "trace/frame.h"
+#include "trace/picture/frame.h"
 
 namespace odraz {
 

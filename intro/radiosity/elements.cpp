@@ -2,7 +2,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
-#include "trace/intersect.h"
+#include "trace/rays/intersect.h"
 
 namespace odraz {
 

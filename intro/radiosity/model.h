@@ -9,7 +9,7 @@
 
 #include "base/arena.h"
 #include "base/parallel.h"
-#include "trace/scene.h"
+#include "trace/scene/scene.h"
 
 namespace odraz {
 
@@ -81,7 +81,7 @@ struct Model {
     void addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides);
 
     // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open. All
-    // must be rectangles: for models with triangles there is poseFacets() of tools/regions.h.
+    // must be rectangles: for models with triangles there is poseFacets() of tools/radiosity/regions.h.
     void pose(Scene &scene) const;
     Shape shapeOf(int facet) const;
 

@@ -1,7 +1,7 @@
 // The film's lettering: a small geometric face of straight strokes and arcs, lower case and figures.
 #pragma once
 
-#include "trace/overlay.h"
+#include "trace/picture/overlay.h"
 
 namespace odraz {
 

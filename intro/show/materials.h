@@ -1,7 +1,7 @@
 // The film's materials: stone greys and warm wood, one accent (copper), one cold (sky).
 #pragma once
 
-#include "trace/scene.h"
+#include "trace/scene/scene.h"
 
 namespace odraz {
 

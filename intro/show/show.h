@@ -7,9 +7,9 @@
 
 #include "show/hall.h"
 #include "timeline/shot.h"
-#include "trace/frame.h"
-#include "trace/scene.h"
-#include "trace/view.h"
+#include "trace/picture/frame.h"
+#include "trace/scene/scene.h"
+#include "trace/rays/view.h"
 
 namespace odraz {
 

@@ -7,7 +7,7 @@
 // unless they are windowed.
 #pragma once
 
-#include "trace/sky.h"
+#include "trace/scene/sky.h"
 
 namespace odraz {
 

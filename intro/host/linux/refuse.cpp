@@ -1,0 +1,42 @@
+#include "host/machine.h"
+#include "host/linux/sys.h"
+#include "host/linux/xlib.h"
+
+namespace odraz {
+
+int refuse(const char *line) {
+    complain(line);
+    Xlib x;
+    if (loadXlib(x)) return 1;
+    Display *display = x.XOpenDisplay(nullptr);
+    if (!display) return 1;
+    // Measured roughly: the core font "fixed" is six pixels wide
+    int length = 0;
+    while (line[length]) ++length;
+    int screen = DefaultScreen(display), width = 6 * length + 48, height = 72;
+    XSetWindowAttributes attributes = {};
+    attributes.background_pixel = BlackPixel(display, screen);
+    attributes.event_mask = ExposureMask | KeyPressMask | ButtonPressMask;
+    Window window =
+        x.XCreateWindow(display, RootWindow(display, screen), 40, 40, (unsigned)width, (unsigned)height, 0,
+                        CopyFromParent, InputOutput, nullptr, CWBackPixel | CWEventMask, &attributes);
+    x.XStoreName(display, window, "odraz");
+    Atom close = x.XInternAtom(display, "WM_DELETE_WINDOW", False);
+    x.XSetWMProtocols(display, window, &close, 1);
+    GC pen = x.XCreateGC(display, window, 0, nullptr);
+    x.XSetForeground(display, pen, WhitePixel(display, screen));
+    x.XMapRaised(display, window);
+    // Half a minute at most: a script that runs us on somebody's display must not hang
+    for (;;) {
+        x.XFlush(display);
+        if (!x.XPending(display) && !sys::waitForInput(ConnectionNumber(display), 30000)) break;
+        XEvent event;
+        x.XNextEvent(display, &event);
+        if (event.type == Expose) x.XDrawString(display, window, pen, 24, 40, line, length);
+        if (event.type == KeyPress || event.type == ButtonPress || event.type == ClientMessage) break;
+    }
+    x.XCloseDisplay(display);
+    return 1;
+}
+
+} // namespace odraz

@@ -1,0 +1,88 @@
+#include "host/threads.h"
+
+#include "host/library.h"
+#include "host/linux/sys.h"
+
+#include <pthread.h>
+
+namespace odraz {
+
+namespace {
+
+#define ODRAZ_PTHREAD(F) F(pthread_create)
+struct Pthread {
+    ODRAZ_PTHREAD(ODRAZ_MEMBER)
+};
+
+// glibc before 2.34 keeps threads in a library of their own; later ones leave that name to lead to libc.
+const char *loadPthread(Pthread &p) {
+    return loadFunctions("libpthread.so.0", ODRAZ_PTHREAD(ODRAZ_NAME), (void **)&p);
+}
+
+struct Pool {
+    void (*body)(void *, int, int);
+    void *context;
+    int pieces;
+    int next;   // the first piece that nobody has taken
+    int busy;   // threads not yet done with this round
+    int round;  // counts rounds; threads sleep on it
+    int idNext; // hands out worker numbers
+};
+
+void sleepWhile(int *word, int value) { sys::call(sys::kFutex, (long)word, 128 /* WAIT | PRIVATE */, value); }
+void wake(int *word, int count) { sys::call(sys::kFutex, (long)word, 129 /* WAKE | PRIVATE */, count); }
+
+void work(Pool &pool, int worker) {
+    for (;;) {
+        int piece = __atomic_fetch_add(&pool.next, 1, __ATOMIC_RELAXED);
+        if (piece >= pool.pieces) return;
+        pool.body(pool.context, piece, worker);
+    }
+}
+
+void *threadMain(void *context) {
+    Pool &pool = *(Pool *)context;
+    int worker = __atomic_add_fetch(&pool.idNext, 1, __ATOMIC_RELAXED);
+    for (int seen = 0;;) {
+        int round;
+        while ((round = __atomic_load_n(&pool.round, __ATOMIC_ACQUIRE)) == seen)
+            sleepWhile(&pool.round, seen);
+        seen = round;
+        work(pool, worker);
+        if (__atomic_sub_fetch(&pool.busy, 1, __ATOMIC_ACQ_REL) == 0) wake(&pool.busy, 1);
+    }
+}
+
+void run(Workers &workers, int pieces, void (*body)(void *, int, int), void *context) {
+    Pool &pool = *(Pool *)workers.host;
+    pool.body = body;
+    pool.context = context;
+    pool.pieces = pieces;
+    pool.next = 0;
+    pool.busy = workers.count - 1;
+    __atomic_add_fetch(&pool.round, 1, __ATOMIC_RELEASE);
+    wake(&pool.round, workers.count);
+    work(pool, 0);
+    int left;
+    while ((left = __atomic_load_n(&pool.busy, __ATOMIC_ACQUIRE)) > 0) sleepWhile(&pool.busy, left);
+}
+
+Pool thePool; // the host's, not the engine's: one process has one set of threads
+
+} // namespace
+
+const char *startThread(void *(*body)(void *), void *context) {
+    Pthread p;
+    if (const char *missing = loadPthread(p)) return missing;
+    pthread_t thread;
+    return p.pthread_create(&thread, nullptr, body, context) ? "room for another thread" : nullptr;
+}
+
+const char *startWorkers(Workers &workers, int count, const int *abort) {
+    workers = {count < kMaxThreads ? count : kMaxThreads, run, abort, &thePool};
+    for (int i = 1; i < workers.count; ++i)
+        if (const char *missing = startThread(threadMain, &thePool)) return missing;
+    return nullptr;
+}
+
+} // namespace odraz

@@ -1,0 +1,249 @@
+#include "host/window.h"
+
+#include "host/machine.h"
+#include "host/linux/sys.h"
+#include "host/threads.h"
+#include "host/linux/xlib.h"
+
+#include <GL/glx.h>
+#include <X11/keysym.h>
+
+namespace odraz {
+
+namespace {
+
+#define ODRAZ_GLX(F)                                                                                         \
+    F(glXChooseFBConfig) F(glXGetVisualFromFBConfig) F(glXMakeCurrent) F(glXSwapBuffers) F(glXGetProcAddress)
+struct Glx {
+    ODRAZ_GLX(ODRAZ_MEMBER)
+};
+
+} // namespace
+
+struct WindowState {
+    Xlib x;
+    Glx glx;
+    Display *drawing; // belongs to the thread that traces and draws
+    // Belongs to the thread that listens; the window is its child, so the close button tells it
+    Display *events;
+    Window window;
+    Atom closeRequest;
+    int *leave;
+    int width, height; // of the window, as last told
+    GLuint picture, framebuffer;
+    int64_t loadingShown; // when, in nanoseconds
+};
+
+namespace {
+
+WindowState theWindow; // one process shows one window
+
+int ignoreError(Display *, XErrorEvent *) { return 0; }
+
+int displayGone(Display *) {
+    complain("the display went away");
+    sys::exit(1);
+}
+
+bool isLeaving(WindowState &w, XEvent &event) {
+    if (event.type == ClientMessage) return (Atom)event.xclient.data.l[0] == w.closeRequest;
+    if (event.type != KeyPress) return false;
+    KeySym key = w.x.XLookupKeysym(&event.xkey, 0);
+    return key == XK_Escape || (key == XK_F4 && (event.xkey.state & Mod1Mask));
+}
+
+void pause(long milliseconds) {
+    long time[2] = {milliseconds / 1000, milliseconds % 1000 * 1000000};
+    sys::call(sys::kNanosleep, (long)time, 0);
+}
+
+void *listen(void *context) {
+    WindowState &w = *(WindowState *)context;
+    // Wait for events, waking now and then to hold off the screen saver
+    for (;;) {
+        while (w.x.XPending(w.events)) {
+            XEvent event;
+            w.x.XNextEvent(w.events, &event);
+            if (event.type == ConfigureNotify) {
+                __atomic_store_n(&w.width, event.xconfigure.width, __ATOMIC_RELAXED);
+                __atomic_store_n(&w.height, event.xconfigure.height, __ATOMIC_RELAXED);
+            }
+            if (isLeaving(w, event)) {
+                __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
+                // The film ends by itself where it can; a driver that is slow to answer must not hold it up
+                pause(80);
+                sys::exit(0);
+            }
+        }
+        w.x.XResetScreenSaver(w.events);
+        w.x.XFlush(w.events);
+        sys::waitForInput(ConnectionNumber(w.events), 20000);
+    }
+}
+
+// Holds off screen savers that listen to the MIT extension; where its library is absent the reset above must
+// do.
+void suspendScreenSaver(Display *display) {
+    void (*suspend)(Display *, Bool);
+    if (!loadFunctions("libXss.so.1", "XScreenSaverSuspend\0", (void **)&suspend)) suspend(display, True);
+}
+
+void hidePointer(WindowState &w) {
+    static const char kNothing[1] = {};
+    Pixmap blank = w.x.XCreateBitmapFromData(w.events, w.window, kNothing, 1, 1);
+    XColor black = {};
+    w.x.XDefineCursor(w.events, w.window,
+                      w.x.XCreatePixmapCursor(w.events, blank, blank, &black, &black, 0, 0));
+}
+
+bool hasWindowManager(WindowState &w) {
+    Atom type, check = w.x.XInternAtom(w.events, "_NET_SUPPORTING_WM_CHECK", False);
+    int format;
+    unsigned long items = 0, rest;
+    unsigned char *data = nullptr;
+    w.x.XGetWindowProperty(w.events, DefaultRootWindow(w.events), check, 0, 1, False, AnyPropertyType, &type,
+                           &format, &items, &rest, &data);
+    if (data) w.x.XFree(data);
+    return items > 0;
+}
+
+void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int width, int height) {
+    Xlib &x = w.x;
+    int screen = DefaultScreen(w.events);
+    Window root = RootWindow(w.events, screen);
+    w.width = fullScreen ? DisplayWidth(w.events, screen) : width;
+    w.height = fullScreen ? DisplayHeight(w.events, screen) : height;
+    XSetWindowAttributes attributes = {};
+    attributes.colormap = x.XCreateColormap(w.events, root, visual->visual, AllocNone);
+    attributes.event_mask = KeyPressMask | StructureNotifyMask;
+    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)w.width, (unsigned)w.height, 0, visual->depth,
+                               InputOutput, visual->visual,
+                               CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
+    x.XStoreName(w.events, w.window, "odraz");
+    w.closeRequest = x.XInternAtom(w.events, "WM_DELETE_WINDOW", False);
+    x.XSetWMProtocols(w.events, w.window, &w.closeRequest, 1);
+    if (fullScreen) {
+        // Asked for before mapping, so that it never appears as a window first
+        Atom state = x.XInternAtom(w.events, "_NET_WM_STATE", False);
+        Atom full = x.XInternAtom(w.events, "_NET_WM_STATE_FULLSCREEN", False);
+        x.XChangeProperty(w.events, w.window, state, 4 /* XA_ATOM */, 32, PropModeReplace,
+                          (unsigned char *)&full, 1);
+    }
+    hidePointer(w);
+    x.XMapRaised(w.events, w.window);
+    // Without a window manager nobody else gives us the keyboard; wait until the window can take it
+    if (!hasWindowManager(w)) {
+        XEvent event;
+        do x.XNextEvent(w.events, &event);
+        while (event.type != MapNotify);
+        x.XSetInputFocus(w.events, w.window, RevertToParent, CurrentTime);
+    }
+    x.XSync(w.events, False);
+}
+
+} // namespace
+
+const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave) {
+    WindowState &w = theWindow;
+    window.state = &w;
+    w.leave = leave;
+    if (loadXlib(w.x)) return "libX11.so.6 is missing: install libx11-6, or use --dump";
+    if (loadFunctions("libGL.so.1", ODRAZ_GLX(ODRAZ_NAME), (void **)&w.glx))
+        return "libGL.so.1 is missing: install libgl1 and libgl1-mesa-dri, or use --dump";
+    w.x.XInitThreads();
+    w.drawing = w.x.XOpenDisplay(nullptr);
+    w.events = w.x.XOpenDisplay(nullptr);
+    if (!w.drawing || !w.events) return "no X display: set DISPLAY (XWayland serves too), or use --dump";
+    w.x.XSetErrorHandler(ignoreError);
+    w.x.XSetIOErrorHandler(displayGone);
+
+    // A context of OpenGL 3.3 on a window of the listening connection
+    static const int kFormat[] = {GLX_DOUBLEBUFFER, True, GLX_RED_SIZE, 8, GLX_GREEN_SIZE, 8,
+                                  GLX_BLUE_SIZE,    8,    None};
+    static const int kVersion[] = {
+        GLX_CONTEXT_MAJOR_VERSION_ARB,    3,   GLX_CONTEXT_MINOR_VERSION_ARB, 3, GLX_CONTEXT_PROFILE_MASK_ARB,
+        GLX_CONTEXT_CORE_PROFILE_BIT_ARB, None};
+    static const char kNoGl[] = "no OpenGL 3.3 on this display: install libgl1-mesa-dri, or use --dump";
+    int count = 0;
+    GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
+    // One of the screen's own depth: a deeper visual has alpha, and compositors would show what is behind the
+    // film
+    XVisualInfo *visual = nullptr;
+    int chosen = -1;
+    while (++chosen < count) {
+        visual = w.glx.glXGetVisualFromFBConfig(w.drawing, configs[chosen]);
+        if (visual && visual->depth == DefaultDepth(w.drawing, DefaultScreen(w.drawing))) break;
+    }
+    auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
+        (const GLubyte *)"glXCreateContextAttribsARB");
+    if (chosen >= count || !createContext) return kNoGl;
+    GLXContext context = createContext(w.drawing, configs[chosen], nullptr, True, kVersion);
+    if (!context) return kNoGl;
+    createWindow(w, visual, fullScreen, width, height);
+    suspendScreenSaver(w.events);
+    if (!w.glx.glXMakeCurrent(w.drawing, w.window, context)) return kNoGl;
+    auto find = [](const char *name) {
+        return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
+    };
+    if (findGl(find, window.gl)) return kNoGl;
+    if (startThread(listen, &w))
+        return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
+    return nullptr;
+}
+
+void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
+    WindowState &w = *window.state;
+    const Gl &gl = window.gl;
+    if (!w.picture) {
+        // A texture to fill and a framebuffer to read it through
+        gl.glGenTextures(1, &w.picture);
+        gl.glBindTexture(GL_TEXTURE_2D, w.picture);
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        gl.glGenFramebuffers(1, &w.framebuffer);
+        gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, w.framebuffer);
+        gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, w.picture, 0);
+        gl.glClearColor(0, 0, 0, 1);
+    }
+    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+
+    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is
+    // first
+    int toWidth = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
+        toHeight = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
+    int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
+    int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
+    int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
+                         w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
+    w.glx.glXSwapBuffers(w.drawing, w.window);
+}
+
+void showLoading(float done, void *context) {
+    FilmWindow &window = *(FilmWindow *)context;
+    WindowState &w = *window.state;
+    int64_t now = nanoseconds();
+    if (done < 1 && now - w.loadingShown < 33000000) return;
+    w.loadingShown = now;
+    // A line in the middle, two fifths of the window long
+    const Gl &gl = window.gl;
+    int width = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
+        height = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
+    int full = width * 2 / 5, thick = height / 240 + 1;
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    auto bar = [&](int length, float red, float green, float blue) {
+        gl.glScissor((width - full) / 2, (height - thick) / 2, length, thick);
+        gl.glClearColor(red, green, blue, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+    };
+    gl.glClearColor(0, 0, 0, 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glEnable(GL_SCISSOR_TEST);
+    bar(full, 0.1f, 0.1f, 0.11f);
+    bar((int)((float)full * done), 0.8f, 0.42f, 0.24f);
+    gl.glDisable(GL_SCISSOR_TEST);
+    w.glx.glXSwapBuffers(w.drawing, w.window);
+}
+
+} // namespace odraz

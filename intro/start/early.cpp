@@ -1,0 +1,41 @@
+#include "start/early.h"
+
+#include "host/machine.h"
+#include "host/linux/sys.h"
+#include "options.h"
+#include "show/length.h"
+#include "timeline/track.h"
+
+namespace odraz {
+
+Early theEarly;
+
+namespace {
+
+// Opens the window if there is to be one. Other things that are wrong are left for main to tell.
+void open(int argc, char **argv) {
+    if (!cpuSuffices()) return;
+    Options o;
+    Message wrong;
+    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump)
+        return;
+    if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
+        sys::exit(refuse(line));
+    theEarly.opened = true;
+}
+
+} // namespace
+
+} // namespace odraz
+
+extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
+    using namespace odraz;
+    if (!theEarly.began) {
+        theEarly.began = nanoseconds();
+        theEarly.closedDescriptors = guardStandardDescriptors();
+        ignoreBrokenPipes();
+        open((int)(long)stack[0], (char **)(stack + 1));
+    }
+    if (theEarly.viewerLeft) sys::exit(0);
+    if (theEarly.opened) showLoading(kEarlyShare * (float)done / (float)size, &theEarly.window);
+}

@@ -1,0 +1,17 @@
+// Where the shipped program starts: no crt1, no libc start-up. ld.so has run libc's own initialisation by
+// now, because the program has an interpreter, so malloc and threads of the libraries work.
+#include "host/linux/sys.h"
+
+// At entry rsp is 16-aligned and points to argc; a plain call gives the alignment that a function expects.
+__asm__(".globl _start\n"
+        ".type _start, @function\n"
+        "_start:\n"
+        "    xor %ebp, %ebp\n"
+        "    mov %rsp, %rdi\n"
+        "    call odrazStart\n");
+
+int odrazMain(int argc, char **argv);
+
+extern "C" [[noreturn]] void odrazStart(long *stack) {
+    odraz::sys::exit(odrazMain((int)stack[0], (char **)(stack + 1)));
+}

@@ -1,0 +1,135 @@
+// What may lie between corners: balls by the ellipses that they show, thin shapes by lines.
+#include "trace/picture/tile.h"
+
+namespace odraz {
+
+// The picture of a ball is an ellipse; with the middle at (x, y, z) in the camera's frame and the radius r
+// its centre lies at z (x, y) / (z^2 - r^2), and its half axes are r sqrt(d^2 - r^2) / (z^2 - r^2), d the
+// distance, and r / sqrt(z^2 - r^2). Balls across the eye's plane have another picture; corners find those.
+static void addDisc(Tile &t, int index) {
+    const Shape &s = t.scene.shapes[index];
+    const View &v = t.view;
+    Discs &d = t.s.discs;
+    float r = s.half.x * 1.0001f, z = v.ahead(s.centre), below = z * z - r * r;
+    Vec3 to = s.centre - v.eye;
+    float square = dot(to, to);
+    if (z <= 0 || !(below > r * r * 1e-3f) || d.count == kDiscs) return;
+    float x = dot(to, v.right) * v.width / dot(v.right, v.right), // in pixels, at distance z
+        y = dot(to, v.down) * v.height / dot(v.down, v.down), away = sqrt(x * x + y * y);
+    float pixel = 4 / v.spread, longer = r * sqrt(square - r * r) / below * pixel,
+          shorter = r / sqrt(below) * pixel;
+    bool turned = away > 1e-3f * abs(z);
+    int i = d.count;
+    d.x[i] = 4 * fmadd(x, z / below, v.width * 0.5f - (float)t.x0);
+    d.y[i] = 4 * fmadd(y, z / below, v.height * 0.5f - (float)t.y0);
+    if (d.x[i] + longer < 0 || d.y[i] + longer < 0 || d.x[i] - longer > 4 * kTile ||
+        d.y[i] - longer > 4 * kTile)
+        return;
+    d.alongX[i] = (turned ? x / away : 1) / longer;
+    d.alongY[i] = (turned ? y / away : 0) / longer;
+    d.perHalf[i] = 1 / shorter;
+    d.near[i] = sqrt(square) - r;
+    d.shape[i] = index;
+    ++d.count;
+}
+
+// A line along a shape's longest side, as thick as the next, if that is thin.
+static void addGrain(Tile &t, int index) {
+    TileScratch &s = t.s;
+    const View &v = t.view;
+    const Shape &shape = t.scene.shapes[index];
+    if (s.grainCount == kGrains) return;
+    float widest = (float)t.quality.coarse * 1.5f, pixel = 4 / v.spread;
+    auto place = [&](Vec3 p, float &x, float &y) {
+        v.project(p, x, y);
+        x = 4 * (x - (float)t.x0), y = 4 * (y - (float)t.y0);
+    };
+    const Bounds &b = t.scene.box[index];
+    Vec3 middle = (b.lo + b.hi) * 0.5f;
+    float r = length(b.hi - b.lo) * 0.5f, far = v.ahead(middle);
+    if (far <= r * 1.1f) return;
+    Grain g = {0, 0, 0, 0, r / far * pixel * 1.1f};
+    place(middle, g.x, g.y);
+    float x = g.x, y = g.y;
+    if (g.radius > widest) {
+        if (shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Triangle) return;
+        const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
+        int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
+        float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);
+        Vec3 axis = (longest == 0   ? shape.frame.u
+                     : longest == 1 ? shape.frame.v
+                                    : shape.frame.w) *
+                    half[longest];
+        float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
+        g.radius = thick / nearest * pixel * 1.1f;
+        if (nearest <= r * 0.1f || g.radius > widest) return;
+        place(middle - axis, g.x, g.y);
+        place(middle + axis, x, y);
+    }
+    g.alongX = x - g.x, g.alongY = y - g.y;
+    if (max(g.x, x) + g.radius < 0 || max(g.y, y) + g.radius < 0 || min(g.x, x) - g.radius > 4 * kTile ||
+        min(g.y, y) - g.radius > 4 * kTile)
+        return;
+    s.grains[s.grainCount++] = g;
+}
+
+void watch(Tile &t) {
+    TileScratch &s = t.s;
+    s.discs.count = s.grainCount = 0;
+    auto add = [&](int shape) {
+        ShapeKind kind = t.scene.shapes[shape].kind;
+        if (kind == ShapeKind::Sphere)
+            addDisc(t, shape);
+        else if (kind != ShapeKind::Plane)
+            addGrain(t, shape);
+    };
+    if (s.among.count >= 0)
+        for (int i = 0; i < s.among.count; ++i) add(s.among.shape[i]);
+    else
+        for (int i = 0; i < t.scene.shapeCount; ++i) add(i);
+}
+
+static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) {
+    const Discs &d = t.s.discs;
+    if (!d.count) return false;
+    // How far away what the corners show can be at most: a ball to its horizon
+    float far = kInfinity;
+    if (shape >= 0 && t.scene.shapes[shape].kind == ShapeKind::Sphere) {
+        const Shape &s = t.scene.shapes[shape];
+        Vec3 to = s.centre - t.view.eye;
+        far = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
+    }
+    for (int i = 0; i < d.count; i += 8) {
+        Float8 dx = x - load(d.x + i), dy = y - load(d.y + i), ax = load(d.alongX + i),
+               ay = load(d.alongY + i), perHalf = load(d.perHalf + i);
+        // Across the axis, over the shorter half: alongX and alongY have the longer one in them
+        Float8 along = fmadd(dx, ax, dy * ay), longer = 1.f / sqrt(fmadd(ax, ax, ay * ay));
+        Float8 across = (dx * ay - dy * ax) * longer * perHalf;
+        Float8 square = fmadd(along, along, across * across), reach = perHalf * (half * 1.4143f);
+        Float8 outer = reach + 1.f, inner = max(1.f - reach, 0.f);
+        Int8 crosses = (square <= outer * outer) & (square >= inner * inner);
+        crosses &= (load(d.near + i) <= far) & (loadInts(d.shape + i) != shape) & (kLanes < d.count - i);
+        if (any(crosses)) return true;
+    }
+    return false;
+}
+
+bool mayHide(const Tile &t, Square q, int size, int shape) {
+    const TileScratch &s = t.s;
+    float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
+    if (mayHideBall(t, x, y, half, shape)) return true;
+    for (int i = 0; i < s.grainCount; ++i) {
+        const Grain &g = s.grains[i];
+        if ((float)size <= g.radius) continue;
+        // The line's point nearest to the square's middle, then the square's nearest to that
+        float along = fmadd(x - g.x, g.alongX, (y - g.y) * g.alongY),
+              square = fmadd(g.alongX, g.alongX, g.alongY * g.alongY);
+        float share = saturate(along / max(square, 1e-12f));
+        float dx = max(abs(fmadd(share, g.alongX, g.x) - x) - half, 0.f),
+              dy = max(abs(fmadd(share, g.alongY, g.y) - y) - half, 0.f);
+        if (fmadd(dx, dx, dy * dy) <= g.radius * g.radius) return true;
+    }
+    return false;
+}
+
+} // namespace odraz

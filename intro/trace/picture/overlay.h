@@ -1,0 +1,18 @@
+// Lines of light over the traced picture: what text is drawn with.
+#pragma once
+
+#include "trace/picture/frame.h"
+
+namespace odraz {
+
+// A straight stroke with round ends, in pixels from the top left; a point where both ends are equal.
+struct Stroke {
+    float x0, y0, x1, y1;
+};
+
+// Lays strokes of the given half width (pixels) over the frame as one figure: overlaps do not add up. Edges
+// are anti-aliased; opacity 0 .. 1 mixes `radiance` with what is there.
+void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance,
+                 float opacity);
+
+} // namespace odraz

@@ -1,0 +1,117 @@
+// A tile of the frame while it is being traced: its corners and squares, and the pixels that they fill.
+//
+// Places are quarters of a pixel from the tile's upper left corner. The corners of pixels keep whole samples;
+// those between them, that are only met below a pixel, radiance alone. A tile shares its outer corners with
+// its neighbours, which trace them anew.
+#pragma once
+
+#include "trace/picture/adaptive.h"
+
+namespace odraz {
+
+inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
+inline constexpr int kPlaces = 4 * kTile + 1;      // of quarters
+inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile can watch for
+// Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
+inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
+
+// A square of the tile, by its upper left corner.
+struct Square {
+    uint8_t x, y;
+};
+
+// Balls as the picture shows them: ellipses that point to its middle. Structure of arrays, for eight at once.
+struct Discs {
+    int count;
+    float x[kDiscs + 8], y[kDiscs + 8];           // middle, quarters of a pixel
+    float alongX[kDiscs + 8], alongY[kDiscs + 8]; // axis, unit, over its half length
+    float perHalf[kDiscs + 8];                    // 1 / the shorter half axis
+    float near[kDiscs + 8];                       // world distance
+    int32_t shape[kDiscs + 8];
+};
+
+// A long and thin shape that may slip between the corners: all that lies within the radius of a line.
+struct Grain {
+    float x, y, alongX, alongY, radius; // one end, the way to the other, quarters of a pixel
+};
+
+struct TileScratch {
+    TraceScratch trace;
+    Candidates among; // what the tile's primary rays may meet
+    Sample corners[kCorners * kCorners];
+    __m128 shown[kCorners * kCorners]; // intensities there as the eye weighs them, texture left out
+    __m128 fine[kPlaces * kPlaces];    // radiance at places between
+    uint8_t traced[kPlaces * kPlaces]; // equal to `stamp` where it is
+    uint8_t stamp;
+    // Places wanted next
+    uint32_t wanted[kPlaces * kPlaces];
+    int wantedCount;
+    Square squares[3][kTile * kTile * 4];
+    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them
+    float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
+    uint16_t owner[kTile * kTile + 8];
+    Sample samples[kChunk];
+    Discs discs;
+    Grain grains[kGrains];
+    int grainCount;
+    int64_t sampleCount;
+};
+
+struct Tile {
+    TileScratch &s;
+    const Scene &scene;
+    const View &view;
+    const Quality &quality;
+    Frame &frame;
+    int x0, y0, width, height; // the part of the frame that it covers, in pixels
+};
+
+// Radiance on a scale on which equal steps look about equally large.
+ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
+    __m128 v = radiance * scene.exposure;
+    return _mm_sqrt_ps(v / (v + 0.7f));
+}
+
+// The largest difference between four colours in one channel.
+ODRAZ_INLINE float range(const __m128 (&v)[4]) {
+    __m128 lo = _mm_min_ps(_mm_min_ps(v[0], v[1]), _mm_min_ps(v[2], v[3]));
+    __m128 hi = _mm_max_ps(_mm_max_ps(v[0], v[1]), _mm_max_ps(v[2], v[3]));
+    __m128 d = hi - lo;
+    return max(d[0], max(d[1], d[2]));
+}
+
+// Indices of the corners of a square that is some whole pixels wide: upper left, upper right, lower left,
+// lower right.
+ODRAZ_INLINE void cornersOf(Square q, int size, int *c) {
+    c[0] = (q.y >> 2) * kCorners + (q.x >> 2);
+    c[1] = c[0] + (size >> 2);
+    c[2] = c[0] + (size >> 2) * kCorners;
+    c[3] = c[2] + (size >> 2);
+}
+
+// Whether a square's corners show different things: the first of the thesis's four tests.
+ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const int *c) {
+    uint32_t id = s.corners[c[0]].id;
+    return s.corners[c[1]].id != id || s.corners[c[2]].id != id || s.corners[c[3]].id != id;
+}
+
+// --- adaptive.cpp: the quadtree ---
+
+void traceAdaptive(Tile &t);
+
+// --- hidden.cpp: what corners do not tell ---
+
+// Finds the balls and the thin shapes that the tile may show.
+void watch(Tile &t);
+// Whether a shape may show in a square without showing at its corners, which all show `shape` (-1: the sky,
+// or not the same).
+bool mayHide(const Tile &t, Square q, int size, int shape);
+
+// --- fill.cpp: from corners to pixels ---
+
+// Interpolates a square of whole pixels over the pixels that it covers.
+void fill(Tile &t, Square q, int size);
+// Multiplies every pixel's light by the albedo it sees, and writes the tile into the frame.
+void finishTile(Tile &t);
+
+} // namespace odraz

@@ -1,0 +1,41 @@
+// Rays against a scene.
+//
+// Packets of eight rays go through the tree together where they are coherent; where they are not, each goes
+// alone, against eight boxes or balls at once. Which way is taken shows in the time only: of equal distances
+// the shape added first is hit. For rays that share an origin there is beam.h.
+#pragma once
+
+#include "trace/scene/scene.h"
+#include "trace/scene/surface.h"
+
+namespace odraz {
+
+struct Hit8 {
+    Float8 t;   // kInfinity where nothing is hit
+    Int8 shape; // index into Scene::shapes, -1 where nothing is hit
+};
+
+ODRAZ_INLINE void takeNearer(Hit8 &hit, Float8 t, int shape) {
+    Int8 nearer = (t < hit.t) | ((t == hit.t) & (shape < hit.shape));
+    hit.t = select(nearer, t, hit.t);
+    hit.shape = select(nearer, broadcast(shape), hit.shape);
+}
+
+// Weakens the light that rays carry past a shape in the way of those of `hit`, and clears the ones it stops.
+ODRAZ_INLINE void pass(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
+    const Material &m = scene.materials[shape.material];
+    if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp's body does not shade its own light
+    Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
+    share = select(hit, share * through, share);
+    if (m.ior == 0) active &= ~hit;
+}
+
+// The nearest hit of each ray. Lanes outside `active` cost nothing where whole boxes can be skipped; their
+// result is undefined.
+Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
+
+// What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass. In
+// each lane `own` is left out, a shape that cannot stand in the way; -1: none.
+Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own);
+
+} // namespace odraz

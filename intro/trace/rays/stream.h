@@ -1,0 +1,54 @@
+// Streams of rays as structures of arrays, and the moves between them: picking eight of them, appending those
+// of eight that go on.
+#pragma once
+
+#include "trace/scene/surface.h"
+
+namespace odraz {
+
+inline constexpr int kChunk = 256;             // rays shaded together
+inline constexpr int kStream = 2 * kChunk + 8; // each may leave two; whole registers are written at the end
+
+struct RayStream {
+    int count;
+    float o[3][kStream], d[3][kStream];    // origin, unit direction
+    float weight[3][kStream];              // share of the picture per channel
+    float width[kStream], spread[kStream]; // of the sample at the origin, and its growth per unit
+    int32_t sample[kStream];               // index of the Sample it adds to
+    int32_t path[kStream];  // 1, then a bit for every bounce: 0 reflected, 1 refracted; the last 32
+    float t[kStream];       // what it met: how far away,
+    int32_t shape[kStream]; // and which shape; -1: none
+};
+
+// Eight places of a stream; where they follow one another, as most do, they are loaded instead of gathered.
+struct Eight {
+    Int8 place;
+    int first;
+    bool straight;
+
+    explicit Eight(const int32_t *places) {
+        place = loadInts(places);
+        first = places[0];
+        straight = all(place == kLanes + first);
+    }
+    ODRAZ_INLINE Float8 operator()(const float *values) const {
+        return straight ? load(values + first) : gather(values, place);
+    }
+    ODRAZ_INLINE Int8 operator()(const int32_t *values) const {
+        return straight ? loadInts(values + first) : (Int8)_mm256_i32gather_epi32(values, (__m256i)place, 4);
+    }
+    template <int N> ODRAZ_INLINE Vec3x8 operator()(const float (&values)[3][N]) const {
+        return {(*this)(values[0]), (*this)(values[1]), (*this)(values[2])};
+    }
+};
+
+// The order that brings the lanes of a mask to the front.
+ODRAZ_INLINE Int8 packedOrder(int mask) {
+    uint64_t bytes = _pdep_u64((uint64_t)mask, 0x0101010101010101) * 255;
+    uint64_t order = _pext_u64(0x0706050403020100, bytes);
+    return (Int8)_mm256_cvtepu8_epi32(_mm_cvtsi64_si128((int64_t)order));
+}
+ODRAZ_INLINE Float8 permute(Float8 v, Int8 order) { return _mm256_permutevar8x32_ps(v, (__m256i)order); }
+ODRAZ_INLINE Int8 permute(Int8 v, Int8 order) { return (Int8)permute((Float8)v, order); }
+
+} // namespace odraz

@@ -1,0 +1,39 @@
+// The camera as the tracer sees it: from picture coordinates to rays.
+#pragma once
+
+#include "trace/rays/intersect.h"
+
+namespace odraz {
+
+struct View {
+    Vec3 eye;
+    Vec3 forward;        // unit
+    Vec3 right, down;    // across the whole picture, at distance 1
+    float width, height; // of the picture in pixels
+    float spread;        // how much a pixel widens per unit of distance
+
+    // The direction (not of unit length) through the point (x, y) of the picture, in pixels from its top
+    // left.
+    template <class T> Vec3T<T> direction(T x, T y) const {
+        T u = x * (1.f / width) - 0.5f, v = y * (1.f / height) - 0.5f;
+        return {fmadd(u, right.x, fmadd(v, down.x, forward.x)),
+                fmadd(u, right.y, fmadd(v, down.y, forward.y)),
+                fmadd(u, right.z, fmadd(v, down.z, forward.z))};
+    }
+
+    // How far ahead of the eye a point lies, and where it stands in the picture, which only what is ahead
+    // does.
+    float ahead(Vec3 p) const { return dot(p - eye, forward); }
+    void project(Vec3 p, float &x, float &y) const {
+        Vec3 to = p - eye;
+        float inverse = 1 / ahead(p);
+        x = fmadd(dot(to, right) * inverse, width / dot(right, right), width * 0.5f);
+        y = fmadd(dot(to, down) * inverse, height / dot(down, down), height * 0.5f);
+    }
+};
+
+// Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the
+// eye looks along -z, a view straight up or down takes -z or z as its upper edge: there is always a picture.
+View lookAt(Vec3 eye, Vec3 target, float roll, float fov, int width, int height);
+
+} // namespace odraz

@@ -1,0 +1,31 @@
+#include "trace/scene/sky.h"
+
+#include "base/maths.h"
+#include "trace/texture/noise.h"
+
+namespace odraz {
+
+Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
+    Float8 y = max(d.y, sky.least);
+    Rgb8 light = fmadd(fmadd(broadcast(sky.curve), y, broadcast(sky.slope)), y, broadcast(sky.low));
+    if (maxComponent(sky.glow) > 0) {
+        auto toFourth = [](Float8 x) {
+            x = x * x;
+            return x * x;
+        };
+        Float8 towards = dot(d, sky.sun);
+        light += sky.glow * toFourth(fmadd(towards, 0.5f, 0.5f)) +
+                 sky.near * toFourth(toFourth(toFourth(max(towards, 0.f))));
+    }
+    if (sky.cover > 0) {
+        // A sheet of them high above, that ends in haze
+        Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
+        Float8 density =
+            fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 4, Float8{});
+        density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.3f, up);
+        light += (broadcast(sky.clouds) - light) * density;
+    }
+    return light;
+}
+
+} // namespace odraz

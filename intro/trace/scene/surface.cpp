@@ -1,0 +1,155 @@
+#include "trace/scene/surface.h"
+
+#include "trace/scene/scene.h"
+
+namespace odraz {
+
+// The stretch of a ray inside a convex solid; empty where enter > leave.
+struct Interval {
+    Float8 enter, leave;
+};
+
+static Float8 nearest(Interval i) {
+    Float8 t = select(i.enter > 0.f, i.enter, i.leave);
+    return select((i.enter <= i.leave) & (t > 0.f) & (t < kFar), t, kInfinity);
+}
+
+// o + t d between -half and +half, in one coordinate. A direction of zero becomes a tiny one: no NaN.
+static Interval slab(Float8 o, Float8 d, float half) {
+    Int8 tiny = abs(d) < 1e-20f;
+    Float8 inverse = 1.f / select(tiny, 1e-20f, d);
+    Float8 a = (-half - o) * inverse, b = (half - o) * inverse;
+    return {min(a, b), max(a, b)};
+}
+
+static Interval both(Interval a, Interval b) { return {max(a.enter, b.enter), min(a.leave, b.leave)}; }
+
+static Float8 hitPlane(Float8 height, Float8 slope) {
+    Float8 t = -height / slope;
+    return select((t > 0.f) & (t < kFar), t, kInfinity);
+}
+
+// Within a rectangle widened by more than the rounding of the point: neighbours overlap, and no ray passes
+// between them.
+static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
+    Float8 t = hitPlane(o.y, d.y);
+    if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
+    Float8 finite = select(t < kInfinity, t, 0.f);
+    float slack = (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f;
+    Int8 inside = (abs(fmadd(finite, d.x, o.x)) <= s.half.x + slack) &
+                  (abs(fmadd(finite, d.z, o.z)) <= s.half.z + slack);
+    return select(inside, t, kInfinity);
+}
+
+// The same, by barycentric coordinates.
+static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
+    Float8 t = hitPlane(o.y, d.y);
+    if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
+    Float8 finite = select(t < kInfinity, t, 0.f);
+    Float8 x = fmadd(finite, d.x, o.x), z = fmadd(finite, d.z, o.z);
+    return select((min(x, z) >= -s.half.y) & (x + z <= 1 + s.half.y), t, kInfinity);
+}
+
+static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
+    // About the axis, in the plane across it: nearest approach, then half the chord
+    Float8 a = fmadd(d.x, d.x, d.z * d.z);
+    Int8 parallel = a < 1e-12f;
+    Float8 inverse = 1.f / select(parallel, 1.f, a);
+    Float8 middle = -fmadd(o.x, d.x, o.z * d.z) * inverse;
+    middle = select(parallel, 0.f, middle);
+    Float8 px = fmadd(middle, d.x, o.x), pz = fmadd(middle, d.z, o.z);
+    Float8 discriminant = s.half.x * s.half.x - fmadd(px, px, pz * pz);
+    Float8 half = select(parallel, kInfinity, sqrt(max(discriminant, 0.f) * inverse));
+    Float8 t = nearest(both({middle - half, middle + half}, slab(o.y, d.y, s.half.y)));
+    return select(discriminant >= 0.f, t, kInfinity);
+}
+
+// Whether points of the polygon's plane lie within its outline: an odd number of edges to one side.
+static Int8 inOutline(const Scene &scene, const Shape &s, Float8 x, Float8 z) {
+    const float *v = scene.outline + 2 * s.firstVertex;
+    Int8 odd = {};
+    for (int i = 0, j = s.vertexCount - 1; i < s.vertexCount; j = i++) {
+        float ax = v[2 * j], az = v[2 * j + 1], bx = v[2 * i], bz = v[2 * i + 1];
+        if (az == bz) continue;
+        Int8 spans = (z < az) ^ (z < bz);
+        odd ^= spans & (x < fmadd((z - az) * (1.f / (bz - az)), bx - ax, broadcast(ax)));
+    }
+    return odd;
+}
+
+Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) {
+    if (s.kind == ShapeKind::Sphere) return hitSphere(s, ray);
+    Vec3x8 toOrigin = ray.o - s.centre;
+    Vec3x8 o = s.aligned ? toOrigin : s.frame * toOrigin, d = s.aligned ? ray.d : s.frame * ray.d;
+    switch (s.kind) {
+    case ShapeKind::Plane:
+        return hitPlane(o.y, d.y);
+    case ShapeKind::Box: {
+        Interval inside = both(slab(o.x, d.x, s.half.x), slab(o.y, d.y, s.half.y));
+        return nearest(both(inside, slab(o.z, d.z, s.half.z)));
+    }
+    case ShapeKind::Cylinder:
+        return hitCylinder(s, o, d);
+    case ShapeKind::Rect:
+        return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
+    case ShapeKind::Triangle:
+        return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
+    default: {
+        Float8 t = hitPlane(o.y, d.y);
+        Int8 hit = t < kInfinity;
+        if (flat == Flat::Whole || !any(hit)) return t;
+        Float8 finite = select(hit, t, 0.f);
+        return select(hit & inOutline(scene, s, fmadd(finite, d.x, o.x), fmadd(finite, d.z, o.z)), t,
+                      kInfinity);
+    }
+    }
+}
+
+Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
+    t = min(t, kFar);
+    Vec3x8 p = fmadd(ray.d, t, ray.o);
+    Vec3x8 fromCentre = p - s.centre;
+    if (s.kind == ShapeKind::Sphere) {
+        Vec3x8 n = normalize(fromCentre);
+        Vec3x8 onSphere = n * broadcast(s.half.x);
+        return {onSphere + s.centre, n, s.frame * onSphere, Int8{}};
+    }
+    Vec3x8 q = s.frame * fromCentre;
+    if (s.kind == ShapeKind::Triangle) {
+        p = p - s.frame.v * q.y;
+        return {p, broadcast(s.frame.v), p, Int8{}};
+    }
+    Vec3x8 n = {};
+    Int8 face = {};
+    switch (s.kind) {
+    case ShapeKind::Box: {
+        // The face is the one whose coordinate is nearest to its limit
+        Vec3x8 over = {abs(q.x) - s.half.x, abs(q.y) - s.half.y, abs(q.z) - s.half.z};
+        Int8 isX = (over.x >= over.y) & (over.x >= over.z);
+        Int8 isY = ~isX & (over.y >= over.z), isZ = ~isX & ~isY;
+        auto towards = [](Float8 x) { return select(x < 0.f, -1.f, 1.f); };
+        n = {select(isX, towards(q.x), 0.f), select(isY, towards(q.y), 0.f), select(isZ, towards(q.z), 0.f)};
+        q = {select(isX, n.x * s.half.x, q.x), select(isY, n.y * s.half.y, q.y),
+             select(isZ, n.z * s.half.z, q.z)};
+        face = (isY & 2) + (isZ & 4) + (((n.x + n.y + n.z) < 0.f) & 1);
+        break;
+    }
+    case ShapeKind::Cylinder: {
+        Float8 r = sqrt(fmadd(q.x, q.x, q.z * q.z));
+        Int8 cap = abs(q.y) - s.half.y >= r - s.half.x;
+        Float8 inverse = 1.f / max(r, 1e-20f), up = select(q.y < 0.f, -1.f, 1.f);
+        n = {select(cap, 0.f, q.x * inverse), select(cap, up, 0.f), select(cap, 0.f, q.z * inverse)};
+        q = {select(cap, q.x, n.x * s.half.x), select(cap, up * s.half.y, q.y),
+             select(cap, q.z, n.z * s.half.x)};
+        face = cap & (1 + ((up < 0.f) & 1));
+        break;
+    }
+    default:
+        n.y = broadcast(1.f);
+        q.y = Float8{};
+    }
+    Vec3x8 world = transposeTimes(s.frame, q) + s.centre;
+    return {world, transposeTimes(s.frame, n), s.kind == ShapeKind::Rect ? world : q, face};
+}
+
+} // namespace odraz

@@ -1,0 +1,190 @@
+// The tree over a scene's shapes, built anew for every frame.
+#include "trace/scene/scene.h"
+
+#include <initializer_list>
+
+namespace odraz {
+
+namespace {
+
+constexpr Bounds kNothing = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
+
+Vec3 lower(Vec3 a, Vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
+Vec3 upper(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
+void include(Bounds &b, const Bounds &more) { b = {lower(b.lo, more.lo), upper(b.hi, more.hi)}; }
+
+Bounds boundsOf(const Scene &scene, const Shape &s) {
+    if (s.kind == ShapeKind::Polygon) {
+        Bounds b = kNothing;
+        for (int i = 0; i < s.vertexCount; ++i) {
+            const float *v = scene.outline + 2 * (s.firstVertex + i);
+            Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
+            include(b, {p, p});
+        }
+        return b;
+    }
+    if (s.kind == ShapeKind::Triangle) {
+        // Its sides, from the rows that measure along them
+        Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
+        u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
+        w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));
+        Bounds b = {s.centre, s.centre};
+        for (Vec3 p : {u, w}) include(b, {s.centre + p, s.centre + p});
+        return b;
+    }
+    Vec3 r = s.half;
+    if (s.kind != ShapeKind::Sphere) {
+        Vec3 u = s.frame.u * s.half.x, v = s.frame.v * s.half.y, w = s.frame.w * s.half.z;
+        r = {abs(u.x) + abs(v.x) + abs(w.x), abs(u.y) + abs(v.y) + abs(w.y), abs(u.z) + abs(v.z) + abs(w.z)};
+    }
+    return {s.centre - r, s.centre + r};
+}
+
+float component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+
+float halfArea(const Bounds &b) {
+    Vec3 e = b.hi - b.lo;
+    return e.x * e.y + e.y * e.z + e.z * e.x;
+}
+
+// Shapes order[first .. first + count) and their box.
+struct Group {
+    int first, count;
+    Bounds box;
+};
+
+Bounds boxOf(const Scene &s, int first, int count) {
+    Bounds b = kNothing;
+    for (int i = first; i < first + count; ++i) include(b, s.box[s.order[i]]);
+    return b;
+}
+
+// How many shapes of a group, sorted into its front, make the better first half: by the surface area
+// heuristic (Goldsmith and Salmon, 1987) over bins (Wald, "On Fast Construction of SAH-based Bounding Volume
+// Hierarchies", 2007). Shapes that share a middle, and those too deep down, are halved as they come.
+int split(Scene &s, const Group &g, bool halve) {
+    constexpr int kBins = 16;
+    auto middle = [&](int i) { return s.box[s.order[i]].lo + s.box[s.order[i]].hi; };
+    Bounds middles = kNothing;
+    for (int i = g.first; i < g.first + g.count; ++i) include(middles, {middle(i), middle(i)});
+    Vec3 extent = middles.hi - middles.lo;
+    int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+    float low = component(middles.lo, axis), width = component(extent, axis);
+    if (halve || !(width > 0)) return g.count / 2;
+
+    Bounds boxes[kBins];
+    int counts[kBins] = {};
+    for (Bounds &b : boxes) b = kNothing;
+    auto bin = [&](int i) {
+        return min((int)((component(middle(i), axis) - low) / width * kBins), kBins - 1);
+    };
+    for (int i = g.first; i < g.first + g.count; ++i) {
+        include(boxes[bin(i)], s.box[s.order[i]]);
+        ++counts[bin(i)];
+    }
+    // Sweep from both ends for the split of least area times count
+    float left[kBins];
+    Bounds swept = kNothing;
+    int passed = 0;
+    for (int b = 0; b < kBins - 1; ++b) {
+        include(swept, boxes[b]);
+        left[b + 1] = halfArea(swept) * (float)(passed += counts[b]);
+        if (!passed) left[b + 1] = kInfinity;
+    }
+    swept = kNothing;
+    passed = 0;
+    int best = 1;
+    float least = kInfinity;
+    for (int b = kBins - 1; b > 0; --b) {
+        include(swept, boxes[b]);
+        if (!(passed += counts[b])) continue;
+        float cost = left[b] + halfArea(swept) * (float)passed;
+        if (cost < least) {
+            least = cost;
+            best = b;
+        }
+    }
+    int end = g.first;
+    for (int i = g.first; i < g.first + g.count; ++i)
+        if (bin(i) < best) {
+            uint16_t moved = s.order[i];
+            s.order[i] = s.order[end];
+            s.order[end++] = moved;
+        }
+    int front = end - g.first;
+    return front > 0 && front < g.count ? front : g.count / 2;
+}
+
+// Makes a node of a group: splits it, and what is largest of it, until there are eight parts.
+int build(Scene &s, const Group &all, int deep) {
+    int index = s.nodeCount++;
+    Group parts[8] = {all};
+    int count = 1;
+    while (count < 8) {
+        // The part of largest surface; of eight shapes and less a node of their own is made
+        int largest = -1;
+        float area = -1;
+        for (int i = 0; i < count; ++i) {
+            float a = halfArea(parts[i].box);
+            if (parts[i].count <= (all.count <= 8 ? 1 : 8) || a <= area) continue;
+            largest = i;
+            area = a;
+        }
+        if (largest < 0) break;
+        Group &g = parts[largest];
+        int front = split(s, g, deep > kTreeDepth / 2);
+        parts[count++] = {g.first + front, g.count - front, boxOf(s, g.first + front, g.count - front)};
+        g = {g.first, front, boxOf(s, g.first, front)};
+    }
+
+    Node &n = s.nodes[index];
+    n.count = count;
+    n.balls = true;
+    for (int i = 0; i < count; ++i)
+        n.balls &= parts[i].count == 1 && s.shapes[s.order[parts[i].first]].kind == ShapeKind::Sphere;
+    for (int i = 0; i < 8; ++i) {
+        const Group &g = parts[min(i, count - 1)];
+        const Shape &shape = s.shapes[s.order[g.first]];
+        // Grow boxes by the slab test's rounding; what is not there is never entered
+        Vec3 size = upper(g.box.hi, -g.box.lo);
+        Vec3 margin = size * 4e-6f + Vec3{1e-7f, 1e-7f, 1e-7f};
+        Vec3 lo = n.balls ? shape.centre : g.box.lo - margin, hi = g.box.hi + margin;
+        if (i >= count) lo = {kInfinity, kInfinity, kInfinity}, hi = -lo;
+        n.lo[0][i] = lo.x, n.lo[1][i] = lo.y, n.lo[2][i] = lo.z;
+        n.hi[0][i] = hi.x, n.hi[1][i] = hi.y, n.hi[2][i] = hi.z;
+        if (n.balls) n.radius[i] = i < count ? shape.half.x : 0;
+        n.child[i] = ~s.order[g.first];
+    }
+    for (int i = 0; i < count; ++i)
+        if (parts[i].count > 1) {
+            int child = build(s, parts[i], deep + 1);
+            s.nodes[index].child[i] = child;
+        }
+    return index;
+}
+
+} // namespace
+
+void Scene::finish() {
+    int bounded = 0;
+    unboundedCount = occluderCount = nodeCount = 0;
+    for (int i = 0; i < shapeCount; ++i) {
+        Shape &s = shapes[i];
+        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && s.kind != ShapeKind::Triangle;
+        if (s.kind == ShapeKind::Plane) {
+            if (unboundedCount < 8) unbounded[unboundedCount++] = (uint16_t)i;
+            continue;
+        }
+        box[i] = boundsOf(*this, s);
+        order[bounded++] = (uint16_t)i;
+        if (contact && s.kind == ShapeKind::Sphere && occluderCount < kMaxOccluders &&
+            maxComponent(materials[s.material].emit) == 0) {
+            occluder[occluderCount] = s.centre;
+            occluderRadius[occluderCount++] = s.half.x;
+        }
+    }
+    if (bounded) build(*this, {0, bounded, boxOf(*this, 0, bounded)}, 0);
+    for (int i = 0; i < materialCount; ++i) mean[i] = meanAlbedo(materials[i]) * materials[i].diffuse;
+}
+
+} // namespace odraz

@@ -1,0 +1,42 @@
+// Whole rays through small scenes, one at a time: what tests of shading need.
+#pragma once
+
+#include "trace/shade/whitted.h"
+
+#include <memory>
+
+namespace odraz {
+
+// Nothing left out: twelve bounces, however faint.
+inline constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, 12, 1e-6f};
+// No beam: all shapes are candidates.
+inline constexpr Candidates kAll = {-1, {}, {}, {}};
+
+// A surface that shows what light falls on it.
+inline Material matte(Rgb colour) {
+    Material m = {};
+    m.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}};
+    m.diffuse = 1;
+    m.exponent = 1;
+    m.tint = {1, 1, 1};
+    return m;
+}
+
+struct Stage {
+    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
+    Stage() { scene->clear(); }
+
+    // The ray from eye to target.
+    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact) {
+        scene->finish();
+        View view = lookAt(eye, target, 0, 40, 1, 1);
+        float half[8] = {0.5f};
+        uint32_t zero[8] = {};
+        Sample s;
+        traceSamples(*scene, view, quality, *scratch, kAll, 1, 1, half, half, zero, &s);
+        return s;
+    }
+};
+
+} // namespace odraz

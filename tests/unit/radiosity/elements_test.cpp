@@ -1,0 +1,242 @@
+// Elements: quadtrees without cracks, hidden places, and what divides them.
+#include "tests/support/headless_gl.h"
+#include "radiosity/elements.h"
+#include "tests/support/room.h"
+#include "trace/rays/intersect.h"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Divided {
+    HeapArena memory{(size_t)64 << 20};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+
+    void divide(int block = 2, int growth = 40) {
+        model->pose(*scene);
+        scene->finish();
+        ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, growth));
+        settleFresh(*model);
+    }
+    // The value of a plane at a place of a chart, as the tracer sees it.
+    float at(const std::vector<float> &plane, int chart, float u, float v) const {
+        Lightmap map = {};
+        map.charts = model->charts;
+        map.cells = model->cells;
+        for (auto &p : map.plane) p = plane.data();
+        const Chart &c = model->charts[chart];
+        return lightAt(map, c, broadcast(c.at(u, v))).y[0];
+    }
+};
+
+} // namespace
+
+// Divide at random, to all depths; give every texel a random value; after the ties nothing jumps anywhere.
+TEST(Quadtree, HasNoCracksWhateverIsDivided) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Divided d;
+        d.model->addRect({0, 0, 0}, {0, 0, 3}, {5, 0, 0}, 0, 1);
+        d.divide();
+        Model &m = *d.model;
+        std::mt19937 random(seed);
+        for (int i = 0; i < m.cellCount; ++i) // grows as it goes
+            if (!m.cells[i].divided() && m.cells[i].level < kFinest && random() % 3 == 0) split(m, i);
+        settleFresh(m);
+        for (int i = 0; i < m.texelCount; ++i) m.texels[i].visible = 15;
+        tie(m);
+        std::vector<float> plane((size_t)m.texelCount + 8);
+        for (float &v : plane) v = (float)(random() % 1000) * 0.001f;
+        settle(m, plane.data());
+        // Along every cell's border, just inside and just outside
+        for (int i = 0; i < m.cellCount; ++i) {
+            const Cell &cell = m.cells[i];
+            if (cell.divided()) continue;
+            const Chart &c = m.charts[0];
+            const Texel &low = m.texels[cell.corner[0]], &high = m.texels[cell.corner[3]];
+            float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+            for (int k = 0; k <= 16; ++k) {
+                float u = ((float)low.x + (float)(high.x - low.x) * (float)k / 16) * du,
+                      v = ((float)low.y + (float)(high.y - low.y) * (float)k / 16) * dv;
+                for (float side : {(float)low.x * du, (float)high.x * du})
+                    ASSERT_NEAR(d.at(plane, 0, side - 2e-5f, v), d.at(plane, 0, side + 2e-5f, v), 2e-3f)
+                        << seed;
+                for (float side : {(float)low.y * dv, (float)high.y * dv})
+                    ASSERT_NEAR(d.at(plane, 0, u, side - 2e-5f), d.at(plane, 0, u, side + 2e-5f), 2e-3f)
+                        << seed;
+            }
+        }
+    }
+}
+
+TEST(Quadtree, SharesCornersAndKeepsAreas) {
+    Divided d;
+    d.model->addRect({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, 0, 1);
+    d.divide();
+    Model &m = *d.model;
+    ASSERT_EQ(m.texelCount, 9);
+    split(m, 0);
+    EXPECT_EQ(m.texelCount, 9 + 5);
+    split(m, 1); // shares a side with the first, whose middle is there already
+    EXPECT_EQ(m.texelCount, 9 + 5 + 4);
+    EXPECT_EQ(m.freshCount, 9 + 6); // the new ones, and the corners, which stand closer now
+    settleFresh(m);
+    float area = 0;
+    for (int i = 0; i < m.cellCount; ++i)
+        if (!m.cells[i].divided()) area += m.cells[i].area;
+    EXPECT_FLOAT_EQ(area, 4);
+}
+
+TEST(Quadtree, StopsWhereThereIsNoRoom) {
+    Divided d;
+    d.model->addRect({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, 0, 1);
+    d.divide(2, 2);
+    Model &m = *d.model;
+    for (int i = 0; i < m.cellCount; ++i)
+        if (!m.cells[i].divided() && m.cells[i].level < kFinest) split(m, i);
+    EXPECT_LE(m.texelCount, m.texelRoom);
+    EXPECT_LE(m.cellCount, m.cellRoom);
+}
+
+// An edge of light crosses a floor: cells are divided along it, and nowhere else.
+TEST(Refine, FollowsTheEdge) {
+    Divided d;
+    d.model->addRect({0, 0, 0}, {0, 0, 8}, {8, 0, 0}, 0, 1);
+    d.divide();
+    Model &m = *d.model;
+    auto light = [](float u, float v) { return u + 0.3f * v > 5 ? 1.f : 0.f; };
+    std::vector<float> plane((size_t)m.texelRoom + 8);
+    auto fill = [&] {
+        for (int i = 0; i < m.texelCount; ++i)
+            m.texels[i].visible = 15,
+            plane[(size_t)i] = light((float)m.texels[i].x / kSteps, (float)m.texels[i].y / kSteps);
+        settleFresh(m);
+    };
+    fill();
+    for (int level = 0; level < kFinest; ++level) {
+        Measure seen;
+        ASSERT_TRUE(measure(m, plane.data(), 0.2f, seen));
+        refine(m, level, &seen, 1, 0.2f);
+        fill();
+    }
+    for (int i = 0; i < m.cellCount; ++i) {
+        const Cell &cell = m.cells[i];
+        if (cell.divided()) continue;
+        float low = 1, high = 0;
+        for (int corner : cell.corner)
+            low = std::fmin(low, plane[(size_t)corner]), high = std::fmax(high, plane[(size_t)corner]);
+        if (high > low) {
+            EXPECT_EQ(cell.level, kFinest);
+        }
+    }
+    // A line of the finest cells, not an area of them
+    EXPECT_LT(m.cellCount, 8 * 8 + 4 * 8 * (2 + 4 + 8) * 2);
+    Measure dark;
+    std::fill(plane.begin(), plane.end(), 0.f);
+    EXPECT_FALSE(measure(m, plane.data(), 0.2f, dark));
+}
+
+// Where a block stands on the floor, its edge is found down to the finest cells, and what is under it takes
+// what is around it.
+TEST(Refine, DividesWhatIsHiddenInPart) {
+    Divided d;
+    d.model->solid = true;
+    addRoom(*d.model, {-4, 0, -4}, {4, 3, 4}, 1);
+    d.model->addBox({-1.3f, 0, -1.3f}, {1.3f, 1, 1.3f}, 0, 1, Model::kUpright | Model::kTop);
+    d.divide();
+    Model &m = *d.model;
+    for (int level = 0; level < 2; ++level) {
+        refine(m, level, nullptr, 0, 1);
+        findVisible(m, *d.scene, d.workers);
+        settleFresh(m);
+    }
+    std::vector<float> plane((size_t)m.texelCount + 8);
+    int hidden = 0;
+    for (int i = 0; i < m.texelCount; ++i) {
+        const Texel &t = m.texels[i];
+        const Chart &c = m.charts[t.chart];
+        if (t.chart != 0) continue;
+        Vec3 p = c.at((float)t.x / kSteps, (float)t.y / kSteps);
+        bool under = std::fabs(p.x) < 1.2f && std::fabs(p.z) < 1.2f;
+        if (under) {
+            EXPECT_EQ(t.visible, 0) << p.x << ' ' << p.z;
+        } else if (std::fabs(p.x) > 1.4f || std::fabs(p.z) > 1.4f) {
+            EXPECT_NE(t.visible, 0) << p.x << ' ' << p.z;
+        }
+        hidden += t.visible == 0;
+        plane[(size_t)i] = t.visible ? 5.f : 0.f;
+    }
+    EXPECT_GT(hidden, 20);
+    tie(m);
+    settle(m, plane.data());
+    for (float u = 0.1f; u < 8; u += 0.1f)
+        for (float v = 0.1f; v < 8; v += 0.1f) ASSERT_FLOAT_EQ(d.at(plane, 0, u, v), 5) << u << ' ' << v;
+    // A patch's mean is of what can be seen of it
+    std::vector<float> mean((size_t)m.patchCount);
+    meansOfPatches(m, plane.data(), mean.data(), 1);
+    for (int i = 0; i < m.patchCount; ++i)
+        if (m.patches[i].chart == 0 && m.patches[i].area > 0) {
+            EXPECT_NEAR(mean[(size_t)i], 5, 1e-4f);
+        }
+}
+
+// Open models: what only sees backs is hidden, what a sheet hovers over is not.
+TEST(Hidden, InOpenModelsOnlyWhatSeesNothingElse) {
+    Divided d;
+    addRoom(*d.model, {-4, 0, -4}, {4, 3, 4}, 1);
+    d.model->addBox({-0.6f, 0, -0.6f}, {0.6f, 3, 0.6f}, 0, 1,
+                    Model::kUpright);                        // a tube up to the ceiling, without lids
+    d.model->addRect({2, 1, 2}, {0, 0, 1}, {1, 0, 0}, 0, 1); // a sheet that is lit from above
+    d.divide();
+    const Model &m = *d.model;
+    const Chart &floor = m.charts[0];
+    auto texel = [&](float x, float z) { // the floor's u is z, its v is x
+        return m.texels[floor.texel((int)std::lround(z + 4), (int)std::lround(x + 4))];
+    };
+    EXPECT_EQ(texel(0, 0).visible, 0);
+    EXPECT_EQ(texel(2, 2).visible, 15);
+    EXPECT_EQ(texel(3, 3).visible, 15);
+    EXPECT_EQ(texel(-3, 2).visible, 15);
+}
+
+TEST(Triangles, AreMetAsPartOfTheirChart) {
+    auto scene = std::make_unique<Scene>();
+    std::mt19937 random(7);
+    auto coordinate = [&] { return (float)(random() % 2000) * 0.001f - 1; };
+    // Two triangles that share a side: no ray passes between them, and outside both nothing is hit
+    for (int i = 0; i < 200; ++i) {
+        scene->clear();
+        Vec3 a = {coordinate(), coordinate(), coordinate()}, u = {coordinate(), coordinate(), coordinate()},
+             v = {coordinate(), coordinate(), coordinate()};
+        if (length(cross(u, v)) < 0.05f) continue;
+        Vec3 n = normalize(cross(u, v));
+        scene->add(triangle(a, u, v, n));
+        scene->add(triangle(a + u + v, -u, -v, n));
+        scene->finish();
+        for (int k = 0; k < 50; ++k) {
+            float s = coordinate() * 0.5f + 0.5f, t = k % 2 ? 1 - s : coordinate() * 0.5f + 0.5f;
+            Vec3 p = a + u * s + v * t, from = p + n * 2.f + u * coordinate();
+            Vec3 dir = normalize(p - from);
+            Ray8 ray = {broadcast(from), broadcast(dir)};
+            Hit8 hit = intersect(*scene, ray, kLanes < 1);
+            bool inside = s > 1e-3f && s < 0.999f && t > 1e-3f && t < 0.999f;
+            if (inside) {
+                ASSERT_NEAR(hit.t[0], length(p - from), 1e-4f);
+            }
+            Vec3 out = a + u * (1.01f + std::fabs(s)) + v * t;
+            Ray8 past = {broadcast(out + n), broadcast(-n)};
+            ASSERT_EQ(intersect(*scene, past, kLanes < 1).shape[0], -1);
+            // Not from behind; light is stopped from both sides
+            Ray8 behind = {broadcast(p - n), broadcast(n)};
+            ASSERT_EQ(intersect(*scene, behind, kLanes < 1).shape[0], -1);
+            if (inside) {
+                ASSERT_EQ(transmittance(*scene, behind, broadcast(2.f), kLanes < 1, broadcast(-1)).x[0], 0);
+            }
+        }
+    }
+}

@@ -1,0 +1,351 @@
+// Direct light against closed forms, whole rooms solved, and the extremes of reflectance, power and size.
+#include "tests/support/headless_gl.h"
+#include "radiosity/radiosity.h"
+#include "tests/support/room.h"
+#include "transfer/relight.h"
+
+#include <cmath>
+#include <functional>
+
+using namespace odraz;
+
+namespace {
+
+// A room of 4 x 3 x 6 with a block on the floor, solved. Materials: 0 walls, 1 a floor that may be coloured,
+// 2 lamps.
+struct Room {
+    HeapArena memory{(size_t)96 << 20};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
+
+    float scale = 1;
+    Rgb walls = {0.5f, 0.5f, 0.5f}, floor = {0.5f, 0.5f, 0.5f};
+
+    static Material plain(Rgb c) {
+        Material m = {};
+        for (Rgb &p : m.texture.palette) p = c;
+        m.diffuse = 1;
+        return m;
+    }
+    void addWalls() {
+        float e = 0.25f * scale;
+        addRoom(*model, {-2 * scale, 0, -3 * scale}, {2 * scale, 3 * scale, 3 * scale}, e, 0, 1);
+        model->addBox({-0.5f * scale, 0, -0.5f * scale}, {0.5f * scale, scale, 0.5f * scale}, 0, e,
+                      Model::kUpright | Model::kTop);
+    }
+    void addBall(Vec3 centre, float radius) {
+        r->lights.lamps[r->lights.lampCount++] = {centre * scale, radius * scale, -1};
+    }
+    bool solve(RadiositySettings settings = {}) {
+        scene->clear();
+        scene->add(plain(walls));
+        scene->add(plain(floor));
+        Material lamp = {};
+        lamp.emit = {1, 1, 1};
+        scene->add(lamp);
+        model->pose(*scene);
+        scene->finish();
+        return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, {});
+    }
+    // Of a texel, in one of the planes
+    float at(const float *plane, int chart, int i, int j) const {
+        return plane[model->charts[chart].texel(i, j)];
+    }
+    // The texels of a chart that lie off its border
+    void forTexels(int chart, const std::function<void(int, Vec3)> &visit) const {
+        const Chart &c = model->charts[chart];
+        for (int j = 1; j < c.down; ++j)
+            for (int i = 1; i < c.across; ++i)
+                visit(c.texel(i, j),
+                      c.at((float)i * c.width / (float)c.across, (float)j * c.height / (float)c.down));
+    }
+    bool visible(int texel) const { return model->texels[texel].visible; }
+};
+
+// From a point at the foot of a corner's normal to a rectangle a x b parallel to it at distance c.
+double cornerFormFactor(double a, double b, double c) {
+    double A = a / c, B = b / c, ra = std::sqrt(1 + A * A), rb = std::sqrt(1 + B * B);
+    return (A / ra * std::atan(B / ra) + B / rb * std::atan(A / rb)) / (2 * M_PI);
+}
+// From p on a plane below to the rectangle [x0, x1] x [z0, z1] at height c above it.
+double parallelFormFactor(double x, double z, double x0, double x1, double z0, double z1, double c) {
+    auto corner = [&](double u, double v) {
+        double sign = (u < 0) != (v < 0) ? -1 : 1;
+        return sign * cornerFormFactor(std::fabs(u), std::fabs(v), c);
+    };
+    return corner(x1 - x, z1 - z) - corner(x0 - x, z1 - z) - corner(x1 - x, z0 - z) + corner(x0 - x, z0 - z);
+}
+
+} // namespace
+
+TEST(Direct, ARectangularLampIsItsFormFactor) {
+    for (float height : {0.1f, 0.5f, 2.5f}) {
+        Room room;
+        room.walls = room.floor = {};
+        room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+        int lamp = room.model->addRect({-0.5f, height, -1}, {1, 0, 0}, {0, 0, 2}, 2, 0.5f);
+        room.r->lights.lamps[room.r->lights.lampCount++] = {{}, 0, lamp};
+        ASSERT_TRUE(room.solve());
+        double worst = 0;
+        room.forTexels(0, [&](int texel, Vec3 p) {
+            // The mean over the texel's four places
+            double exact = 0;
+            for (double u : {-0.0625, 0.0625})
+                for (double v : {-0.0625, 0.0625})
+                    exact += parallelFormFactor((double)p.x + u, (double)p.z + v, -0.5, 0.5, -1, 1,
+                                                (double)height) /
+                             4;
+            worst = std::fmax(worst, std::fabs((double)room.r->direct[0][texel] - exact));
+        });
+        std::printf("lamp at %.1f: largest error %.5f\n", (double)height, worst);
+        EXPECT_LT(worst, 0.008) << height;
+    }
+}
+
+TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
+    Room room;
+    room.walls = room.floor = {};
+    room.addWalls();
+    room.addBall({0, 2.5f, 0}, 0.1f);
+    ASSERT_TRUE(room.solve());
+    int lit = 0, dark = 0;
+    room.forTexels(0, [&](int texel, Vec3 p) {
+        double d2 = (double)dot(p - Vec3{0, 2.5f, 0}, p - Vec3{0, 2.5f, 0}),
+               exact = 0.01 / d2 * 2.5 / std::sqrt(d2);
+        float got = room.r->direct[0][texel];
+        // The block's shadow is 5/3 of its size
+        double out = std::fmax(std::fabs((double)p.x), std::fabs((double)p.z));
+        if (out > 1.05) {
+            EXPECT_NEAR((double)got, exact, exact * 0.02) << p.x << ' ' << p.z;
+            ++lit;
+        } else if (out > 0.7 && out < 0.76) {
+            EXPECT_EQ(got, 0) << p.x << ' ' << p.z;
+            ++dark;
+        }
+    });
+    EXPECT_GT(lit, 200);
+    EXPECT_GT(dark, 10);
+}
+
+TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
+    Room room;
+    room.walls = room.floor = {};
+    room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+    room.model->addRect({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, 0, 1, Model::kOpen);
+    // Three skies, one of them negative
+    room.r->lights.sky = [](const void *, const Vec3x8 &, Float8 *radiance) {
+        radiance[0] = broadcast(1.f), radiance[1] = broadcast(-2.f), radiance[2] = broadcast(3.f);
+    };
+    room.r->lights.skyCount = 3;
+    ASSERT_TRUE(room.solve());
+    room.forTexels(0, [&](int texel, Vec3 p) {
+        double exact = parallelFormFactor((double)p.x, (double)p.z, -1, 1, -1, 1, 2);
+        const int strength[3] = {1, -2, 3};
+        for (int k = 0; k < 3; ++k)
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR((double)room.r->bounced[k][c][texel], exact * strength[k], 0.012)
+                    << p.x << ' ' << p.z;
+    });
+}
+
+TEST(Direct, TheSunComesInThroughTheWindow) {
+    Room room;
+    room.walls = room.floor = {};
+    room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+    room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
+    room.model->addFacet(0, 0, 4, 2);
+    room.model->addFacet(0, 4, 4, 6);
+    room.r->lights.suns[room.r->lights.sunCount++] = {0, 1000, 0};
+    ASSERT_TRUE(room.solve());
+    room.forTexels(0, [&](int texel, Vec3 p) {
+        if (std::fabs(std::fabs(p.z) - 1) < 0.2f) return;
+        EXPECT_NEAR(room.r->direct[0][texel], std::fabs(p.z) < 1 ? 1 : 0, 1e-3) << p.x << ' ' << p.z;
+    });
+}
+
+// What is sealed off stays black, to the bit: no light leaks through walls, corners or along floors.
+TEST(Leaks, ASealedRoomStaysDark) {
+    Room room;
+    room.addWalls();
+    room.addBall({0, 2.5f, 0}, 0.1f);
+    int first = room.model->chartCount;
+    // Another room behind a wall of a tenth
+    addRoom(*room.model, {2.1f, 0, -3}, {6.1f, 3, 3}, 0.25f, 0, 1);
+    ASSERT_TRUE(room.solve());
+    double leaked = 0;
+    for (int chart = first; chart < room.model->chartCount; ++chart)
+        room.forTexels(chart, [&](int texel, Vec3) {
+            leaked += (double)room.r->direct[0][texel];
+            for (auto plane : room.r->bounced[0]) leaked += (double)plane[texel];
+        });
+    EXPECT_EQ(leaked, 0);
+    EXPECT_GT(room.at(room.r->bounced[0][0], 0, 2, 2), 1e-4f);
+}
+
+// Under the block is hidden, and what is interpolated there comes from around it: no dark rim.
+TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
+    Room room;
+    room.addWalls();
+    room.addBall({0, 2.9f, 0}, 0.05f);
+    RadiositySettings settings;
+    settings.block = 4; // so that the block ends where elements end
+    ASSERT_TRUE(room.solve(settings));
+    int hidden = 0;
+    float least = 1e9f, most = 0;
+    room.forTexels(0, [&](int texel, Vec3 p) {
+        bool under = std::fabs(p.x) < 0.49f && std::fabs(p.z) < 0.49f;
+        EXPECT_EQ(!room.visible(texel), under) << p.x << ' ' << p.z;
+        hidden += under;
+        float v = room.r->bounced[0][0][texel];
+        least = std::fmin(least, v), most = std::fmax(most, v);
+    });
+    EXPECT_EQ(hidden, 9);
+    EXPECT_GT(least, most * 0.2f);
+}
+
+TEST(Solve, ReflectanceZeroGivesNoBounce) {
+    Room room;
+    room.walls = room.floor = {};
+    room.addWalls();
+    room.addBall({0, 2.5f, 0}, 0.1f);
+    ASSERT_TRUE(room.solve());
+    for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(room.r->bounced[0][0][i], 0);
+}
+
+// All light that the lamp gives is absorbed somewhere: sum over the patches of area (1 - rho) B / rho.
+TEST(Solve, EnergyIsConserved) {
+    for (float rho : {0.2f, 0.7f, 0.95f}) {
+        Room room;
+        room.walls = room.floor = {rho, rho, rho};
+        room.addWalls();
+        room.addBall({0.6f, 2.0f, 1.1f}, 0.1f);
+        RadiositySettings settings;
+        settings.sweeps = 2000;
+        settings.block = 2;
+        ASSERT_TRUE(room.solve(settings));
+        double arrived = 0, absorbed = 0;
+        const System &s = room.r->system;
+        for (int i = 0; i < room.model->patchCount; ++i) {
+            const Patch &p = room.model->patches[i];
+            double area = (double)p.area;
+            arrived += area * (double)s.direct[i * s.columns];
+            absorbed += area * (1 / (double)rho - 1) * (double)s.radiosity[i * s.columns];
+        }
+        std::printf("rho %.2f: absorbed %.4f of what arrived\n", (double)rho, absorbed / arrived);
+        EXPECT_NEAR(absorbed / arrived, 1, 0.02) << rho;
+        // A ball gives pi times its radiance times its surface: 4 pi r^2, here in units of irradiance / pi
+        EXPECT_NEAR(arrived, 4 * M_PI * 0.01, 0.02 * 4 * M_PI * 0.01) << rho;
+    }
+}
+
+TEST(Solve, ColourBleeds) {
+    Room room;
+    room.floor = {0.8f, 0.2f, 0.05f};
+    room.addWalls();
+    room.addBall({0, 2.9f, 2.5f}, 0.05f);
+    ASSERT_TRUE(room.solve());
+    float red = room.at(room.r->bounced[0][0], 1, 8, 12), blue = room.at(room.r->bounced[0][2], 1, 8, 12);
+    EXPECT_GT(red, 1.3f * blue);
+}
+
+// Light is linear in power over twelve orders of magnitude; the solver's residual is relative.
+TEST(Extremes, LampsFromAMillionthToAMillion) {
+    Room room;
+    room.addWalls();
+    room.addBall({0, 2.5f, 1}, 0.1f);
+    ASSERT_TRUE(room.solve());
+    std::unique_ptr<float[]> planes[3];
+    for (auto &p : planes) p.reset(new float[(size_t)room.model->texelCount + 8]);
+    float *out[3] = {planes[0].get(), planes[1].get(), planes[2].get()};
+    for (float power : {1e-6f, 1.f, 1e6f}) {
+        LightVector light = {};
+        light.bounced[0] = light.direct[0] = {power, power, power};
+        relight(*room.r, *room.model, light, out);
+        for (int i = 0; i < room.model->texelCount; ++i) {
+            float exact = (room.r->bounced[0][0][i] + room.r->direct[0][i]) * power;
+            ASSERT_NEAR(out[0][i], exact, exact * 1e-5f) << power;
+        }
+    }
+}
+
+TEST(Extremes, AlmostEverythingIsReflected) {
+    Room room;
+    room.walls = room.floor = {0.999f, 0.999f, 0.999f};
+    room.addWalls();
+    room.addBall({0, 2.5f, 1}, 0.1f);
+    RadiositySettings settings;
+    settings.sweeps = 20000;
+    settings.residual = 1e-5f;
+    settings.block = 4;
+    ASSERT_TRUE(room.solve(settings));
+    // Nearly even, and about what the lamp gives over what walls absorb
+    double area = 2 * (4 * 3 + 4 * 6 + 3 * 6) + 4, even = 4 * M_PI * 0.01 / (area * 0.001);
+    for (int i = 0; i < room.model->texelCount; ++i)
+        if (room.visible(i)) {
+            ASSERT_NEAR((double)room.r->bounced[0][0][i], even, even * 0.15);
+        }
+}
+
+TEST(Extremes, SizeDoesNotMatter) {
+    Room one;
+    one.addWalls();
+    one.addBall({0.4f, 2.5f, 1}, 0.1f);
+    ASSERT_TRUE(one.solve());
+    for (float scale : {1e-3f, 1e3f}) {
+        Room room;
+        room.scale = scale;
+        room.addWalls();
+        room.addBall({0.4f, 2.5f, 1}, 0.1f);
+        ASSERT_TRUE(room.solve());
+        ASSERT_EQ(room.model->texelCount, one.model->texelCount);
+        double sum = 0, difference = 0;
+        for (int i = 0; i < room.model->texelCount; ++i) {
+            ASSERT_EQ(room.visible(i), one.visible(i)) << scale;
+            for (int c = 0; c < 3; ++c) ASSERT_TRUE(std::isfinite(room.r->bounced[0][c][i]));
+            double a = (double)room.r->bounced[0][0][i], b = (double)one.r->bounced[0][0][i];
+            sum += b * b, difference += (a - b) * (a - b);
+        }
+        std::printf("scale %g: rms difference %.4f %%\n", (double)scale, 100 * std::sqrt(difference / sum));
+        EXPECT_LT(std::sqrt(difference / sum), 0.002) << scale;
+    }
+}
+
+TEST(Extremes, NoLightNoMemoryNoTime) {
+    Room dark;
+    dark.addWalls();
+    ASSERT_TRUE(dark.solve()); // no basis at all
+    Room small;
+    small.addWalls();
+    small.addBall({0, 2, 0}, 0.1f);
+    RadiositySettings settings;
+    settings.links = 1000;
+    EXPECT_FALSE(small.solve(settings));
+    Room left;
+    left.addWalls();
+    left.addBall({0, 2, 0}, 0.1f);
+    static const int gone = 1;
+    left.workers.abort = &gone;
+    EXPECT_FALSE(left.solve());
+}
+
+// The same room by one thread or in another order of blocks: equal to the bit.
+TEST(Solve, ProgressRisesToOne) {
+    Room room;
+    room.addWalls();
+    room.addBall({0, 2, 0}, 0.1f);
+    room.scene->clear();
+    for (Rgb c : {room.walls, room.floor}) room.scene->add(Room::plain(c));
+    room.model->pose(*room.scene);
+    room.scene->finish();
+    std::vector<float> told;
+    Progress progress = {[](float done, void *context) { ((std::vector<float> *)context)->push_back(done); },
+                         &told};
+    ASSERT_TRUE(solveRadiosity(*room.r, *room.model, *room.scene, {}, headlessGl(), room.memory.arena,
+                               room.workers, progress));
+    ASSERT_GT(told.size(), 10u);
+    for (size_t i = 1; i < told.size(); ++i) EXPECT_GE(told[i], told[i - 1]);
+    EXPECT_GE(told.front(), 0);
+    EXPECT_EQ(told.back(), 1);
+}

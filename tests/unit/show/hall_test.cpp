@@ -1,0 +1,295 @@
+// The film's hall: its form factors against rays, its light over the day, and its bounces.
+#include "base/random.h"
+#include "tests/support/lens.h"
+#include "show/hall.h"
+#include "show/materials.h"
+#include "tests/support/stage.h"
+
+#include <cmath>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kNoonSun = kSh + 4 * kNoon;
+
+struct Solved {
+    HeapArena memory{hallBytes() + sizeof(Hall)};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    Hall *hall = memory.arena.take<Hall>(1);
+    Solved() { EXPECT_STREQ(loadHall(*hall, *scene, headlessGl(), memory.arena, workers, {}), nullptr); }
+};
+Solved &solved() {
+    static Solved s;
+    return s;
+}
+
+} // namespace
+
+TEST(Hall, FitsWithRoomToSpare) {
+    Solved &s = solved();
+    EXPECT_LT(s.memory.arena.used, s.memory.arena.size * 9 / 10);
+    EXPECT_LT(s.hall->model.chartCount, kMaxCharts);
+    EXPECT_LT(s.hall->model.facetCount, kMaxFacets);
+    EXPECT_LT(s.scene->shapeCount, kMaxShapes);
+}
+
+// From every patch the hall is closed: rows with windows and lamps sum to 1.
+TEST(Hall, IsClosed) {
+    Solved &s = solved();
+    const Model &m = s.hall->model;
+    Lens lens(64);
+    double worst = 0;
+    for (int i = 0; i < m.patchCount; ++i) {
+        const Patch &p = m.patches[i];
+        if (p.share == 0 || m.charts[p.chart].open) continue;
+        Eye eye = hemicubeEye(p.p, m.charts[p.chart].n, (uint32_t)i);
+        double dark;
+        std::vector<float> row = lens.row(m, eye, &dark);
+        double sum = 0;
+        for (float f : row) sum += (double)f;
+        EXPECT_NEAR(sum + dark, 1, 1e-6);
+        EXPECT_LT(dark, 1e-6) << "patch " << i << " of chart " << p.chart << " at " << p.p.x << ' ' << p.p.y
+                              << ' ' << p.p.z;
+        worst = std::fmax(worst, dark);
+    }
+    std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
+}
+
+// Another method: rays by the cosine law, traced through the scene.
+TEST(Hall, HemicubesAgreeWithRays) {
+    Solved &s = solved();
+    const Model &m = s.hall->model;
+    Lens lens(64);
+    double square = 0, noise = 0;
+    int compared = 0;
+    for (int i = 7; i < m.patchCount; i += m.patchCount / 60) {
+        const Patch &p = m.patches[i];
+        const Chart &c = m.charts[p.chart];
+        if (p.share == 0 || c.open) continue;
+        Eye eye = hemicubeEye(p.p, c.n, (uint32_t)i);
+        std::vector<float> row = lens.row(m, eye);
+        // By charts; windows together: rays that meet nothing leave through one
+        std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
+        for (int k = 0; k < m.patchCount; ++k) {
+            int chart = m.patches[k].chart;
+            hemicube[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)row[(size_t)k];
+        }
+        constexpr int kSide = 64; // squared: rays
+        for (int first = 0; first < kSide * kSide; first += 8) {
+            Ray8 ray;
+            ray.o = broadcast(p.p + c.n * 1e-4f);
+            for (int k = 0; k < 8; ++k) {
+                // Stratified over the disc, lifted to the hemisphere
+                uint32_t hash = pcg((uint32_t)(i * kSide * kSide + first + k));
+                float u = ((float)((first + k) % kSide) + unitFloat(hash)) / kSide,
+                      v = ((float)((first + k) / kSide) + unitFloat(pcg(hash))) / kSide;
+                float r = std::sqrt(u), a = v * 6.2831853f;
+                Vec3 d = transposeTimes(eye.frame, Vec3{r * std::cos(a), r * std::sin(a), std::sqrt(1 - u)});
+                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
+            }
+            Hit8 hit = intersect(*s.scene, ray, kLanes < 8);
+            for (int k = 0; k < 8; ++k) {
+                int chart = hit.shape[k] < 0 ? m.chartCount : s.scene->shapes[hit.shape[k]].chart;
+                rays[(size_t)chart] += 1.0 / (kSide * kSide);
+            }
+        }
+        for (size_t k = 0; k < rays.size(); ++k) {
+            double d = rays[k] - hemicube[k];
+            EXPECT_LT(std::fabs(d), 0.012) << "patch " << i << " chart " << k;
+            square += d * d;
+            noise += rays[k] * (1 - rays[k]) / (kSide * kSide);
+            ++compared;
+        }
+    }
+    std::printf("hemicubes against rays: rms %.5f, the rays' own noise at most %.5f\n",
+                std::sqrt(square / compared), std::sqrt(noise / compared));
+    EXPECT_LT(square, noise);
+}
+
+// The hall a thousand times smaller and larger: the same light, to the rounding of its coordinates.
+TEST(Hall, SizeDoesNotMatter) {
+    struct Copy {
+        HeapArena memory{hallBytes()};
+        std::unique_ptr<Model> model;
+        std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
+    };
+    Workers workers = serialWorkers();
+    const Hall &hall = *solved().hall;
+    auto scaled = [&](float scale) {
+        auto copy = std::make_unique<Copy>();
+        copy->model = std::make_unique<Model>(hall.model);
+        for (int i = 0; i < copy->model->chartCount; ++i) {
+            Chart &c = copy->model->charts[i];
+            c.corner *= Vec3{scale, scale, scale};
+            c.width *= scale, c.height *= scale;
+        }
+        for (int i = 0; i < copy->model->facetCount; ++i) {
+            Facet &f = copy->model->facets[i];
+            for (int k = 0; k < 4; ++k) f.u[k] *= scale, f.v[k] *= scale;
+        }
+        copy->r->lights = hall.radiosity.lights;
+        for (Lamp &l : copy->r->lights.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
+        for (Vec3 &sun : copy->r->lights.suns) sun *= Vec3{scale, scale, scale};
+        // The hall's own materials, over the copy's facets
+        auto scene = std::make_unique<Scene>();
+        poseHall(*solved().hall, {}, 0, *scene);
+        scene->shapeCount = 0;
+        copy->model->pose(*scene);
+        scene->finish();
+        EXPECT_TRUE(solveRadiosity(*copy->r, *copy->model, *scene, {}, headlessGl(), copy->memory.arena,
+                                   workers, {}));
+        return copy;
+    };
+    auto one = scaled(1);
+    for (float scale : {1e-3f, 1e3f}) {
+        auto other = scaled(scale);
+        ASSERT_EQ(other->model->texelCount, one->model->texelCount);
+        double sum = 0, difference = 0;
+        int hidden = 0;
+        for (int i = 0; i < one->model->texelCount; ++i) {
+            hidden += other->model->texels[i].visible != one->model->texels[i].visible;
+            for (int c = 0; c < 3; ++c) {
+                double a = (double)(other->r->bounced[0][c][i] + other->r->bounced[kNoonSun][c][i]),
+                       b = (double)(one->r->bounced[0][c][i] + one->r->bounced[kNoonSun][c][i]);
+                ASSERT_TRUE(std::isfinite(a));
+                sum += b * b, difference += (a - b) * (a - b);
+            }
+        }
+        std::printf("the hall times %g: rms difference %.3f %%, %d of %d elements hidden otherwise\n",
+                    (double)scale, 100 * std::sqrt(difference / sum), hidden, one->model->texelCount);
+        EXPECT_LT(std::sqrt(difference / sum), 0.01) << scale;
+        EXPECT_LT(hidden, one->model->texelCount / 200) << scale;
+    }
+}
+
+TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    float noon = 0, night = 0;
+    for (float hour = 0; hour <= kHours - 1; hour += 0.25f) {
+        scene->clear();
+        poseHall(*s.hall, {hour, {}, {}, 1}, 0, *scene);
+        for (float *plane : s.hall->light)
+            for (int i = 0; i < s.hall->model.texelCount; ++i)
+                ASSERT_TRUE(plane[i] >= 0 && plane[i] < 100) << hour;
+        if (hour == kNoon) noon = scene->ambientHigh.y;
+        night = scene->ambientHigh.y;
+    }
+    EXPECT_GT(noon, 10 * night);
+    EXPECT_GT(night, 0);
+}
+
+// The two strongest lanterns are the tracer's, the rest is the lightmap's. Whatever the three do, what a
+// place gets from both together changes as little as they do: nothing pops when one overtakes another.
+TEST(Hall, LanternsChangeHandsUnseen) {
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    const Chart &floor = s.hall->model.charts[0];
+    int texel = floor.texel(floor.across / 2, floor.down / 2);
+    Vec3 place = floor.at((float)(floor.across / 2) * floor.width / (float)floor.across,
+                          (float)(floor.down / 2) * floor.height / (float)floor.down);
+    double last = -1;
+    int most = 0;
+    for (int step = 0; step <= 1000; ++step) {
+        float t = (float)step * 0.001f;
+        scene->clear();
+        poseHall(*s.hall, {kHours - 1, {t, 0.6f, 1 - t}, {}, 1}, 0, *scene);
+        double light = (double)s.hall->light[1][texel];
+        most = std::max(most, scene->lightCount);
+        for (int i = 0; i < scene->lightCount; ++i) {
+            const Light &l = scene->lights[i];
+            if (l.position.y > 100) continue;
+            Vec3 to = l.position - place;
+            light += (double)(l.intensity.y * to.y / (dot(to, to) * length(to)));
+        }
+        if (last >= 0) {
+            EXPECT_NEAR(light, last, 0.01 * last) << t;
+        }
+        last = light;
+    }
+    EXPECT_LE(most, 1 + kLanterns); // the sun and those that just take over
+    scene->clear();
+    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {}, 1}, 0, *scene);
+    EXPECT_EQ(scene->lightCount, 1 + 2);
+}
+
+// Each bounce adds, each less than the one before, and they run up to the solution.
+TEST(Hall, BouncesRunUpToTheSolution) {
+    Solved &s = solved();
+    const Hall &hall = *s.hall;
+    double mean[kBounces + 1] = {}, solution = 0;
+    const System &system = hall.radiosity.system;
+    LightVector noon = lightVector({kNoon, {}, {}, 1});
+    for (int i = 0; i < hall.model.patchCount; ++i) {
+        const Patch &p = hall.model.patches[i];
+        const Chart &c = hall.model.charts[p.chart];
+        Rgb rho = hall.mean[c.material];
+        if (p.share == 0 || rho.y == 0) continue;
+        for (int b = 0; b <= kBounces; ++b) {
+            mean[b] += (double)(hall.bounce[b][i].y * rho.y);
+            if (b > 0) {
+                EXPECT_GE(hall.bounce[b][i].y, hall.bounce[b - 1][i].y * 0.9999f);
+            }
+        }
+        for (int k = 0; k < kFirstLantern; ++k)
+            solution += (double)(system.radiosity[i * system.columns + 3 * k + 1] * noon.bounced[k].y);
+    }
+    for (int b = 1; b <= kBounces; ++b) {
+        std::printf("after %d bounces: %.3f of the light\n", b, mean[b] / solution);
+        EXPECT_GT(mean[b], mean[b - 1]);
+        EXPECT_LT(mean[b], solution * 1.001);
+        if (b > 1) {
+            EXPECT_LT(mean[b] - mean[b - 1], mean[b - 1] - mean[b - 2]);
+        }
+    }
+    EXPECT_GT(mean[kBounces], 0.9 * solution);
+}
+
+// Windows let light out: whatever basis lights them, they give nothing back.
+TEST(Hall, WindowsReflectNothing) {
+    const Hall &hall = *solved().hall;
+    const System &system = hall.radiosity.system;
+    double out = 0, in = 0;
+    for (int i = 0; i < hall.model.patchCount; ++i)
+        if (hall.model.charts[hall.model.patches[i].chart].open)
+            for (int k = 0; k < system.columns; ++k) {
+                out += std::fabs((double)system.radiosity[i * system.columns + k]);
+                in += std::fabs((double)system.direct[i * system.columns + k]);
+            }
+    EXPECT_EQ(out, 0);
+    EXPECT_GT(in, 0);
+}
+
+// A ball that rests on the floor takes from its light what it covers of what the floor sees, and no more.
+TEST(Hall, ABallDarkensWhatItStandsOn) {
+    Solved &s = solved();
+    auto scene = std::make_unique<Scene>();
+    auto scratch = std::make_unique<TraceScratch>();
+    constexpr float kRadius = 0.5f;
+    Vec3 foot = s.hall->model.patches[s.hall->visited].p;
+    View view = lookAt(foot + Vec3{0, 3, 0}, foot, 0, 90, 64, 64); // a pixel is 6 / 64 of a metre
+    auto lightAround = [&](bool ball) {
+        scene->clear();
+        poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, *scene);
+        if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(mirror())));
+        scene->finish();
+        std::vector<float> x(16), y(16, 32);
+        std::vector<uint32_t> index(16);
+        std::vector<Sample> samples(16);
+        for (int i = 0; i < 16; ++i)
+            x[(size_t)i] = 32 + (0.62f + 0.05f * (float)i) * 64 / 6, index[(size_t)i] = (uint32_t)i;
+        traceSamples(*scene, view, kQualities[(int)QualityName::Reference], *scratch, kAll, 1, 16, x.data(),
+                     y.data(), index.data(), samples.data());
+        return samples;
+    };
+    auto open = lightAround(false), covered = lightAround(true);
+    for (int i = 0; i < 16; ++i) {
+        double d = 0.62 + 0.05 * i, square = d * d + 0.25, factor = 0.5 / std::sqrt(square) * 0.25 / square;
+        EXPECT_NEAR((double)(covered[(size_t)i].light.y / open[(size_t)i].light.y), 1 - factor + 1 / 150.,
+                    2e-3)
+            << d;
+    }
+}

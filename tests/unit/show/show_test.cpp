@@ -1,0 +1,169 @@
+// The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
+// things, and no picture with a NaN or nothing in it.
+#include "tests/support/headless_gl.h"
+#include "intro.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+#include <memory>
+
+using namespace odraz;
+
+namespace {
+
+struct Loaded {
+    Workers workers = serialWorkers();
+    HeapArena memory{memoryNeeded(160, 90, 1, true)};
+    Intro intro = {};
+    Loaded() { EXPECT_STREQ(load(intro, memory.arena, workers, 160, 90, {}, &headlessGl()), nullptr); }
+};
+
+// The film, loaded once for all tests.
+Loaded &film() {
+    static Loaded loaded;
+    return loaded;
+}
+
+// The scene that is on at a time, posed.
+Moment poseAt(double seconds, Scene &scene) {
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    scene.clear();
+    kScenes[m.shot->scene].pose(m.storyRow, film().intro.hall, scene);
+    return m;
+}
+
+} // namespace
+
+TEST(Film, CutsOnBarsAndHoldsShotsForTwo) {
+    EXPECT_EQ(kFilm.shots[0].row, 0);
+    for (int i = 0; i < kFilm.count; ++i) {
+        float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        EXPECT_EQ(std::fmod(kFilm.shots[i].row, kRowsPerBar), 0) << i;
+        EXPECT_GE(end - kFilm.shots[i].row, 2 * kRowsPerBar) << i;
+        EXPECT_LE(kFilm.shots[i].fadeIn + kFilm.shots[i].fadeOut, end - kFilm.shots[i].row) << i;
+    }
+    EXPECT_NEAR(duration(), 160, 5);
+}
+
+TEST(Film, EveryPathSpansItsShot) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &s = kFilm.shots[i];
+        float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        ASSERT_GT(s.path.count, 1);
+        EXPECT_EQ(s.path.keys[0].row, s.row - s.storyRow) << i;
+        EXPECT_EQ(s.path.keys[s.path.count - 1].row, end - s.storyRow) << i;
+    }
+}
+
+// Within a shot the eye never moves faster than a run, turns faster than the head does, or stops between its
+// ends.
+TEST(Film, CamerasNeitherJumpNorStopDead) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        float start = kFilm.shots[i].row, end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        constexpr double kStep = 0.05; // seconds
+        for (double t = start / kRowsPerSecond + kStep; t + kStep < end / kRowsPerSecond; t += kStep) {
+            CameraKey a = cameraAt(t - kStep), b = cameraAt(t);
+            double speed = (double)length(b.eye - a.eye) / kStep;
+            double turn = std::acos(std::fmin(
+                              1., (double)dot(normalize(a.target - a.eye), normalize(b.target - b.eye)))) *
+                          57.3 / kStep;
+            EXPECT_LT(speed, 2.5) << t;
+            EXPECT_LT(turn, 40) << t;
+            bool edge = t < start / kRowsPerSecond + 1 || t > end / kRowsPerSecond - 1;
+            if (!edge) {
+                EXPECT_GT(speed + turn, 0.002) << t;
+            }
+        }
+    }
+}
+
+TEST(Film, TheCameraIsNeverInsideAThing) {
+    auto scene = std::make_unique<Scene>();
+    for (double t = 0; t < duration(); t += 0.1) {
+        Moment m = poseAt(t, *scene);
+        Vec3 eye = pose(m.shot->path, m.storyRow).eye;
+        for (int i = 0; i < scene->shapeCount; ++i) {
+            const Shape &s = scene->shapes[i];
+            Vec3 q = s.frame * (eye - s.centre);
+            constexpr float kRoom = 0.1f;
+            bool inside = s.kind == ShapeKind::Sphere ? length(q) < s.half.x + kRoom
+                          : s.kind == ShapeKind::Box
+                              ? std::fabs(q.x) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom &&
+                                    std::fabs(q.z) < s.half.z + kRoom
+                          : s.kind == ShapeKind::Cylinder
+                              ? std::hypot(q.x, q.z) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom
+                          : s.kind == ShapeKind::Plane ? q.y < kRoom
+                          : s.kind == ShapeKind::Rect
+                              ? std::fabs(q.y) < kRoom && std::fabs(q.x) < s.half.x + kRoom &&
+                                    std::fabs(q.z) < s.half.z + kRoom
+                              : false;
+            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of "
+                                 << kScenes[m.shot->scene].name;
+        }
+    }
+}
+
+TEST(Film, BallsDoNotRollThroughThings) {
+    auto scene = std::make_unique<Scene>();
+    for (double t = 0; t < duration(); t += 0.25) {
+        Moment m = poseAt(t, *scene);
+        for (int i = 0; i < scene->shapeCount; ++i)
+            for (int j = 0; j < i; ++j) {
+                const Shape &a = scene->shapes[i], &b = scene->shapes[j];
+                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane || b.kind == ShapeKind::Polygon)
+                    continue;
+                Vec3 q = b.frame * (a.centre - b.centre);
+                float gap;
+                if (b.kind == ShapeKind::Sphere)
+                    gap = length(q) - b.half.x;
+                else if (b.kind == ShapeKind::Box)
+                    gap = length(Vec3{std::fmax(std::fabs(q.x) - b.half.x, 0.f),
+                                      std::fmax(std::fabs(q.y) - b.half.y, 0.f),
+                                      std::fmax(std::fabs(q.z) - b.half.z, 0.f)});
+                else if (b.kind == ShapeKind::Rect)
+                    gap = std::hypot(q.y, std::hypot(std::fmax(std::fabs(q.x) - b.half.x, 0.f),
+                                                     std::fmax(std::fabs(q.z) - b.half.z, 0.f)));
+                else
+                    gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f),
+                                     std::fmax(std::fabs(q.y) - b.half.y, 0.f));
+                EXPECT_GT(gap - a.half.x, -1e-3f) << "at " << t << " s: shapes " << i << " and " << j
+                                                  << " of " << kScenes[m.shot->scene].name;
+            }
+    }
+}
+
+TEST(Film, EveryPictureIsThereWithoutNaN) {
+    int dark = 0;
+    for (double t = 0; t < duration(); t += 1) {
+        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Play]);
+        double sum = 0;
+        for (int y = 0; y < f.height; ++y)
+            for (int x = 0; x < f.width; ++x)
+                for (float *plane : f.plane) {
+                    ASSERT_TRUE(plane[y * f.stride + x] >= 0) << t;
+                    sum += plane[y * f.stride + x];
+                }
+        dark += sum < 1;
+    }
+    EXPECT_LE(dark, 3); // the film opens on black; a fade may pass through it
+}
+
+TEST(Film, APictureDependsOnItsTimeAlone) {
+    auto picture = [&](double t) {
+        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Film]);
+        return std::vector<uint8_t>(f.rgba, f.rgba + 160 * 90 * 4);
+    };
+    auto first = picture(30.04);
+    picture(100);
+    picture(0);
+    EXPECT_EQ(picture(30.04), first);
+}
+
+TEST(Load, SaysNoWhenTheArenaIsTooSmall) {
+    Workers workers = serialWorkers();
+    Intro intro = {};
+    alignas(64) static unsigned char block[4096];
+    Arena arena = {block, sizeof block, 0};
+    EXPECT_NE(load(intro, arena, workers, 1280, 720, {}), nullptr);
+}

@@ -1,0 +1,166 @@
+// Triangles joined to charts, small charts that share hemicubes, and a solution against its reference.
+#include "tools/radiosity/clusters.h"
+#include "tests/support/headless_gl.h"
+#include "tools/measure/measured.h"
+#include "tools/radiosity/regions.h"
+
+#include <cmath>
+
+using namespace odraz;
+
+namespace {
+
+// A plane of squares, two triangles each, without those of which `hole` says so.
+template <class Hole> Mesh grid(int across, int down, Hole &&hole) {
+    Mesh mesh;
+    mesh.materials.push_back({"plain", {0.5f, 0.5f, 0.5f}, {}});
+    for (int j = 0; j <= down; ++j)
+        for (int i = 0; i <= across; ++i) mesh.points.push_back({(double)i, 0, (double)-j});
+    for (int j = 0; j < down; ++j)
+        for (int i = 0; i < across; ++i) {
+            if (hole(i, j)) continue;
+            int a = j * (across + 1) + i, b = a + 1, c = b + across + 1, d = a + across + 1;
+            mesh.triangles.push_back({{a, b, c}, 0});
+            mesh.triangles.push_back({{a, c, d}, 0});
+        }
+    return mesh;
+}
+
+struct Joined {
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    Regions regions;
+    explicit Joined(const Mesh &mesh) : regions(addRegions(mesh, *model, 0.5)) {}
+    double facetsArea() const {
+        double area = 0;
+        for (int i = 0; i < model->facetCount; ++i) {
+            const Facet &f = model->facets[i];
+            for (int k = 0; k < 4; ++k)
+                area +=
+                    ((double)f.u[k] * (double)f.v[(k + 1) & 3] - (double)f.u[(k + 1) & 3] * (double)f.v[k]) /
+                    2;
+        }
+        return area;
+    }
+};
+
+} // namespace
+
+TEST(Regions, AGridIsOneRectangle) {
+    Joined j(grid(20, 10, [](int, int) { return false; }));
+    EXPECT_EQ(j.model->chartCount, 1);
+    EXPECT_EQ(j.model->facetCount, 1);
+    EXPECT_NEAR(j.facetsArea(), 200, 1e-3);
+    EXPECT_NEAR(j.model->charts[0].n.y, 1, 1e-6f);
+}
+
+TEST(Regions, AWindowLeavesFourRectangles) {
+    Joined j(grid(9, 9, [](int i, int k) { return i >= 3 && i < 6 && k >= 2 && k < 5; }));
+    EXPECT_EQ(j.model->chartCount, 1);
+    EXPECT_EQ(j.model->facetCount, 4);
+    EXPECT_NEAR(j.facetsArea(), 72, 1e-3);
+}
+
+TEST(Regions, AnLIsTwo) {
+    Joined j(grid(6, 6, [](int i, int k) { return i >= 2 && k >= 2; }));
+    EXPECT_EQ(j.model->chartCount, 1);
+    EXPECT_EQ(j.model->facetCount, 2);
+    EXPECT_NEAR(j.facetsArea(), 20, 1e-3);
+}
+
+TEST(Regions, OtherMaterialsBendsAndBacksStayApart) {
+    Mesh mesh = grid(4, 1, [](int, int) { return false; });
+    mesh.materials.push_back({"other", {0.2f, 0.2f, 0.2f}, {}});
+    mesh.triangles[6].material = mesh.triangles[7].material = 1; // the last square
+    Joined two(mesh);
+    EXPECT_EQ(two.model->chartCount, 2);
+    mesh.points[0][1] = mesh.points[5][1] = 0.01; // the first square, tilted
+    Joined three(mesh);
+    EXPECT_EQ(three.model->chartCount, 3);
+    EXPECT_NEAR(three.facetsArea(), 4, 1e-3);
+    std::swap(mesh.triangles[2].corners[0], mesh.triangles[2].corners[1]); // half of the second, turned round
+    Joined four(mesh);
+    EXPECT_EQ(four.model->chartCount, 5); // its other half touches no more than a corner of the rest
+}
+
+TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
+    Mesh mesh = grid(2, 2, [](int, int) { return false; });
+    mesh.points[4] = {0.8, 0, -0.9}; // the middle, moved: still a square outside
+    Joined square(mesh);
+    EXPECT_EQ(square.model->facetCount, 1);
+    mesh.points[8] = {2.5, 0, -2.4}; // a corner pulled out
+    Joined askew(mesh);
+    EXPECT_EQ(askew.model->chartCount, 1);
+    EXPECT_EQ(askew.model->facetCount, 8);
+    EXPECT_NEAR(askew.facetsArea(), 4.45, 1e-3); // by the shoelace formula
+}
+
+TEST(Clusters, SmallNeighboursThatFaceOneWayShare) {
+    HeapArena memory((size_t)64 << 20);
+    Workers workers = serialWorkers();
+    Mesh mesh = generatedMesh("cave", 1);
+    Joined j(mesh);
+    Model &m = *j.model;
+    EXPECT_EQ(m.chartCount, (int)mesh.triangles.size());
+    auto scene = std::make_unique<Scene>();
+    scene->add(Material{});
+    poseFacets(m, *scene);
+    scene->finish();
+    ASSERT_TRUE(m.divide(*scene, memory.arena, workers, 100, 1));
+    int before = m.patchCount;
+    Clusters clusters(
+        m, 20, [](int) { return 0; }, memory.arena);
+    EXPECT_LT(m.patchCount, before / 2);
+    EXPECT_EQ(m.patchCount, clusters.count());
+    for (int i = 0; i < m.cellCount; ++i) {
+        ASSERT_LT(m.cells[i].patch, m.patchCount);
+        const Patch &p = m.patches[m.cells[i].patch];
+        const Chart &c = m.charts[m.cells[i].chart];
+        EXPECT_GT(dot(p.n, c.n), 0.3f);
+        EXPECT_LT(length(p.p - c.at(c.width / 2, c.height / 2)), 10);
+    }
+}
+
+// Two ways to the same rows: hemicubes by OpenGL and by rays.
+TEST(Rows, RaysFindWhatOpenGlDraws) {
+    static const int never = 0;
+    Workers workers = serialWorkers();
+    BakeSettings s;
+    Mesh mesh = generatedMesh("corner", 0);
+    s.patch = areaOf(mesh) / 300;
+    s.hemicube = 32;
+    auto b = bake(mesh, s, headlessGl(), workers, &never, {});
+    HeapArena memory((size_t)64 << 20);
+    std::vector<uint8_t> lit((size_t)b->model->patchCount);
+    for (size_t i = 0; i < lit.size(); ++i)
+        lit[i] = maxComponent(b->reflects(b->model->patches[i].chart)) > 0;
+    FormFactors rays = {};
+    ASSERT_TRUE(
+        findRowsByRayHemicubes(*b->model, *b->scene, lit.data(), 32, workers, memory.arena, rays, {}));
+    for (int i = 0; i < b->model->patchCount; ++i) {
+        std::vector<double> difference((size_t)b->model->patchCount);
+        for (int k = 0; k < b->factors.rows[i].count; ++k)
+            difference[b->factors.rows[i].links[k].patch] += (double)b->factors.rows[i].links[k].share;
+        for (int k = 0; k < rays.rows[i].count; ++k)
+            difference[rays.rows[i].links[k].patch] -= (double)rays.rows[i].links[k].share;
+        double off = 0;
+        for (double d : difference) off += std::fabs(d);
+        EXPECT_LT(off, 0.02) << i; // pixels whose middle lies on an edge
+    }
+}
+
+// A small model, solved by hemicubes, against form factors and light by rays alone.
+TEST(Solution, AgreesWithRays) {
+    static const int never = 0;
+    Workers workers = serialWorkers();
+    Mesh mesh = generatedMesh("cube", 0);
+    std::vector<Probe> probes = referenceOf(mesh, headlessGl(), workers, 200, true);
+    for (bool adaptive : {false, true}) {
+        BakeSettings s;
+        s.adaptive = adaptive;
+        if (adaptive) s.element = areaOf(mesh) / 120000;
+        auto b = bake(mesh, s, headlessGl(), workers, &never, {});
+        double rms = rmsPercent(*b->model, b->light, probes);
+        std::printf("cube, %s: %.3f %% rms\n", adaptive ? "adaptive" : "uniform", rms);
+        EXPECT_LT(rms, 1);
+    }
+}

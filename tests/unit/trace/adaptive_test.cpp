@@ -1,0 +1,315 @@
+// The adaptive picture against the one traced in full, and its independence of everything but the scene.
+#include "tools/measure/peer_scenes.h"
+#include "show/show.h"
+#include "trace/picture/adaptive.h"
+#include "trace/rays/beam.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <memory>
+#include <thread>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+// Threads of the standard library: what the host's pool does, tested here without it.
+struct Threads {
+    Workers workers;
+    int abort = 0;
+    explicit Threads(int count) {
+        workers = {count,
+                   [](Workers &w, int pieces, void (*body)(void *, int, int), void *context) {
+                       std::atomic<int> next{0};
+                       std::vector<std::thread> all;
+                       for (int t = 0; t < w.count; ++t)
+                           all.emplace_back([&, t] {
+                               for (int i; (i = next++) < pieces;) body(context, i, t);
+                           });
+                       for (std::thread &t : all) t.join();
+                   },
+                   &abort, nullptr};
+    }
+};
+
+constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
+const Quality &named(QualityName name) { return kQualities[(int)name]; }
+
+struct Picture {
+    std::vector<unsigned char> memory;
+    std::vector<uint16_t> shapes;
+    Frame frame;
+    int64_t samples;
+
+    uint8_t at(int x, int y, int channel) const {
+        return frame.rgba[((size_t)y * (size_t)frame.width + (size_t)x) * 4 + (size_t)channel];
+    }
+};
+
+Picture traced(Scene &posed, const CameraKey &camera, const Quality &quality, int width, int height,
+               int threads = 2, bool shapes = false) {
+    Picture p;
+    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192);
+    Arena arena = {p.memory.data() + (64 - (uintptr_t)p.memory.data() % 64), p.memory.size() - 64, 0};
+    Threads pool(threads);
+    Tracer tracer;
+    EXPECT_TRUE(makeTracer(tracer, arena, threads) && makeFrame(p.frame, arena, width, height));
+    if (shapes) {
+        p.shapes.resize((size_t)p.frame.stride * (size_t)height);
+        p.frame.shapes = p.shapes.data();
+    }
+    View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
+    traceFrame(tracer, pool.workers, posed, view, quality, p.frame);
+    p.samples = tracedSamples(tracer);
+    develop(p.frame, pool.workers, posed.exposure);
+    return p;
+}
+
+std::unique_ptr<Scene> posed(int scene, double row) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    kScenes[scene].pose(row, nullptr, *s);
+    s->finish();
+    return s;
+}
+
+Picture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width, int height,
+               int threads = 2) {
+    return traced(*posed(scene, row), camera, quality, width, height, threads);
+}
+
+double psnr(const Picture &a, const Picture &b) {
+    double squares = 0;
+    size_t bytes = (size_t)a.frame.width * (size_t)a.frame.height * 4;
+    for (size_t i = 0; i < bytes; ++i) {
+        double d = a.frame.rgba[i] - b.frame.rgba[i];
+        squares += d * d;
+    }
+    return 10 * std::log10(255. * 255 * (double)bytes * 0.75 / squares);
+}
+
+} // namespace
+
+TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
+    Picture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
+    double draft = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Draft), 320, 180));
+    double play = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Play), 320, 180));
+    double film = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Film), 320, 180));
+    EXPECT_GT(draft, 30);
+    EXPECT_GT(play, draft + 3);
+    EXPECT_GT(film, play + 2);
+    EXPECT_GT(film, 40);
+}
+
+// The way that the governor takes: every step saves samples and costs accuracy, and none is large.
+TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
+    Picture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
+    double samples = 1e30, quality = 1e30;
+    for (int i = 2; i <= 40; ++i) { // it stays clear of what film alone does
+        float level = (float)i / 20;
+        Quality q = level < 1 ? between(named(QualityName::Film), named(QualityName::Play), level)
+                              : between(named(QualityName::Play), named(QualityName::Draft), level - 1);
+        Picture p = traced(kTable, 100, kTableView, q, 320, 180);
+        double db = psnr(reference, p), taken = (double)p.samples;
+        EXPECT_LT(taken, samples * 1.02) << level;
+        EXPECT_LT(db, quality + 0.3) << level;
+        if (i > 2) {
+            EXPECT_GT(taken, samples * 0.6) << level;
+            EXPECT_GT(db, quality - 1.5) << level;
+        }
+        samples = taken;
+        quality = db;
+    }
+}
+
+// Veins seen through glass are thinner than a coarse square; none of it may be missing in blocks.
+TEST(Adaptive, ShowsTexturesInGlassAndMirrors) {
+    CameraKey close = {0, {-0.2f, 0.8f, 2.2f}, {-0.38f, 0.5f, 0.1f}, 0, 36};
+    Picture reference = traced(kPoint, 110, close, named(QualityName::Reference), 400, 225);
+    Picture play = traced(kPoint, 110, close, named(QualityName::Play), 400, 225);
+    int wrong = 0;
+    for (int i = 0; i < 400 * 225 * 4; i += 4)
+        wrong += std::abs(play.frame.rgba[i + 1] - reference.frame.rgba[i + 1]) > 40;
+    EXPECT_LT(wrong, 60); // of 90,000; without the rule for textures there are 77
+}
+
+TEST(Adaptive, TakesFewerSamplesThanPixels) {
+    Picture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360);
+    EXPECT_LT((double)p.samples / (640 * 360), 0.5);
+}
+
+TEST(Adaptive, IsTheSameForEveryNumberOfThreads) {
+    for (const Quality &q : {named(QualityName::Play), named(QualityName::Film)}) {
+        Picture one = traced(kTable, 77, kTableView, q, 333, 187, 1);
+        for (int threads : {2, 3, 7}) {
+            Picture many = traced(kTable, 77, kTableView, q, 333, 187, threads);
+            EXPECT_EQ(0, memcmp(one.frame.rgba, many.frame.rgba, 333 * 187 * 4)) << threads;
+        }
+    }
+}
+
+TEST(Adaptive, TakesEverySize) {
+    for (auto [w, h] : {std::pair{1, 1}, {1, 64}, {7, 3}, {8, 8}, {9, 65}, {63, 64}, {130, 1}, {257, 129}})
+        for (const Quality &q :
+             {named(QualityName::Draft), named(QualityName::Play), named(QualityName::Film)}) {
+            Picture p = traced(kFlake, 300, {0, {9, 5, 4}, {0, 1, -1}, 0, 34}, q, w, h);
+            for (int y = 0; y < h; ++y)
+                for (int x = 0; x < w; ++x)
+                    for (float *plane : p.frame.plane)
+                        ASSERT_TRUE(plane[y * p.frame.stride + x] >= 0) << w << "x" << h;
+        }
+}
+
+// What every pixel is said to show, against rays through the pixels' middles: nothing small is lost, nothing
+// is where it is not. And what is interpolated, against the same with nothing wider than a pixel.
+TEST(Adaptive, MistakesNoPixel) {
+    struct {
+        const char *name;
+        void (*pose)(Scene &);
+        CameraKey camera;
+        double mostOff; // per cent
+    } const scenes[] = {
+        {"A", posePeerA, kPeerCameraA, 0.05},
+        {"B", [](Scene &s) { posePeerB(s); }, kPeerCameraB, 0.05},
+        {"field", poseField, kFieldCamera, 0.05},
+        {"flake",
+         [](Scene &s) { poseFlake(130, nullptr, s); },
+         {0, {2.2f, 1.9f, 1.6f}, {0, 1, 0}, 0, 40},
+         0.05},
+    };
+    constexpr int kWidth = 1280, kHeight = 720;
+    for (auto &[name, pose, camera, mostOff] : scenes) {
+        auto scene = std::make_unique<Scene>();
+        scene->clear();
+        pose(*scene);
+        scene->finish();
+        Picture p = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight, 2, true);
+        View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, kWidth, kHeight);
+        int wrong = 0, told = 0;
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; x += 8) {
+                Vec3x8 d = normalize(
+                    view.direction(toFloat(kLanes) + ((float)x + 0.5f), broadcast((float)y + 0.5f)));
+                Hit8 hit = intersect(*scene, {broadcast(view.eye), d}, kLanes >= 0);
+                for (int k = 0; k < 8; ++k) {
+                    uint16_t shape = p.shapes[(size_t)(y * p.frame.stride + x + k)];
+                    if (shape == kManyShapes) continue;
+                    ++told;
+                    wrong += shape != (hit.shape[k] < 0 ? kSkyShown : (uint16_t)hit.shape[k]);
+                }
+            }
+        EXPECT_EQ(wrong, 0) << name;
+        EXPECT_GT(told, kWidth * kHeight / 4) << name;
+
+        Quality fine = named(QualityName::Play);
+        fine.coarse = 4;
+        Picture full = traced(*scene, camera, fine, kWidth, kHeight);
+        int off = 0;
+        for (int i = 0; i < kWidth * kHeight; ++i) {
+            int most = 0;
+            for (int c = 0; c < 3; ++c)
+                most = std::max(most, std::abs(p.frame.rgba[4 * i + c] - full.frame.rgba[4 * i + c]));
+            off += most > 16;
+        }
+        double share = 100. * off / (kWidth * kHeight);
+        std::printf("%s: %d of %d pixels wrong, %.4f %% off by more than 16\n", name, wrong, told, share);
+        EXPECT_LE(share, mostOff) << name;
+    }
+}
+
+// A camera that moves by a quarter of a pixel a picture: what the picture is off by may hardly change from
+// one to the next. That is flicker.
+TEST(Adaptive, DoesNotFlicker) {
+    constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
+    auto scene = posed(kTable, 100);
+    std::vector<std::vector<int>> errors;
+    for (int i = 0; i < kPictures; ++i) {
+        CameraKey camera = kTableView;
+        camera.eye.x += (float)i * 0.0025f;
+        Picture play = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight),
+                truth = traced(*scene, camera, named(QualityName::Reference), kWidth, kHeight);
+        std::vector<int> error;
+        for (int k = 0; k < kWidth * kHeight * 4; ++k)
+            error.push_back(play.frame.rgba[k] - truth.frame.rgba[k]);
+        errors.push_back(error);
+    }
+    double squares = 0;
+    int jumps = 0, count = 0;
+    for (int i = 1; i < kPictures; ++i)
+        for (size_t k = 0; k < errors[0].size(); ++k) {
+            int change = errors[(size_t)i][k] - errors[(size_t)i - 1][k];
+            squares += change * change;
+            jumps += std::abs(change) > 48;
+            ++count;
+        }
+    double db = 10 * std::log10(255. * 255 * count * 0.75 / squares), share = 100. * jumps / count;
+    std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
+    EXPECT_GT(db, 36);
+    EXPECT_LT(share, 0.05);
+}
+
+// Where squares meet the picture may not be less smooth than inside them.
+TEST(Adaptive, ShowsNoSquares) {
+    Picture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
+            truth = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
+    auto bends = [](const Picture &q, int phase) {
+        double sum = 0;
+        int count = 0;
+        for (int y = 0; y < 360; ++y)
+            for (int x = 8 + phase; x < 632; x += 8) {
+                // Second differences of smooth parts: edges would drown all else
+                int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
+                    right = q.at(x + 1, y, 1);
+                int bend = std::abs(right - b - (a - left));
+                if (bend > 12) continue;
+                sum += bend;
+                ++count;
+            }
+        return sum / count;
+    };
+    double inside = 0, insideTruth = 0;
+    for (int phase = 2; phase < 7; ++phase)
+        inside += bends(p, phase) / 5, insideTruth += bends(truth, phase) / 5;
+    double excess = bends(p, 0) / inside, usual = bends(truth, 0) / insideTruth;
+    std::printf("bends at the squares' edges: %.3f of those inside; traced in full %.3f\n", excess, usual);
+    EXPECT_LT(excess, usual * 1.15);
+}
+
+TEST(Adaptive, TakesTheLargestFrame) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    posePeerA(*scene);
+    scene->finish();
+    Picture p = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth, kMaxHeight);
+    Picture small = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / 16, kMaxHeight / 16);
+    double sums[2] = {};
+    for (int y = 0; y < kMaxHeight; ++y)
+        for (int x = 0; x < kMaxWidth; ++x) {
+            float v = p.frame.plane[1][(size_t)y * (size_t)p.frame.stride + (size_t)x];
+            ASSERT_TRUE(v >= 0);
+            sums[0] += v;
+        }
+    for (int y = 0; y < small.frame.height; ++y)
+        for (int x = 0; x < small.frame.width; ++x)
+            sums[1] += small.frame.plane[1][y * small.frame.stride + x];
+    EXPECT_NEAR(sums[0] / 256 / sums[1], 1, 0.01);
+}
+
+TEST(Adaptive, AbortLeavesAtOnce) {
+    Threads pool(2);
+    pool.abort = 1;
+    std::vector<unsigned char> memory(320 * 184 * 16 + 2 * kTileScratchBytes + 8192);
+    Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
+    Tracer tracer;
+    Frame frame;
+    ASSERT_TRUE(makeTracer(tracer, arena, 2) && makeFrame(frame, arena, 320, 180));
+    auto posed = std::make_unique<Scene>();
+    posed->clear();
+    posed->finish();
+    traceFrame(tracer, pool.workers, *posed, lookAt({}, {}, 0, 40, 320, 180), named(QualityName::Film),
+               frame);
+    EXPECT_EQ(tracedSamples(tracer), 0);
+}

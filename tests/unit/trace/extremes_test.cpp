@@ -1,0 +1,267 @@
+// The tracer where floats run out, against the same rays in double precision: far and near, large and small,
+// grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on surfaces.
+#include "base/maths.h"
+#include "tests/support/stage.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+struct Point {
+    double x, y, z;
+    Point operator+(Point b) const { return {x + b.x, y + b.y, z + b.z}; }
+    Point operator-(Point b) const { return {x - b.x, y - b.y, z - b.z}; }
+    Point operator*(double s) const { return {x * s, y * s, z * s}; }
+};
+double dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+double length(Point a) { return std::sqrt(dot(a, a)); }
+Point exact(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3 lane(const Vec3x8 &v) { return {v.x[0], v.y[0], v.z[0]}; }
+
+struct Dice {
+    std::mt19937 engine{5};
+    float operator()(float lo, float hi) { return std::uniform_real_distribution<float>(lo, hi)(engine); }
+    Vec3 direction() {
+        for (;;) {
+            Vec3 v = {(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)};
+            float n = odraz::dot(v, v);
+            if (n > 0.01f && n < 1) return normalize(v);
+        }
+    }
+    Vec3 across(Vec3 d) { return normalize(cross(d, direction())); }
+};
+
+Material plain(float diffuse) {
+    Material m = matte({1, 1, 1});
+    m.diffuse = diffuse;
+    return m;
+}
+
+} // namespace
+
+// Rays from one to a million radii away, at every distance from the middle and thickest around the edge. A
+// ray counts as misjudged when the oracle, that sees the same floats, says otherwise and the ray is farther
+// from the edge than half a unit in the last place of its own coordinates could move it.
+TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (float ratio : {1.f, 2.f, 10.f, 100.f, 1e3f, 1e4f, 1e5f, 1e6f}) {
+        int wrong = 0, judged = 0;
+        for (float radius : {1e-4f, 1e-2f, 1.f, 1e2f, 1e4f, 1e6f})
+            for (int i = 0; i < 3000 && ratio * radius < 1e8f; ++i) {
+                Vec3 towards = dice.direction(), o = towards * (-ratio * radius * 1.0001f);
+                float graze =
+                    i % 3 == 0 ? dice(0, 2) : 1 + std::pow(10.f, dice(-6, -1)) * (i & 1 ? 1.f : -1.f);
+                Vec3 to = dice.across(towards) * (radius * graze);
+                Vec3 d = normalize(to - o);
+                Shape s = sphere({0, 0, 0}, radius, 0);
+                float alone = distanceTo(*scene, s, {broadcast(o), broadcast(d)})[0];
+                Point f = exact(o), v = exact(d);
+                double unit = length(v), b = -dot(f, v) / unit,
+                       near = std::sqrt(std::fmax(dot(f, f) - b * b, 0));
+                bool hits = near <= radius && b > 0;
+                double doubt = length(f) * 6e-8;
+                if (std::fabs(near - radius) <= doubt) continue;
+                ++judged;
+                wrong += (alone < kInfinity) != hits;
+            }
+        if (ratio <= 1e4f) {
+            EXPECT_EQ(wrong, 0) << ratio;
+        }
+        std::printf("distance/radius %g: %d of %d misjudged\n", (double)ratio, wrong, judged);
+    }
+}
+
+TEST(Extremes, BeamsSeeWhatRaysSee) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (float ratio : {1.5f, 10.f, 1e3f, 1e4f, 1e6f})
+        for (float radius : {1e-4f, 1.f, 1e4f})
+            for (int i = 0; i < 500 && ratio * radius < 1e8f; ++i) {
+                scene->clear();
+                scene->add(Material{});
+                Vec3 towards = dice.direction(), o = towards * (-ratio * radius);
+                scene->add(sphere({0, 0, 0}, radius, 0));
+                scene->finish();
+                Vec3x8 d;
+                for (int k = 0; k < 8; ++k) {
+                    float graze = 1 + std::pow(10.f, dice(-6, 0)) * (k & 1 ? 1.f : -1.f);
+                    Vec3 v = normalize(dice.across(towards) * (radius * graze) - o);
+                    d.x[k] = v.x, d.y[k] = v.y, d.z[k] = v.z;
+                }
+                Spread spread(o, towards);
+                spread.add(d * broadcast(3 * ratio * radius));
+                if (!spread.narrow()) continue;
+                Candidates among;
+                gather(*scene, spread.beam(), among);
+                Hit8 shared = intersect(*scene, among, o, d, kLanes >= 0),
+                     alone = intersect(*scene, {broadcast(o), d}, kLanes >= 0);
+                for (int k = 0; k < 8; ++k) {
+                    ASSERT_EQ(shared.shape[k], alone.shape[k]) << ratio << " " << radius;
+                    ASSERT_EQ(shared.t[k], alone.t[k]) << ratio << " " << radius;
+                }
+            }
+}
+
+// From where a ray has arrived, whatever leaves on its side never meets the same ball again, and what goes
+// inside meets its far side.
+TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (float radius : {1e-4f, 1.f, 1e3f, 1e6f})
+        for (float away : {0.f, 1.f, 1e3f})
+            for (int i = 0; i < 4000; ++i) {
+                Vec3 centre = dice.direction() * (away * radius);
+                Shape s = sphere(centre, radius, 0);
+                Vec3 o = centre + dice.direction() * (radius * 3);
+                Vec3 to = centre + dice.direction() * (radius * dice(0, 0.999f));
+                Ray8 r = {broadcast(o), broadcast(normalize(to - o))};
+                Float8 t = distanceTo(*scene, s, r);
+                if (!(t[0] < kInfinity)) continue;
+                Surface8 at = surfaceAt(s, r, t);
+                Vec3 n = lane(at.n), d = dice.direction();
+                float grazing = std::pow(10.f, dice(-4, 0));
+                Vec3 out = normalize(dice.across(n) + n * grazing),
+                     in = normalize(d - n * (odraz::dot(d, n) + grazing));
+                ASSERT_EQ(distanceTo(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), broadcast(out)})[0],
+                          kInfinity)
+                    << radius << " " << away << " " << grazing;
+                float inside =
+                    distanceTo(*scene, s, {offsetOrigin(s, at, broadcast(-1.f)), broadcast(in)})[0];
+                ASSERT_LT(inside, kInfinity) << radius << " " << away << " " << grazing;
+                double chord = -2 * (double)odraz::dot(in, n) * radius;
+                double moved = (double)errorBound(at.p, broadcast(magnitude(s)))[0];
+                ASSERT_NEAR(inside, chord, 1e-3 * radius + 4 * moved / grazing) << grazing;
+            }
+}
+
+// A path inside a mirrored ball against the same path in double precision: chords of equal length, points on
+// the ball, directions of unit length, after sixty-four bounces too.
+TEST(Extremes, SixtyFourBouncesStayTrue) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    double worst = 0;
+    for (int i = 0; i < 200; ++i) {
+        Shape s = sphere({0.3f, -0.2f, 0.1f}, 1.5f, 0);
+        Vec3 o = s.centre, d = dice.direction();
+        o = o + dice.direction() * 0.9f;
+        Ray8 r = {broadcast(o), broadcast(d)};
+        Point p = exact(o) - exact(s.centre), v = exact(d) * (1 / length(exact(d)));
+        for (int bounce = 0; bounce < 64; ++bounce) {
+            Float8 t = distanceTo(*scene, s, r);
+            ASSERT_LT(t[0], kInfinity) << bounce;
+            Surface8 at = surfaceAt(s, r, t);
+            r.d = normalize(fmadd(at.n, odraz::dot(at.n, r.d) * -2.f, r.d));
+            r.o = offsetOrigin(s, at, broadcast(-1.f));
+            double b = dot(p, v), far = -b + std::sqrt(b * b - dot(p, p) + 2.25);
+            p = p + v * far;
+            Point n = p * (1 / 1.5);
+            v = v - n * (2 * dot(n, v));
+            p = p * (1.5 / length(p)); // the oracle's own rounding would grow
+            v = v * (1 / length(v));
+            ASSERT_NEAR(odraz::length(lane(r.d)), 1, 3e-7) << bounce;
+            ASSERT_NEAR(length(exact(lane(at.p)) - exact(s.centre)), 1.5, 2e-6) << bounce;
+            worst = std::fmax(worst, length(exact(lane(at.p)) - exact(s.centre) - p));
+        }
+    }
+    std::printf("after 64 bounces a path is off by at most %.2g of the ball's radius\n", worst / 1.5);
+    EXPECT_LT(worst, 0.03); // errors grow with every bounce, as they must
+}
+
+// Two facing mirrors that glow: what is seen is the sum of all bounces.
+TEST(Extremes, SixtyFourBouncesAddUp) {
+    Stage g;
+    Material m = plain(0);
+    m.reflect = 0.97f;
+    m.emit = {1, 1, 1};
+    int id = g.scene->add(m);
+    g.scene->add(plane({0, 0, 0}, id));
+    g.scene->add(plane({0, 4, 0}, id));
+    double sum = 0;
+    for (int i = 0; i <= 64; ++i) sum += std::pow(0.97, i);
+    Quality q = kExact;
+    q.depth = kMaxDepth;
+    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.3f}, q).radiance().x, sum, sum * 1e-5);
+}
+
+// Inside a cube of glass, at more than the critical angle: no light gets in or out, bounce after bounce.
+TEST(Extremes, TotalReflectionHoldsEveryRay) {
+    Stage g;
+    Material glass = plain(0);
+    glass.ior = 1.8f;
+    g.scene->add(box({0, 0, 0}, {1, 1, 1}, g.scene->add(glass)));
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    Quality q = kExact;
+    q.depth = 40;
+    q.cutoff = 1e-5f;
+    // Along a diagonal all three faces are met at 54.7 degrees; the critical angle is 33.7
+    for (float scale : {0.1f, 0.5f, 0.9f}) {
+        Sample s =
+            g.look({0.01f * scale, 0.02f * scale, 0.03f * scale}, {scale, scale * 1.01f, scale * 0.99f}, q);
+        EXPECT_EQ(s.radiance().x, 0) << scale;
+    }
+    // A little under the critical angle some comes through, all that Fresnel says
+    double angle = std::asin(1 / 1.8) * 0.9, sine = std::sin(angle) * 1.8, cosT = std::sqrt(1 - sine * sine),
+           cosI = std::cos(angle), across = (1.8 * cosI - cosT) / (1.8 * cosI + cosT),
+           along = (cosI - 1.8 * cosT) / (cosI + 1.8 * cosT);
+    q.depth = 1;
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    Sample s = g.look({0, 0, 0}, {1, (float)std::tan(angle), 0}, q);
+    EXPECT_NEAR(s.radiance().x, 1 - (across * across + along * along) / 2, 1e-4);
+}
+
+// A light that touches what it lights, or lies in it; things that coincide; cameras inside, below and on.
+TEST(Extremes, PicturesStayFinite) {
+    Dice dice;
+    Material glass = plain(0.2f), mirror = plain(0.3f), matte = plain(0.8f);
+    glass.ior = 1.5f;
+    glass.specular = mirror.specular = 1;
+    glass.exponent = mirror.exponent = 50;
+    mirror.reflect = 0.9f;
+    for (float scale : {1e-4f, 1e-2f, 1.f, 1e3f, 1e6f})
+        for (int variant = 0; variant < 8; ++variant) {
+            Stage g;
+            int a = g.scene->add(glass), b = g.scene->add(mirror), c = g.scene->add(matte);
+            Vec3 middle = Vec3{3, 0, -2} * (variant & 1 ? scale : 0.f);
+            auto at = [&](float x, float y, float z) { return middle + Vec3{x, y, z} * scale; };
+            g.scene->add(plane(at(0, 0, 0), variant & 1 ? b : c));
+            g.scene->add(plane(at(0, 0, 0), c)); // coincident
+            g.scene->add(sphere(at(0, 1, 0), scale, a));
+            g.scene->add(sphere(at(0, 1, 0), scale, b));
+            g.scene->add(sphere(at(0, 1, 0), scale * 0.5f, c)); // nested
+            g.scene->add(sphere(at(0, 1, 0), scale * 0.999999f, a));
+            g.scene->add(box(at(2, 1, 0), {scale, scale, scale}, a)); // touching
+            g.scene->add(box(at(2, 1, 0), {scale, scale, scale}, b));
+            g.scene->add(cylinder(at(-2, 1, 0), scale, scale, a));
+            for (int i = 0; i < 60; ++i) // enough for a tree, many upon one another
+                g.scene->add(
+                    sphere(at(dice(-3, 3), (float)(i % 3), dice(-3, 3)), scale * 0.2f, i % 2 ? a : b));
+            for (Vec3 p : {at(0, 2, 0), at(0, 0, 0), at(1, 1, 0), at(0, 1, 0), at(-2, 2, 0)})
+                g.scene->add(pointLight(p, {1, 1, 1})); // on the ball, the floor, the box, inside, on a cap
+            g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+            g.scene->contact = variant & 2;
+            g.scene->finish();
+            Vec3 eyes[8] = {at(0, 1, 5),    at(0, 1, 0),     at(0, -1, 3),        at(0, 2, 0),
+                            at(1e5f, 1, 0), at(0, 1e-7f, 4), at(0, 1.999999f, 0), at(2, 1, 0)};
+            View view = lookAt(eyes[variant], at(0, 1, 0), 30, 60, 40, 40);
+            std::vector<float> x(1600), y(1600);
+            std::vector<uint32_t> index(1600);
+            for (int i = 0; i < 1600; ++i) {
+                x[(size_t)i] = (float)(i % 40) + 0.5f;
+                y[(size_t)i] = (float)(i / 40) + 0.5f;
+                index[(size_t)i] = (uint32_t)i;
+            }
+            std::vector<Sample> samples(1600);
+            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, kAll, 1, 1600,
+                         x.data(), y.data(), index.data(), samples.data());
+            for (const Sample &s : samples) {
+                Rgb r = s.radiance();
+                ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0 && r.x < kInfinity) << scale << " " << variant;
+            }
+        }
+}

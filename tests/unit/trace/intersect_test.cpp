@@ -1,0 +1,362 @@
+// Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
+// extremes.
+#include "trace/rays/beam.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+Ray8 ray(Vec3 o, Vec3 d) { return {broadcast(o), broadcast(normalize(d))}; }
+
+float hit(const Shape &s, Vec3 o, Vec3 d) {
+    static auto scene = std::make_unique<Scene>();
+    return distance(*scene, s, ray(o, d))[0];
+}
+
+struct Dice {
+    std::mt19937 engine{7};
+    float operator()(float lo, float hi) { return std::uniform_real_distribution<float>(lo, hi)(engine); }
+    Vec3 point(float size) { return {(*this)(-size, size), (*this)(-size, size), (*this)(-size, size)}; }
+    Vec3 direction() {
+        for (;;) {
+            Vec3 v = point(1);
+            float n = dot(v, v);
+            if (n > 0.01f && n < 1) return normalize(v);
+        }
+    }
+    Mat3 rotation() {
+        Vec3 u = direction(), v = normalize(cross(u, direction()));
+        return {u, v, cross(u, v)};
+    }
+};
+
+} // namespace
+
+TEST(Sphere, IsHitFromOutsideAndInside) {
+    Shape s = sphere({0, 0, 0}, 2, 0);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 5}, {0, 0, -1}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 1}, {0, 0, -1}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 0}, {0, 1, 0}), 2); // from the very middle
+    EXPECT_EQ(hit(s, {0, 0, -5}, {0, 0, -1}), kInfinity);
+    EXPECT_EQ(hit(s, {2.1f, 0, 5}, {0, 0, -1}), kInfinity);
+}
+
+// The oracle sees the same float inputs. Misjudging is allowed only where the inputs' own rounding (4e-7 of
+// the distance) decides; the usual b^2 - c is wrong far beyond that.
+TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
+    Dice dice;
+    for (float ratio : {1.5f, 10.f, 1e2f, 1e3f, 1e4f, 1e6f})
+        for (float radius : {1e-4f, 1.f, 1e4f}) {
+            if (ratio * radius > 1e8f) continue;
+            for (int i = 0; i < 4000; ++i) {
+                Vec3 o = dice.direction() * (ratio * radius), to = dice.point(radius * 0.8f);
+                Vec3 d = normalize(to - o);
+                double f[3] = {o.x, o.y, o.z}, v[3] = {d.x, d.y, d.z}, vv = 0, b = 0, ff = 0;
+                for (int k = 0; k < 3; ++k) vv += v[k] * v[k], b -= f[k] * v[k], ff += f[k] * f[k];
+                double near2 = ff - b * b / vv, r = radius, doubt = 4e-7 * std::sqrt(ff);
+                float t = hit(sphere({0, 0, 0}, radius, 0), o, d);
+                if (near2 < (r - doubt) * (r - doubt) && r > doubt) {
+                    ASSERT_LT(t, kInfinity) << ratio << " " << radius;
+                    double root = std::sqrt(r * r - near2),
+                           exact = (b / std::sqrt(vv) - root) / std::sqrt(vv);
+                    // Across the surface the same doubt, along the ray that over the cosine
+                    ASSERT_NEAR(t, exact, doubt * (2 + 2 * r / root)) << ratio << " " << radius;
+                } else if (near2 > (r + doubt) * (r + doubt)) {
+                    ASSERT_EQ(t, kInfinity) << ratio << " " << radius;
+                }
+            }
+        }
+}
+
+TEST(Plane, IsHitFromBothSidesAndNotAlong) {
+    Shape s = plane({0, 1, 0}, 0);
+    EXPECT_FLOAT_EQ(hit(s, {3, 5, 2}, {0, -1, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {3, -5, 2}, {0, 1, 0}), 6);
+    EXPECT_EQ(hit(s, {0, 5, 0}, {0, 1, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {0, 5, 0}, {1, 0, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {0, 1, 0}, {1, 0, 0}), kInfinity); // in the plane itself
+}
+
+TEST(Box, AgreesWithDoublePrecisionUnderRotation) {
+    Dice dice;
+    for (int i = 0; i < 20000; ++i) {
+        Shape s = box(dice.point(5), {dice(0.1f, 3), dice(0.1f, 3), dice(0.1f, 3)}, 0);
+        s.frame = dice.rotation();
+        s.aligned = false;
+        Vec3 o = dice.point(12), d = normalize(s.centre + dice.point(2) - o);
+        const Vec3 *axes = &s.frame.u;
+        double half[3] = {s.half.x, s.half.y, s.half.z}, enter = -1e30, leave = 1e30;
+        for (int k = 0; k < 3; ++k) {
+            auto along = [&](Vec3 p) {
+                return (double)axes[k].x * p.x + (double)axes[k].y * p.y + (double)axes[k].z * p.z;
+            };
+            double at = along(o) - along(s.centre), step = along(d);
+            double a = (-half[k] - at) / step, b = (half[k] - at) / step;
+            enter = std::fmax(enter, std::fmin(a, b));
+            leave = std::fmin(leave, std::fmax(a, b));
+        }
+        float t = hit(s, o, d);
+        if (leave - enter > 1e-3 && leave > 1e-3 && std::fabs(enter) > 1e-3) {
+            ASSERT_NEAR(t, enter > 0 ? enter : leave, 1e-3);
+        } else if (enter - leave > 1e-3 || leave < -1e-3) {
+            ASSERT_EQ(t, kInfinity);
+        }
+    }
+}
+
+TEST(Box, IsHitByRaysAlongItsAxes) {
+    Shape s = box({0, 0, 0}, {1, 2, 3}, 0);
+    EXPECT_FLOAT_EQ(hit(s, {5, 0, 0}, {-1, 0, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {0, 0, 0}, {0, 0, 1}), 3);
+    EXPECT_EQ(hit(s, {5, 2.01f, 0}, {-1, 0, 0}), kInfinity);
+    EXPECT_FALSE(std::isnan(hit(s, {5, 2, 0}, {-1, 0, 0}))); // in the plane of a face
+}
+
+TEST(Cylinder, HasASideAndTwoCaps) {
+    Shape s = cylinder({0, 0, 0}, 1, 2, 0);
+    EXPECT_FLOAT_EQ(hit(s, {5, 1, 0}, {-1, 0, 0}), 4);
+    EXPECT_FLOAT_EQ(hit(s, {0.5f, 5, 0}, {0, -1, 0}), 3);
+    EXPECT_FLOAT_EQ(hit(s, {0.5f, 0, 0}, {0, -1, 0}), 2);
+    EXPECT_FLOAT_EQ(hit(s, {0, 1, 0}, {1, 0, 0}), 1);
+    EXPECT_EQ(hit(s, {5, 2.1f, 0}, {-1, 0, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {1.1f, 5, 0}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(hit(s, {5, 1, 1.01f}, {-1, 0, 0}), kInfinity);
+    EXPECT_NEAR(hit(s, {3, 4, 0}, {-1, -1, 0}), std::sqrt(8.f), 1e-5); // over the rim onto the cap
+}
+
+TEST(Polygon, FollowsItsOutlineConvexOrNot) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    const float notched[] = {-2, -2, 2, -2, 2, 2, 0, 0, -2, 2}; // a square with a notch from the far side
+    const Shape &s = *scene->addPolygon({0, 0, 0}, kIdentity, notched, 5, 0);
+    auto at = [&](float x, float z) { return distance(*scene, s, ray({x, 3, z}, {0, -1, 0}))[0]; };
+    EXPECT_FLOAT_EQ(at(1.5f, 0), 3);
+    EXPECT_FLOAT_EQ(at(-1.5f, 1), 3);
+    EXPECT_EQ(at(0, 1), kInfinity); // in the notch
+    EXPECT_EQ(at(2.5f, 0), kInfinity);
+    EXPECT_EQ(at(0, -2.5f), kInfinity);
+}
+
+// Random points of random polygons against the winding angle.
+TEST(Polygon, AgreesWithTheWindingNumber) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (int i = 0; i < 300; ++i) {
+        scene->clear();
+        float outline[2 * 9];
+        for (int k = 0; k < 9; ++k) { // a star about the origin never crosses itself
+            float r = dice(0.3f, 2), a = (float)k * 0.698f;
+            outline[2 * k] = r * std::cos(a);
+            outline[2 * k + 1] = r * std::sin(a);
+        }
+        const Shape &s = *scene->addPolygon({0, 0, 0}, kIdentity, outline, 9, 0);
+        for (int j = 0; j < 50; ++j) {
+            float x = dice(-2, 2), z = dice(-2, 2);
+            double winding = 0;
+            for (int k = 0; k < 9; ++k) {
+                double ax = outline[2 * k] - x, az = outline[2 * k + 1] - z,
+                       bx = outline[2 * ((k + 1) % 9)] - x, bz = outline[2 * ((k + 1) % 9) + 1] - z;
+                winding += std::atan2(ax * bz - az * bx, ax * bx + az * bz);
+            }
+            EXPECT_EQ(distance(*scene, s, ray({x, 1, z}, {0, -1, 0}))[0]<kInfinity, std::fabs(winding)> 3);
+        }
+    }
+}
+
+// --- The tree ---
+
+TEST(Rect, IsMetFromItsLitSideOnly) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    Shape s = {};
+    s.kind = ShapeKind::Rect;
+    s.centre = {0, 1, 0};
+    s.half = {2, 0, 0.5f};
+    s.frame = {{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}; // long along z
+    scene->add(s);
+    scene->finish();
+    auto meet = [&](Vec3 o, Vec3 d) {
+        return intersect(*scene, {broadcast(o), broadcast(normalize(d))}, kLanes < 8).t[0];
+    };
+    EXPECT_FLOAT_EQ(meet({0, 3, 0}, {0, -1, 0}), 2);
+    EXPECT_EQ(meet({0, -3, 0}, {0, 1, 0}), kInfinity);
+    EXPECT_FLOAT_EQ(meet({0.49f, 3, 1.99f}, {0, -1, 0}), 2);
+    EXPECT_EQ(meet({0.51f, 3, 0}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(meet({0, 3, 2.01f}, {0, -1, 0}), kInfinity);
+    EXPECT_EQ(meet({0, 3, 0}, {1, 0, 0}), kInfinity);
+    EXPECT_EQ(meet({5, 1, 0}, {-1, 0, 0}), kInfinity); // in its plane
+    // Light does not pass from either side
+    for (float side : {-1.f, 1.f}) {
+        Ray8 r = {broadcast(Vec3{0, 1 + 2 * side, 0}), broadcast(Vec3{0, -side, 0})};
+        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(-1)).x[0], 0);
+        EXPECT_EQ(transmittance(*scene, r, broadcast(9.f), kLanes < 8, broadcast(0)).x[0], 1); // its own
+    }
+}
+
+// A room of rectangles holds all rays in, those along its edges and into its corners too, at any size.
+TEST(Rect, RoomsAreTight) {
+    for (float scale : {1e-3f, 1.f, 1e4f}) {
+        auto scene = std::make_unique<Scene>();
+        scene->clear();
+        Vec3 half = Vec3{1.1f, 0.7f, 2.3f} * scale, off = Vec3{3, -5, 1} * scale;
+        const Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const float size[3] = {half.x, half.y, half.z};
+        for (int axis = 0; axis < 3; ++axis)
+            for (float sign : {-1.f, 1.f}) {
+                int u = (axis + 1) % 3, v = (axis + 2) % 3;
+                Shape s = {};
+                s.kind = ShapeKind::Rect;
+                s.centre = off + axes[axis] * (sign * size[axis]);
+                s.half = {size[u], 0, size[v]};
+                s.frame = {axes[u], axes[axis] * -sign, axes[v]};
+                scene->add(s);
+            }
+        scene->finish();
+        std::mt19937 random(11);
+        std::uniform_real_distribution<float> unit(-1, 1);
+        int lost = 0;
+        for (int i = 0; i < 100000; ++i) {
+            Ray8 ray;
+            for (int k = 0; k < 8; ++k) {
+                float o[3], to[3];
+                for (int c = 0; c < 3; ++c) o[c] = unit(random) * 0.999f, to[c] = unit(random);
+                // Half of them at edges, some of these at corners
+                if (i & 1) to[i % 3] = to[i % 3] < 0 ? -1.f : 1.f, to[(i + 1) % 3] = 1;
+                if ((i & 7) == 7) to[(i + 2) % 3] = -1;
+                Vec3 from = off + Vec3{o[0] * half.x, o[1] * half.y, o[2] * half.z};
+                Vec3 d = normalize(off + Vec3{to[0] * half.x, to[1] * half.y, to[2] * half.z} - from);
+                ray.o.x[k] = from.x, ray.o.y[k] = from.y, ray.o.z[k] = from.z;
+                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
+            }
+            Hit8 hit = intersect(*scene, ray, kLanes < 8);
+            for (int k = 0; k < 8; ++k) lost += hit.shape[k] < 0;
+        }
+        EXPECT_EQ(lost, 0) << scale;
+    }
+}
+
+// Packets, single rays and beams, over trees of mixed shapes and of balls alone.
+TEST(Tree, FindsWhatBruteForceFinds) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (int round = 0; round < 24; ++round) {
+        scene->clear();
+        scene->add(Material{});
+        int count = round < 20 ? round * 20 : 3000;
+        float size = round < 20 ? 2 : 0.4f;
+        for (int i = 0; i < count; ++i) {
+            Vec3 c = dice.point(20);
+            int kind = round % 4 == 3 ? 0 : i % 3; // now and then balls alone
+            Shape s = kind == 0   ? sphere(c, dice(0.1f, size), 0)
+                      : kind == 1 ? box(c, {dice(0.1f, size), dice(0.1f, size), dice(0.1f, size)}, 0)
+                                  : cylinder(c, dice(0.1f, size), dice(0.1f, size), 0);
+            if (i % 2) s.frame = dice.rotation();
+            scene->add(s);
+        }
+        scene->add(plane({0, -15, 0}, 0));
+        scene->finish();
+        for (int i = 0; i < 200; ++i) {
+            Ray8 r;
+            Vec3 common = dice.point(25), towards = dice.direction();
+            int kind = i % 4; // 0: scattered, 1: along an axis, 2: a beam, 3: a wide one
+            for (int k = 0; k < 8; ++k) {
+                Vec3 o = kind >= 2 ? common : dice.point(30);
+                Vec3 d = kind < 2 ? dice.direction()
+                                  : normalize(towards + dice.direction() * (kind == 2 ? 0.05f : 0.9f));
+                r.o.x[k] = o.x, r.o.y[k] = o.y, r.o.z[k] = o.z;
+                r.d.x[k] = d.x, r.d.y[k] = d.y, r.d.z[k] = d.z;
+            }
+            if (kind == 1) r.d = broadcast(Vec3{i % 8 < 4 ? 1.f : 0.f, i % 8 < 4 ? 0.f : -1.f, 0});
+            Hit8 h = intersect(*scene, r, kLanes >= 0);
+            Float8 nearest = broadcast(kInfinity);
+            for (int s = 0; s < scene->shapeCount; ++s)
+                nearest = min(nearest, distance(*scene, scene->shapes[s], r));
+            Rgb8 light = transmittance(*scene, r, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            for (int k = 0; k < 8; ++k) {
+                ASSERT_EQ(h.t[k], nearest[k]) << round << " " << kind;
+                ASSERT_EQ(light.x[k], nearest[k] < 25 ? 0 : 1) << round << " " << kind;
+                if (h.shape[k] >= 0) {
+                    ASSERT_EQ(distance(*scene, scene->shapes[h.shape[k]], r)[k], h.t[k]);
+                }
+            }
+            if (kind < 2) continue;
+            Spread spread(common, towards);
+            spread.add(r.d * broadcast(25.f));
+            if (!spread.narrow()) continue;
+            Candidates among;
+            Beam beam = spread.beam();
+            gather(*scene, beam, among);
+            Rgb8 shared =
+                transmittance(*scene, among, common, r.d, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            beam.limit[4] = -kInfinity; // for primary rays, that have no end
+            gather(*scene, beam, among);
+            Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);
+            for (int k = 0; k < 8; ++k) {
+                ASSERT_EQ(seen.shape[k], h.shape[k]) << round << " " << kind;
+                ASSERT_EQ(seen.t[k], h.t[k]);
+                ASSERT_EQ(shared.x[k], light.x[k]) << round << " " << kind;
+            }
+        }
+    }
+}
+
+TEST(Tree, TakesCoincidentShapes) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    scene->add(Material{});
+    for (int i = 0; i < 200; ++i) scene->add(sphere({0, 0, 0}, 1, 0));
+    scene->finish();
+    Hit8 h = intersect(*scene, ray({0, 0, 5}, {0, 0, -1}), kLanes >= 0);
+    EXPECT_FLOAT_EQ(h.t[0], 4);
+}
+
+// --- Surfaces ---
+
+// From a hit, a ray along the outward normal must leave the shape, one against it must stay inside, whatever
+// the size and however far the camera: no acne, no leak.
+TEST(Surface, OffsetOriginsLieOnTheirSide) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (float size : {1e-3f, 1.f, 1e3f, 1e6f})
+        for (float away : {3.f, 100.f, 1e4f})
+            for (int i = 0; i < 1500; ++i) {
+                Vec3 c = dice.point(size);
+                Shape s = i % 3 == 0   ? sphere(c, size, 0)
+                          : i % 3 == 1 ? box(c, {size, size * 0.5f, size}, 0)
+                                       : cylinder(c, size, size, 0);
+                s.frame = dice.rotation();
+                s.aligned = false;
+                Vec3 o = c + dice.direction() * (size * away);
+                Ray8 r = ray(o, c + dice.point(size * 0.3f) - o);
+                Float8 t = distance(*scene, s, r);
+                if (!(t[0] < kInfinity)) continue;
+                Surface8 at = surfaceAt(s, r, t);
+                float inside = distance(*scene, s, {offsetOrigin(s, at, broadcast(-1.f)), -at.n})[0];
+                ASSERT_EQ(distance(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), at.n})[0], kInfinity)
+                    << size << " " << away;
+                ASSERT_LT(inside, kInfinity) << size << " " << away;
+                ASSERT_GT(inside, size * 1e-3f) << size << " " << away;
+                ASSERT_NEAR(length(at.n)[0], 1, 1e-5);
+            }
+}
+
+TEST(Surface, NamesFacesApart) {
+    Shape s = box({0, 0, 0}, {1, 1, 1}, 0), c = cylinder({0, 0, 0}, 1, 1, 0);
+    auto face = [](const Shape &s, Vec3 o) {
+        auto scene = std::make_unique<Scene>();
+        Ray8 r = ray(o, -o);
+        return surfaceAt(s, r, distance(*scene, s, r)).face[0];
+    };
+    bool seen[8] = {};
+    for (Vec3 o :
+         {Vec3{5, 0, 0}, Vec3{-5, 0, 0}, Vec3{0, 5, 0}, Vec3{0, -5, 0}, Vec3{0, 0, 5}, Vec3{0, 0, -5}})
+        seen[face(s, o)] = true;
+    EXPECT_EQ(seen[0] + seen[1] + seen[2] + seen[3] + seen[4] + seen[5] + seen[6] + seen[7], 6);
+    EXPECT_NE(face(c, {0, 5, 0}), face(c, {0, -5, 0}));
+    EXPECT_NE(face(c, {0, 5, 0}), face(c, {5, 0, 0}));
+}

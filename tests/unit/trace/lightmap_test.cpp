@@ -1,0 +1,178 @@
+// Light kept on surfaces, the form factor of a ball, and the sky.
+#include "trace/shade/ball.h"
+#include "trace/scene/lightmap.h"
+#include "trace/scene/sky.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Sheet {
+    Chart chart = {};
+    std::vector<Cell> cells;
+    std::vector<float> texels, patches;
+    Lightmap map = {};
+    // 6 x 4 cells over 3 x 1, standing upright somewhere; value(i, j) of each corner
+    template <class Value> explicit Sheet(Value value) {
+        chart.corner = {1, 2, -3};
+        chart.u = {0, 0, 1}, chart.v = {0, 1, 0}, chart.n = {-1, 0, 0};
+        chart.width = 3, chart.height = 1;
+        chart.across = 6, chart.down = 4;
+        chart.patchAcross = 3, chart.patchDown = 2;
+        chart.firstTexel = 5;
+        chart.firstCell = 7;
+        chart.firstPatch = 100;
+        texels.resize((size_t)(5 + chart.texels()), -99.f);
+        cells.resize(7 + 24);
+        patches.resize(104, -99.f);
+        for (int j = 0; j <= 4; ++j)
+            for (int i = 0; i <= 6; ++i) texels[(size_t)chart.texel(i, j)] = value(i, j);
+        for (int j = 0; j < 4; ++j)
+            for (int i = 0; i < 6; ++i)
+                cells[(size_t)(7 + j * 6 + i)] = {{chart.texel(i, j), chart.texel(i + 1, j),
+                                                   chart.texel(i, j + 1), chart.texel(i + 1, j + 1)},
+                                                  0,
+                                                  0,
+                                                  0,
+                                                  0};
+        for (int k = 0; k < 4; ++k) patches[(size_t)(100 + k)] = (float)k;
+        point();
+    }
+    void point() {
+        map.charts = &chart;
+        map.cells = cells.data();
+        for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
+    }
+    float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
+    // Divides a cell; its new corners have the given values: above, left, middle, right, below
+    void divide(size_t cell, const float (&values)[5]) {
+        const Cell c = cells[cell];
+        int first = (int)texels.size();
+        texels.insert(texels.end(), values, values + 5);
+        int t[9] = {c.corner[0], first,       c.corner[1], first + 1,  first + 2,
+                    first + 3,   c.corner[2], first + 4,   c.corner[3]};
+        cells[cell].corner[0] = ~(int)cells.size();
+        for (int k : {0, 1, 3, 4})
+            cells.push_back({{t[k], t[k + 1], t[k + 3], t[k + 4]}, 0, 0, 0, c.level + 1});
+        point();
+    }
+};
+
+} // namespace
+
+TEST(Lightmap, IsBilinearBetweenCorners) {
+    Sheet sheet([](int i, int j) { return (float)(10 * i + j); });
+    for (float s = 0; s <= 3; s += 0.1f)
+        for (float t = 0; t <= 1; t += 0.05f)
+            EXPECT_NEAR(sheet.at(s, t), 10 * (s * 2) + t * 4, 1e-4f) << s << ' ' << t;
+    EXPECT_FLOAT_EQ(sheet.at(0, 0), 0);
+    EXPECT_FLOAT_EQ(sheet.at(3, 1), 64);
+    EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border, never another chart's texels
+    EXPECT_FLOAT_EQ(sheet.at(9, 9), 64);
+    EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // and nothing that is not a number
+}
+
+TEST(Lightmap, DividedCellsAreMetAtEveryLevel) {
+    Sheet sheet([](int, int) { return 0.f; });
+    sheet.divide(7 + 6 + 2, {0, 0, 8, 0, 0}); // a bump in the middle of cell (2, 1), [1, 1.5] x [0.25, 0.5]
+    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
+    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.375f), 4);
+    EXPECT_FLOAT_EQ(sheet.at(1.125f, 0.3125f), 2);
+    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 2);
+    EXPECT_FLOAT_EQ(sheet.at(1, 0.3f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.3f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(0.9f, 0.3f), 0);
+    // Its last quarter once more
+    sheet.divide(sheet.cells.size() - 1, {4, 4, 16, 0, 0});
+    EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 16);
+    EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
+    // Light is continuous: steps of a thousandth change little
+    for (float s = 0.9f; s < 1.6f; s += 0.01f)
+        for (float t = 0.2f; t < 0.55f; t += 0.001f)
+            EXPECT_LT(std::fabs(sheet.at(s, t) - sheet.at(s, t + 0.001f)), 0.3f) << s << ' ' << t;
+}
+
+TEST(Lightmap, OverItThePatchesAreAMosaic) {
+    Sheet sheet([](int, int) { return 7.f; });
+    sheet.map.mosaic = 1;
+    sheet.map.sharpness = kFlat;
+    for (float s = 0.013f; s < 3; s += 0.1f)
+        for (float t = 0.013f; t < 1; t += 0.06f)
+            EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(2 * (int)(t * 2) + (int)(s / 1.5f))) << s << ' ' << t;
+    sheet.map.mosaic = 0.25f;
+    EXPECT_FLOAT_EQ(sheet.at(2, 0.9f), 0.75f * 7 + 0.25f * 3);
+    // Between their middles, where that is asked for
+    sheet.map.mosaic = sheet.map.sharpness = 1;
+    EXPECT_FLOAT_EQ(sheet.at(0.75f, 0.25f), 0);
+    EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.25f), 0.5f);
+    EXPECT_FLOAT_EQ(sheet.at(3, 0.5f), 2);
+}
+
+TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {
+    Sheet sheet([](int, int) { return 1.f; });
+    const Chart &c = sheet.chart;
+    auto look = [&](float s, float t, float width, float &clear) {
+        Float8 all;
+        int patch = patchAt(c, broadcast(c.at(s, t)), broadcast(width), all)[0];
+        clear = all[0];
+        return patch;
+    };
+    float clear;
+    EXPECT_EQ(look(0.7f, 0.2f, 0.001f, clear), 100);
+    EXPECT_FLOAT_EQ(clear, 1);
+    EXPECT_EQ(look(2.9f, 0.2f, 0.001f, clear), 101);
+    EXPECT_EQ(look(0.1f, 0.9f, 0.001f, clear), 102);
+    EXPECT_EQ(look(2.9f, 0.9f, 0.001f, clear), 103);
+    look(1.5f, 0.2f, 0.001f, clear);
+    EXPECT_NEAR(clear, 0, 1e-5f);
+    // Seen from afar a line pales as it is spread out
+    look(1.5f, 0.25f, 0.5f, clear);
+    EXPECT_GT(clear, 0.9f);
+    EXPECT_LT(clear, 1);
+}
+
+// Against a sum over the cone that the ball fills.
+TEST(Ball, FormFactorWithAndWithoutTheHorizon) {
+    for (double sine2 : {1e-6, 0.01, 0.2, 0.5, 0.9, 0.999})
+        for (double cosine = -1; cosine <= 1.0001; cosine += 0.05) {
+            double c = std::fmin(cosine, 1.), s = std::sqrt(std::fmax(0., 1 - c * c)),
+                   open = 1 - std::sqrt(1 - sine2);
+            constexpr int kRings = 200, kSpokes = 400;
+            double exact = 0;
+            for (int i = 0; i < kRings; ++i)
+                for (int k = 0; k < kSpokes; ++k) {
+                    double z = 1 - open * (i + 0.5) / kRings, r = std::sqrt(1 - z * z);
+                    exact += std::fmax(0., z * c - r * std::cos(2 * M_PI * (k + 0.5) / kSpokes) * s);
+                }
+            exact *= 2 * open / (kRings * kSpokes);
+            double got = (double)ballFormFactor(broadcast((float)c), broadcast((float)sine2))[0];
+            EXPECT_NEAR(got, exact, 1e-3 * sine2 + 1e-6) << sine2 << ' ' << c;
+        }
+    EXPECT_TRUE(std::isfinite(ballFormFactor(broadcast(1.f), broadcast(5.f))[0])); // inside it
+}
+
+TEST(Sky, RisesFromTheHorizonToTheZenith) {
+    Sky sky = plainSky({1, 2, 3}, {0, 0, 0});
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, 1, 0})).x[0], 0);
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{1, 0, 0})).y[0], 2);
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // no ground: the horizon goes on
+    sky.least = -1;
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or does not
+    sky.least = 0;
+    sky.sun = {0.6f, 0.8f, 0};
+    sky.glow = sky.near = {0.5f, 0.5f, 0.5f};
+    Sky without = plainSky({1, 2, 3}, {0, 0, 0});
+    EXPECT_NEAR((double)(radiance(sky, broadcast(sky.sun)).x[0] - radiance(without, broadcast(sky.sun)).x[0]),
+                1, 1e-5);
+    // The near glow's irradiance on what faces the sun, by the midpoint rule
+    double sum = 0;
+    for (int i = 0; i < 10000; ++i) {
+        double cosine = (i + 0.5) / 10000;
+        sum += std::pow(cosine, 64) * cosine * 2e-4;
+    }
+    EXPECT_NEAR((double)kNearGlow, sum, 1e-5);
+}

@@ -1,0 +1,177 @@
+// Noise and materials: against a plain double-precision statement of the noise, and by their statistics.
+#include "show/materials.h"
+#include "trace/texture/noise.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+float noiseAt(double x, double y, double z) {
+    return noise({broadcast((float)x), broadcast((float)y), broadcast((float)z)})[0];
+}
+
+// The noise written out, in double, corner by corner.
+double plainNoise(double x, double y, double z) {
+    double cell[3] = {std::floor(x), std::floor(y), std::floor(z)},
+           f[3] = {x - cell[0], y - cell[1], z - cell[2]}, sum = 0;
+    auto fade = [](double t) { return t * t * t * (t * (t * 6 - 15) + 10); };
+    for (int corner = 0; corner < 8; ++corner) {
+        int o[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
+        uint32_t h = (uint32_t)(int)(cell[0] + o[0]) * 0x8da6b343u +
+                     (uint32_t)(int)(cell[1] + o[1]) * 0xd8163841u +
+                     (uint32_t)(int)(cell[2] + o[2]) * 0xcb1ab31fu;
+        h = (h ^ h >> 15) * 0x2c1b3c6du;
+        double p[3] = {f[0] - o[0], f[1] - o[1], f[2] - o[2]}, weight = 1;
+        for (int k = 0; k < 3; ++k) weight *= o[k] ? fade(f[k]) : 1 - fade(f[k]);
+        // A cube's corner, by three bits, turned about x, y and z
+        double g[3];
+        for (int k = 0; k < 3; ++k) g[k] = (h >> (29 + k) & 1 ? 1 : -1) * std::sqrt(2 / 3.);
+        auto turn = [&](double &a, double &b, double angle) {
+            double was = a;
+            a = std::cos(angle) * a - std::sin(angle) * b;
+            b = std::sin(angle) * was + std::cos(angle) * b;
+        };
+        turn(g[0], g[1], 0.8);
+        turn(g[2], g[0], 0.35);
+        turn(g[1], g[2], 0.5);
+        sum += weight * (g[0] * p[0] + g[1] * p[1] + g[2] * p[2]);
+    }
+    return sum;
+}
+
+} // namespace
+
+TEST(Noise, AgreesWithItsPlainStatement) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<float> place(-200, 200);
+    for (int i = 0; i < 20000; ++i) {
+        float x = place(random), y = place(random), z = place(random);
+        ASSERT_NEAR(noiseAt(x, y, z), plainNoise(x, y, z), 1e-4);
+    }
+}
+
+TEST(Noise, IsZeroOnTheLatticeAndBoundedWithMeanZero) {
+    for (int i = -9; i < 9; ++i) EXPECT_EQ(noiseAt(i, 3 * i, -i), 0);
+    std::mt19937 random(4);
+    std::uniform_real_distribution<float> place(-500, 500);
+    double sum = 0, squares = 0, most = 0;
+    constexpr int kCount = 200000;
+    for (int i = 0; i < kCount; ++i) {
+        double n = noiseAt(place(random), place(random), place(random));
+        sum += n, squares += n * n, most = std::fmax(most, std::fabs(n));
+    }
+    EXPECT_NEAR(sum / kCount, 0, 0.005);
+    EXPECT_GT(most, 0.7);
+    EXPECT_LE(most, 1);
+    EXPECT_NEAR(std::sqrt(squares / kCount), 0.25, 0.04);
+}
+
+TEST(Noise, LooksAlikeAlongEveryAxis) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-500, 500);
+    double slope[3] = {};
+    constexpr int kCount = 60000;
+    for (int i = 0; i < kCount; ++i) {
+        float p[3] = {place(random), place(random), place(random)};
+        for (int k = 0; k < 3; ++k) {
+            float q[3] = {p[0], p[1], p[2]};
+            q[k] += 0.01f;
+            double d = (noiseAt(q[0], q[1], q[2]) - noiseAt(p[0], p[1], p[2])) / 0.01;
+            slope[k] += d * d / kCount;
+        }
+    }
+    EXPECT_NEAR(slope[0] / slope[1], 1, 0.1);
+    EXPECT_NEAR(slope[2] / slope[1], 1,
+                0.35); // z is chosen a little more often, as it is by Perlin's own twelve
+}
+
+TEST(Noise, IsContinuousAcrossCells) {
+    for (int i = -50; i < 50; ++i)
+        for (double d : {1e-3, 1e-2})
+            EXPECT_LT(std::fabs(noiseAt(i + d, 0.3, 0.6) - noiseAt(i - d, 0.3, 0.6)), 6 * d);
+}
+
+TEST(Noise, StaysFiniteFarOut) {
+    for (float x : {1e5f, 1e8f, 1e15f, -1e20f, 3e38f}) {
+        Float8 n = noise({broadcast(x), broadcast(-x), broadcast(0.5f)});
+        EXPECT_LE(std::fabs(n[0]), 1) << x;
+    }
+}
+
+TEST(Noise, OctavesFadeBeforeTheyAlias) {
+    Vec3x8 p = {toFloat(kLanes) * 0.37f, broadcast(0.2f), broadcast(0.9f)};
+    Float8 wide = fractalNoise(p, 6, broadcast(2.f)), fine = fractalNoise(p, 6, broadcast(1e-4f));
+    for (int k = 0; k < 8; ++k) EXPECT_EQ(wide[k], 0);
+    EXPECT_NE(fine[1], 0);
+    EXPECT_EQ(bandLimit(broadcast(0.1f), 1)[0], 1);
+    EXPECT_EQ(bandLimit(broadcast(0.8f), 1)[0], 0);
+}
+
+// The filtered checker is the average of the sharp one.
+TEST(Checker, IsFilteredLikeManySamples) {
+    Material m = {};
+    m.texture = {Pattern::Plain, 1, {{1, 1, 1}}};
+    m.other = {Pattern::Plain, 1, {{0, 0, 0}}};
+    m.cell = 0.5f;
+    Int8 cell;
+    std::mt19937 random(6);
+    std::uniform_real_distribution<float> place(-3, 3), size(0.01f, 1.5f);
+    for (int i = 0; i < 200; ++i) {
+        float x = place(random), z = place(random), w = size(random);
+        Vec3x8 down = broadcast(Vec3{0, -1, 0});
+        float filtered = albedo(m, broadcast(Vec3{x, 0, z}), down, broadcast(1.f), broadcast(w), cell).x[0];
+        double sum = 0;
+        constexpr int kSide = 64;
+        for (int a = 0; a < kSide; ++a)
+            for (int b = 0; b < kSide; ++b) {
+                float u = x + w * (((float)a + 0.5f) / kSide - 0.5f),
+                      v = z + w * (((float)b + 0.5f) / kSide - 0.5f);
+                sum += ((int)std::floor(u / 0.5f) + (int)std::floor(v / 0.5f)) & 1 ? 0 : 1;
+            }
+        ASSERT_NEAR(filtered, sum / (kSide * kSide), 0.035);
+    }
+}
+
+TEST(Materials, AreColoursEverywhere) {
+    for (const Material &m :
+         {darkMarble(), boards(), pearl(true, 0.4f), slate(), granite(), oak(), glass(), mirror(), copper()})
+        for (float far : {0.f, 3.3f, 1e3f, 1e9f})
+            for (float width : {0.f, 1e-3f, 1.f, 1e6f})
+                for (float cosine : {0.f, 1e-4f, 1.f}) {
+                    Int8 cell;
+                    Vec3x8 p = {toFloat(kLanes) * 0.3f + far, toFloat(kLanes) * 0.1f, broadcast(-far)};
+                    Rgb8 c = albedo(m, p, broadcast(Vec3{0.6f, -0.8f, 0}), broadcast(cosine),
+                                    broadcast(width), cell);
+                    for (int k = 0; k < 8; ++k)
+                        for (float v : {c.x[k], c.y[k], c.z[k]}) ASSERT_TRUE(v >= 0 && v <= 1) << v;
+                }
+}
+
+// Radiosity reflects what the eye sees: the mean that is counted on is the mean of the pattern.
+TEST(Material, MeanAlbedoIsTheMean) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<float> place(-40, 40);
+    for (const Material &m :
+         {darkMarble(), slate(), granite(), oak(), limestone(), beamAcross(), boards(), hallFloor()}) {
+        double sum[3] = {};
+        constexpr int kPackets = 20000;
+        for (int i = 0; i < kPackets; ++i) {
+            Vec3x8 q;
+            for (int k = 0; k < 8; ++k)
+                q.x[k] = place(random), q.y[k] = place(random), q.z[k] = place(random);
+            Int8 cell;
+            Rgb8 a = albedo(m, q, broadcast(Vec3{0, -1, 0}), broadcast(1.f), broadcast(1e-3f), cell);
+            for (int k = 0; k < 8; ++k)
+                sum[0] += (double)a.x[k], sum[1] += (double)a.y[k], sum[2] += (double)a.z[k];
+        }
+        Rgb mean = meanAlbedo(m);
+        const float stated[3] = {mean.x, mean.y, mean.z};
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR((double)stated[c], sum[c] / (8 * kPackets), 0.04 * (double)stated[c])
+                << (int)m.texture.pattern;
+    }
+}

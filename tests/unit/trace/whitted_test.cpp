@@ -1,0 +1,253 @@
+// Whole rays through small scenes, against Phong's, Snell's and Fresnel's formulas.
+#include "base/maths.h"
+#include "tests/support/stage.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+// Glass that is nothing else.
+Material clearGlass(float ior) {
+    Material m = matte({0, 0, 0});
+    m.diffuse = 0;
+    m.ior = ior;
+    return m;
+}
+
+} // namespace
+
+TEST(Phong, LightsAPlaneByDistanceAndAngle) {
+    Stage g;
+    g.scene->add(plane({0, 0, 0}, g.scene->add(matte({0.5f, 0.5f, 0.5f}))));
+    g.scene->add(pointLight({3, 4, 0}, {50, 100, 150}));
+    Rgb c = g.look({0, 2, 2}, {0, 0, 0}).radiance();
+    double expected = 0.5 * 50 / 25 * 0.8; // albedo * I / r^2 * cos
+    EXPECT_NEAR(c.x, expected, 1e-4);
+    EXPECT_NEAR(c.y, 2 * expected, 1e-4);
+    EXPECT_NEAR(c.z, 3 * expected, 1e-4);
+}
+
+TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
+    Stage g;
+    Material m = matte({0, 0, 0});
+    m.specular = 0.7f;
+    m.exponent = 30;
+    g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
+    g.scene->add(pointLight({0, 4, -3}, {25, 25, 25}));
+    Vec3 mirrored = normalize(Vec3{0, 4, -3});
+    Vec3 eye = {0.4f, 3, 2.5f}, towards = normalize(eye);
+    Vec3 reflected = {-towards.x, towards.y, -towards.z};
+    double expected = 0.7 * std::pow((double)dot(mirrored, reflected), 30);
+    Sample s = g.look(eye, {0, 0, 0});
+    EXPECT_NEAR(s.radiance().x, expected, 1e-4);
+    EXPECT_EQ(s.lights, 2u);
+}
+
+TEST(Phong, DarkSideStaysDarkWithoutNaN) {
+    Stage g;
+    Material m = matte({1, 1, 1});
+    m.specular = 1;
+    m.exponent = 7.5f;
+    g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
+    g.scene->add(pointLight({0, 0, -10}, {100, 100, 100}));
+    Sample s = g.look({0, 0, 5}, {0, 0, 0});
+    EXPECT_EQ(s.radiance().x, 0);
+    EXPECT_EQ(s.lights, 0u);
+}
+
+TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
+    Stage g;
+    g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
+    g.scene->add(pointLight({0, 10, 0}, {100, 100, 100}));
+    float open = g.look({0, 1, 3}, {0, 0, 0}).light.x;
+    EXPECT_NEAR(open, 1, 1e-4);
+    Material glass = clearGlass(1.5f);
+    glass.tint = {0.5f, 0.25f, 1};
+    g.scene->add(sphere({0, 5, 0}, 1, g.scene->add(glass)));
+    Sample through = g.look({0, 1, 3}, {0, 0, 0});
+    EXPECT_NEAR(through.light.x, 0.5f, 1e-4);
+    EXPECT_NEAR(through.light.y, 0.25f, 1e-4);
+    EXPECT_EQ(through.lights, 3u);
+    g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
+    EXPECT_EQ(g.look({0, 1, 3}, {0, 0, 0}).light.x, 0);
+}
+
+TEST(Spot, FadesBetweenItsCones) {
+    Stage g;
+    g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
+    g.scene->add(Light{{0, 10, 0}, {100, 100, 100}, {0, -1, 0}, 0.9f, 0.95f});
+    auto light = [&](double cosine) {
+        float x = (float)(10 * std::tan(std::acos(cosine)));
+        return g.look({x, 1, 3}, {x, 0, 0}).light.x / std::pow((float)cosine, 3.f); // 1/r^2 and the angle
+    };
+    EXPECT_NEAR(light(0.96), 1, 1e-3);
+    EXPECT_NEAR(light(0.925), 0.5, 2e-2);
+    EXPECT_EQ(light(0.89), 0);
+}
+
+TEST(Mirror, ShowsWhatIsBehindTheViewer) {
+    Stage g;
+    Material m = matte({0, 0, 0});
+    m.diffuse = 0;
+    m.reflect = 0.8f;
+    m.tint = {1, 0.5f, 0.25f};
+    g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    Rgb c = g.look({0, 3, 3}, {0, 0, 0}).radiance();
+    EXPECT_NEAR(c.x, 0.8f, 1e-5);
+    EXPECT_NEAR(c.y, 0.4f, 1e-5);
+    EXPECT_NEAR(c.z, 0.2f, 1e-5);
+}
+
+// Two facing mirrors: the path ends at the depth, and the geometric series is what remains.
+TEST(Mirror, RecursionEndsByDepthAndByContribution) {
+    Stage g;
+    Material m = matte({0, 0, 0});
+    m.diffuse = 0;
+    m.reflect = 0.5f;
+    m.tint = {1, 1, 1};
+    m.emit = {1, 1, 1};
+    int id = g.scene->add(m);
+    g.scene->add(plane({0, 0, 0}, id));
+    g.scene->add(plane({0, 4, 0}, id));
+    Quality q = kExact;
+    q.depth = 3;
+    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25 + 0.125, 1e-5);
+    q.depth = 12;
+    q.cutoff = 0.2f; // 0.25 goes on, 0.125 does not
+    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25, 1e-5);
+}
+
+// A glass ball, met on its axis: Fresnel's R at both surfaces, all orders of inner reflection.
+TEST(Glass, KeepsEnergyOnTheAxis) {
+    Stage g;
+    Material m = clearGlass(1.5f);
+    g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
+    EXPECT_NEAR(c.x, 1, 1e-4); // what is not reflected goes through
+}
+
+TEST(Glass, FollowsSnell) {
+    Stage g;
+    Material m = clearGlass(1.5f);
+    g.scene->add(box({0, -5, 0}, {100, 5, 100}, g.scene->add(m))); // a lake, its surface at y = 0
+    Material glow = matte({0, 0, 0});
+    glow.emit = {1, 0, 0};
+    double sine = std::sin(0.7) / 1.5, depth = 4, x = depth * sine / std::sqrt(1 - sine * sine);
+    g.scene->add(sphere({(float)x, (float)-depth, 0}, 0.01f, g.scene->add(glow)));
+    Vec3 eye = {(float)-std::sin(0.7), (float)std::cos(0.7), 0};
+    EXPECT_GT(g.look(eye, {0, 0, 0}).radiance().x, 0.9f);
+    EXPECT_LT(g.look(eye, {0.02f, 0, 0}).radiance().x, 0.1f);
+}
+
+TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
+    Stage g;
+    Material m = clearGlass(1.5f);
+    g.scene->add(box({0, -5, 0}, {1000, 5, 1000}, g.scene->add(m)));
+    g.scene->sky = plainSky({0, 0, 0}, {1, 1, 1});
+    Material glow = matte({0, 0, 0});
+    glow.emit = {0, 1, 0};
+    g.scene->add(sphere({4, -1, 0}, 0.3f, g.scene->add(glow)));
+    // From inside, 60 degrees off the normal (critical: 41.8): a perfect mirror
+    Rgb c = g.look({-1.732f, -1, 0}, {0, 0, 0}).radiance();
+    EXPECT_EQ(c.x, 0); // no sky comes in
+    Rgb seen = g.look({-4, -1, 0}, {0, 0, 0}).radiance();
+    EXPECT_NEAR(seen.y, 1, 1e-4);
+}
+
+TEST(Glass, AbsorbsByPathLength) {
+    Stage g;
+    Material m = clearGlass(1.0001f); // hardly reflects
+    m.absorb = {1, 2, 0};
+    g.scene->add(sphere({0, 0, 0}, 0.5f, g.scene->add(m)));
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
+    EXPECT_NEAR(c.x, 0.5, 1e-3); // 2^-1 through one unit
+    EXPECT_NEAR(c.y, 0.25, 1e-3);
+    EXPECT_NEAR(c.z, 1, 1e-3);
+}
+
+TEST(Ambient, ABallDarkensTheFloorUnderIt) {
+    Stage g;
+    int id = g.scene->add(matte({1, 1, 1}));
+    g.scene->add(plane({0, 0, 0}, id));
+    g.scene->ambientLow = g.scene->ambientHigh = {1, 1, 1};
+    g.scene->contact = true;
+    EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
+    g.scene->add(sphere({0, 1, 0}, 0.5f, id));
+    // Form factor of a sphere above the horizon: (r/d)^2 cos
+    double d2 = 4 + 1, expected = 1 - (0.25 / d2 / std::sqrt(d2) - 1 / 150.);
+    EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, expected, 1e-4);
+}
+
+// The extremes: whatever is put together, no NaN and nothing negative comes out.
+TEST(Extremes, GiveNoNaN) {
+    Material glass = matte({0, 0, 0});
+    glass.ior = 1.5f;
+    glass.specular = 1;
+    glass.exponent = 1000;
+    Material mirror = matte({1, 1, 1});
+    mirror.reflect = 1;
+    mirror.fresnel = true;
+    mirror.specular = 1;
+    for (float scale : {1e-4f, 1e-2f, 1.f, 1e3f, 1e6f})
+        for (int variant = 0; variant < 6; ++variant) {
+            Stage g;
+            int a = g.scene->add(glass), b = g.scene->add(mirror),
+                c = g.scene->add(matte({0.5f, 0.5f, 0.5f}));
+            g.scene->add(plane({0, 0, 0}, variant & 1 ? b : c));
+            g.scene->add(sphere({0, scale, 0}, scale, a));
+            g.scene->add(sphere({0, scale, 0}, scale, b));                      // coincident
+            g.scene->add(sphere({0, scale, 0}, scale * 0.999999f, a));          // nested, nearly touching
+            g.scene->add(box({2 * scale, scale, 0}, {scale, scale, scale}, a)); // touching the ball
+            g.scene->add(cylinder({-2 * scale, scale, 0}, scale, scale, b));
+            g.scene->add(pointLight({0, 2 * scale, 0}, {1, 1, 1})); // on a surface
+            g.scene->add(pointLight({0, 0, 0}, {1, 1, 1}));         // on the floor
+            g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+            g.scene->finish();
+            Vec3 eyes[6] = {{0, scale, 5 * scale},    {0, scale, 0},
+                            {0, -scale, 3 * scale},   {0, 2 * scale, 0},
+                            {1e5f * scale, scale, 0}, {0, 1e-7f * scale, 4 * scale}};
+            View view = lookAt(eyes[variant], {0, scale, 0}, 30, 60, 40, 40);
+            std::vector<float> x, y;
+            std::vector<uint32_t> index;
+            for (int i = 0; i < 1600; ++i)
+                x.push_back((float)(i % 40) + 0.5f), y.push_back((float)(i / 40) + 0.5f),
+                    index.push_back((uint32_t)i);
+            std::vector<Sample> samples(1600);
+            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, kAll, 1, 1600,
+                         x.data(), y.data(), index.data(), samples.data());
+            for (const Sample &s : samples) {
+                Rgb r = s.radiance();
+                ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0)
+                    << scale << " " << variant << ": " << r.x; // false for NaN
+            }
+        }
+}
+
+TEST(View, HasAPictureForEveryDegenerateLook) {
+    for (Vec3 target : {Vec3{0, 0, 0}, Vec3{0, 1, 0}, Vec3{0, -1, 0}, Vec3{1e-20f, 0, 0}, Vec3{0, 0, 1e10f}})
+        for (float fov : {0.f, 40.f, 170.f, 1e9f}) {
+            View v = lookAt({0, 0, 0}, target, 33, fov, 1, 1);
+            for (Vec3 a : {v.forward, v.right, v.down}) {
+                float n = length(a);
+                EXPECT_TRUE(n > 1e-5f && n < 1e3f) << n;
+            }
+            EXPECT_NEAR(dot(v.forward, v.right), 0, 1e-3);
+        }
+}
+
+TEST(View, PutsTheTargetInTheMiddleAndUpOnTop) {
+    View v = lookAt({1, 2, 3}, {4, 2, 3}, 0, 90, 200, 100);
+    Vec3 middle = normalize(v.direction(100.f, 50.f)), top = v.direction(100.f, 0.f);
+    EXPECT_NEAR(middle.x, 1, 1e-6);
+    EXPECT_NEAR(top.y / top.x, 1, 1e-5); // half of 90 degrees up
+    View rolled = lookAt({1, 2, 3}, {4, 2, 3}, 90, 90, 100, 100);
+    EXPECT_NEAR(rolled.direction(50.f, 0.f).y, 0, 1e-5);
+}

@@ -1,0 +1,209 @@
+// Transfer: the hall relit against solutions made for that very light, its floor's gloss against rays,
+// extremes.
+#include "tests/support/headless_gl.h"
+#include "tools/measure/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace odraz;
+
+namespace {
+
+Workers serial = serialWorkers();
+
+SolvedHall &solved() {
+    static SolvedHall hall(kHallSettings, headlessGl(), serial);
+    return hall;
+}
+
+// The floor's gloss, compressed or not.
+struct Floor {
+    OwnArena memory{(size_t)64 << 20};
+    explicit Floor(bool compress) {
+        GlossySettings settings;
+        if (!compress) settings.pca = uncompressedFloor(solved().hall->model);
+        EXPECT_TRUE(polish(*solved().hall, settings, memory.arena, serial));
+    }
+    std::vector<float> seen(const LightVector &light, Vec3 eye, float reflect = 1) const {
+        const Glossy &g = solved().hall->floor;
+        relightGlossy(g, light, eye, reflect, 1);
+        std::vector<float> all;
+        for (const float *plane : g.plane) all.insert(all.end(), plane, plane + g.across * g.down);
+        return all;
+    }
+};
+
+} // namespace
+
+// The sky, its clouds and the sun at every hour: what is left of one per cent is what bands beyond the fourth
+// hold. Fewer bands lose more.
+TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
+    double last[2] = {1e9, 1e9};
+    for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, {1, 3, kBands}, headlessGl(), serial)) {
+        std::printf("hour %g, %d bands: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour,
+                    e.bands, e.lightmap, e.whole);
+        if (e.bands == kBands) {
+            EXPECT_LT(e.whole, 1) << e.hour;
+        }
+        if (e.bands > 1) {
+            EXPECT_LT(e.lightmap, last[0] * 1.02);
+            EXPECT_LT(e.whole, last[1] * 1.02);
+        }
+        last[0] = e.lightmap, last[1] = e.whole;
+    }
+}
+
+// Rays from the four patches of a square, by the cosine law, that bring the radiosity of the patches they
+// meet, or the sky: projected, blurred by the lobe and mirrored towards an eye by hand.
+TEST(Gloss, IsWhatRaysBring) {
+    Floor floor(false);
+    const Hall &hall = *solved().hall;
+    const Model &m = hall.model;
+    const Chart &c = m.charts[0];
+    const Glossy &g = hall.floor;
+    const System &s = hall.radiosity.system;
+    Vec3 eye = {2.5f, 1.6f, 4};
+    for (HallLight by :
+         {HallLight{kNoon, {}, {}, 1}, HallLight{kHours - 1, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
+        LightVector light = lightVector(by);
+        std::vector<float> got = floor.seen(light, eye);
+        double error = 0, all = 0;
+        for (int square = 30; square < g.across * g.down; square += 13) {
+            int x = square % g.across, y = square / g.across;
+            double coefficients[kSh] = {};
+            int patches = 0;
+            for (int v = y * c.patchesDown() / g.down; v < (y + 1) * c.patchesDown() / g.down; ++v)
+                for (int u = x * c.patchesAcross() / g.across; u < (x + 1) * c.patchesAcross() / g.across;
+                     ++u) {
+                    int from = c.firstPatch + v * c.patchesAcross() + u;
+                    if (!hall.radiosity.factors.rows[from].known) continue;
+                    ++patches;
+                    castFan(*solved().scene, c, m.patches[from].p, 48, (uint32_t)from,
+                            [&](int chart, Vec3 p, Vec3 d) {
+                                Float8 there[kSh];
+                                evaluate(broadcast(d), there);
+                                double radiance = 0;
+                                if (chart < 0) {
+                                    for (int k = 0; k < kSh; ++k)
+                                        radiance += (double)(light.bounced[k].y * there[k][0]);
+                                } else {
+                                    const Chart &met = m.charts[chart];
+                                    Vec3 q = p - met.corner;
+                                    int i = std::clamp(
+                                            (int)(dot(q, met.u) / met.width * (float)met.patchesAcross()), 0,
+                                            met.patchesAcross() - 1),
+                                        j = std::clamp(
+                                            (int)(dot(q, met.v) / met.height * (float)met.patchesDown()), 0,
+                                            met.patchesDown() - 1);
+                                    int patch = met.firstPatch + j * met.patchesAcross() + i;
+                                    for (int k = 0; k < hall.radiosity.lights.bases(); ++k)
+                                        radiance += (double)(light.bounced[k].y *
+                                                             s.radiosity[patch * s.columns + 3 * k + 1]);
+                                }
+                                for (int k = 0; k < kSh; ++k)
+                                    coefficients[k] +=
+                                        radiance * (double)there[k][0] * M_PI / (double)d.y / (48 * 48);
+                            });
+                }
+            if (patches < 4) continue;
+            Vec3 middle = c.at(((float)x + 0.5f) * c.width / (float)g.across,
+                               ((float)y + 0.5f) * c.height / (float)g.down);
+            Vec3 d = normalize(middle - eye);
+            Float8 mirrored[kSh];
+            evaluate(broadcast(Vec3{d.x, -d.y, d.z}), mirrored);
+            double exact = 0;
+            for (int l = 0; l < kBands; ++l)
+                for (int k = l * l; k < (l + 1) * (l + 1); ++k)
+                    exact += coefficients[k] / patches * (double)mirrored[k][0] *
+                             (double)window(l, GlossySettings().exponent);
+            exact = std::fmax(exact, 0);
+            double seen = (double)got[(size_t)(g.across * g.down + square)];
+            error += (seen - exact) * (seen - exact), all += exact * exact;
+        }
+        std::printf("gloss against rays: %.1f %% rms\n", 100 * std::sqrt(error / all));
+        EXPECT_LT(std::sqrt(error / all), 0.13);
+    }
+}
+
+TEST(Gloss, SurvivesItsCompression) {
+    std::vector<float> exact, got;
+    LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kHours - 1, {1, 1, 1}, {}, 1});
+    for (const LightVector &light : {noon, lamps}) {
+        {
+            Floor floor(false);
+            exact = floor.seen(light, {3, 1.6f, 3});
+        }
+        Floor floor(true);
+        got = floor.seen(light, {3, 1.6f, 3});
+        double error = 0, all = 0;
+        for (size_t i = 0; i < got.size(); ++i) {
+            error += std::pow((double)(got[i] - exact[i]), 2);
+            all += std::pow((double)exact[i], 2);
+        }
+        std::printf("gloss by clustered PCA: %.1f %% rms of gloss without\n", 100 * std::sqrt(error / all));
+        EXPECT_LT(std::sqrt(error / all), 0.1);
+    }
+}
+
+// From every height, below the floor and on it; no light; light from a millionth to a million.
+TEST(Gloss, AtTheExtremes) {
+    Floor floor(true);
+    LightVector noon = lightVector({kNoon, {}, {}, 1});
+    const Glossy &g = solved().hall->floor;
+    const Chart &c = *g.chart;
+    Vec3 middle = c.at(c.width * 4.5f / (float)g.across, c.height * 2.5f / (float)g.down);
+    for (Vec3 eye : {Vec3{0, 1.6f, 0}, Vec3{0, 1e-6f, 0}, Vec3{0, 0, 0}, Vec3{0, -3, 0}, Vec3{0, 1e6f, 0},
+                     Vec3{1e8f, 1, 0}, middle, middle + Vec3{0, 1e-20f, 0}})
+        for (float v : floor.seen(noon, eye)) ASSERT_TRUE(v >= 0 && v < 20) << eye.y;
+    for (float v : floor.seen({}, {0, 1.6f, 0})) ASSERT_EQ(v, 0);
+    std::vector<float> one = floor.seen(noon, {0, 1.6f, 0});
+    for (float power : {1e-6f, 1e6f}) {
+        LightVector scaled = noon;
+        for (Rgb &weight : scaled.bounced) weight = weight * power;
+        std::vector<float> got = floor.seen(scaled, {0, 1.6f, 0});
+        for (size_t i = 0; i < got.size(); ++i)
+            ASSERT_NEAR(got[i], one[i] * power, one[i] * power * 1e-3f + 1e-8f * power);
+    }
+}
+
+// The better part of rows is kept by few numbers, and blocks beat one subspace, clusters beat blocks: Sloan's
+// claim.
+TEST(Rows, ClustersBeatBlocksBeatOneSubspace) {
+    TransferRows rows = rowsOf(solved(), false);
+    const Model &m = solved().hall->model;
+    auto error = [&](int clusters, int dimensions, int rounds) {
+        return compressed(rows, blocksOf(m, clusters),
+                          {.clusters = clusters, .dimensions = dimensions, .rounds = rounds}, serial)
+            .errorPercent;
+    };
+    double pca = error(1, 8, 0), blocks = error(64, 8, 0), cpca = error(64, 8, 3), fine = error(64, 24, 3);
+    std::printf("%d x %d: PCA with 8 dimensions %.1f %%, 64 blocks %.1f %%, 64 clusters %.1f %%, with 24 "
+                "dimensions %.2f %%\n",
+                rows.rows, rows.columns, pca, blocks, cpca, fine);
+    EXPECT_GT(pca, 2 * blocks);
+    EXPECT_GT(blocks, 1.5 * cpca);
+    EXPECT_LT(fine, 1);
+}
+
+TEST(Rows, RelightAsTheyWere) {
+    TransferRows rows = rowsOf(solved(), true);
+    PcaSettings settings = {.clusters = 128, .dimensions = 32};
+    Compressed c = compressed(rows, blocksOf(solved().hall->model, 128), settings, serial);
+    std::vector<float> light((size_t)rows.columns);
+    TexelPlanes planes(rows.rows);
+    for (size_t i = 0; i < light.size(); ++i) light[i] = (float)((i * 37) % 11);
+    relightRows(c.pca, light.data(), planes.plane);
+    double error = 0, all = 0;
+    for (int r = 0; r < rows.rows; ++r)
+        for (int k = 0; k < 3; ++k) {
+            double exact = 0;
+            for (int i = k; i < rows.columns; i += 3)
+                exact += (double)rows.data[(size_t)r * (size_t)rows.columns + (size_t)i] *
+                         (double)light[(size_t)i];
+            error += std::pow((double)planes.plane[k][r] - exact, 2), all += exact * exact;
+        }
+    std::printf("relit from 128 x 32: %.3f %%\n", 100 * std::sqrt(error / all));
+    EXPECT_LT(std::sqrt(error / all), 0.01);
+}

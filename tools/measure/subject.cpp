@@ -1,0 +1,93 @@
+#include "tools/measure/subject.h"
+
+#include "tools/measure/peer_scenes.h"
+
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <stdexcept>
+
+namespace odraz {
+
+const std::vector<SubjectName> &subjectNames() {
+    static const std::vector<SubjectName> names = {
+        {"A", -1, false},     {"B", -1, false},        {"field", -1, false},  {"point", 14, false},
+        {"table", 30, false}, {"flake", 64, false},    {"patches", 93, true}, {"hall", 108, true},
+        {"odraz", 144, true}, {"credits", 159, false},
+    };
+    return names;
+}
+
+Subject::Subject(const SubjectName &name, int width, int height) : workers(serialWorkers()) {
+    size_t bytes = (memoryNeeded(width, height, 1, name.hall) + 127) & ~(size_t)63;
+    memory.reset(new unsigned char[bytes]());
+    unsigned char *base = memory.get() + (64 - (uintptr_t)memory.get() % 64);
+    arena = {base, bytes - 64, 0};
+    Gl gl;
+    const char *missing = name.hall ? openHeadlessGl(gl) : nullptr;
+    if (!missing) missing = load(intro, arena, workers, width, height, {}, name.hall ? &gl : nullptr);
+    if (missing) throw std::runtime_error(std::string(name.name) + ": " + missing);
+
+    CameraKey camera;
+    if (name.seconds >= 0) {
+        Moment m = momentAt(kFilm, name.seconds * kRowsPerSecond);
+        intro.scene->clear();
+        kScenes[m.shot->scene].pose(m.storyRow, intro.hall, *intro.scene);
+        camera = pose(m.shot->path, m.storyRow);
+    } else {
+        intro.scene->clear();
+        bool a = !std::strcmp(name.name, "A"), b = !std::strcmp(name.name, "B");
+        a ? posePeerA(*intro.scene) : b ? posePeerB(*intro.scene) : poseField(*intro.scene);
+        camera = a ? kPeerCameraA : b ? kPeerCameraB : kFieldCamera;
+    }
+    intro.scene->finish();
+    theView = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
+}
+
+double processorMs() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+double Subject::trace(const Quality &quality) {
+    double began = processorMs();
+    traceFrame(intro.tracer, workers, *intro.scene, theView, quality, intro.picture);
+    return processorMs() - began;
+}
+
+double Subject::samplesPerPixel() const {
+    return (double)tracedSamples(intro.tracer) / (intro.picture.width * intro.picture.height);
+}
+
+std::vector<uint8_t> Subject::picture() const {
+    const Frame &f = intro.picture;
+    std::vector<uint8_t> bytes((size_t)f.width * (size_t)f.height * 3);
+    for (int y = 0; y < f.height; ++y)
+        for (int x = 0; x < f.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                Float8 v = broadcast(f.plane[c][(size_t)y * (size_t)f.stride + (size_t)x]);
+                float shown = encodeSrgb(clamp(v * intro.scene->exposure, 0.f, 1.f))[0];
+                bytes[((size_t)y * (size_t)f.width + (size_t)x) * 3 + (size_t)c] =
+                    (uint8_t)(shown * 255 + 0.5f);
+            }
+    return bytes;
+}
+
+const std::vector<uint8_t> &Subject::reference() {
+    if (truth.empty()) {
+        Quality q = kQualities[(int)QualityName::Reference];
+        q.grid = 16;
+        trace(q);
+        truth = picture();
+    }
+    return truth;
+}
+
+double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double squares = 0;
+    for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return squares == 0 ? 99 : 10 * std::log10(255. * 255 * (double)a.size() / squares);
+}
+
+} // namespace odraz

@@ -1,0 +1,138 @@
+#include "tools/measure/measured.h"
+#include "tools/measure/plot.h"
+#include "tools/measure/reference_hall.h"
+#include "tools/measure/tradeoff.h"
+
+#include <cstdio>
+
+using namespace odraz;
+
+namespace {
+
+struct Setting {
+    std::string name;
+    BakeSettings bake;
+    bool shipped;
+};
+
+// One knob after the other, from the defaults of `radiosity solve`.
+std::vector<Setting> settings(bool quick, double area) {
+    std::vector<Setting> all;
+    BakeSettings plain;
+    plain.memory = (size_t)8 << 30;
+    auto with = [&](const std::string &name, auto &&change) {
+        Setting s = {name, plain, false};
+        change(s.bake);
+        all.push_back(s);
+    };
+    all.push_back({"default", plain, true});
+    auto count = [](const char *what, int n) { return std::string(what) + " " + std::to_string(n); };
+    std::vector<int> pixels = {16, 26, 32, 50, 64, 100, 200, 400, 800};
+    if (quick) pixels = {8, 32, 64};
+    for (int px : pixels)
+        if (px != plain.hemicube) with(count("hemicube", px), [&](BakeSettings &b) { b.hemicube = px; });
+    for (int n : quick ? std::vector<int>{1500} : std::vector<int>{375, 1500, 3000, 12000})
+        with(count("patches", n), [&](BakeSettings &b) { b.patch = area / n; });
+    for (int n : quick ? std::vector<int>{7500} : std::vector<int>{7500, 120000, 480000})
+        with(count("elements", n), [&](BakeSettings &b) { b.element = area / n; });
+    for (int n : quick ? std::vector<int>{120000} : std::vector<int>{30000, 120000, 480000})
+        with(count("adaptive", n), [&](BakeSettings &b) { b.element = area / n, b.adaptive = true; });
+    for (int n : quick ? std::vector<int>{4} : std::vector<int>{1, 4, 16, 64, 256})
+        with(count("lamp samples", n), [&](BakeSettings &b) { b.lampSamples = n; });
+    for (unsigned n : quick ? std::vector<unsigned>{1} : std::vector<unsigned>{1, 2, 3, 4})
+        with(count("rotation", (int)n), [&](BakeSettings &b) { b.turn = n * 100003; });
+    // Anti-aliasing or more pixels: as many pixels a patch, in one hemicube or in four
+    pixels = {16, 32, 64, 128, 256, 512};
+    if (quick) pixels = {32, 64};
+    for (int px : pixels) {
+        with(count("by hemicube", px), [&](BakeSettings &b) { b.analytic = false, b.hemicube = px; });
+        with(count("by 4 hemicubes", px / 2),
+             [&](BakeSettings &b) { b.analytic = false, b.hemicube = px / 2, b.turns = 4; });
+    }
+    return all;
+}
+
+struct HallSetting {
+    std::string name;
+    RadiositySettings settings;
+    bool shipped;
+};
+
+std::vector<HallSetting> hallSettings(bool quick) {
+    std::vector<HallSetting> all = {{"shipped", kHallSettings, true}};
+    auto with = [&](const std::string &name, auto &&change) {
+        HallSetting s = {name, kHallSettings, false};
+        s.settings.links = (size_t)24 << 20;
+        change(s.settings);
+        all.push_back(s);
+    };
+    for (int px : quick ? std::vector<int>{32} : std::vector<int>{8, 32, 64, 128})
+        with("hemicube " + std::to_string(px), [&](RadiositySettings &s) { s.px = px; });
+    for (int block : quick ? std::vector<int>{2} : std::vector<int>{2, 3})
+        with("patches of " + std::to_string(block * block), [&](RadiositySettings &s) { s.block = block; });
+    for (int levels : quick ? std::vector<int>{0} : std::vector<int>{0, 2})
+        with("levels " + std::to_string(levels), [&](RadiositySettings &s) { s.levels = levels; });
+    for (float contrast : quick ? std::vector<float>{} : std::vector<float>{0.1f, 0.6f})
+        with("contrast " + std::to_string(contrast).substr(0, 3),
+             [&](RadiositySettings &s) { s.contrast = contrast; });
+    for (float residual : quick ? std::vector<float>{} : std::vector<float>{1e-3f, 1e-4f})
+        with(residual < 1e-3f ? "residual 1e-4" : "residual 1e-3",
+             [&](RadiositySettings &s) { s.residual = residual; });
+    return all;
+}
+
+} // namespace
+
+int tradeoffRadiosity(const Sweep &sweep) {
+    static const int never = 0;
+    Gl gl;
+    Workers workers;
+    std::string csv = "scene,setting,shipped,cpu_s,rms_percent\n";
+    Plot plot = {"radiosity: a room, a hall of columns, a corner, and the film's hall",
+                 "processor time of a solution, s",
+                 "root mean square error, %",
+                 {"cube", "columns", "corner", "hall"},
+                 {},
+                 true,
+                 true,
+                 true,
+                 true};
+    plot.frontOfEach = true;
+    std::fputs(csv.c_str(), stdout);
+    auto put = [&](const char *scene, const std::string &name, bool shipped, double seconds, double rms,
+                   int series) {
+        char line[200];
+        std::snprintf(line, sizeof line, "%s,%s,%d,%.3f,%.3f\n", scene, name.c_str(), shipped, seconds, rms);
+        std::fputs(line, stdout);
+        std::fflush(stdout);
+        csv += line;
+        plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
+    };
+    try {
+        openAll(gl, workers);
+        int series = 0;
+        for (const char *kind : {"cube", "columns", "corner"}) {
+            Mesh mesh = generatedMesh(kind, 0);
+            std::vector<Probe> probes = referenceOf(mesh, gl, workers, sweep.quick ? 300 : 1000, sweep.quick);
+            for (const Setting &s : settings(sweep.quick, areaOf(mesh))) {
+                auto solved = bake(mesh, s.bake, gl, workers, &never, {});
+                put(kind, s.name, s.shipped, solved->seconds[4],
+                    rmsPercent(*solved->model, solved->light, probes), series);
+            }
+            ++series;
+        }
+        RadiositySettings fine = {.px = 64, .levels = 2, .contrast = 0.05f};
+        fine.block = 1, fine.links = (size_t)48 << 20;
+        if (sweep.quick) fine.px = 32;
+        SolvedHall best(fine, gl, workers, (size_t)1200 << 20);
+        auto probes = gatherHall(best, sweep.quick ? 300 : 1000, sweep.quick ? 32 : 96, workers);
+        for (const HallSetting &s : hallSettings(sweep.quick)) {
+            SolvedHall solved(s.settings, gl, workers, (size_t)600 << 20);
+            put("hall", s.name, s.shipped, solved.seconds, rmsPercent(solved, probes), series);
+        }
+    } catch (const std::runtime_error &e) {
+        std::fprintf(stderr, "tradeoff: %s\n", e.what());
+        return 1;
+    }
+    return saveText(sweep.csv, csv) && saveText(sweep.plot, svg(plot)) ? 0 : 1;
+}

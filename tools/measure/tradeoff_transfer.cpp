@@ -1,0 +1,155 @@
+#include "tools/measure/measured.h"
+#include "tools/measure/plot.h"
+#include "tools/measure/tradeoff.h"
+#include "tools/measure/transfer.h"
+
+#include <cmath>
+#include <cstdio>
+
+using namespace odraz;
+
+namespace {
+
+struct Table {
+    std::string csv = "method,bands,clusters,dimensions,shipped,bytes,relight_ms,error_percent\n";
+    Plot plot = {"transfer: PCA, fixed blocks and clustered PCA",
+                 "relighting, ms",
+                 "error, %",
+                 {"pca", "blocks", "cpca", "floor blocks", "floor cpca"},
+                 {},
+                 true,
+                 true,
+                 true,
+                 true};
+
+    void put(const char *method, int bands, int clusters, int dimensions, bool shipped, size_t bytes,
+             double ms, double error, int series) {
+        char line[200];
+        std::snprintf(line, sizeof line, "%s,%d,%d,%d,%d,%zu,%.4f,%.3f\n", method, bands, clusters,
+                      dimensions, shipped, bytes, ms, error);
+        std::fputs(line, stdout);
+        std::fflush(stdout);
+        csv += line;
+        std::string name =
+            std::string(method) + " " + std::to_string(clusters) + " x " + std::to_string(dimensions);
+        if (series >= 0 && error > 0) plot.points.push_back({ms, error, name, shipped, series});
+    }
+};
+
+// The light of an hour, or all lanterns, or all strips.
+LightVector lightOf(int which) {
+    HallLight light = {(float)std::min(which, kHours - 1), {}, {}, 1};
+    if (which == kHours)
+        for (float &lantern : light.lanterns) lantern = 1;
+    if (which == kHours + 1)
+        for (float &strip : light.strips) strip = 1;
+    return lightVector(light);
+}
+
+void sweepRows(Table &table, const SolvedHall &solved, const Sweep &sweep, Workers &workers) {
+    const Hall &hall = *solved.hall;
+    size_t texels = (size_t)hall.model.texelCount;
+    TexelPlanes planes(hall.model.texelCount);
+    LightVector noon = lightOf(kNoon);
+    TransferRows rows = rowsOf(solved, false);
+    table.put("uncompressed", kBands, 0, 0, true, texels * (size_t)rows.columns * sizeof(float),
+              medianMs([&] { relight(hall.radiosity, hall.model, noon, planes.plane); }), 0, -1);
+    std::vector<float> light((size_t)rows.columns, 1.f);
+    auto measure = [&](const char *method, PcaSettings settings, int series) {
+        Compressed c = compressed(rows, blocksOf(hall.model, settings.clusters), settings, workers);
+        double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
+        table.put(method, kBands, settings.clusters, settings.dimensions, false, c.bytes(), ms,
+                  c.errorPercent, series);
+    };
+    std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {16, 32, 64, 128, 256};
+    if (sweep.quick) dimensions = {8, 16}, clusters = {64};
+    for (int d : dimensions)
+        measure("pca", {.clusters = 1, .dimensions = d, .rounds = 0, .iterations = 12}, 0);
+    for (int k : clusters)
+        for (int d : dimensions) {
+            measure("blocks", {.clusters = k, .dimensions = d, .rounds = 0, .iterations = 8}, 1);
+            measure("cpca", {.clusters = k, .dimensions = d, .rounds = 4, .iterations = 4}, 2);
+        }
+}
+
+// What the eye gets from the floor under all lights, against matrices that are not compressed.
+void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &workers) {
+    Hall &hall = *solved.hall;
+    constexpr int kLights = kHours + 2;
+    Vec3 eye = {3, 1.55f, 3};
+    std::vector<float> exact[kLights];
+    auto measure = [&](const char *method, PcaSettings settings, bool shipped, int series) {
+        OwnArena own((size_t)64 << 20);
+        GlossySettings glossy;
+        glossy.pca = settings;
+        if (!polish(hall, glossy, own.arena, workers)) throw std::runtime_error("memory is short");
+        const Glossy &floor = hall.floor;
+        double error = 0, all = 0;
+        for (int i = 0; i < kLights; ++i) {
+            relightGlossy(floor, lightOf(i), eye, 0.06f, 1);
+            std::vector<float> got;
+            for (const float *plane : floor.plane)
+                got.insert(got.end(), plane, plane + floor.across * floor.down);
+            if (!settings.dimensions) exact[i] = got;
+            double e = 0, a = 0;
+            for (size_t k = 0; k < got.size(); ++k) {
+                e += std::pow((double)(got[k] - exact[i][k]), 2);
+                a += std::pow((double)exact[i][k], 2);
+            }
+            error += e / a, all += 1;
+        }
+        LightVector noon = lightOf(kNoon);
+        double ms = medianMs([&] { relightGlossy(floor, noon, eye, 0.06f, 1); });
+        size_t rows = (size_t)settings.clusters * (size_t)(1 + settings.dimensions),
+               width = (size_t)floor.pca.columns;
+        table.put(method, kBands, settings.dimensions ? settings.clusters : 0, settings.dimensions, shipped,
+                  (rows * width + (size_t)floor.pca.rows * (size_t)settings.dimensions) * sizeof(float), ms,
+                  100 * std::sqrt(error / all), series);
+    };
+    PcaSettings uncompressed = uncompressedFloor(hall.model);
+    measure("floor uncompressed", uncompressed, false, -1);
+    PcaSettings shipped = GlossySettings().pca;
+    measure("floor cpca", shipped, true, 4);
+    std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {1, 4, 8, 16};
+    if (sweep.quick) dimensions = {16}, clusters = {1, 8};
+    for (int k : clusters)
+        for (int d : dimensions) {
+            if (k * (1 + d) >= uncompressed.clusters) continue; // nothing would be saved
+            measure("floor blocks", {.clusters = k, .dimensions = d, .rounds = 0}, false, 3);
+            if (k > 1 && (k != shipped.clusters || d != shipped.dimensions))
+                measure("floor cpca", {.clusters = k, .dimensions = d, .rounds = 3}, false, 4);
+        }
+}
+
+} // namespace
+
+int tradeoffTransfer(const Sweep &sweep) {
+    Gl gl;
+    Workers workers;
+    Table table;
+    table.plot.frontOfEach = true;
+    std::fputs(table.csv.c_str(), stdout);
+    try {
+        openAll(gl, workers);
+        {
+            SolvedHall solved(kHallSettings, gl, workers);
+            sweepRows(table, solved, sweep, workers);
+            sweepFloor(table, solved, sweep, workers);
+        }
+        // How much of the day's light fewer bands hold, the sun's own counted
+        std::vector<float> hours;
+        for (int i = 0; i < kHours; ++i) hours.push_back((float)i);
+        std::vector<int> bands = {1, 2, 3, 4, kBands};
+        std::vector<DayError> errors = dayErrors(hours, bands, gl, workers);
+        for (int used : bands) {
+            double sum = 0;
+            for (const DayError &e : errors)
+                if (e.bands == used) sum += e.whole * e.whole;
+            table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / kHours), -1);
+        }
+    } catch (const std::runtime_error &e) {
+        std::fprintf(stderr, "tradeoff: %s\n", e.what());
+        return 1;
+    }
+    return saveText(sweep.csv, table.csv) && saveText(sweep.plot, svg(table.plot)) ? 0 : 1;
+}

@@ -1,0 +1,63 @@
+#include "tools/picture/picture.h"
+
+#include <algorithm>
+#include <unistd.h>
+
+#define STB_IMAGE_IMPLEMENTATION
+#define STBI_NO_HDR
+#define STB_IMAGE_WRITE_IMPLEMENTATION
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wall"
+#pragma GCC diagnostic ignored "-Wextra"
+#include <stb/stb_image.h>
+#include <stb/stb_image_write.h>
+#pragma GCC diagnostic pop
+
+bool readPicture(const std::string &path, Picture &p) {
+    int channels;
+    uint8_t *data = stbi_load(path.c_str(), &p.width, &p.height, &channels, 3);
+    if (!data) return false;
+    p.rgb.assign(data, data + (size_t)p.width * (size_t)p.height * 3);
+    stbi_image_free(data);
+    return true;
+}
+
+bool readPpm(std::FILE *stream, Picture &p) {
+    int most;
+    if (std::fscanf(stream, "P6 %d %d %d", &p.width, &p.height, &most) != 3 || most != 255 ||
+        std::fgetc(stream) == EOF)
+        return false;
+    if (p.width < 1 || p.height < 1 || p.width > 32768 || p.height > 32768) return false;
+    p.rgb.resize((size_t)p.width * (size_t)p.height * 3);
+    return std::fread(p.rgb.data(), 1, p.rgb.size(), stream) == p.rgb.size();
+}
+
+bool writePng(const std::string &path, const Picture &p) {
+    stbi_write_png_compression_level = 9;
+    std::string part = path + ".part";
+    bool good = stbi_write_png(part.c_str(), p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
+                rename(part.c_str(), path.c_str()) == 0;
+    if (!good) unlink(part.c_str());
+    return good;
+}
+
+Picture shrink(const Picture &p, int width) {
+    Picture small;
+    small.width = std::min(width, p.width);
+    small.height = std::max(1, (int)((int64_t)p.height * small.width / p.width));
+    small.rgb.resize((size_t)small.width * (size_t)small.height * 3);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            int x0 = x * p.width / small.width, x1 = std::max(x0 + 1, (x + 1) * p.width / small.width);
+            int y0 = y * p.height / small.height, y1 = std::max(y0 + 1, (y + 1) * p.height / small.height);
+            for (int c = 0; c < 3; ++c) {
+                int sum = 0, area = (x1 - x0) * (y1 - y0);
+                for (int v = y0; v < y1; ++v)
+                    for (int u = x0; u < x1; ++u)
+                        sum += p.rgb[((size_t)v * (size_t)p.width + (size_t)u) * 3 + (size_t)c];
+                small.rgb[((size_t)y * (size_t)small.width + (size_t)x) * 3 + (size_t)c] =
+                    (uint8_t)((sum + area / 2) / area);
+            }
+        }
+    return small;
+}

@@ -1,0 +1,67 @@
+// A model, solved: what `radiosity solve` does, for the measuring programs as well.
+#pragma once
+
+#include "tools/radiosity/mesh.h"
+#include "radiosity/radiosity.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+struct BakeSettings {
+    int hemicube = 16;             // pixels; even, 4 .. kMaxHemicube
+    double patch = 0, element = 0; // areas; 0: a 6000th or, of many polygons, more; a
+                                   // 30000th of the model's
+    int bounces = -1;              // -1: until the residual is reached
+    float residual = 1e-4f;
+    int lampSamples = 16; // parts of the largest lamp, 1 .. kMaxLampCells
+    bool analytic = true; // direct light by shadow rays; else lamps are seen by hemicubes
+    bool adaptive = false;
+    float contrast = 0.05f; // see RadiositySettings
+    size_t memory = (size_t)2048 << 20;
+    uint32_t turn = 0; // other rotations of the hemicubes
+    int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
+    int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
+};
+
+// User and system time of all threads.
+double processorSeconds();
+
+// What is told while it works: which step, how far it is, and while solving what is left to change.
+using Told = std::function<void(const char *step, float done, float residual)>;
+
+struct Bake {
+    struct Free {
+        void operator()(void *memory) const;
+    };
+    BakeSettings settings;
+    std::unique_ptr<void, Free> memory;
+    Arena arena;
+    std::unique_ptr<Model> model;
+    std::unique_ptr<Scene> scene;
+    std::vector<MeshMaterial> materials;
+    std::vector<int> material; // of each chart
+    std::vector<Glow> glows;
+    FormFactors factors;
+    System system;
+    float *direct[3], *light[3]; // planes of texels: direct light, and all that arrives; irradiance / pi
+    bool whole;                  // false: it was stopped, and some rows are missing
+    int sweeps;
+    float left;        // the residual
+    double seconds[5]; // of processor time: dividing, form factors, direct, solving, all
+    int rows;          // hemicubes drawn
+    static const char *const kSteps[4];
+
+    Rgb reflects(int chart) const;
+    Rgb emits(int chart) const;
+};
+
+// Workers watch no abort of their own. Throws ModelError, or std::runtime_error for the rest. A value other
+// than 0 in `stop` ends it early: with direct light and what was gathered so far.
+std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const Gl &gl, Workers &workers,
+                           const int *stop, const Told &told);
+
+} // namespace odraz

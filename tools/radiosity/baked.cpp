@@ -1,0 +1,186 @@
+#include "tools/radiosity/baked.h"
+
+#include "files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace odraz {
+
+namespace {
+
+constexpr char kMagic[] = "odraz radiosity 1\n";
+constexpr size_t kMagicSize = sizeof kMagic - 1;
+
+uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
+    uint64_t sum = 0xcbf29ce484222325u;
+    for (; size >= 8; p += 8, size -= 8) {
+        uint64_t word;
+        std::memcpy(&word, p, 8);
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 29;
+    }
+    for (; size; ++p, --size) sum = (sum ^ (unsigned char)*p) * 0x100000001b3u;
+    return sum;
+}
+
+// Every array goes in as its count, the size of what it holds, and its bytes.
+template <class T> void put(std::string &to, const std::vector<T> &from) {
+    const uint64_t head[2] = {from.size(), sizeof(T)};
+    to.append((const char *)head, sizeof head);
+    to.append((const char *)from.data(), from.size() * sizeof(T));
+}
+template <class T> bool get(const std::string &from, size_t &at, std::vector<T> &to) {
+    uint64_t head[2];
+    if (from.size() - at < sizeof head) return false;
+    std::memcpy(head, from.data() + at, sizeof head);
+    at += sizeof head;
+    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T)) return false;
+    to.resize(head[0]);
+    std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
+    at += head[0] * sizeof(T);
+    return true;
+}
+
+struct Flat {
+    float u, v;
+};
+
+// What of a convex polygon lies to the left of the line from a to b.
+std::vector<Flat> cut(const std::vector<Flat> &in, Flat a, Flat b) {
+    std::vector<Flat> out;
+    auto side = [&](Flat p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); };
+    for (size_t i = 0; i < in.size(); ++i) {
+        Flat p = in[i], q = in[(i + 1) % in.size()];
+        float dp = side(p), dq = side(q);
+        if (dp >= 0) out.push_back(p);
+        if ((dp >= 0) != (dq >= 0)) {
+            float t = dp / (dp - dq);
+            out.push_back({p.u + (q.u - p.u) * t, p.v + (q.v - p.v) * t});
+        }
+    }
+    return out;
+}
+
+double areaOf(const std::vector<Flat> &p) {
+    double twice = 0;
+    for (size_t i = 0; i < p.size(); ++i) {
+        const Flat &a = p[i], &b = p[(i + 1) % p.size()];
+        twice += (double)a.u * (double)b.v - (double)b.u * (double)a.v;
+    }
+    return twice / 2;
+}
+
+} // namespace
+
+Baked::Baked(const Bake &b) {
+    const Model &m = *b.model;
+    charts.assign(m.charts, m.charts + m.chartCount);
+    facets.assign(m.facets, m.facets + m.facetCount);
+    cells.assign(m.cells, m.cells + m.cellCount);
+    texels.assign(m.texels, m.texels + m.texelCount);
+    for (int i = 0; i < m.texelCount; ++i) light.push_back({b.light[0][i], b.light[1][i], b.light[2][i]});
+    for (int i = 0; i < m.chartCount; ++i) reflects.push_back(b.reflects(i)), emits.push_back(b.emits(i));
+}
+
+void Baked::save(const std::string &path) const {
+    std::string all(kMagic, kMagicSize), body;
+    put(body, charts), put(body, facets), put(body, cells), put(body, texels);
+    put(body, light), put(body, reflects), put(body, emits);
+    uint64_t sum = checksum(body.data(), body.size());
+    all.append((const char *)&sum, sizeof sum);
+    writeWhole(path, all + body);
+}
+
+Baked::Baked(const std::string &path) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream buffer;
+    if (!file || !(buffer << file.rdbuf()))
+        throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno ? errno : EISDIR));
+    std::string all = buffer.str();
+    size_t at = kMagicSize + 8;
+    if (all.size() < at || all.compare(0, kMagicSize, kMagic) != 0)
+        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    uint64_t sum;
+    std::memcpy(&sum, all.data() + kMagicSize, 8);
+    bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, charts) &&
+                get(all, at, facets) && get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
+                get(all, at, reflects) && get(all, at, emits) && at == all.size();
+    if (!good)
+        throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
+}
+
+Rgb Baked::at(int chart, int cell, float u, float v) const {
+    // In steps of the finest cells, within this one
+    const Chart &c = charts[(size_t)chart];
+    const int *corner = cells[(size_t)cell].corner;
+    const Texel &low = texels[(size_t)corner[0]], &high = texels[(size_t)corner[3]];
+    auto share = [](float x, int low, int high) {
+        return std::clamp((x - (float)low) / (float)(high - low), 0.f, 1.f);
+    };
+    float x = share(u / c.width * (float)(c.across * kSteps), low.x, high.x),
+          y = share(v / c.height * (float)(c.down * kSteps), low.y, high.y);
+    auto l = [&](int k) { return light[(size_t)corner[k]]; };
+    return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y) * reflects[(size_t)chart] + emits[(size_t)chart];
+}
+
+void Baked::forPieces(const std::function<void(int, int, const std::vector<BakedPoint> &)> &visit) const {
+    // Texels by their place, to find those that hang in sides
+    struct Key {
+        int chart, x, y;
+        bool operator<(const Key &b) const {
+            return chart != b.chart ? chart < b.chart : y != b.y ? y < b.y : x < b.x;
+        }
+    };
+    std::vector<Key> known;
+    bool divided = std::any_of(cells.begin(), cells.end(), [](const Cell &c) { return c.divided(); });
+    if (divided) {
+        for (const Texel &t : texels) known.push_back({t.chart, t.x, t.y});
+        std::sort(known.begin(), known.end());
+    }
+    std::vector<BakedPoint> piece;
+    for (size_t i = 0; i < cells.size(); ++i) {
+        const Cell &cell = cells[i];
+        if (cell.divided()) continue;
+        const Chart &c = charts[(size_t)cell.chart];
+        const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
+        float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+        // Its outline, counter-clockwise, with what hangs in it
+        std::vector<Flat> outline;
+        auto side = [&](int x0, int y0, int x1, int y1) {
+            int steps = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
+            for (int k = 0; k < steps; ++k) {
+                int x = x0 + (x1 - x0) * k / steps, y = y0 + (y1 - y0) * k / steps;
+                if (k == 0 ||
+                    (divided && std::binary_search(known.begin(), known.end(), Key{cell.chart, x, y})))
+                    outline.push_back({(float)x * du, (float)y * dv});
+            }
+        };
+        side(low.x, low.y, high.x, low.y);
+        side(high.x, low.y, high.x, high.y);
+        side(high.x, high.y, low.x, high.y);
+        side(low.x, high.y, low.x, low.y);
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) {
+            const Facet &facet = facets[(size_t)f];
+            std::vector<Flat> left = outline;
+            for (int k = 0; k < (facet.triangle() ? 3 : 4) && left.size() > 2; ++k) {
+                int next = (k + 1) % (facet.triangle() ? 3 : 4);
+                left = cut(left, {facet.u[k], facet.v[k]}, {facet.u[next], facet.v[next]});
+            }
+            if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
+            piece.clear();
+            for (const Flat &p : left) piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
+            visit(cell.chart, (int)i, piece);
+        }
+    }
+}
+
+void writeWhole(const std::string &path, const std::string &text) {
+    if (!pack::writeFile(path, text.data(), text.size(), false))
+        throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+}
+
+} // namespace odraz

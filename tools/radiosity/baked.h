@@ -1,0 +1,52 @@
+// A solved model as a file: its charts, elements and light; and what can be made of it.
+#pragma once
+
+#include "tools/radiosity/bake.h"
+
+namespace odraz {
+
+// A point of an element's outline, and the radiosity there.
+struct BakedPoint {
+    Vec3 p;
+    Rgb radiosity;
+};
+
+class Baked {
+public:
+    explicit Baked(const Bake &bake);
+    // Throws std::runtime_error with a line that begins with the file's name.
+    explicit Baked(const std::string &path);
+    // Written beside and renamed. Throws likewise.
+    void save(const std::string &path) const;
+
+    // Visits the part of every element that lies on each facet: convex outlines, with the points of smaller
+    // neighbours that hang in their sides.
+    void
+    forPieces(const std::function<void(int chart, int cell, const std::vector<BakedPoint> &)> &visit) const;
+
+    std::vector<Chart> charts;
+    std::vector<Facet> facets;
+    std::vector<Cell> cells;
+    std::vector<Texel> texels;
+    std::vector<Rgb> light;           // of each texel: what arrives
+    std::vector<Rgb> reflects, emits; // of each chart
+
+private:
+    Rgb at(int chart, int cell, float u, float v) const;
+};
+
+// Writes a text whole, beside and renamed; throws std::runtime_error.
+void writeWhole(const std::string &path, const std::string &text);
+
+void exportCsv(const Baked &baked, const std::string &path);
+void exportPly(const Baked &baked, const std::string &path);
+void exportObj(const Baked &baked, const std::string &path);
+
+struct RenderSettings {
+    Vec3 eye, target;
+    int width = 1280, height = 720;
+    bool logarithmic = false; // how radiosity becomes brightness: its logarithm, or the film's curve
+};
+void render(const Baked &baked, const RenderSettings &settings, Workers &workers, const std::string &path);
+
+} // namespace odraz

@@ -1,0 +1,103 @@
+// A solved model as a picture, by the film's tracer.
+#include "tools/radiosity/baked.h"
+
+#include "tools/picture/picture.h"
+#include "tools/radiosity/regions.h"
+#include "trace/picture/adaptive.h"
+#include "trace/picture/frame.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+// What of the picture's points are brighter than all but the given share of them; black ones do not count.
+float quantile(std::vector<float> &all, double share) {
+    if (all.empty()) return 1;
+    auto at = all.begin() + (long)((double)(all.size() - 1) * share);
+    std::nth_element(all.begin(), at, all.end());
+    return *at;
+}
+
+} // namespace
+
+void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
+    size_t bytes = ((size_t)s.width + 16) * (size_t)s.height * 32 +
+                   (size_t)workers.count * kTileScratchBytes + ((size_t)1 << 20);
+    std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
+                                                            std::free);
+    Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
+    Tracer tracer = {};
+    Frame frame = {};
+    if (!memory || !makeTracer(tracer, arena, workers.count) || !makeFrame(frame, arena, s.width, s.height))
+        throw std::runtime_error("there is not enough memory: try a smaller --size");
+
+    // Every polygon shows its radiosity: a white surface in that light
+    auto scene = std::make_unique<Scene>();
+    auto model = std::make_unique<Model>();
+    std::copy(baked.charts.begin(), baked.charts.end(), model->charts);
+    std::copy(baked.facets.begin(), baked.facets.end(), model->facets);
+    model->chartCount = (int)baked.charts.size(), model->facetCount = (int)baked.facets.size();
+    std::vector<float> planes[3];
+    for (auto &p : planes) p.resize(baked.texels.size() + 8);
+    for (size_t i = 0; i < baked.texels.size(); ++i) {
+        size_t chart = (size_t)baked.texels[i].chart;
+        Rgb b = baked.light[i] * baked.reflects[chart] + baked.emits[chart];
+        planes[0][i] = b.x, planes[1][i] = b.y, planes[2][i] = b.z;
+    }
+    Lightmap map = {};
+    map.charts = model->charts;
+    map.cells = baked.cells.data();
+    for (int k = 0; k < 3; ++k) map.plane[k] = planes[k].data();
+    Material white = {};
+    for (Rgb &c : white.texture.palette) c = {1, 1, 1};
+    white.diffuse = 1;
+    scene->clear();
+    scene->add(white);
+    poseFacets(*model, *scene);
+    scene->lightmap = &map;
+    scene->finish();
+
+    // Exposed for what the camera sees
+    View view = lookAt(s.eye, s.target, 0, 60, s.width, s.height);
+    auto trace = [&] {
+        traceFrame(tracer, workers, *scene, view, kQualities[(int)QualityName::Film], frame);
+        std::vector<float> all;
+        for (int y = 0; y < s.height; ++y)
+            for (int x = 0; x < s.width; ++x) {
+                size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
+                float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
+                if (light > 0) all.push_back(light);
+            }
+        return all;
+    };
+    std::vector<float> all = trace();
+    // Squares are judged by what is seen: once more with the exposure that was found
+    scene->exposure = 0.5f / std::max(quantile(all, 0.6), 1e-30f);
+    all = trace();
+    Picture picture = {s.width, s.height, {}};
+    picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
+    float low = std::log(std::max(quantile(all, 0.01), 1e-30f)),
+          high = std::log(std::max(quantile(all, 0.998), 1e-30f));
+    if (!s.logarithmic) develop(frame, workers, scene->exposure);
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x,
+                   pixel = (size_t)y * (size_t)s.width + (size_t)x;
+            float c[3] = {frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]};
+            float light = std::max({c[0], c[1], c[2]});
+            // The darkest is not black: it shall be seen too
+            float rank = light > 0 ? (std::log(light) - low) / std::max(high - low, 1e-3f) : 0;
+            float shown = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
+            for (size_t k = 0; k < 3; ++k)
+                picture.rgb[pixel * 3 + k] =
+                    s.logarithmic
+                        ? (uint8_t)(light > 0 ? shown * std::pow(c[k] / light, 1 / 2.2f) * 255 + 0.5f : 0)
+                        : frame.rgba[pixel * 4 + k];
+        }
+    if (!writePng(path, picture)) throw std::runtime_error(path + ": cannot be written");
+}
+
+} // namespace odraz

@@ -1,0 +1,194 @@
+#include "tools/radiosity/mesh.h"
+
+#define TINYOBJLOADER_IMPLEMENTATION
+#include <tiny_obj_loader.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <unordered_map>
+
+namespace {
+
+using Point = std::array<double, 3>;
+
+Point minus(const Point &a, const Point &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+Point cross(const Point &a, const Point &b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+double length(const Point &a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
+
+std::string at(const std::string &path, size_t line) { return path + ":" + std::to_string(line) + ": "; }
+
+// tinyobjloader reads what it can and forgets where it stood. So the text is looked through first for what
+// would be read wrongly, and said with its line.
+struct Text {
+    std::string all;
+    bool materials = false;
+
+    void check(const std::string &path) {
+        std::istringstream in(all);
+        std::string line;
+        size_t number = 0;
+        long points = 0;
+        while (std::getline(in, line)) {
+            ++number;
+            const char *p = line.c_str();
+            while (*p == ' ' || *p == '\t') ++p;
+            if (p[0] == 'v' && (p[1] == ' ' || p[1] == '\t')) {
+                ++points;
+                ++p;
+                for (int k = 0; k < 3; ++k) {
+                    char *end;
+                    double x = std::strtod(p, &end);
+                    if (end == p) throw ModelError(at(path, number) + "a point needs three coordinates");
+                    if (!(std::fabs(x) < 1e18))
+                        throw ModelError(at(path, number) + "a coordinate is not a number below 1e18");
+                    p = end;
+                }
+            } else if (p[0] == 'f' && (p[1] == ' ' || p[1] == '\t')) {
+                int corners = 0;
+                for (++p;; ++corners) {
+                    char *end;
+                    long index = std::strtol(p, &end, 10);
+                    if (end == p) break;
+                    if (index == 0 || index > points || index < -points)
+                        throw ModelError(at(path, number) + "there is no point " + std::to_string(index) +
+                                         " before this polygon");
+                    for (p = end; *p && *p != ' ' && *p != '\t'; ++p) {
+                    }
+                }
+                if (corners < 3) throw ModelError(at(path, number) + "a polygon needs three points");
+            } else if (!std::strncmp(p, "mtllib", 6)) {
+                materials = true;
+            }
+        }
+    }
+};
+
+} // namespace
+
+std::array<double, 3> normalOf(const Mesh &m, const Triangle &t) {
+    const Point &a = m.points[(size_t)t.corners[0]];
+    return cross(minus(m.points[(size_t)t.corners[1]], a), minus(m.points[(size_t)t.corners[2]], a));
+}
+
+double areaOf(const Mesh &m) {
+    double area = 0;
+    for (const Triangle &t : m.triangles) area += length(normalOf(m, t)) / 2;
+    return area;
+}
+
+double Mesh::size() const {
+    Point lo = points.at(0), hi = lo;
+    for (const Point &p : points)
+        for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+    return length(minus(hi, lo));
+}
+
+Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
+    std::ifstream file(path, std::ios::binary);
+    std::stringstream buffer;
+    if (!file || !(buffer << file.rdbuf()))
+        throw ModelError(path + ": cannot be read: " + std::strerror(errno));
+    Text text{buffer.str()};
+    text.check(path);
+
+    tinyobj::attrib_t attributes;
+    std::vector<tinyobj::shape_t> shapes;
+    std::vector<tinyobj::material_t> materials;
+    std::string warning, error;
+    size_t slash = path.rfind('/');
+    tinyobj::MaterialFileReader reader(slash == std::string::npos ? "" : path.substr(0, slash + 1));
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &buffer, &reader, true))
+        throw ModelError(path + ": is not a model: " + error.substr(0, error.find('\n')));
+    if (text.materials && materials.empty())
+        notes.push_back(path + ": its materials cannot be read: " + warning.substr(0, warning.find('\n')));
+
+    Mesh mesh;
+    bool plain = false;
+    for (const auto &m : materials) {
+        MeshMaterial to = {m.name, {}, {}};
+        for (size_t k = 0; k < 3; ++k) {
+            double reflects = (double)m.diffuse[k], emits = (double)m.emission[k];
+            if (!(reflects >= 0 && reflects <= 1) || !(emits >= 0 && emits < 1e12))
+                throw ModelError(path + ": material " + m.name +
+                                 ": Kd must lie between 0 and 1, Ke must not be negative");
+            to.reflects[k] = (float)reflects, to.emits[k] = (float)emits;
+        }
+        mesh.materials.push_back(to);
+    }
+
+    // Weld points that lie within a millionth of the model's size
+    size_t count = attributes.vertices.size() / 3;
+    std::vector<Point> given(count);
+    Point lo = {1e30, 1e30, 1e30}, hi = {-1e30, -1e30, -1e30};
+    for (size_t i = 0; i < count; ++i)
+        for (size_t k = 0; k < 3; ++k) {
+            given[i][k] = (double)attributes.vertices[3 * i + k];
+            lo[k] = std::min(lo[k], given[i][k]), hi[k] = std::max(hi[k], given[i][k]);
+        }
+    double grid = std::max(length(minus(hi, lo)) * 1e-6, 1e-300);
+    struct Hash {
+        size_t operator()(const std::array<long, 3> &a) const {
+            return (size_t)a[0] * 73856093u ^ (size_t)a[1] * 19349663u * 64 ^ (size_t)a[2] * 83492791u * 4096;
+        }
+    };
+    std::unordered_map<std::array<long, 3>, int, Hash> known;
+    known.reserve(count * 2);
+    std::vector<int> number(count);
+    for (size_t i = 0; i < count; ++i) {
+        std::array<long, 3> cell;
+        for (size_t k = 0; k < 3; ++k) cell[k] = std::lround((given[i][k] - lo[k]) / grid);
+        auto [entry, added] = known.try_emplace(cell, (int)mesh.points.size());
+        if (added) mesh.points.push_back(given[i]);
+        number[i] = entry->second;
+    }
+
+    // Triangles, each once, and none without area
+    std::vector<std::array<int, 4>> seen;
+    for (const auto &shape : shapes)
+        for (size_t i = 0; i < shape.mesh.indices.size() / 3; ++i) {
+            Triangle t = {};
+            for (size_t k = 0; k < 3; ++k)
+                t.corners[k] = number[(size_t)shape.mesh.indices[3 * i + k].vertex_index];
+            t.material = i < shape.mesh.material_ids.size() ? shape.mesh.material_ids[i] : -1;
+            if (t.material < 0) t.material = (int)materials.size(), plain = true;
+            double longest = 0;
+            for (size_t k = 0; k < 3; ++k)
+                longest = std::max(longest, length(minus(mesh.points[(size_t)t.corners[k]],
+                                                         mesh.points[(size_t)t.corners[(k + 1) % 3]])));
+            if (!(length(normalOf(mesh, t)) > longest * grid * 2)) { // lower than two grid steps
+                ++mesh.flat;
+                continue;
+            }
+            mesh.triangles.push_back(t);
+        }
+    if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}});
+    auto key = [&](size_t i) { // turned so that the least corner is first
+        auto c = mesh.triangles[i].corners;
+        std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+        return c;
+    };
+    std::vector<size_t> order(mesh.triangles.size());
+    for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+        auto x = key(a), y = key(b);
+        return x != y ? x < y : a < b;
+    });
+    std::vector<bool> drop(order.size());
+    for (size_t i = 1; i < order.size(); ++i)
+        if (key(order[i]) == key(order[i - 1])) drop[order[i]] = true, ++mesh.twice;
+    size_t kept = 0;
+    for (size_t i = 0; i < order.size(); ++i)
+        if (!drop[i]) mesh.triangles[kept++] = mesh.triangles[i];
+    mesh.triangles.resize(kept);
+    if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
+    if (mesh.flat)
+        notes.push_back(path + ": " + std::to_string(mesh.flat) + " triangles without area left out");
+    if (mesh.twice)
+        notes.push_back(path + ": " + std::to_string(mesh.twice) + " triangles given twice left out");
+    return mesh;
+}
