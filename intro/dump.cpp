@@ -1,7 +1,7 @@
 #include "dump.h"
 
 #include "host/files.h"
-#include "host/machine.h"
+#include "host/process.h"
 
 namespace odraz {
 
@@ -23,16 +23,16 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     const Quality &quality = o.qualityOr(QualityName::Film);
 
     for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
-        const Frame &picture = frame(intro, frameTime(n, o.fps), quality);
+        Picture p = picture(intro, frameTime(n, o.fps), quality);
         // Pack it in place as a PPM: the header in front, three bytes of every four behind it
         Text<32> header;
-        header << "P6\n" << picture.width << ' ' << picture.height << "\n255\n";
-        size_t pixels = (size_t)picture.width * (size_t)picture.height;
-        uint8_t *file = picture.rgba - kPictureMargin;
+        header << "P6\n" << p.width << ' ' << p.height << "\n255\n";
+        size_t pixels = (size_t)p.width * (size_t)p.height;
+        uint8_t *file = p.rgba - kHeaderRoom;
         for (int i = 0; i < header.size; ++i) file[i] = (uint8_t)header.data[i];
         uint8_t *to = file + header.size;
         for (size_t i = 0; i < pixels; ++i)
-            for (size_t c = 0; c < 3; ++c) *to++ = picture.rgba[4 * i + c];
+            for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
         size_t size = (size_t)(to - file);
 
         if (toStdout) {

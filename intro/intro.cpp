@@ -1,6 +1,10 @@
 #include "intro.h"
 
+#include "inside.h"
+
 namespace odraz {
+
+static_assert(kSceneCount <= kMaxScenes && kHeaderRoom <= kPictureMargin);
 
 bool needsHall(double from, double to) {
     for (int i = 0; i < kFilm.count; ++i) {
@@ -12,54 +16,51 @@ bool needsHall(double from, double to) {
     return false;
 }
 
-size_t memoryNeeded(int width, int height, int workers, bool hall) {
-    size_t pixels = ((size_t)width + 7) * (size_t)height;
-    return pixels * 16 + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
-           (hall ? sizeof(Hall) + hallBytes() : 0);
+size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
+    size_t pixels = ((size_t)s.width + 7) * (size_t)s.height;
+    return pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
+           (hall ? sizeof(Hall) + kRoomBytes : 0);
 }
 
-const char *load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
-                 const Gl *gl, const Progress &progress) {
-    intro.workers = &workers;
-    intro.facts = facts;
-    intro.scene = arena.take<Scene>(1);
-    if (!intro.scene || !makeTracer(intro.tracer, arena, workers.count) ||
-        !makeFrame(intro.picture, arena, width, height))
+const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, const Gl *gl,
+                 const Progress &progress) {
+    intro = arena.take<Intro>(1);
+    Scene *scene = arena.take<Scene>(1);
+    if (!intro || !scene || !makeTracer(intro->tracer, arena, workers.count) ||
+        !makeFrame(intro->frame, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
+    intro->workers = &workers;
+    intro->film = {scene, nullptr, {s.bytes, s.machine}};
     if (!gl) return nullptr;
-    intro.hall = arena.take<Hall>(1);
-    return intro.hall ? loadHall(*intro.hall, *intro.scene, *gl, arena, workers, progress)
-                      : "not enough memory";
+    Hall *hall = intro->film.hall = arena.take<Hall>(1);
+    if (!hall) return "not enough memory";
+    prepareHall(*hall, *scene);
+    return solveRoom(*hall, *scene, hallSettings(*hall), *gl, arena, workers, progress);
 }
 
 double duration() { return kFilm.endRow / kRowsPerSecond; }
 
 int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot->scene; }
 
+const char *sceneName(int scene) { return kScenes[scene].name; }
+
 CameraKey cameraAt(double seconds) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
     return pose(m.shot->path, m.storyRow);
 }
 
-const Frame &frame(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
-    // Pose
-    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
-    const SceneEntry &entry = kScenes[m.shot->scene];
-    Scene &scene = *intro.scene;
-    CameraKey c = camera ? *camera : pose(m.shot->path, m.storyRow);
-    scene.clear();
-    scene.eye = c.eye;
-    entry.pose(m.storyRow, intro.hall, scene);
-    scene.finish();
-
-    // Trace, letter, develop
-    Frame &picture = intro.picture;
-    View view = lookAt(c.eye, c.target, c.roll, c.fov, picture.width, picture.height);
-    traceFrame(intro.tracer, *intro.workers, scene, view, quality, picture);
-    if (entry.letter) entry.letter(m.storyRow, intro.hall, intro.facts, view, picture);
+Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
+    Frame &frame = intro.frame;
+    const Scene &scene = *intro.film.scene;
+    Posed now = poseAt(intro.film, seconds, camera);
+    View view = now.view(frame.width, frame.height);
+    traceFrame(intro.tracer, *intro.workers, scene, view, quality, frame);
+    if (now.entry->letter) now.entry->letter(now.cue, view, frame);
     // Squared, a fade looks even: the eye is quick to see the first light
-    develop(picture, *intro.workers, scene.exposure * m.fade * m.fade);
-    return picture;
+    develop(frame, *intro.workers, scene.exposure * now.fade * now.fade);
+    return {frame.width, frame.height, frame.rgba};
 }
+
+int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
 
 } // namespace odraz

@@ -2,44 +2,60 @@
 #pragma once
 
 #include "base/arena.h"
+#include "base/gl.h"
 #include "base/parallel.h"
-#include "show/show.h"
-#include "trace/picture/adaptive.h"
+#include "base/progress.h"
+#include "timeline/camera.h"
+#include "trace/quality.h"
 
 namespace odraz {
 
-// The film, loaded. The host owns it; it holds no resources beyond the arena it was loaded from.
-struct Intro {
-    Workers *workers;
-    Tracer tracer;
-    Scene *scene;
-    Hall *hall; // null where it was not asked for
-    Frame picture;
-    Facts facts;
+// The film, loaded. It lies in the arena that it was loaded from and holds nothing else.
+struct Intro;
+
+struct IntroSettings {
+    int width, height; // of its pictures
+    // What the credits tell of this copy and this machine: the size of the executable and the processor's
+    // name; 0 and null where they must not enter the picture (dumps)
+    int64_t bytes = 0;
+    const char *machine = nullptr;
 };
 
 // Whether some scene in [from, to) seconds plays in the hall, which must then be solved.
 bool needsHall(double from, double to);
 
-// Bytes of arena that load() needs for pictures of this size and so many workers.
-size_t memoryNeeded(int width, int height, int workers, bool hall);
+// Bytes of arena that load() needs, for so many workers.
+size_t memoryNeeded(const IntroSettings &settings, int workers, bool hall);
 
-// Prepares the film for pictures of this size. With a table of OpenGL, whose context must be current, it
-// solves the hall, telling how far it is; without one, scenes that play there cannot be shown. Returns null,
-// or a line that says what is missing and what to do.
-const char *load(Intro &intro, Arena &arena, Workers &workers, int width, int height, const Facts &facts,
+// Prepares the film. With a table of OpenGL, whose context must be current, it solves the hall, telling how
+// far it is; without one, scenes that play there cannot be shown. Returns null, or a line that says what is
+// missing and what to do.
+const char *load(Intro *&intro, const IntroSettings &settings, Arena &arena, Workers &workers,
                  const Gl *gl = nullptr, const Progress &progress = {});
 
 double duration(); // seconds
 
-// The shot on at a time: its scene's index in kScenes.
-int sceneAt(double seconds);
+// The scene that is on at a time, and what it is called.
+inline constexpr int kMaxScenes = 16;
+int sceneAt(double seconds); // below kMaxScenes
+const char *sceneName(int scene);
 
 // How the scripted camera stands at a time.
 CameraKey cameraAt(double seconds);
 
+// A picture to show or to keep: sRGB, four bytes a pixel, top row first. The caller may overwrite it, and the
+// kHeaderRoom bytes before it; it lasts until the next one is asked for.
+struct Picture {
+    int width, height;
+    uint8_t *rgba;
+};
+inline constexpr int kHeaderRoom = 64;
+
 // Traces and develops the picture of a time. It depends on nothing but the time, the quality and the size.
 // With a camera given, that one looks instead of the scripted one.
-const Frame &frame(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera = nullptr);
+Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera = nullptr);
+
+// Samples that the last picture took.
+int64_t samplesTaken(const Intro &intro);
 
 } // namespace odraz

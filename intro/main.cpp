@@ -1,18 +1,18 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "dump.h"
-#include "start/early.h"
+#include "host/clock.h"
+#include "host/cpu.h"
 #include "host/files.h"
 #include "host/headless.h"
-#include "host/machine.h"
+#include "host/process.h"
 #include "host/threads.h"
 #include "play.h"
+#include "start/early.h"
 #include "version.h"
 
 using namespace odraz;
 
 namespace {
-
-Intro theIntro;
 
 int say(const char *text, int size) {
     const char *wrong = writeAll(1, text, (size_t)size);
@@ -44,16 +44,18 @@ int run(int argc, char **argv, bool stdoutClosed) {
         return refuseOrComplain(m.data);
     }
     bool hall = needsHall(seconds(o.from), seconds(o.to));
-    size_t bytes = memoryNeeded(o.width, o.height, workers.count, hall);
+    char name[49];
+    cpuName(name);
+    IntroSettings settings = {o.width, o.height};
+    if (!o.dump) settings.bytes = ownSize(), settings.machine = name;
+    size_t bytes = memoryNeeded(settings, workers.count, hall);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (!arena.base) {
         Message m;
         m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed; try a smaller --size";
         return refuseOrComplain(m.data);
     }
-    char name[49];
-    cpuName(name);
-    Facts facts = o.dump ? Facts{} : Facts{ownSize(), name};
+    Intro *intro;
 
     // Play: the window comes first, and shows how far loading is
     if (!o.dump) {
@@ -62,17 +64,17 @@ int run(int argc, char **argv, bool stdoutClosed) {
         if (!theEarly.opened)
             if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
                 return refuse(wrong);
-        const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts,
-                                 hall ? &window.gl : nullptr, {showLoading, &window, loaded});
-        if (theEarly.viewerLeft) return 0;
-        return wrong ? refuse(wrong) : play(theIntro, o, window, &theEarly.viewerLeft, began);
+        const char *wrong = load(intro, settings, arena, workers, hall ? &window.gl : nullptr,
+                                 {showLoading, &window, loaded});
+        if (viewerLeft()) return 0;
+        return wrong ? refuse(wrong) : play(*intro, o, window, &theEarly.viewerLeft, began);
     }
     Gl gl;
     if (hall)
         if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
-    if (const char *wrong = load(theIntro, arena, workers, o.width, o.height, facts, hall ? &gl : nullptr))
+    if (const char *wrong = load(intro, settings, arena, workers, hall ? &gl : nullptr))
         return complain(wrong);
-    return dump(theIntro, o, stdoutClosed);
+    return dump(*intro, o, stdoutClosed);
 }
 
 } // namespace

@@ -6,11 +6,13 @@
 //   1 2 3        draft, play, film          ESC           leave
 #include "base/gl.h"
 #include "base/maths.h"
+#include "host/cpu.h"
 #include "host/library.h"
-#include "host/machine.h"
+#include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
 #include "options.h"
+#include "timeline/track.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -116,11 +118,15 @@ int fail(const char *line) {
 int main(int argc, char **argv) {
     Options o;
     Message wrong;
-    if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
-    if (o.help)
-        return std::printf("usage: odraz-debug [--from S] [--size WxH] [--threads N]\nkeys: space, arrows, W "
-                           "A S D Q E, mouse, R, C, 1 2 3, ESC\n"),
-               0;
+    if (!parseOptions(argc, argv, duration(), o, wrong)) {
+        fail(wrong.data);
+        return 2;
+    }
+    if (o.help) {
+        std::puts("usage: odraz-debug [--from S] [--size WxH] [--threads N]\n"
+                  "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC");
+        return 0;
+    }
     static const int never = 0;
     Workers workers;
     if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never))
@@ -136,11 +142,12 @@ int main(int argc, char **argv) {
     Gl gl;
     if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, gl))
         return fail("no OpenGL 3.3 on this display");
-    size_t bytes = memoryNeeded(o.width, o.height, workers.count, true);
+    IntroSettings settings = {o.width, o.height};
+    size_t bytes = memoryNeeded(settings, workers.count, true);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    static Intro intro;
+    Intro *intro;
     if (!arena.base) return fail("not enough memory: try a smaller --size");
-    if (const char *problem = load(intro, arena, workers, o.width, o.height, {}, &gl)) return fail(problem);
+    if (const char *problem = load(intro, settings, arena, workers, &gl)) return fail(problem);
     gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
     GLuint texture, framebuffer;
     gl.glGenTextures(1, &texture);
@@ -159,17 +166,16 @@ int main(int argc, char **argv) {
         last = now;
         if (!m.paused) m.time = std::fmin(m.time + passed, duration());
         fly(window, m, (float)passed);
-        const Frame &picture = frame(intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
+        Picture p = picture(*intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
         int w, h;
         glfwGetFramebufferSize(window, &w, &h);
-        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE,
-                           picture.rgba);
+        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);
         gl.glBlitFramebuffer(0, 0, o.width, o.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
         glfwSwapBuffers(window);
         // The overlay: where and how fast we are
         char title[160];
         std::snprintf(title, sizeof title, "odraz-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
-                      kScenes[sceneAt(m.time)].name, (int)m.time / 60, std::fmod(m.time, 60),
+                      sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
                       m.time * kRowsPerSecond, kQualityNames[m.quality], m.paused ? "  paused" : "",
                       passed * 1e3);
         glfwSetWindowTitle(window, title);

@@ -17,7 +17,7 @@ const char kHelp[] =
     "  --fps N|N/M        frames a second of a dump, like 25, 23.976 or 30000/1001 (default 25)\n"
     "  --from S, --to S   play or dump only the seconds [S, S); a frame's time n/fps decides (default: all)\n"
     "  --size WxH         pixels to trace, 1x1 to 7680x4320 (default 1280x720)\n"
-    "  --quality NAME     draft, play, film or reference (default: play; film for dumps)\n"
+    "  --quality NAME     draft, play, film or reference (default: what keeps up; film for dumps)\n"
     "  --threads N        1 to 64 (default: as many as there are processors); pictures do not depend on it\n"
     "  --version, --help\n";
 

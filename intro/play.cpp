@@ -1,7 +1,7 @@
 #include "play.h"
 
+#include "host/clock.h"
 #include "host/files.h"
-#include "host/machine.h"
 
 namespace odraz {
 
@@ -55,17 +55,17 @@ struct Governor {
     }
 };
 
-SceneStats theStats[kSceneCount]; // zero at the start; too large for a stack
+SceneStats theStats[kMaxScenes]; // zero at the start; too large for a stack
 
 void printStats(double untilFirst) {
     Text<2048> t;
     (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
     t << "scene      shown  dropped  trace ms: median    p95   present ms: median    p95   samples/pixel\n";
-    for (int i = 0; i < kSceneCount; ++i) {
+    for (int i = 0; i < kMaxScenes; ++i) {
         const SceneStats &s = theStats[i];
         if (!s.shown) continue;
         int line = t.size;
-        (t << kScenes[i].name).padTo(line + 11) << s.shown;
+        (t << sceneName(i)).padTo(line + 11) << s.shown;
         t.padTo(line + 18) << s.dropped;
         t.padTo(line + 37).decimal(s.trace.quantile(0.5), 1);
         t.padTo(line + 44).decimal(s.trace.quantile(0.95), 1);
@@ -89,11 +89,10 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, i
         int64_t before = nanoseconds();
         double passed = (double)(before - start) * 1e-9, time = from + passed;
         if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
-        const Frame &picture =
-            frame(intro, time, o.quality == QualityName::Count ? governor.quality() : quality);
+        Picture p = picture(intro, time, o.quality == QualityName::Count ? governor.quality() : quality);
         if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         int64_t traced = nanoseconds();
-        present(window, picture.rgba, picture.width, picture.height);
+        present(window, p.rgba, p.width, p.height);
         int64_t shown = nanoseconds();
         if (!firstShown) firstShown = shown;
 
@@ -103,7 +102,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, i
         if (slot > lastSlot + 1 && lastSlot >= 0) s.dropped += (int)(slot - lastSlot - 1);
         lastSlot = slot;
         ++s.shown;
-        s.samples += (double)tracedSamples(intro.tracer) / (picture.width * picture.height);
+        s.samples += (double)samplesTaken(intro) / (p.width * p.height);
         s.trace.add(traced - before);
         s.present.add(shown - traced);
     }

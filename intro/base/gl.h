@@ -9,7 +9,7 @@ namespace odraz {
 
 // clang-format off
 #define ODRAZ_GL(F) \
-    F(glGetError) F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
+    F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
     F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
     F(glGetIntegerv) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \

@@ -5,13 +5,13 @@
 namespace odraz {
 
 const SceneEntry kScenes[kSceneCount] = {
-    {"point", posePoint, letterPoint, false},
-    {"table", poseTable, nullptr, false},
-    {"flake", poseFlake, nullptr, false},
-    {"patches", posePatches, letterPatches, true},
-    {"hall", poseDay, nullptr, true},
-    {"odraz", poseOdraz, nullptr, true},
-    {"credits", poseCredits, letterCredits, false},
+    [kPoint] = {"point", posePoint, letterPoint, false},
+    [kTable] = {"table", poseTable, nullptr, false},
+    [kFlake] = {"flake", poseFlake, nullptr, false},
+    [kPatches] = {"patches", posePatches, letterPatches, true},
+    [kHall] = {"hall", poseDay, nullptr, true},
+    [kOdraz] = {"odraz", poseOdraz, nullptr, true},
+    [kCredits] = {"credits", poseCredits, letterCredits, false},
 };
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
@@ -72,5 +72,16 @@ static constexpr Shot kShots[] = {
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};
+
+Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    Posed now = {&kScenes[m.shot->scene],
+                 {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
+                 m.fade};
+    film.scene->clear();
+    now.entry->pose(now.cue, *film.scene);
+    film.scene->finish();
+    return now;
+}
 
 } // namespace odraz

@@ -41,13 +41,15 @@ void addStair(Model &m) {
     }
 }
 
-void build(Model &m) {
+void build(Hall &hall) {
+    Model &m = hall.model;
     Vec3 x = {2 * kX, 0, 0}, y = {0, kY, 0}, z = {0, 0, 2 * kZ};
-    m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.42f);
+    hall.floor = m.addRect({-kX, 0, -kZ}, z, x, kFloor, 0.42f);
     // The ceiling, parted by the beams: light of one bay is not that of the next
     for (int i = 0; i < 5; ++i) {
         float from = i ? kColumns[i - 1] + kBeam : -kZ, to = i < 4 ? kColumns[i] - kBeam : kZ;
-        m.addRect({-kX, kY, from}, x, {0, 0, to - from}, kBeamX, 0.62f);
+        int bay = m.addRect({-kX, kY, from}, x, {0, 0, to - from}, kBeamX, 0.62f);
+        if (i == 2) hall.vault = bay;
     }
     m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.52f);
     // The wall with the entrance
@@ -89,21 +91,22 @@ void build(Model &m) {
     addStair(m);
 }
 
-void addLamps(Model &m, Lights &lights) {
+void addLamps(Hall &hall) {
+    Lights &lights = hall.radiosity.lights;
     for (float cz : kLanternZ) lights.lamps[lights.lampCount++] = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
         Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.004f - kZ};
-        int chart = m.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 1.04f);
+        int chart = hall.model.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 1.04f);
         lights.lamps[lights.lampCount++] = {{}, 0, chart};
     }
 }
 
 } // namespace
 
-void buildHall(Model &model, Lights &lights) {
-    build(model);
-    addLamps(model, lights);
-    model.solid = true;
+void buildHall(Hall &hall) {
+    build(hall);
+    addLamps(hall);
+    hall.model.solid = true;
 }
 
 } // namespace odraz

@@ -21,8 +21,7 @@ enum HallPart {
 
 inline constexpr float kLanternRadius = 0.15f;
 
-// Adds charts and facets to an empty model, the floor first, then the five bays of the ceiling; and the
-// lamps: lanterns, then strips.
-void buildHall(Model &model, Lights &lights);
+// Adds charts and facets to its empty model, whose names it notes, and its lamps: lanterns, then strips.
+void buildHall(Hall &hall);
 
 } // namespace odraz

@@ -2,13 +2,12 @@
 // lettered.
 //
 // Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function
-// of the row: no scene remembers anything.
+// of the cue: no scene remembers anything.
 #pragma once
 
 #include "show/hall.h"
 #include "timeline/shot.h"
 #include "trace/picture/frame.h"
-#include "trace/scene/scene.h"
 #include "trace/rays/view.h"
 
 namespace odraz {
@@ -19,12 +18,18 @@ struct Facts {
     const char *machine; // the processor's name
 };
 
+// What a scene is told when it is on.
+struct Cue {
+    double row;       // of its story
+    CameraKey camera; // that looks at it, be it scripted or flown
+    Hall *hall;       // null where no scene needs it
+    Facts facts;
+};
+
 struct SceneEntry {
     const char *name;
-    // Fills a cleared scene; the hall may be null where it is not needed
-    void (*pose)(double row, Hall *hall, Scene &scene);
-    // Draws over the linear picture; or null
-    void (*letter)(double row, const Hall *hall, const Facts &facts, const View &view, Frame &frame);
+    void (*pose)(const Cue &cue, Scene &scene);                     // fills a cleared scene
+    void (*letter)(const Cue &cue, const View &view, Frame &frame); // draws over the linear picture; or null
     bool needsHall;
 };
 
@@ -32,16 +37,39 @@ enum SceneId { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kScene
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
+// What the film is shown with: a scene that is posed anew for every picture, and what all of them share.
+struct Film {
+    Scene *scene;
+    Hall *hall; // null where no scene needs it
+    Facts facts;
+};
+
+// What is on at a time.
+struct Posed {
+    const SceneEntry *entry;
+    Cue cue;
+    float fade; // 0 black .. 1 full
+
+    View view(int width, int height) const {
+        const CameraKey &c = cue.camera;
+        return lookAt(c.eye, c.target, c.roll, c.fov, width, height);
+    }
+};
+
+// Poses the film's scene at a time, ready to be traced. With a camera given, that one looks instead of the
+// scripted one.
+Posed poseAt(const Film &film, double seconds, const CameraKey *camera = nullptr);
+
 // Each in a file of its own.
-void posePoint(double row, Hall *, Scene &scene);
-void letterPoint(double row, const Hall *, const Facts &facts, const View &, Frame &frame);
-void poseTable(double row, Hall *, Scene &scene);
-void poseFlake(double row, Hall *, Scene &scene);
-void posePatches(double row, Hall *hall, Scene &scene);
-void letterPatches(double row, const Hall *hall, const Facts &, const View &view, Frame &frame);
-void poseDay(double row, Hall *hall, Scene &scene);
-void poseOdraz(double row, Hall *hall, Scene &scene);
-void poseCredits(double row, Hall *, Scene &scene);
-void letterCredits(double row, const Hall *, const Facts &facts, const View &, Frame &frame);
+void posePoint(const Cue &cue, Scene &scene);
+void letterPoint(const Cue &cue, const View &, Frame &frame);
+void poseTable(const Cue &cue, Scene &scene);
+void poseFlake(const Cue &cue, Scene &scene);
+void posePatches(const Cue &cue, Scene &scene);
+void letterPatches(const Cue &cue, const View &view, Frame &frame);
+void poseDay(const Cue &cue, Scene &scene);
+void poseOdraz(const Cue &cue, Scene &scene);
+void poseCredits(const Cue &cue, Scene &scene);
+void letterCredits(const Cue &cue, const View &, Frame &frame);
 
 } // namespace odraz

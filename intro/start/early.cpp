@@ -1,7 +1,8 @@
 #include "start/early.h"
 
-#include "host/machine.h"
-#include "host/linux/sys.h"
+#include "host/clock.h"
+#include "host/cpu.h"
+#include "host/process.h"
 #include "options.h"
 #include "show/length.h"
 #include "timeline/track.h"
@@ -20,7 +21,7 @@ void open(int argc, char **argv) {
     if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump)
         return;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
-        sys::exit(refuse(line));
+        endProcess(refuse(line));
     theEarly.opened = true;
 }
 
@@ -32,10 +33,9 @@ extern "C" void odrazEarly(void **stack, uint32_t done, uint32_t size) {
     using namespace odraz;
     if (!theEarly.began) {
         theEarly.began = nanoseconds();
-        theEarly.closedDescriptors = guardStandardDescriptors();
-        ignoreBrokenPipes();
+        theEarly.closedDescriptors = prepareDescriptors();
         open((int)(long)stack[0], (char **)(stack + 1));
     }
-    if (theEarly.viewerLeft) sys::exit(0);
+    if (viewerLeft()) endProcess(0);
     if (theEarly.opened) showLoading(kEarlyShare * (float)done / (float)size, &theEarly.window);
 }

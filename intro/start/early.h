@@ -10,9 +10,11 @@ struct Early {
     bool opened;   // the window; if not, main does it
     FilmWindow window;
     int viewerLeft;        // set by the window
-    int closedDescriptors; // what guardStandardDescriptors found
+    int closedDescriptors; // what prepareDescriptors found
 };
 extern Early theEarly; // zero at first; outside of what is decoded
+
+inline bool viewerLeft() { return __atomic_load_n(&theEarly.viewerLeft, __ATOMIC_RELAXED) != 0; }
 
 constexpr float kEarlyShare = 0.4f; // of all loading
 

@@ -1,6 +1,6 @@
 // Where the shipped program starts: no crt1, no libc start-up. ld.so has run libc's own initialisation by
 // now, because the program has an interpreter, so malloc and threads of the libraries work.
-#include "host/linux/sys.h"
+#include "host/process.h"
 
 // At entry rsp is 16-aligned and points to argc; a plain call gives the alignment that a function expects.
 __asm__(".globl _start\n"
@@ -13,5 +13,5 @@ __asm__(".globl _start\n"
 int odrazMain(int argc, char **argv);
 
 extern "C" [[noreturn]] void odrazStart(long *stack) {
-    odraz::sys::exit(odrazMain((int)stack[0], (char **)(stack + 1)));
+    odraz::endProcess(odrazMain((int)stack[0], (char **)(stack + 1)));
 }

@@ -44,7 +44,7 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
     for (int round = 0; round < 5; ++round) {
         Clock clock;
         solved =
-            std::make_unique<SolvedHall>(kHallSettings, gl, workers, hallBytes(), nullptr, clock.progress());
+            std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
         names.clear();
         // The first step begins when the memory is there
         clock.steps[0].seconds = solved->seconds;
@@ -58,8 +58,7 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
             GlossySettings settings;
             if (!pca) settings.pca = {.clusters = 1, .dimensions = 0, .rounds = 0};
             double began = processorSeconds();
-            if (!polish(*solved->hall, settings, memory.arena, workers))
-                throw std::runtime_error("memory is short");
+            solved->polish(settings, memory.arena, workers);
             double took = processorSeconds() - began;
             times[(size_t)(6 + pca)].push_back(pca ? took - times[6].back() : took);
         }
@@ -78,12 +77,12 @@ void startUp(const Gl &gl, Workers &workers, std::unique_ptr<SolvedHall> &solved
     std::printf("  %-26s %.3f\n", "all", sum);
 }
 
-void everyFrame(const SolvedHall &solved, Workers &workers) {
+void everyFrame(SolvedHall &solved, Workers &workers) {
     const Hall &hall = *solved.hall;
     int texels = hall.model.texelCount;
     TexelPlanes planes(texels);
     OwnArena memory((size_t)64 << 20);
-    if (!polish(*solved.hall, {}, memory.arena, workers)) throw std::runtime_error("memory is short");
+    solved.polish({}, memory.arena, workers);
 
     std::printf("a frame, ms of one thread\n");
     auto show = [&](const char *name, const HallLight &light) {
@@ -91,7 +90,7 @@ void everyFrame(const SolvedHall &solved, Workers &workers) {
         double vector = medianMs([&] { v = lightVector(light); }),
                rows = medianMs([&] { relight(hall.radiosity, hall.model, v, planes.plane); }),
                floor = medianMs([&] {
-                   relightGlossy(hall.floor, v, {3, 1.55f, 3}, 0.06f, 1);
+                   relightGlossy(hall.gloss, v, {3, 1.55f, 3}, 0.06f, 1);
                });
         std::printf("  %-26s light vector %.3f, relight %.3f (%.3f for 8,000 elements), gloss %.3f\n", name,
                     vector, rows, rows * 8000 / texels, floor);

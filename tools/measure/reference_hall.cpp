@@ -1,7 +1,7 @@
 #include "tools/measure/reference_hall.h"
 
-#include "trace/shade/ball.h"
 #include "trace/rays/intersect.h"
+#include "trace/shade/ball.h"
 
 #include <cmath>
 
@@ -17,6 +17,12 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
     seconds = processorSeconds() - began;
+}
+
+void SolvedHall::polish(const GlossySettings &settings, Arena &arena, Workers &workers) {
+    if (!findGlossy(hall->gloss, hall->model, hall->radiosity, hall->floor, hallSettings(*hall).importance,
+                    settings, arena, workers))
+        throw std::runtime_error("memory is short");
 }
 
 namespace {

@@ -1,8 +1,8 @@
 // The film's hall, and what its light is compared with: three of its lights, gathered by rays alone.
 #pragma once
 
-#include "tools/radiosity/reference.h"
 #include "show/hall.h"
+#include "tools/radiosity/reference.h"
 
 namespace odraz {
 
@@ -31,8 +31,11 @@ struct TexelPlanes {
 // The hall, solved with some settings. Throws std::runtime_error.
 struct SolvedHall {
     // `change` may put other lights into it before it is solved
-    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = hallBytes(),
+    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = kRoomBytes,
                const std::function<void(Lights &)> &change = {}, const Progress &progress = {});
+
+    // Finds the floor's gloss. Throws std::runtime_error where the arena is full.
+    void polish(const GlossySettings &settings, Arena &arena, Workers &workers);
 
     OwnArena memory;
     std::unique_ptr<Scene> scene;

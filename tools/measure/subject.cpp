@@ -19,28 +19,26 @@ const std::vector<SubjectName> &subjectNames() {
 }
 
 Subject::Subject(const SubjectName &name, int width, int height) : workers(serialWorkers()) {
-    size_t bytes = (memoryNeeded(width, height, 1, name.hall) + 127) & ~(size_t)63;
+    IntroSettings settings = {width, height};
+    size_t bytes = (memoryNeeded(settings, 1, name.hall) + 127) & ~(size_t)63;
     memory.reset(new unsigned char[bytes]());
     unsigned char *base = memory.get() + (64 - (uintptr_t)memory.get() % 64);
     arena = {base, bytes - 64, 0};
     Gl gl;
     const char *missing = name.hall ? openHeadlessGl(gl) : nullptr;
-    if (!missing) missing = load(intro, arena, workers, width, height, {}, name.hall ? &gl : nullptr);
+    if (!missing) missing = load(intro, settings, arena, workers, name.hall ? &gl : nullptr);
     if (missing) throw std::runtime_error(std::string(name.name) + ": " + missing);
 
-    CameraKey camera;
     if (name.seconds >= 0) {
-        Moment m = momentAt(kFilm, name.seconds * kRowsPerSecond);
-        intro.scene->clear();
-        kScenes[m.shot->scene].pose(m.storyRow, intro.hall, *intro.scene);
-        camera = pose(m.shot->path, m.storyRow);
-    } else {
-        intro.scene->clear();
-        bool a = !std::strcmp(name.name, "A"), b = !std::strcmp(name.name, "B");
-        a ? posePeerA(*intro.scene) : b ? posePeerB(*intro.scene) : poseField(*intro.scene);
-        camera = a ? kPeerCameraA : b ? kPeerCameraB : kFieldCamera;
+        theView = poseAt(intro->film, name.seconds).view(width, height);
+        return;
     }
-    intro.scene->finish();
+    Scene &posed = scene();
+    posed.clear();
+    bool a = !std::strcmp(name.name, "A"), b = !std::strcmp(name.name, "B");
+    a ? posePeerA(posed) : b ? posePeerB(posed) : poseField(posed);
+    posed.finish();
+    CameraKey camera = a ? kPeerCameraA : b ? kPeerCameraB : kFieldCamera;
     theView = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
 }
 
@@ -52,22 +50,22 @@ double processorMs() {
 
 double Subject::trace(const Quality &quality) {
     double began = processorMs();
-    traceFrame(intro.tracer, workers, *intro.scene, theView, quality, intro.picture);
+    traceFrame(intro->tracer, workers, scene(), theView, quality, intro->frame);
     return processorMs() - began;
 }
 
 double Subject::samplesPerPixel() const {
-    return (double)tracedSamples(intro.tracer) / (intro.picture.width * intro.picture.height);
+    return (double)tracedSamples(intro->tracer) / (intro->frame.width * intro->frame.height);
 }
 
 std::vector<uint8_t> Subject::picture() const {
-    const Frame &f = intro.picture;
+    const Frame &f = intro->frame;
     std::vector<uint8_t> bytes((size_t)f.width * (size_t)f.height * 3);
     for (int y = 0; y < f.height; ++y)
         for (int x = 0; x < f.width; ++x)
             for (int c = 0; c < 3; ++c) {
                 Float8 v = broadcast(f.plane[c][(size_t)y * (size_t)f.stride + (size_t)x]);
-                float shown = encodeSrgb(clamp(v * intro.scene->exposure, 0.f, 1.f))[0];
+                float shown = encodeSrgb(clamp(v * intro->film.scene->exposure, 0.f, 1.f))[0];
                 bytes[((size_t)y * (size_t)f.width + (size_t)x) * 3 + (size_t)c] =
                     (uint8_t)(shown * 255 + 0.5f);
             }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/headless.h"
-#include "intro.h"
+#include "inside.h"
 
 #include <memory>
 #include <string>
@@ -32,16 +32,16 @@ public:
     // The same of 256 samples in every pixel, box-filtered: traced once, then kept.
     const std::vector<uint8_t> &reference();
 
-    Scene &scene() { return *intro.scene; }
+    Scene &scene() { return *intro->film.scene; }
     const View &view() const { return theView; }
-    Tracer &tracer() { return intro.tracer; }
-    const Frame &frame() const { return intro.picture; }
+    Tracer &tracer() { return intro->tracer; }
+    const Frame &frame() const { return intro->frame; }
 
 private:
     std::unique_ptr<unsigned char[]> memory;
     Arena arena;
     Workers workers;
-    Intro intro = {};
+    Intro *intro = nullptr; // in the arena
     View theView = {};
     std::vector<uint8_t> truth;
 };

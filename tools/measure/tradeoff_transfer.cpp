@@ -82,8 +82,8 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
         OwnArena own((size_t)64 << 20);
         GlossySettings glossy;
         glossy.pca = settings;
-        if (!polish(hall, glossy, own.arena, workers)) throw std::runtime_error("memory is short");
-        const Glossy &floor = hall.floor;
+        solved.polish(glossy, own.arena, workers);
+        const Glossy &floor = hall.gloss;
         double error = 0, all = 0;
         for (int i = 0; i < kLights; ++i) {
             relightGlossy(floor, lightOf(i), eye, 0.06f, 1);
@@ -106,7 +106,7 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
                   (rows * width + (size_t)floor.pca.rows * (size_t)settings.dimensions) * sizeof(float), ms,
                   100 * std::sqrt(error / all), series);
     };
-    PcaSettings uncompressed = uncompressedFloor(hall.model);
+    PcaSettings uncompressed = uncompressedFloor(hall);
     measure("floor uncompressed", uncompressed, false, -1);
     PcaSettings shipped = GlossySettings().pca;
     measure("floor cpca", shipped, true, 4);

@@ -121,8 +121,8 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
     return c;
 }
 
-PcaSettings uncompressedFloor(const Model &m) {
-    const Chart &c = m.charts[0];
+PcaSettings uncompressedFloor(const Hall &hall) {
+    const Chart &c = hall.model.charts[hall.floor];
     return {
         .clusters = (c.patchesAcross() + 1) / 2 * ((c.patchesDown() + 1) / 2), .dimensions = 0, .rounds = 0};
 }
@@ -172,7 +172,7 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
             days.push_back(daylightAt(hours[i]));
             skies.push_back(days.back().sky);
         }
-        SolvedHall very(settings, gl, workers, hallBytes(), [&](Lights &l) {
+        SolvedHall very(settings, gl, workers, kRoomBytes, [&](Lights &l) {
             l.skyCount = 3 * (int)skies.size();
             l.skies = &skies;
             l.sky = [](const void *from, const Vec3x8 &d, Float8 *values) {

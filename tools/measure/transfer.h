@@ -48,7 +48,7 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
                                 Workers &workers);
 
 // The floor's gloss without compression: a cluster for each of its squares.
-PcaSettings uncompressedFloor(const Model &model);
+PcaSettings uncompressedFloor(const Hall &hall);
 
 // The median time of a call in milliseconds, of processor time.
 double medianMs(const std::function<void()> &call, int rounds = 9);

@@ -1,6 +1,6 @@
-#include "host/machine.h"
 #include "host/linux/sys.h"
 #include "host/linux/xlib.h"
+#include "host/process.h"
 
 namespace odraz {
 

@@ -1,9 +1,10 @@
 #include "host/window.h"
 
-#include "host/machine.h"
+#include "host/clock.h"
 #include "host/linux/sys.h"
-#include "host/threads.h"
 #include "host/linux/xlib.h"
+#include "host/process.h"
+#include "host/threads.h"
 
 #include <GL/glx.h>
 #include <X11/keysym.h>

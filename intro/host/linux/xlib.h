@@ -10,7 +10,7 @@ namespace odraz {
 
 // clang-format off
 #define ODRAZ_XLIB(F) \
-    F(XInitThreads) F(XOpenDisplay) F(XCloseDisplay) F(XCreateWindow) F(XMapRaised) F(XSelectInput) \
+    F(XInitThreads) F(XOpenDisplay) F(XCloseDisplay) F(XCreateWindow) F(XMapRaised) \
     F(XNextEvent) F(XPending) F(XSync) F(XFlush) F(XInternAtom) F(XSetWMProtocols) F(XChangeProperty) \
     F(XGetWindowProperty) F(XFree) F(XStoreName) F(XSetInputFocus) F(XCreateColormap) \
     F(XCreateBitmapFromData) F(XCreatePixmapCursor) F(XDefineCursor) F(XResetScreenSaver) \

@@ -8,7 +8,7 @@ namespace odraz {
 
 using enum Interpolation;
 
-void poseCredits(double, Hall *, Scene &scene) {
+void poseCredits(const Cue &, Scene &scene) {
     int marble = scene.add(darkMarble()), silver = scene.add(mirror());
     scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, silver));
@@ -26,23 +26,25 @@ static constexpr Key kLine1[] = {{4, 0, Smooth}, {14, 1, Linear}};
 static constexpr Key kLine2[] = {{12, 0, Smooth}, {22, 1, Linear}};
 static constexpr Key kLine3[] = {{20, 0, Smooth}, {30, 1, Linear}};
 
-void letterCredits(double row, const Hall *, const Facts &facts, const View &, Frame &frame) {
+void letterCredits(const Cue &cue, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](const char *text, float y, float size, Track fade, Rgb colour) {
         drawText(frame, text, w * 0.5f, h * y, h * size, 0.085f, 1.6f, Align::Centre, colour,
-                 value(fade, row));
+                 value(fade, cue.row));
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f}, grey = {0.36f, 0.36f, 0.38f};
     line("odraz", 0.17f, 0.055f, track(kLine1), pale);
     line("a film of reflections, traced ray by ray while you watched", 0.245f, 0.023f, track(kLine2), grey);
     Text<80> size;
-    if (facts.bytes)
-        size << facts.bytes << " bytes";
+    if (cue.facts.bytes)
+        size << cue.facts.bytes << " bytes";
     else
         size << "in less than 65537 bytes";
     line(size.data, 0.325f, 0.031f, track(kLine3), accent);
     Text<80> machine;
-    machine << "on " << (facts.machine && *facts.machine ? facts.machine : "a processor, and nothing else");
+    machine << "on "
+            << (cue.facts.machine && *cue.facts.machine ? cue.facts.machine
+                                                        : "a processor, and nothing else");
     line(machine.data, 0.385f, 0.023f, track(kLine3), grey);
 }
 

@@ -14,18 +14,18 @@ static constexpr Key kLantern3[] = {
 static constexpr Key kExposure[] = {
     {0, 2.3f, Smooth}, {60, 2.0f, Linear}, {130, 2.0f, Smooth}, {180, 2.1f, Linear}};
 
-void poseDay(double row, Hall *hall, Scene &scene) {
+void poseDay(const Cue &cue, Scene &scene) {
     HallLight light = {};
-    light.hour = value(track(kHour), row);
-    light.lanterns[2] = value(track(kLantern1), row);
-    light.lanterns[1] = value(track(kLantern2), row);
-    light.lanterns[0] = value(track(kLantern3), row);
+    light.hour = value(track(kHour), cue.row);
+    light.lanterns[2] = value(track(kLantern1), cue.row);
+    light.lanterns[1] = value(track(kLantern2), cue.row);
+    light.lanterns[0] = value(track(kLantern3), cue.row);
     light.sun = 1;
     // The strips rise in turn, one every half bar
     static constexpr Key kRise[] = {{0, 0, Smooth}, {7, 1, Linear}};
-    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), row - 226 - 5 * i);
-    poseHall(*hall, light, 0, scene);
-    scene.exposure = value(track(kExposure), row);
+    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - 226 - 5 * i);
+    poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
+    scene.exposure = value(track(kExposure), cue.row);
 }
 
 } // namespace odraz

@@ -12,6 +12,8 @@ namespace {
 
 constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
 constexpr int kShades = 6;
+// Detail is that of a picture of so many lines, whatever its size and the lens: pixels of what is a unit away
+constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
 // When each generation grows out of the one before
 constexpr Key kGrow[kLevels][2] = {{{10, 0, Smooth}, {42, 1, Linear}},
                                    {{40, 0, Smooth}, {76, 1, Linear}},
@@ -20,7 +22,6 @@ constexpr Key kGrow[kLevels][2] = {{{10, 0, Smooth}, {42, 1, Linear}},
 struct Flake {
     Scene &scene;
     CameraKey camera;
-    float pixelsPerUnit; // of what is a unit away, in a picture of 720 lines
     float grown[kLevels], turn;
     int silver;
     int pearls[2][kShades]; // by how much of a mirror they are
@@ -29,7 +30,7 @@ struct Flake {
     void add(int level, Vec3 centre, float radius, const Mat3 &frame) {
         // Detail by projected size: a ball of a few pixels mirrors nothing, and one of two grows nothing
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
-              pixels = radius / away * pixelsPerUnit;
+              pixels = radius / away * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.08f) - 1, 0, kShades - 1);
         scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3);
@@ -48,12 +49,9 @@ struct Flake {
 
 } // namespace
 
-void poseFlake(double row, Hall *, Scene &scene) {
-    const CameraPath *path = nullptr;
-    for (int i = 0; i < kFilm.count; ++i)
-        if (kFilm.shots[i].scene == kFlake) path = &kFilm.shots[i].path;
-    Flake flake = {scene, pose(*path, row), 1000, {}, (float)row * 0.004f, 0, {}};
-    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), row);
+void poseFlake(const Cue &cue, Scene &scene) {
+    Flake flake = {scene, cue.camera, {}, (float)cue.row * 0.004f, 0, {}};
+    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), cue.row);
     flake.silver = scene.add(mirror());
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)

@@ -15,13 +15,13 @@ static constexpr Key kMiddle[] = {{0, 0, Smooth}, {16, 1, Linear}};
 static constexpr Key kIn[] = {{0, 14, Smooth}, {56, 0, Linear}};
 static constexpr Key kOut[] = {{0, 0, Smooth}, {44, 14, Linear}};
 
-void poseOdraz(double row, Hall *hall, Scene &scene) {
+void poseOdraz(const Cue &cue, Scene &scene) {
     HallLight light = {kHours - 1, {}, {}, 1};
-    light.lanterns[0] = value(track(kOuter), row);
-    light.lanterns[1] = value(track(kMiddle), row);
-    light.lanterns[2] = value(track(kOuter), row + 8);
-    for (float &strip : light.strips) strip = value(track(kStripsGo), row);
-    poseHall(*hall, light, 0, scene);
+    light.lanterns[0] = value(track(kOuter), cue.row);
+    light.lanterns[1] = value(track(kMiddle), cue.row);
+    light.lanterns[2] = value(track(kOuter), cue.row + 8);
+    for (float &strip : light.strips) strip = value(track(kStripsGo), cue.row);
+    poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
     scene.exposure = 2.1f;
 
     int silver = scene.add(mirror()), clear = scene.add(glass()), red = scene.add(copper());
@@ -39,7 +39,7 @@ void poseOdraz(double row, Hall *hall, Scene &scene) {
         {3.4f, 0.9f, 0.5f, -99, 999, silver},  {0, -4.3f, 0.6f, -9, 999, red},
     };
     for (const Ball &b : balls) {
-        float way = value(track(kIn), row - b.comes) + value(track(kOut), row - b.goes),
+        float way = value(track(kIn), cue.row - b.comes) + value(track(kOut), cue.row - b.goes),
               turn = way / b.radius;
         Shape *s = scene.add(sphere({b.x, b.radius, b.z + way}, b.radius, b.material));
         s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};

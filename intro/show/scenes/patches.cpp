@@ -33,11 +33,13 @@ static Rgb patchLight(const Hall &hall, int i, float bounces, float lit) {
     return lerp(grey, lerp(hall.bounce[whole][i], hall.bounce[whole + 1][i], bounces - (float)whole), lit);
 }
 
-void posePatches(double row, Hall *hall, Scene &scene) {
+void posePatches(const Cue &cue, Scene &scene) {
+    double row = cue.row;
+    Hall *hall = cue.hall;
     float melt = value(track(kMelt), row), real = value(track(kReal), row),
           bounces = value(track(kBounce), row);
     HallLight light = {kNoon, {}, {}, real};
-    poseHall(*hall, light, 1 - real, scene);
+    poseHall(*hall, light, 1 - real, cue.camera.eye, scene);
     if (row < 128) scene.sky = plainSky({0.012f, 0.013f, 0.016f}, {0.03f, 0.034f, 0.045f});
     scene.exposure = value(track(kExposure), row);
     scene.lines = 0.75f * (1 - melt);
@@ -65,8 +67,9 @@ void posePatches(double row, Hall *hall, Scene &scene) {
     }
 }
 
-void letterPatches(double row, const Hall *hall, const Facts &, const View &view, Frame &frame) {
-    float open = value(track(kOpen), row);
+void letterPatches(const Cue &cue, const View &view, Frame &frame) {
+    const Hall *hall = cue.hall;
+    float open = value(track(kOpen), cue.row);
     if (open == 0) return;
     // From the patch it grows to its place
     float h = (float)frame.height, size = h * 0.14f * open; // half a face

@@ -13,14 +13,14 @@ static constexpr Key kKeyLight[] = {
 static constexpr Key kRimLight[] = {{48, 0, Smooth}, {96, 1, Linear}};
 static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; // its x as it rolls in
 
-void posePoint(double row, Hall *, Scene &scene) {
-    float key = value(track(kKeyLight), row), rim = value(track(kRimLight), row);
+void posePoint(const Cue &cue, Scene &scene) {
+    float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row);
     int marble = scene.add(darkMarble()), clear = scene.add(glass()), silver = scene.add(mirror());
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (0.05f + key)));
 
     scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, clear));
-    float x = value(track(kMirrorAt), row);
+    float x = value(track(kMirrorAt), cue.row);
     Shape *ball = scene.add(sphere({x, 0.36f, -0.42f}, 0.36f, silver));
     float turn = x / 0.36f;
     ball->frame = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
@@ -39,10 +39,10 @@ void posePoint(double row, Hall *, Scene &scene) {
 
 static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};
 
-void letterPoint(double row, const Hall *, const Facts &, const View &, Frame &frame) {
+void letterPoint(const Cue &cue, const View &, Frame &frame) {
     float h = (float)frame.height;
     drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.17f, h * 0.034f, 0.085f, 5, Align::Centre,
-             {0.75f, 0.72f, 0.68f}, value(track(kTitle), row));
+             {0.75f, 0.72f, 0.68f}, value(track(kTitle), cue.row));
 }
 
 } // namespace odraz

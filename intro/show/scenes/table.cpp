@@ -14,7 +14,7 @@ static float stepped(double row) {
     return ((float)whole + 0.35f * part + 0.65f * smoothstep(0.f, 1.f, part)) * (kPi / 8);
 }
 
-void poseTable(double row, Hall *, Scene &scene) {
+void poseTable(const Cue &cue, Scene &scene) {
     int board = scene.add(boards()), edge = scene.add(oak()), ground = scene.add(granite());
     int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()),
         stone = scene.add(darkMarble());
@@ -34,7 +34,7 @@ void poseTable(double row, Hall *, Scene &scene) {
 
     // One great mirror in the middle, five that circle it, two that circle lower the other way
     scene.add(sphere({0, 0.8f, 0}, 0.8f, silver));
-    float turn = stepped(row - 32);
+    float turn = stepped(cue.row - 32);
     struct Mover {
         float angle, distance, radius, speed, lift;
         int material;

@@ -46,7 +46,6 @@ struct Scene {
     float outline[kMaxOutline * 2]; // the polygons' points
     int shapeCount, materialCount, lightCount, outlineCount;
 
-    Vec3 eye; // whom it is posed for
     Sky sky;
     Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
     float fog;                   // how fast things turn into the horizon: share left = 2^(-fog distance)

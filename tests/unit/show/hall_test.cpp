@@ -1,8 +1,8 @@
 // The film's hall: its form factors against rays, its light over the day, and its bounces.
 #include "base/random.h"
-#include "tests/support/lens.h"
 #include "show/hall.h"
 #include "show/materials.h"
+#include "tests/support/lens.h"
 #include "tests/support/stage.h"
 
 #include <cmath>
@@ -13,13 +13,18 @@ using namespace odraz;
 namespace {
 
 constexpr int kNoonSun = kSh + 4 * kNoon;
+constexpr Vec3 kEye = {0, 1.6f, 3};
 
 struct Solved {
-    HeapArena memory{hallBytes() + sizeof(Hall)};
+    HeapArena memory{kRoomBytes + sizeof(Hall)};
     Workers workers = serialWorkers();
     std::unique_ptr<Scene> scene = std::make_unique<Scene>();
     Hall *hall = memory.arena.take<Hall>(1);
-    Solved() { EXPECT_STREQ(loadHall(*hall, *scene, headlessGl(), memory.arena, workers, {}), nullptr); }
+    Solved() {
+        prepareHall(*hall, *scene);
+        EXPECT_STREQ(solveRoom(*hall, *scene, hallSettings(*hall), headlessGl(), memory.arena, workers, {}),
+                     nullptr);
+    }
 };
 Solved &solved() {
     static Solved s;
@@ -112,7 +117,7 @@ TEST(Hall, HemicubesAgreeWithRays) {
 // The hall a thousand times smaller and larger: the same light, to the rounding of its coordinates.
 TEST(Hall, SizeDoesNotMatter) {
     struct Copy {
-        HeapArena memory{hallBytes()};
+        HeapArena memory{kRoomBytes};
         std::unique_ptr<Model> model;
         std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
     };
@@ -135,7 +140,7 @@ TEST(Hall, SizeDoesNotMatter) {
         for (Vec3 &sun : copy->r->lights.suns) sun *= Vec3{scale, scale, scale};
         // The hall's own materials, over the copy's facets
         auto scene = std::make_unique<Scene>();
-        poseHall(*solved().hall, {}, 0, *scene);
+        poseHall(*solved().hall, {}, 0, kEye, *scene);
         scene->shapeCount = 0;
         copy->model->pose(*scene);
         scene->finish();
@@ -158,7 +163,7 @@ TEST(Hall, SizeDoesNotMatter) {
                 sum += b * b, difference += (a - b) * (a - b);
             }
         }
-        std::printf("the hall times %g: rms difference %.3f %%, %d of %d elements hidden otherwise\n",
+        std::printf("the hall times %g: rms difference %.3f %%, %d of %d texels hidden otherwise\n",
                     (double)scale, 100 * std::sqrt(difference / sum), hidden, one->model->texelCount);
         EXPECT_LT(std::sqrt(difference / sum), 0.01) << scale;
         EXPECT_LT(hidden, one->model->texelCount / 200) << scale;
@@ -171,7 +176,7 @@ TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
     float noon = 0, night = 0;
     for (float hour = 0; hour <= kHours - 1; hour += 0.25f) {
         scene->clear();
-        poseHall(*s.hall, {hour, {}, {}, 1}, 0, *scene);
+        poseHall(*s.hall, {hour, {}, {}, 1}, 0, kEye, *scene);
         for (float *plane : s.hall->light)
             for (int i = 0; i < s.hall->model.texelCount; ++i)
                 ASSERT_TRUE(plane[i] >= 0 && plane[i] < 100) << hour;
@@ -187,7 +192,7 @@ TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
 TEST(Hall, LanternsChangeHandsUnseen) {
     Solved &s = solved();
     auto scene = std::make_unique<Scene>();
-    const Chart &floor = s.hall->model.charts[0];
+    const Chart &floor = s.hall->model.charts[s.hall->floor];
     int texel = floor.texel(floor.across / 2, floor.down / 2);
     Vec3 place = floor.at((float)(floor.across / 2) * floor.width / (float)floor.across,
                           (float)(floor.down / 2) * floor.height / (float)floor.down);
@@ -196,7 +201,7 @@ TEST(Hall, LanternsChangeHandsUnseen) {
     for (int step = 0; step <= 1000; ++step) {
         float t = (float)step * 0.001f;
         scene->clear();
-        poseHall(*s.hall, {kHours - 1, {t, 0.6f, 1 - t}, {}, 1}, 0, *scene);
+        poseHall(*s.hall, {kHours - 1, {t, 0.6f, 1 - t}, {}, 1}, 0, kEye, *scene);
         double light = (double)s.hall->light[1][texel];
         most = std::max(most, scene->lightCount);
         for (int i = 0; i < scene->lightCount; ++i) {
@@ -212,7 +217,7 @@ TEST(Hall, LanternsChangeHandsUnseen) {
     }
     EXPECT_LE(most, 1 + kLanterns); // the sun and those that just take over
     scene->clear();
-    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {}, 1}, 0, *scene);
+    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {}, 1}, 0, kEye, *scene);
     EXPECT_EQ(scene->lightCount, 1 + 2);
 }
 
@@ -273,7 +278,7 @@ TEST(Hall, ABallDarkensWhatItStandsOn) {
     View view = lookAt(foot + Vec3{0, 3, 0}, foot, 0, 90, 64, 64); // a pixel is 6 / 64 of a metre
     auto lightAround = [&](bool ball) {
         scene->clear();
-        poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, *scene);
+        poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, kEye, *scene);
         if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(mirror())));
         scene->finish();
         std::vector<float> x(16), y(16, 32);

@@ -1,7 +1,7 @@
 // The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
 // things, and no picture with a NaN or nothing in it.
+#include "inside.h"
 #include "tests/support/headless_gl.h"
-#include "intro.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -14,23 +14,16 @@ namespace {
 
 struct Loaded {
     Workers workers = serialWorkers();
-    HeapArena memory{memoryNeeded(160, 90, 1, true)};
-    Intro intro = {};
-    Loaded() { EXPECT_STREQ(load(intro, memory.arena, workers, 160, 90, {}, &headlessGl()), nullptr); }
+    IntroSettings settings = {160, 90};
+    HeapArena memory{memoryNeeded(settings, 1, true)};
+    Intro *intro = nullptr;
+    Loaded() { EXPECT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr); }
 };
 
 // The film, loaded once for all tests.
-Loaded &film() {
+Intro &film() {
     static Loaded loaded;
-    return loaded;
-}
-
-// The scene that is on at a time, posed.
-Moment poseAt(double seconds, Scene &scene) {
-    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
-    scene.clear();
-    kScenes[m.shot->scene].pose(m.storyRow, film().intro.hall, scene);
-    return m;
+    return *loaded.intro;
 }
 
 } // namespace
@@ -79,10 +72,10 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
 }
 
 TEST(Film, TheCameraIsNeverInsideAThing) {
-    auto scene = std::make_unique<Scene>();
+    const Scene *scene = film().film.scene;
     for (double t = 0; t < duration(); t += 0.1) {
-        Moment m = poseAt(t, *scene);
-        Vec3 eye = pose(m.shot->path, m.storyRow).eye;
+        Posed now = poseAt(film().film, t);
+        Vec3 eye = now.cue.camera.eye;
         for (int i = 0; i < scene->shapeCount; ++i) {
             const Shape &s = scene->shapes[i];
             Vec3 q = s.frame * (eye - s.centre);
@@ -98,16 +91,15 @@ TEST(Film, TheCameraIsNeverInsideAThing) {
                               ? std::fabs(q.y) < kRoom && std::fabs(q.x) < s.half.x + kRoom &&
                                     std::fabs(q.z) < s.half.z + kRoom
                               : false;
-            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of "
-                                 << kScenes[m.shot->scene].name;
+            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of " << now.entry->name;
         }
     }
 }
 
 TEST(Film, BallsDoNotRollThroughThings) {
-    auto scene = std::make_unique<Scene>();
+    const Scene *scene = film().film.scene;
     for (double t = 0; t < duration(); t += 0.25) {
-        Moment m = poseAt(t, *scene);
+        Posed now = poseAt(film().film, t);
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
@@ -127,8 +119,8 @@ TEST(Film, BallsDoNotRollThroughThings) {
                 else
                     gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f),
                                      std::fmax(std::fabs(q.y) - b.half.y, 0.f));
-                EXPECT_GT(gap - a.half.x, -1e-3f) << "at " << t << " s: shapes " << i << " and " << j
-                                                  << " of " << kScenes[m.shot->scene].name;
+                EXPECT_GT(gap - a.half.x, -1e-3f)
+                    << "at " << t << " s: shapes " << i << " and " << j << " of " << now.entry->name;
             }
     }
 }
@@ -136,7 +128,8 @@ TEST(Film, BallsDoNotRollThroughThings) {
 TEST(Film, EveryPictureIsThereWithoutNaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += 1) {
-        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Play]);
+        picture(film(), t, kQualities[(int)QualityName::Play]);
+        const Frame &f = film().frame;
         double sum = 0;
         for (int y = 0; y < f.height; ++y)
             for (int x = 0; x < f.width; ++x)
@@ -150,20 +143,20 @@ TEST(Film, EveryPictureIsThereWithoutNaN) {
 }
 
 TEST(Film, APictureDependsOnItsTimeAlone) {
-    auto picture = [&](double t) {
-        const Frame &f = frame(film().intro, t, kQualities[(int)QualityName::Film]);
-        return std::vector<uint8_t>(f.rgba, f.rgba + 160 * 90 * 4);
+    auto bytes = [&](double t) {
+        Picture p = picture(film(), t, kQualities[(int)QualityName::Film]);
+        return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);
     };
-    auto first = picture(30.04);
-    picture(100);
-    picture(0);
-    EXPECT_EQ(picture(30.04), first);
+    auto first = bytes(30.04);
+    bytes(100);
+    bytes(0);
+    EXPECT_EQ(bytes(30.04), first);
 }
 
 TEST(Load, SaysNoWhenTheArenaIsTooSmall) {
     Workers workers = serialWorkers();
-    Intro intro = {};
+    Intro *intro = nullptr;
     alignas(64) static unsigned char block[4096];
     Arena arena = {block, sizeof block, 0};
-    EXPECT_NE(load(intro, arena, workers, 1280, 720, {}), nullptr);
+    EXPECT_NE(load(intro, {1280, 720}, arena, workers), nullptr);
 }

@@ -1,6 +1,6 @@
 // The adaptive picture against the one traced in full, and its independence of everything but the scene.
-#include "tools/measure/peer_scenes.h"
 #include "show/show.h"
+#include "tools/measure/peer_scenes.h"
 #include "trace/picture/adaptive.h"
 #include "trace/rays/beam.h"
 
@@ -68,10 +68,17 @@ Picture traced(Scene &posed, const CameraKey &camera, const Quality &quality, in
     return p;
 }
 
+// The film's own camera, for which scenes choose their detail.
+CameraKey scripted(int scene, double row) {
+    const Shot *shot = kFilm.shots;
+    while (shot->scene != scene) ++shot;
+    return pose(shot->path, row);
+}
+
 std::unique_ptr<Scene> posed(int scene, double row) {
     auto s = std::make_unique<Scene>();
     s->clear();
-    kScenes[scene].pose(row, nullptr, *s);
+    kScenes[scene].pose({row, scripted(scene, row), nullptr, {}}, *s);
     s->finish();
     return s;
 }
@@ -176,7 +183,9 @@ TEST(Adaptive, MistakesNoPixel) {
         {"B", [](Scene &s) { posePeerB(s); }, kPeerCameraB, 0.05},
         {"field", poseField, kFieldCamera, 0.05},
         {"flake",
-         [](Scene &s) { poseFlake(130, nullptr, s); },
+         [](Scene &s) {
+             poseFlake({130, scripted(kFlake, 130), nullptr, {}}, s);
+         },
          {0, {2.2f, 1.9f, 1.6f}, {0, 1, 0}, 0, 40},
          0.05},
     };

@@ -23,11 +23,11 @@ struct Floor {
     OwnArena memory{(size_t)64 << 20};
     explicit Floor(bool compress) {
         GlossySettings settings;
-        if (!compress) settings.pca = uncompressedFloor(solved().hall->model);
-        EXPECT_TRUE(polish(*solved().hall, settings, memory.arena, serial));
+        if (!compress) settings.pca = uncompressedFloor(*solved().hall);
+        solved().polish(settings, memory.arena, serial);
     }
     std::vector<float> seen(const LightVector &light, Vec3 eye, float reflect = 1) const {
-        const Glossy &g = solved().hall->floor;
+        const Glossy &g = solved().hall->gloss;
         relightGlossy(g, light, eye, reflect, 1);
         std::vector<float> all;
         for (const float *plane : g.plane) all.insert(all.end(), plane, plane + g.across * g.down);
@@ -61,8 +61,8 @@ TEST(Gloss, IsWhatRaysBring) {
     Floor floor(false);
     const Hall &hall = *solved().hall;
     const Model &m = hall.model;
-    const Chart &c = m.charts[0];
-    const Glossy &g = hall.floor;
+    const Chart &c = m.charts[hall.floor];
+    const Glossy &g = hall.gloss;
     const System &s = hall.radiosity.system;
     Vec3 eye = {2.5f, 1.6f, 4};
     for (HallLight by :
@@ -151,7 +151,7 @@ TEST(Gloss, SurvivesItsCompression) {
 TEST(Gloss, AtTheExtremes) {
     Floor floor(true);
     LightVector noon = lightVector({kNoon, {}, {}, 1});
-    const Glossy &g = solved().hall->floor;
+    const Glossy &g = solved().hall->gloss;
     const Chart &c = *g.chart;
     Vec3 middle = c.at(c.width * 4.5f / (float)g.across, c.height * 2.5f / (float)g.down);
     for (Vec3 eye : {Vec3{0, 1.6f, 0}, Vec3{0, 1e-6f, 0}, Vec3{0, 0, 0}, Vec3{0, -3, 0}, Vec3{0, 1e6f, 0},

@@ -1,4 +1,4 @@
-#include "host/machine.h"
+#include "host/cpu.h"
 
 #include "host/linux/sys.h"
 
@@ -38,48 +38,13 @@ void cpuName(char name[49]) {
 }
 
 int cpuCount() {
-    uint64_t mask[16];
+    uint64_t
+        mask[128]; // as many as Linux can be built for: 8,192; the kernel refuses a mask that is too short
     long bytes = sys::call(sys::kGetAffinity, 0, sizeof mask, (long)mask);
     int count = 0;
     for (long i = 0; i < bytes / 8; ++i)
         for (uint64_t m = mask[i]; m; m &= m - 1) ++count;
     return count ? count : 1;
-}
-
-int64_t nanoseconds() {
-    int64_t now[2];
-    sys::call(sys::kClockGettime, 1 /* CLOCK_MONOTONIC */, (long)now);
-    return now[0] * 1000000000 + now[1];
-}
-
-void *takeMemory(size_t bytes) {
-    long p = sys::call(sys::kMmap, 0, (long)bytes, 3 /* read, write */, 0x22 /* private, anonymous */, -1, 0);
-    return p < 0 && p > -4096 ? nullptr : (void *)p;
-}
-
-int complain(const char *line) {
-    char text[512] = "odraz: ";
-    int size = 7;
-    while (*line && size < 510) text[size++] = *line++;
-    text[size++] = '\n';
-    sys::call(sys::kWrite, 2, (long)text, size);
-    return 1;
-}
-
-int guardStandardDescriptors() {
-    int closed = 0;
-    for (int fd = 0; fd < 3; ++fd)
-        if (sys::call(sys::kFcntl, fd, 1 /* F_GETFD */) == -sys::kEbadf) {
-            closed |= 1 << fd;
-            sys::call(sys::kOpen, (long)"/dev/null",
-                      2 /* O_RDWR */); // takes the lowest free number: this one
-        }
-    return closed;
-}
-
-void ignoreBrokenPipes() {
-    uint64_t action[4] = {1 /* SIG_IGN */};
-    sys::call(sys::kSigaction, 13 /* SIGPIPE */, (long)action, 0, 8);
 }
 
 } // namespace odraz

@@ -1,0 +1,10 @@
+// Time as it passes.
+#pragma once
+
+#include <stdint.h>
+
+namespace odraz {
+
+int64_t nanoseconds(); // monotonic, from any moment
+
+} // namespace odraz

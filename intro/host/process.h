@@ -1,0 +1,25 @@
+// The process itself: memory, standard descriptors, saying no in one readable line, and its end.
+#pragma once
+
+#include <stddef.h>
+
+namespace odraz {
+
+void *takeMemory(size_t bytes); // zeroed; null when there is none
+
+// Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure.
+int complain(const char *line);
+
+// complain(), and where there is a display shows the line in a small window until a key or the close button.
+// For viewers who double-clicked and see no standard error. Any processor.
+int refuse(const char *line);
+
+// Prepares what the shell left us: closed standard descriptors get a file that swallows all, so that no file
+// of ours ends up as standard error, and a closed pipe becomes an error of writing. Returns a bit for every
+// descriptor that was closed.
+int prepareDescriptors();
+
+// Ends all threads at once.
+[[noreturn]] void endProcess(int status);
+
+} // namespace odraz

@@ -1,0 +1,18 @@
+// What an Intro is made of: for intro.cpp, and for tools and tests that measure its parts. Hosts know intro.h
+// alone.
+#pragma once
+
+#include "intro.h"
+#include "show/show.h"
+#include "trace/picture/adaptive.h"
+
+namespace odraz {
+
+struct Intro {
+    Workers *workers;
+    Film film;
+    Tracer tracer;
+    Frame frame;
+};
+
+} // namespace odraz

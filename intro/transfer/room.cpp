@@ -1,0 +1,110 @@
+#include "transfer/room.h"
+
+namespace odraz {
+
+namespace {
+
+// Follows a light from bounce to bounce.
+bool followBounces(Room &room, const LightVector &followed, Arena &arena, Workers &workers) {
+    const Radiosity &r = room.radiosity;
+    const Model &m = room.model;
+    size_t patches = (size_t)m.patchCount, columns = (size_t)r.system.columns;
+    float *radiosity = arena.take<float>(patches * kSolveBlock),
+          *gathered = arena.take<float>(patches * kSolveBlock);
+    if (!radiosity || !gathered) return false;
+    for (int b = 0; b <= kBounces; ++b) {
+        if (!(room.bounce[b] = arena.take<Rgb>(patches))) return false;
+        if (b > 0) gather(r.factors, m.patchCount, kSolveBlock, radiosity, gathered, workers);
+        for (size_t i = 0; i < patches; ++i) {
+            Rgb light = {};
+            for (int k = 0; k < r.lights.bases(); ++k)
+                light += followed.bounced[k] * r.system.direct[i * columns + 3 * (size_t)k];
+            const float *in = gathered + i * kSolveBlock;
+            light += Rgb{in[0], in[1], in[2]};
+            room.bounce[b][i] = light;
+            Rgb out = light * room.mean[m.charts[m.patches[i].chart].material];
+            float *to = radiosity + i * kSolveBlock;
+            to[0] = out.x, to[1] = out.y, to[2] = out.z;
+        }
+    }
+    return true;
+}
+
+// Finds the patch nearest to a place, and keeps what it sees.
+bool visit(Room &room, Vec3 place, const Gl &gl, Arena &arena) {
+    const Model &m = room.model;
+    float least = kInfinity;
+    for (int i = 0; i < m.patchCount; ++i) {
+        float distance = length(m.patches[i].p - place);
+        if (distance >= least) continue;
+        least = distance;
+        room.visited = i;
+    }
+    Hemicubes h;
+    room.seen = arena.take<uint32_t>((size_t)(3 * kSeen * kSeen));
+    if (!room.seen || !openHemicubes(h, gl, arena, kSeen)) return false;
+    Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
+    drawHemicubes(h, m, &eye, 1);
+    for (int i = 0; i < 3 * kSeen * kSeen; ++i)
+        room.seen[i] = hemicubeIds(h, 0)[i / kSeen * hemicubeStride(h) + i % kSeen];
+    closeHemicubes(h);
+    return true;
+}
+
+// Tells the lightmap where everything is.
+bool wire(Room &room, Arena &arena) {
+    const Model &m = room.model;
+    for (int k = 0; k < 3; ++k) {
+        room.light[k] = arena.take<float>((size_t)m.texelCount + 8);
+        room.mosaic[k] = arena.take<float>((size_t)m.patchCount);
+        if (!room.light[k] || !room.mosaic[k]) return false;
+        room.map.plane[k] = room.light[k];
+        room.map.patch[k] = room.mosaic[k];
+        room.map.gloss[k] = room.gloss.plane[k];
+    }
+    room.map.charts = m.charts;
+    room.map.glossy = room.gloss.chart;
+    room.map.glossAcross = room.gloss.across;
+    room.map.glossDown = room.gloss.down;
+    room.map.cells = m.cells;
+    return true;
+}
+
+} // namespace
+
+const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl &gl, Arena &arena,
+                      Workers &workers, const Progress &progress) {
+    for (int i = 0; i < scene.materialCount; ++i) room.mean[i] = scene.mean[i];
+    bool solved =
+        solveRadiosity(room.radiosity, room.model, scene, s.radiosity, gl, arena, workers, progress) &&
+        findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.importance, s.gloss, arena,
+                   workers) &&
+        followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
+        wire(room, arena);
+    if (!solved)
+        return "the light of the hall cannot be found: OpenGL 3.3 draws no integers here, or memory is short";
+    closeHemicubes(room.radiosity.hemicubes);
+    return nullptr;
+}
+
+void poseRoom(Room &room, Scene &scene) {
+    room.model.pose(scene);
+    scene.lightmap = &room.map;
+    room.map.mosaic = 0;
+}
+
+void relightRoom(Room &room, const LightVector &light, Vec3 eye, float reflect, float strength) {
+    relight(room.radiosity, room.model, light, room.light);
+    relightGlossy(room.gloss, light, eye, reflect, strength);
+}
+
+Rgb meanLight(const Room &room, int chart) {
+    const Chart &c = room.model.charts[chart];
+    float sum[3] = {};
+    for (int k = 0; k < 3; ++k)
+        for (int i = 0; i < c.texels(); ++i) sum[k] += room.light[k][c.firstTexel + i];
+    float all = 1.f / (float)c.texels();
+    return {sum[0] * all, sum[1] * all, sum[2] * all};
+}
+
+} // namespace odraz
