@@ -16,10 +16,4 @@ template <class T> T pcg(T x) {
 // [0, 1), 24 bits.
 inline float unitFloat(uint32_t hash) { return (float)(hash >> 8) * (1.f / 16777216.f); }
 
-// A sequence, where one is wanted.
-struct Random {
-    uint32_t state;
-    float next() { return unitFloat(pcg(state++)); }
-};
-
 } // namespace odraz

@@ -24,11 +24,19 @@ Material faded(Material m, float grey) {
     return m;
 }
 
-// In the order of HallPart.
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
-    for (const Material &m : {hallFloor(), plaster({0.76f, 0.73f, 0.68f}), plaster({0.62f, 0.33f, 0.19f}),
-                              limestone(), granite(), beamAcross(), beamAlong(), granite()})
-        scene.add(faded(m, grey));
+    const Material parts[] = {
+        [kFloor] = hallFloor(),
+        [kPlaster] = plaster({0.76f, 0.73f, 0.68f}),
+        [kWarm] = plaster({0.62f, 0.33f, 0.19f}),
+        [kShaft] = limestone(),
+        [kBlock] = granite(),
+        [kBeamX] = beamAcross(),
+        [kBeamZ] = beamAlong(),
+        [kStep] = granite(),
+    };
+    static_assert(sizeof parts / sizeof *parts == kLantern);
+    for (const Material &m : parts) scene.add(faded(m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
 }

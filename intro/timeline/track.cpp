@@ -4,14 +4,10 @@ namespace odraz {
 
 static float ease(Interpolation interpolation, float t) {
     switch (interpolation) {
-    case Interpolation::Step:
-        return 0;
     case Interpolation::Linear:
         return t;
     case Interpolation::Smooth:
         return t * t * (3 - 2 * t);
-    case Interpolation::Ramp:
-        return t * t;
     }
     return 0;
 }

@@ -1,4 +1,4 @@
-// A value over time as keys, with the four interpolations of GNU Rocket.
+// A value over time as keys, with those interpolations of GNU Rocket that the film uses.
 //
 // Time is in rows: kRowsPerSecond of them, a sixteenth note each at 120 beats a minute; a bar is kRowsPerBar.
 // Keys stand in ascending rows. Before the first key its value holds, after the last key the last one's;
@@ -11,10 +11,8 @@ inline constexpr double kRowsPerSecond = 8;
 inline constexpr double kRowsPerBar = 16;
 
 enum class Interpolation : unsigned char {
-    Step,   // holds the key's value
     Linear, // straight
     Smooth, // t^2 (3 - 2t): flat at both keys
-    Ramp,   // t^2: leaves slowly, arrives fast
 };
 
 struct Key {

@@ -87,17 +87,6 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl 
     return nullptr;
 }
 
-void poseRoom(Room &room, Scene &scene) {
-    room.model.pose(scene);
-    scene.lightmap = &room.map;
-    room.map.mosaic = 0;
-}
-
-void relightRoom(Room &room, const LightVector &light, Vec3 eye, float reflect, float strength) {
-    relight(room.radiosity, room.model, light, room.light);
-    relightGlossy(room.gloss, light, eye, reflect, strength);
-}
-
 Rgb meanLight(const Room &room, int chart) {
     const Chart &c = room.model.charts[chart];
     float sum[3] = {};

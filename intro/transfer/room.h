@@ -45,10 +45,17 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &settings, co
                       Workers &workers, const Progress &progress);
 
 // Adds the model to a scene, with the room's light on it. The materials of its charts are the scene's.
-void poseRoom(Room &room, Scene &scene);
+inline void poseRoom(Room &room, Scene &scene) {
+    room.model.pose(scene);
+    scene.lightmap = &room.map;
+    room.map.mosaic = 0;
+}
 
 // Lights it: texels, and gloss for an eye; `reflect` and `strength` as relightGlossy() has them.
-void relightRoom(Room &room, const LightVector &light, Vec3 eye, float reflect, float strength);
+inline void relightRoom(Room &room, const LightVector &light, Vec3 eye, float reflect, float strength) {
+    relight(room.radiosity, room.model, light, room.light);
+    relightGlossy(room.gloss, light, eye, reflect, strength);
+}
 
 // The average over the texels of a chart.
 Rgb meanLight(const Room &room, int chart);

@@ -59,17 +59,4 @@ float window(int band, float exponent) {
     return exp2((float)(band * (band + 1)) * (-0.72134752f / exponent));
 }
 
-void rotate(const float *f, const Mat3 &m, float *turned) {
-    for (int k = 0; k < kSh; ++k) turned[k] = 0;
-    for (int i = 0; i < kDirections; i += 8) {
-        float solidAngle;
-        Vec3x8 d = direction(i, solidAngle);
-        Float8 there[kSh], here[kSh], value = {};
-        evaluate(m * d, there);
-        evaluate(d, here);
-        for (int k = 0; k < kSh; ++k) value = fmadd(there[k], f[k], value);
-        for (int k = 0; k < kSh; ++k) turned[k] += total(value * here[k]) * solidAngle;
-    }
-}
-
 } // namespace odraz

@@ -28,7 +28,4 @@ void project(const Sky &sky, Rgb *light);
 // about as cos^exponent. The lobe of the heat equation is nowhere negative, and what it blurs does not ring.
 float window(int band, float exponent);
 
-// Turns a function by a rotation: turned(d) = f(m d). Exact but for rounding, by a quadrature that is.
-void rotate(const float *f, const Mat3 &m, float *turned);
-
 } // namespace odraz

@@ -1,6 +1,6 @@
 #include "base/arena.h"
 #include "base/parallel.h"
-#include "base/random.h"
+#include "tests/support/random.h"
 #include "base/text.h"
 #include "base/vec3.h"
 

@@ -1,5 +1,6 @@
 // Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
 // extremes.
+#include "tests/support/random.h"
 #include "trace/rays/beam.h"
 
 #include <cmath>

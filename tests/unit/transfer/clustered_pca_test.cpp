@@ -2,7 +2,7 @@
 // structure, and at the extremes.
 #include "transfer/clustered_pca.h"
 
-#include "base/random.h"
+#include "tests/support/random.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

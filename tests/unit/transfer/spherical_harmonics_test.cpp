@@ -2,7 +2,7 @@
 // and what a sky loses by them.
 #include "transfer/spherical_harmonics.h"
 
-#include "base/random.h"
+#include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -13,6 +13,20 @@
 using namespace odraz;
 
 namespace {
+
+// Turns a function by a rotation: turned(d) = f(m d). Exact but for rounding, by a quadrature that is.
+void rotate(const float *f, const Mat3 &m, float *turned) {
+    for (int k = 0; k < kSh; ++k) turned[k] = 0;
+    for (int i = 0; i < kDirections; i += 8) {
+        float solidAngle;
+        Vec3x8 d = direction(i, solidAngle);
+        Float8 there[kSh], here[kSh], value = {};
+        evaluate(m * d, there);
+        evaluate(d, here);
+        for (int k = 0; k < kSh; ++k) value = fmadd(there[k], f[k], value);
+        for (int k = 0; k < kSh; ++k) turned[k] += total(value * here[k]) * solidAngle;
+    }
+}
 
 // Directions all over the sphere, poles and axes among them.
 std::vector<Vec3> directions() {
