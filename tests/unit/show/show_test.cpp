@@ -153,6 +153,32 @@ TEST(Film, APictureDependsOnItsTimeAlone) {
     EXPECT_EQ(bytes(30.04), first);
 }
 
+// Detail, gloss and the light that travels along are those of whoever looks, be it the script or a flyer.
+TEST(Film, IsPosedForTheCameraThatLooks) {
+    const Film &f = film().film;
+    auto gloss = [&] {
+        const Glossy &g = f.hall->gloss;
+        return std::vector<float>(g.plane[1], g.plane[1] + g.across * g.down);
+    };
+    CameraKey aside = cameraAt(108);
+    aside.eye += Vec3{1, 0.5f, 0};
+    poseAt(f, 108);
+    auto scripted = gloss();
+    Posed flown = poseAt(f, 108, &aside);
+    EXPECT_NE(gloss(), scripted);
+    EXPECT_EQ(flown.cue.camera.eye.x, aside.eye.x);
+    EXPECT_EQ(flown.view(16, 9).eye.x, aside.eye.x);
+    poseAt(f, 108);
+    EXPECT_EQ(gloss(), scripted);
+
+    CameraKey far = cameraAt(64);
+    poseAt(f, 64);
+    int shapes = f.scene->shapeCount;
+    far.eye = far.eye * 30.f;
+    poseAt(f, 64, &far);
+    EXPECT_LT(f.scene->shapeCount, shapes / 2); // from afar balls grow nothing
+}
+
 TEST(Load, SaysNoWhenTheArenaIsTooSmall) {
     Workers workers = serialWorkers();
     Intro *intro = nullptr;
