@@ -1,4 +1,4 @@
-// OpenGL without a display: EGL's surfaceless platform.
+// OpenGL without a display.
 #pragma once
 
 #include "base/gl.h"

@@ -1,4 +1,4 @@
-// Workers on POSIX threads.
+// Workers on threads of the system.
 #pragma once
 
 #include "base/parallel.h"

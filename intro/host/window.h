@@ -1,4 +1,4 @@
-// The viewer's window: X11 and GLX. The film's picture is scaled to it with its aspect kept.
+// The viewer's window, with a context of OpenGL 3.3. The film's picture is scaled to it with its aspect kept.
 #pragma once
 
 #include "base/gl.h"

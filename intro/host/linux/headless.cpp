@@ -1,3 +1,4 @@
+// By EGL's surfaceless platform.
 #include "host/headless.h"
 
 #include "host/library.h"

@@ -1,3 +1,4 @@
+// On POSIX threads and futexes.
 #include "host/threads.h"
 
 #include "host/library.h"

@@ -1,3 +1,4 @@
+// By X11 and GLX.
 #include "host/window.h"
 
 #include "host/clock.h"
