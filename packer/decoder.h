@@ -3,7 +3,6 @@
 #pragma once
 
 #include "model.h"
-#include "x86.h"
 
 namespace pack {
 
@@ -13,20 +12,25 @@ struct Layout {
 };
 
 constexpr uint32_t kPast = 8; // zeros that stand for the bytes before the first one
+static_assert(kPast >= kByte6);
 
+inline uint64_t memoryBehindModel(const Shape &shape, uint32_t size) {
+    return (sizeof(Slot) << shape.slotBits) + kPast + size;
+}
 inline uint64_t modelMemory(const Shape &shape, uint32_t size) {
-    return sizeof(Model) + (sizeof(Slot) << shape.slotBits) + kPast + size;
+    return sizeof(Model) + memoryBehindModel(shape, size);
 }
 
 // Binary range decoding: the code's place within the range, which is kept above 2^24 (as in LZMA).
+constexpr uint32_t kRangeBits = 24;
 struct Decoder {
     const uint8_t *in;
     uint32_t range = 1, code = 0; // the first call fetches three bytes
 
-    // The next bit, whose probability of being a one is share / 2^20.
+    // The next bit, whose probability of being a one is share / 2^kShareBits.
     uint32_t bit(uint32_t share) {
-        for (; range < 1u << 24; range <<= 8) code = code << 8 | *in++;
-        uint32_t ones = (uint32_t)((uint64_t)range * share >> 20);
+        for (; range < 1u << kRangeBits; range <<= 8) code = code << 8 | *in++;
+        uint32_t ones = (uint32_t)((uint64_t)range * share >> kShareBits);
         if (code < ones) {
             range = ones;
             return 1;
@@ -48,13 +52,13 @@ void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, u
     uint32_t fields[kFields] = {};
     Parser parser = {};
     expandOpcodes(m.opcodes);
-    float *weights = (float *)m.finalWeights;
-    for (uint32_t i = 0; i < kSets + kSets * kRows * kInputs4 * 4; ++i) weights[i] = kFirstWeight;
+    float *weights = (float *)m.finalWeights; // the others lie behind them
+    for (uint32_t i = 0; i < kSets + kSets * kRows * kMostInputs; ++i) weights[i] = kFirstWeight;
 
     for (uint32_t i = 0; i < layout.size; ++i) {
         for (uint32_t k = kByte1; k <= kByte6; ++k) fields[k] = *(now - k);
-        fields[kWhere] = parser.left << 3 | parser.phase;
-        fields[kColumn] = i & 3;
+        fields[kWhere] = parser.left << kPhaseBits | parser.phase;
+        fields[kColumn] = i % kColumns;
         uint32_t data = i - layout.codeBegin >= layout.codeSize;
         begin(m, shape, fields, data);
         uint32_t bits = 1;

@@ -4,42 +4,20 @@
 
 #include <algorithm>
 #include <cstring>
-#include <elf.h>
 
 namespace pack {
 
 namespace {
 
-constexpr uint32_t kBelow = 0x200000; // the packed file lies so far below the program
+// Where things lie in a packed file
+constexpr size_t kStubAt = sizeof(Front), kParametersAt = kStubAt + sizeof kStub,
+                 kMasksAt = kParametersAt + sizeof(Parameters), kCheckSize = 4;
+size_t masksSize(const Shape &shape) { return sizeof shape.masks[0][0] * 2 * shape.hashes(); }
 
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {
     return {type, flags, offset, address, address, inFile, inMemory, align};
 }
-
-// A symbol without what the loader does not read of one that is imported.
-struct Import {
-    uint32_t name;
-    uint8_t info, other;
-    uint16_t section;
-};
-
-// Everything in front of the stub, in the order of the file. Tables overlap where the loader does not look:
-// of the segment GNU_STACK it reads type and flags, of an imported symbol not the value; the null symbol is
-// never read (the symbol table begins before `first`), of the dynamic section's end only the tag.
-struct Front {
-    Elf64_Ehdr header;
-    Elf64_Phdr segments[4];
-    uint32_t stackType, stackFlags;
-    char interpreter[sizeof kInterpreter], functions[20]; // in place of the rest of GNU_STACK
-    Elf64_Dyn dynamic[6];
-    uint64_t dynamicEnd;
-    Import first;
-    char library[16];
-    Import second;
-    Elf64_Rela relocations[2];
-};
-static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
 
 void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
     auto at = [&](size_t offset) { return base + offset; };
@@ -80,20 +58,18 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
 
 } // namespace
 
-size_t overhead(const Shape &shape) {
-    return sizeof(Front) + sizeof kStub + sizeof(Parameters) + 4 * shape.hashes() + 4;
-}
+size_t overhead(const Shape &shape) { return kMasksAt + masksSize(shape) + kCheckSize; }
 
 std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
                                  const std::vector<uint8_t> &payload) {
     uint32_t base = program.base - kBelow;
     size_t size = (overhead(shape) + payload.size() + 3) / 4 * 4;
-    need(size <= kBelow, "too large to pack");
+    need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
     auto at = [&](size_t offset) { return base + offset; };
 
     Front f = {};
     fillTables(f, base, program.slots);
-    f.header.e_entry = at(sizeof(Front));
+    f.header.e_entry = at(kStubAt);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
 
@@ -119,54 +95,51 @@ std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
     append(kStub, sizeof kStub);
     append(&p, sizeof p);
     std::vector<uint16_t> masks = packMasks(shape);
-    append(masks.data(), masks.size() * sizeof(uint16_t));
+    append(masks.data(), masksSize(shape));
     append(payload.data(), payload.size());
     out.resize(size);
-    uint32_t last = -checksum(out.data(), size / 4 - 1);
-    std::memcpy(out.data() + size - 4, &last, 4);
+    uint32_t check = -checksum(out.data(), p.words - 1);
+    std::memcpy(out.data() + size - kCheckSize, &check, kCheckSize);
     return out;
 }
 
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
-    const uint8_t *at = packed.data() + sizeof(Front) + sizeof kStub;
+    std::vector<uint8_t> copy = packed;
+    copy.resize(copy.size() + 8); // it may read on a little
     Parameters p;
-    std::memcpy(&p, at, sizeof p);
-    // Nothing runs early here
-    std::vector<uint8_t> copy(packed.begin() + sizeof(Front), packed.end());
-    p.early = kNothingEarly;
-    std::memcpy(copy.data() + sizeof kStub, &p, sizeof p);
-    copy.resize(copy.size() + 8);
+    std::memcpy(&p, copy.data() + kParametersAt, sizeof p);
+    p.early = kNothingEarly; // not here
+    std::memcpy(copy.data() + kParametersAt, &p, sizeof p);
     std::vector<Float4> memory(p.memory / sizeof(Float4) + 1);
     std::vector<uint8_t> image(p.layout.size);
-    stubDecode(copy.data() + sizeof kStub, image.data(), memory.data());
+    stubDecode(copy.data() + kParametersAt, image.data(), memory.data());
     return image;
 }
 
 Packed openPacked(const std::vector<uint8_t> &file) {
     constexpr char kForeign[] = "not packed by this version of pack";
-    need(file.size() > sizeof(Front) + sizeof kStub + sizeof(Parameters), kForeign);
+    need(file.size() > kMasksAt, kForeign);
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
-    need(!std::memcmp(file.data() + sizeof f, kStub, sizeof kStub), kForeign);
+    need(!std::memcmp(file.data() + kStubAt, kStub, sizeof kStub), kForeign);
     Parameters p;
-    const uint8_t *at = file.data() + sizeof f + sizeof kStub, *end = file.data() + file.size();
-    std::memcpy(&p, at, sizeof p);
-    at += sizeof p;
+    const uint8_t *at = file.data() + kMasksAt, *end = file.data() + file.size();
+    std::memcpy(&p, file.data() + kParametersAt, sizeof p);
     constexpr char kDamaged[] = "damaged: get it again";
     need((uint64_t)p.words * 4 <= file.size() && checksum(file.data(), p.words) == 0, kDamaged);
 
     Shape shape = {};
     shape.contexts = p.contexts;
     shape.slotBits = 32u - p.slotShift;
-    need(shape.sane() && (uint64_t)(end - at) >= 4 * shape.hashes(), kDamaged);
+    need(shape.sane() && (size_t)(end - at) >= masksSize(shape), kDamaged);
     for (auto &masks : shape.masks) {
-        std::memcpy(masks, at, 2 * shape.hashes());
-        at += 2 * shape.hashes();
+        std::memcpy(masks, at, masksSize(shape) / 2);
+        at += masksSize(shape) / 2;
     }
     uint64_t span = f.segments[2].p_memsz;
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
-             p.image % kPage == 0 && p.image > kBelow && p.image < 0x7fffffff - span &&
+             p.image % kPage == 0 && p.image > kBelow && p.image < kAddressEnd - span &&
              p.readOnly % kPage == 0,
          kDamaged);
 

@@ -21,7 +21,8 @@ struct Known {
 };
 
 double cost(uint32_t bit, uint32_t share) {
-    return -std::log2((bit ? share : (1 << 20) - share) / 1048576.0);
+    constexpr double kAll = 1 << kShareBits;
+    return -std::log2((bit ? share : kAll - share) / kAll);
 }
 
 // The mirror of Decoder. `low` is where the range starts, below what is already out.
@@ -29,14 +30,14 @@ struct Encoder {
     Known known;
     Encoded &to;
     uint64_t low = 0;
-    uint32_t range = 1 << 24;
+    uint32_t range = 1 << kRangeBits;
     bool started = false;
 
     uint32_t bit(uint32_t share) {
-        for (; range < 1u << 24; range <<= 8) shift();
+        for (; range < 1u << kRangeBits; range <<= 8) shift();
         uint32_t at = known.position >> 3, bit = known.next();
         to.bits[at] += (float)cost(bit, share);
-        uint32_t ones = (uint32_t)((uint64_t)range * share >> 20);
+        uint32_t ones = (uint32_t)((uint64_t)range * share >> kShareBits);
         if (bit)
             range = ones;
         else {
@@ -101,7 +102,7 @@ void *Workspace::zeroed(const Shape &shape, uint32_t size) {
 
 std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout) {
     std::vector<uint8_t> out = image;
-    uint8_t opcodes[1024];
+    uint8_t opcodes[kOpcodes];
     expandOpcodes(opcodes);
     Parser parser = {};
     uint32_t fields[kFields] = {};

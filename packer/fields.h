@@ -7,10 +7,11 @@
 namespace pack {
 
 enum Field {
-    kWhere, // part of every context. Code: what the next byte is part of, how many bytes of it are to come
+    kWhere, // part of every context. Code: what the next byte is part of, how many bytes of it are to come.
+            // The parser's left << kPhaseBits | phase
     kByte1, // the last byte; from here on each context chooses
     kByte6 = 6,    // the sixth-last byte
-    kColumn,       // address modulo 4
+    kColumn,       // address modulo kColumns
     kInstruction1, // the instruction before this one, hashed
     kOpcode1,      // its opcode
     kOpcode2,      // the opcode of the one before that
@@ -23,11 +24,12 @@ enum Field {
     kFields
 };
 
-constexpr uint32_t kHash = 0x2c9277b5;
+constexpr uint32_t kPhaseBits = 3, kColumns = 4;
+constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
 
 static inline uint32_t mixIn(uint32_t hash, uint32_t value) {
     hash = (hash + value + 1) * kHash;
-    return hash ^ hash >> 15;
+    return hash ^ hash >> kHashShift;
 }
 
 } // namespace pack

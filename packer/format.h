@@ -8,28 +8,60 @@
 
 #include "decoder.h"
 
+#include <elf.h>
 #include <vector>
 
 namespace pack {
 
-// Behind the stub's code; the masks follow, then the payload. Addresses fit in 32 bits: programs are linked
-// low.
+inline constexpr char kInterpreter[] = "/lib64/ld-linux-x86-64.so.2";
+inline constexpr uint64_t kPage = 4096;
+constexpr uint64_t wholePages(uint64_t bytes) { return (bytes + kPage - 1) & ~(kPage - 1); }
+constexpr uint32_t kBelow = 0x200000;             // the file lies so far below the program, and is no larger
+constexpr uint32_t kLeastBase = kBelow + 0x10000; // of a program: the kernel maps nothing below 64 KB
+constexpr uint64_t kAddressEnd = 0x7fffffff;      // of all: programs are linked for addresses of 31 bits
+constexpr uint32_t kEarlyStep = 2048;             // bytes from call to call of the early part, a power of two
+
+// A symbol without what the loader does not read of one that is imported.
+struct Import {
+    uint32_t name;
+    uint8_t info, other;
+    uint16_t section;
+};
+
+// Everything in front of the stub. Tables overlap where the loader does not look: of the segment GNU_STACK it
+// reads type and flags, of an imported symbol not the value; the null symbol is never read (the symbol table
+// begins before `first`), of the dynamic section's end only the tag.
+struct Front {
+    Elf64_Ehdr header;
+    Elf64_Phdr segments[4]; // INTERP, LOAD of the file, LOAD of the program, DYNAMIC
+    uint32_t stackType, stackFlags;
+    char interpreter[sizeof kInterpreter], functions[20]; // in place of the rest of GNU_STACK
+    Elf64_Dyn dynamic[6];
+    uint64_t dynamicEnd;
+    Import first;
+    char library[16];
+    Import second;
+    Elf64_Rela relocations[2]; // dlopen, dlsym
+};
+static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
+
+// Behind the stub's code; the masks follow, then the payload.
 struct Parameters {
     uint32_t file;     // address the packed file is mapped to
     uint32_t words;    // its size in units of four bytes, all of which the checksum covers
     uint32_t image;    // address the program starts at; page-aligned
-    uint32_t readOnly; // bytes from there that become R-X
+    uint32_t readOnly; // bytes from there that become R-X; whole pages
     uint32_t imports;  // address of the slots of dlopen and dlsym, side by side in either order
     uint32_t entry;    // address to go on at
-    // The part that starts while the rest is still being decoded: bytes from the image's start, whole pages
-    // (kNothingEarly if there is none), and the address of its function,
-    // void (void **stack, uint32_t done, uint32_t size). It is called from there on every 2 KB.
+    // The part that starts while the rest is still being decoded: bytes from the image's start, whole pages,
+    // or kNothingEarly; and the address of its function
     uint32_t early, earlyEntry;
     Layout layout;
-    uint32_t memory;   // bytes for the model
+    uint32_t memory;   // bytes that the stub needs for the model; another decoder may need others
     uint8_t contexts;  // as in Shape
     uint8_t slotShift; // 32 - Shape::slotBits
 } __attribute__((packed));
+static_assert(sizeof(Parameters) == 50);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
 // Over all words of the file, of which the last is chosen so that this is 0: any changed word shows.
@@ -47,14 +79,6 @@ inline std::vector<uint16_t> packMasks(const Shape &shape) {
     std::vector<uint16_t> all;
     for (auto &masks : shape.masks) all.insert(all.end(), masks, masks + shape.hashes());
     return all;
-}
-
-// The stub's own decoder, called with the parameters in front of masks and payload as they lie in a file.
-// `memory`: Parameters::memory bytes of zeros, aligned to 16.
-extern "C" void stubDecode(const uint8_t *parameters, uint8_t *image, void *memory);
-extern "C" const uint32_t kStubMemory; // bytes in front of the slots
-inline uint32_t stubMemory(const Shape &shape, uint32_t size) {
-    return kStubMemory + ((uint32_t)sizeof(Slot) << shape.slotBits) + kPast + size;
 }
 
 } // namespace pack

@@ -13,11 +13,13 @@
 // may collide.
 #pragma once
 
-#include "fields.h"
+#include "x86.h"
 
 namespace pack {
 
-constexpr uint32_t kMostContexts = 24, kSets = 8, kRows = 4096;
+constexpr uint32_t kMostContexts = 24, kContextInputs = 3, kMostInputs = kMostContexts * kContextInputs;
+constexpr uint32_t kSets = 8;
+constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // of a set but the first, chosen by a hash
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
@@ -27,50 +29,60 @@ struct Shape {
     // Fields seen, a bit each from kByte1 on, by each context and then by the selectors of all sets but the
     // first; of code, and the same for data
     uint16_t masks[2][kMostContexts + kSets - 1];
+    static_assert(kFields - kByte1 <= 8 * sizeof(masks[0][0]));
 
     uint32_t hashes() const { return contexts + kSets - 1; }
+    uint32_t inputs4() const { return contexts * kContextInputs / 4; } // in vectors of four
     bool sane() const {
         return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
                slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits;
     }
 };
 
-// A probability, signed: -2^23 .. 2^23 for 0 .. 1, over the number of bits it has seen, up to 255: 24 and 8
+// A probability, signed: -kHalf .. kHalf for 0 .. 1, over the number of bits it has seen, up to 255: 24 and 8
 // bits. Fresh memory is one that has seen nothing.
 typedef uint32_t Counter;
-constexpr int32_t kCertain = (1 << 23) - 1;
+constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
+constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
+constexpr float kSettled = 1.1f;   // a counter moves by 1 / (seen + kSettled) of its error
+constexpr int32_t kShareBits = 20; // of what predict says
 
 struct Slot {
     Counter counter;
-    uint8_t history;  // the last bits seen behind a leading one; the lowest bit flipped
+    uint8_t history;  // the last bits seen behind a leading one, seven at most; the lowest bit flipped
     uint8_t lastByte; // at the slot of a byte's first bit only: the byte that followed here last
     uint16_t check;   // whose slot it is
 };
 
+constexpr uint32_t kHistoryFull = 128; // its leading one, when it holds seven
+
 typedef float Float4 __attribute__((vector_size(16)));
-constexpr uint32_t kInputs4 = kMostContexts * 3 / 4;
 // Logarithms are in units of a float's last bit.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
 constexpr float kFirstWeight = 1.0f / 16, kLearning = 1.0f / 160 * kLogUnit,
                 kFinalLearning = 1.0f / 1024 * kLogUnit;
+constexpr float kMostSum = 11 / kLogUnit; // what weights and inputs may add up to
+// Corrections: of 65,536 rows one is chosen by a hash, in it one of 32 by the sum, 1.25 to a factor of e
+constexpr uint32_t kCorrectionRowBits = 16, kCorrectionBits = 5;
+constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
 constexpr uint32_t kFirstTrust = 20; // bits that a correction starts with
 
 struct Context {
     Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
-    Counter *counter[3];
+    Counter *counter[kContextInputs];
     Counter histories[256], afterLast[256][256];
 };
 
 struct Model {
-    Float4 inputs[kInputs4], results[kSets / 4];
+    Float4 inputs[kMostInputs / 4], results[kSets / 4];
     Float4 *rows[kSets];
     Counter *correction;
     float mixed;
     uint32_t hashes[kMostContexts + kSets - 1];
     Context contexts[kMostContexts];
-    uint8_t opcodes[1024];
-    Counter corrections[65536][32];
-    Float4 finalWeights[kSets / 4], weights[kSets][kRows][kInputs4];
+    uint8_t opcodes[kOpcodes];
+    Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
+    Float4 finalWeights[kSets / 4], weights[kSets][kRows][kMostInputs / 4];
 };
 
 union FloatBits {
@@ -83,12 +95,12 @@ inline int32_t logBits(int32_t x) { return FloatBits{(float)x}.bits; }
 
 // ln(p / (1 - p)) of a counter, and back, by the same kind of curve.
 inline float stretch(Counter c) {
-    int32_t p = (int32_t)c >> 8;
+    int32_t p = (int32_t)c >> kSeenBits;
     return (float)(logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p));
 }
 inline float squash(float x) {
     FloatBits odds;
-    odds.bits = (int32_t)x + 0x3f800000;
+    odds.bits = (int32_t)x + FloatBits{1}.bits;
     return odds.value / (odds.value + 1);
 }
 
@@ -96,8 +108,7 @@ inline float mix(const Float4 *weights, const Float4 *inputs, uint32_t count4) {
     Float4 sums = {};
     while (count4--) sums += weights[count4] * inputs[count4];
     float sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
-    constexpr float kMost = 11 / kLogUnit;
-    return sum > kMost ? kMost : sum < -kMost ? -kMost : sum;
+    return sum > kMostSum ? kMostSum : sum < -kMostSum ? -kMostSum : sum;
 }
 
 inline void train(Float4 *weights, const Float4 *inputs, uint32_t count4, float by) {
@@ -105,10 +116,11 @@ inline void train(Float4 *weights, const Float4 *inputs, uint32_t count4, float 
 }
 
 inline void adapt(Counter &c, uint32_t bit) {
-    int32_t p = (int32_t)c >> 8;
-    uint32_t seen = c & 255;
-    p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + 1.1f));
-    c = (uint32_t)p << 8 | (seen + (seen < 255));
+    constexpr uint32_t kMostSeen = (1 << kSeenBits) - 1;
+    int32_t p = (int32_t)c >> kSeenBits;
+    uint32_t seen = c & kMostSeen;
+    p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + kSettled));
+    c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
 }
 
 // A new byte begins, in code (0) or data (1).
@@ -121,7 +133,8 @@ inline void begin(Model &m, const Shape &shape, const uint32_t *fields, uint32_t
     }
 }
 
-// The probability of a one, of 2^20; 1 .. 2^20 - 1. `bits`: the byte so far behind a leading one.
+// The probability of a one, of 2^kShareBits; 1 .. 2^kShareBits - 1. `bits`: the byte so far behind a leading
+// one.
 inline uint32_t predict(Model &m, const Shape &shape, Slot *slots, uint32_t bits) {
     // Find the counters
     for (uint32_t i = 0; i < shape.contexts; ++i) {
@@ -147,29 +160,31 @@ inline uint32_t predict(Model &m, const Shape &shape, Slot *slots, uint32_t bits
     }
     float *x = (float *)m.inputs, *results = (float *)m.results;
     for (uint32_t i = 0; i < shape.contexts; ++i)
-        for (int k = 0; k < 3; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
+        for (uint32_t k = 0; k < kContextInputs; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
 
     // Mix. The last set's result lies first
     for (uint32_t i = 0; i < kSets; ++i) {
-        m.rows[i] = m.weights[i][i ? m.hashes[shape.contexts + i - 1] >> 20 : bits];
-        results[kSets - 1 - i] = mix(m.rows[i], m.inputs, shape.contexts * 3 / 4);
+        m.rows[i] = m.weights[i][i ? m.hashes[shape.contexts + i - 1] >> (32 - kRowBits) : bits];
+        results[kSets - 1 - i] = mix(m.rows[i], m.inputs, shape.inputs4());
     }
     float sum = mix(m.finalWeights, m.results, kSets / 4);
     m.mixed = squash(sum);
 
     // Correct
-    m.correction =
-        m.corrections[mixIn(m.hashes[shape.contexts], bits) >> 16] + (int32_t)(sum * (1.25f * kLogUnit) + 16);
-    int32_t p = (int32_t)(m.mixed * (1 << 24));
-    if (!*m.correction) *m.correction = (uint32_t)(p - (1 << 23)) << 8 | kFirstTrust;
-    return (uint32_t)(((int32_t)*m.correction >> 8) + p + (1 << 23)) >> 5 | 1;
+    m.correction = m.corrections[mixIn(m.hashes[shape.contexts], bits) >> (32 - kCorrectionRowBits)] +
+                   (int32_t)(sum * kSteepness + kMiddle);
+    int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
+    if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
+    // Half of what was mixed, half of what became of it here before
+    int32_t twice = ((int32_t)*m.correction >> kSeenBits) + kHalf + p;
+    return (uint32_t)twice >> (kProbabilityBits + 1 - kShareBits) | 1;
 }
 
 inline void learn(Model &m, const Shape &shape, uint32_t bit) {
     float y = (float)(int32_t)bit;
     const float *results = (const float *)m.results;
     for (uint32_t i = 0; i < kSets; ++i)
-        train(m.rows[i], m.inputs, shape.contexts * 3 / 4, (y - squash(results[kSets - 1 - i])) * kLearning);
+        train(m.rows[i], m.inputs, shape.inputs4(), (y - squash(results[kSets - 1 - i])) * kLearning);
     train(m.finalWeights, m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
     for (uint32_t i = 0; i < shape.contexts; ++i)
         for (Counter *c : m.contexts[i].counter) adapt(*c, bit);
@@ -177,7 +192,7 @@ inline void learn(Model &m, const Shape &shape, uint32_t bit) {
     for (uint32_t i = 0; i < shape.contexts; ++i) {
         uint8_t &history = m.contexts[i].slot->history;
         uint32_t h = history ^ 1u;
-        if (h & 128) h = (h & 63) | 64;
+        if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
         history = (uint8_t)((h * 2 + bit) ^ 1);
     }
 }

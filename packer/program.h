@@ -2,17 +2,14 @@
 #pragma once
 
 #include "encoder.h"
-#include "format.h"
+#include "stub.h"
 
 #include <stdexcept>
 #include <string>
 
 namespace pack {
 
-inline constexpr char kInterpreter[] = "/lib64/ld-linux-x86-64.so.2";
-inline constexpr uint64_t kPage = 4096;
 inline constexpr uint64_t kMostMemory = 64 << 20; // no program of ours is larger
-inline constexpr uint64_t wholePages(uint64_t bytes) { return (bytes + kPage - 1) & ~(kPage - 1); }
 
 // What makes a file unsuitable, as one line for the user.
 struct Unsuitable : std::runtime_error {

@@ -2,8 +2,9 @@
 // independent, baseline x86-64, no library.
 //
 // In assembler, because it is part of every packed file: 1.9 KB, where g++ -Os makes 3.7 KB of the same in C++.
-// It does what decoder.h, model.h and x86.h say, whose names it uses; the packer runs both before it
-// writes a file. Parameters are described in format.h.
+// It does what decoder.h, model.h and x86.h say, whose names it uses; the packer runs both before it writes a
+// file. What it finds, does and leaves is described in format.h. Numbers that are C++'s as well come from
+// stub_numbers.h; other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
 // Registers while decoding: rbx parameters, rbp within the model's memory, r12 the next byte of the image, r13
 // the same in the copy of coded bytes, r14 the payload; r11d the byte so far (bits), r8 the slots. Subroutines
@@ -11,23 +12,11 @@
 
 .intel_syntax noprefix
 
-// --- Parameters, from rbx ---
-.set FILE, 0
-.set WORDS, 4
-.set IMAGE, 8
-.set READ_ONLY, 12
-.set IMPORTS, 16
-.set ENTRY, 20
-.set EARLY, 24
-.set EARLY_ENTRY, 28
-.set SIZE, 32
-.set CODE_BEGIN, 36
-.set CODE_SIZE, 40
-.set MEMORY, 44
-.set CONTEXTS, 48
-.set SHIFT, 49
-.set MASKS, 50
-// Before them
+// --- What is agreed with C++ ---
+#define STUB_NUMBER(name, value, meaning) .set name, value;
+#include "stub_numbers.h"
+
+// --- From rbx: Parameters; before them the constants at the end of this file ---
 .set MOST, -36
 .set LEAST, -32
 .set ONE, -28
@@ -36,46 +25,69 @@
 .set FINAL_LEARNING, -16
 .set STEEPNESS, -12
 .set MIDDLE, -8
-.set CERTAIN, -4
+.set SCALE, -4
 
-// --- The model's memory, from rbp ---
+// --- The model's memory, from rbp, which points behind the first variables so that most offsets are one byte ---
 .set FIELDS, -112
-.set WHERE, FIELDS
-.set INSTRUCTION1, FIELDS + 4 * 8
-.set OPCODE1, FIELDS + 4 * 9
-.set OPCODE2, FIELDS + 4 * 10
-.set MODRM1, FIELDS + 4 * 12
-.set OPCODE, FIELDS + 4 * 13
-.set MODRM, FIELDS + 4 * 14
-.set MODE, FIELDS + 4 * 15
-.set SO_FAR, FIELDS + 4 * 16
-.set PHASE, FIELDS + 4 * 17
-.set LEFT, FIELDS + 4 * 18
-.set WIDE, FIELDS + 4 * 19
-.set IMMEDIATE, FIELDS + 4 * 20
-.set RELATIVE, FIELDS + 4 * 21
-.set MAP, FIELDS + 4 * 22
-.set RANGE, FIELDS + 4 * 23
-.set CODE, FIELDS + 4 * 24
-.set POSITION, FIELDS + 4 * 25
-.set TYPE, FIELDS + 4 * 26
+.set WHERE, FIELDS + 4 * FIELD_WHERE
+.set INSTRUCTION1, FIELDS + 4 * FIELD_INSTRUCTION1
+.set OPCODE1, FIELDS + 4 * FIELD_OPCODE1
+.set OPCODE2, FIELDS + 4 * FIELD_OPCODE2
+.set MODRM1, FIELDS + 4 * FIELD_MODRM1
+.set OPCODE, FIELDS + 4 * FIELD_OPCODE
+.set MODRM, FIELDS + 4 * FIELD_MODRM
+.set MODE, FIELDS + 4 * FIELD_MODE
+.set SO_FAR, FIELDS + 4 * FIELD_SO_FAR
+// The parser's state, in the order in which it is cleared, and the decoder's
+.set PHASE, FIELDS + 4 * FIELD_COUNT
+.set LEFT, PHASE + 4
+.set WIDE, LEFT + 4
+.set IMMEDIATE, WIDE + 4
+.set RELATIVE, IMMEDIATE + 4
+.set MAP, RELATIVE + 4
+.set RANGE, MAP + 4
+.set CODE, RANGE + 4
+.set POSITION, CODE + 4
+.set TYPE, POSITION + 4
 .set RESULTS, 0
-.set ROWS, RESULTS + 4 * 8
-.set HASHES, ROWS + 8 * 8
-.set INPUTS, HASHES + 4 * 32
-.set COUNTERS, INPUTS + 4 * 72
-.set BYTE_SLOTS, COUNTERS + 8 * 74
-.set OPCODES, BYTE_SLOTS + 8 * 24
-.set FINAL_WEIGHTS, OPCODES + 1024
-.set WEIGHTS, FINAL_WEIGHTS + 4 * 8
-.set ROW, 4 * 72
-.set CORRECTIONS, WEIGHTS + 8 * 4096 * ROW
-.set HISTORIES, CORRECTIONS + 4 * 65536 * 32
-.set CONTEXT, 4 * (256 + 65536)
-.set SLOTS, HISTORIES + 24 * CONTEXT
-// The slots follow, then eight zeros and the coded bytes
+.set ROWS, RESULTS + 4 * SETS // of the last set first, as the results
+.set HASHES, ROWS + 8 * SETS
+.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS) // one more than there are, for alignment
+.set COUNTERS, INPUTS + 4 * MOST_INPUTS
+.set BYTE_SLOTS, COUNTERS + 8 * (MOST_INPUTS + 2) // the correction's too, and alignment
+.set OPCODES, BYTE_SLOTS + 8 * MOST_CONTEXTS
+.set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
+.set WEIGHTS, FINAL_WEIGHTS + 4 * SETS
+.set ROW, 4 * MOST_INPUTS
+.set ALL_ROWS, SETS << SET_ROW_BITS
+.set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
+.set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
+.set SLOTS, HISTORIES + MOST_CONTEXTS * CONTEXT
+// The slots follow, then kPast zeros and the coded bytes
 
-.set HASH, 0x2c9277b5 // kHash
+// --- What the code relies on beyond these names ---
+#define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
+EQUAL(FIELD_WHERE, 0) // fields up to the column are written in a row
+EQUAL(FIELD_BYTE1, 1)
+EQUAL(FIELD_COLUMN, FIELD_BYTE6 + 1)
+EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two move on as one
+EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
+EQUAL(FIELD_MODRM, FIELD_OPCODE + 1) // what is cleared with the parser's state
+EQUAL(FIELD_MODE, FIELD_OPCODE + 2)
+EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 3)
+EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
+EQUAL(PHASE_START, 0) // the order in which phases are told apart
+EQUAL(PHASE_VEX, 1)
+EQUAL(PHASE_MODRM, 2)
+EQUAL(PHASE_SIB, 3)
+EQUAL(PHASE_DISPLACEMENT, 4)
+EQUAL(SLOT_COUNTER, 0) // a fresh slot is its check, shifted up
+EQUAL(SLOT_CHECK, SLOT - 2)
+EQUAL(COUNTER, 4) // seen: its lowest byte
+EQUAL(SEEN_BITS, 8)
+EQUAL(HISTORY_FULL, 128) // the sign of a byte
+EQUAL((INPUTS | FINAL_WEIGHTS | WEIGHTS) & 15, 0) // vectors
+EQUAL(TYPE + 8, RESULTS) // the variables end in front of it, and keep it aligned
 
 .section .stub, "ax"
 start:
@@ -88,7 +100,7 @@ start:
     mov r12d, [rbx + WORDS]
     xor esi, esi
     xor ebp, ebp
-1:  test di, 0xfff
+1:  test di, PAGE - 1
     jne 2f
     push 21 // access
     pop rax
@@ -102,7 +114,7 @@ start:
     jne 1b
     test ebp, ebp
     je get_memory
-damaged: // the texts stand here, so that a file cut short still has them; both 23 long
+damaged: // the texts stand here, so that a file cut short still has them; both are 23 long
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -175,7 +187,7 @@ mix_in:
     lea eax, [rax + rdx + 1]
     imul eax, eax, HASH
     mov edx, eax
-    shr edx, 15
+    shr edx, HASH_SHIFT
     xor eax, edx
     ret
 
@@ -183,18 +195,18 @@ mix_in:
 #include "stub_parse.S"
 
 runs:
-#define OPCODE_RUN(count, kind) .byte (count) << 3 | (kind);
+#define OPCODE_RUN(count, kind) .byte (count) << CLASS_BITS | (kind);
 #include "opcodes.h"
 runs_end:
-    .long 0x4cfdea11 // 11 / kLogUnit
-    .long 0xccfdea11
-    .float 1
-    .long 0x3f8ccccd // 1.1
-    .long 0x300df4e0 // kLearning
-    .long 0x2eb17218 // kFinalLearning
-    .long 0x33ddce9e // 1.25 * kLogUnit
-    .float 16
-    .float 16777216
+    .long MOST_BITS // in the order of MOST .. SCALE
+    .long MOST_BITS | 0x80000000 // the sign
+    .long ONE_BITS
+    .long SETTLED_BITS
+    .long LEARNING_BITS
+    .long FINAL_LEARNING_BITS
+    .long STEEPNESS_BITS
+    .long MIDDLE_BITS
+    .long SCALE_BITS
 parameters:
 
 // For the packer's check: void stubDecode(parameters, image, memory)

@@ -8,34 +8,34 @@ decode:
     pop rdx
 1:  lodsb
     mov ecx, eax
-    and al, 7
-    shr cl, 3
+    and al, (1 << CLASS_BITS) - 1
+    shr cl, CLASS_BITS
 2:  stosb
     dec cl
     jne 2b
     dec edx
     jne 1b
-    mov ecx, 8 + 8 * 4096 * 72
-    mov eax, 0x3d800000 // kFirstWeight
+    mov ecx, SETS + ALL_ROWS * MOST_INPUTS
+    mov eax, FIRST_WEIGHT_BITS
     rep stosd
 
-    inc dword ptr [rbp + RANGE]
+    inc dword ptr [rbp + RANGE] // 1
     mov eax, [rbx + MEMORY]
     sub eax, [rbx + SIZE]
     lea r13, [rbp + rax + FIELDS]
     movzx eax, byte ptr [rbx + CONTEXTS]
-    lea r14, [rbx + rax * 4 + MASKS + 4 * 7]
+    lea r14, [rbx + rax * (2 * MASK) + MASKS + 2 * MASK * (SETS - 1)]
 
     xor eax, eax
 next_byte: // eax is the position
-    test eax, 0x7ff
+    test eax, EARLY_STEP - 1
     jne 1f
     cmp eax, [rbx + EARLY]
     jb 1f
     // The early part: (stack at the program's start, bytes done, bytes in all)
     mov esi, [rbx + EARLY]
     call protect
-    lea rdi, [rsp + 48]
+    lea rdi, [rsp + 48] // six were pushed since
     mov esi, [rbp + POSITION]
     mov edx, [rbx + SIZE]
     mov eax, [rbx + EARLY_ENTRY]
@@ -44,10 +44,10 @@ next_byte: // eax is the position
     // Fields
     lea rdi, [rbp + FIELDS]
     mov eax, [rbp + LEFT]
-    shl eax, 3
+    shl eax, PHASE_BITS
     or eax, [rbp + PHASE]
     stosd
-    push 6
+    push FIELD_BYTE6
     pop rcx
     mov rsi, r13
 1:  dec rsi
@@ -56,20 +56,20 @@ next_byte: // eax is the position
     loop 1b
     mov edx, [rbp + POSITION]
     mov eax, edx
-    and eax, 3
+    and eax, COLUMNS - 1
     stosd
 
     // begin
     lea rsi, [rbx + MASKS]
     mov cl, [rbx + CONTEXTS] // rcx was 0
-    add ecx, 7
+    add ecx, SETS - 1
     sub edx, [rbx + CODE_BEGIN]
     cmp edx, [rbx + CODE_SIZE]
     sbb edi, edi
     inc edi // 1 in data
     mov [rbp + TYPE], edi
     je 1f
-    lea rsi, [rsi + rcx * 2]
+    lea rsi, [rsi + rcx * MASK]
 1:  mov r8d, edi
     lea rdi, [rbp + HASHES]
 hash_next:
@@ -105,27 +105,27 @@ find:
     mov edx, r11d
     call mix_in
     mov edx, eax // check in its low half
-    mov cl, [rbx + SHIFT]
+    mov cl, [rbx + SLOT_SHIFT]
     shr eax, cl
-    lea rax, [r8 + rax * 8]
-    cmp [rax + 6], dx
+    lea rax, [r8 + rax * SLOT]
+    cmp [rax + SLOT_CHECK], dx
     je 2f
     mov rcx, rax
-    xor cl, 8
-    cmp [rcx + 6], dx
+    xor cl, SLOT
+    cmp [rcx + SLOT_CHECK], dx
     je 1f
     push rdx
-    mov dl, [rax + 4]
-    cmp [rcx + 4], dl
+    mov dl, [rax + SLOT_HISTORY]
+    cmp [rcx + SLOT_HISTORY], dl
     pop rdx
     cmovae rcx, rax
-    shl rdx, 48
-    mov [rcx], rdx
+    shl rdx, 8 * SLOT_CHECK
+    mov [rcx], rdx // all else of it is 0
 1:  mov rax, rcx
-2:  stosq
+2:  stosq // its counter is its first
     mov rcx, rax
-    movzx eax, byte ptr [rcx + 4]
-    lea rax, [r15 + rax * 4]
+    movzx eax, byte ptr [rcx + SLOT_HISTORY]
+    lea rax, [r15 + rax * COUNTER]
     stosq
     cmp r11d, 1
     jne 3f
@@ -133,9 +133,9 @@ find:
 3:  mov rcx, [r9]
     add r9, 8
     xor eax, eax
-    mov ah, [rcx + 5]
+    mov ah, [rcx + SLOT_LAST_BYTE]
     mov al, r11b
-    lea rax, [r15 + rax * 4 + 1024]
+    lea rax, [r15 + rax * COUNTER + AFTER_LAST]
     stosq
     add r15, CONTEXT
     dec r10d
@@ -150,11 +150,11 @@ find:
     lea rsi, [rbp + COUNTERS]
 1:  lodsq
     mov eax, [rax]
-    sar eax, 8
-    mov edx, 0x800001
+    sar eax, SEEN_BITS
+    mov edx, CERTAIN + 2
     sub edx, eax
     cvtsi2ss xmm1, edx
-    add eax, 0x800001
+    add eax, CERTAIN + 2
     cvtsi2ss xmm0, eax
     psubd xmm0, xmm1
     cvtdq2ps xmm0, xmm0
@@ -163,10 +163,10 @@ find:
     loop 1b
 
     // Mix
-    push 8
+    push SETS
     pop r10
     mov eax, r11d
-1:  lea eax, [r10 + rax * 8] // rows of the eight sets lie together
+1:  lea eax, [r10 + rax * SETS] // rows of the eight sets lie together
     imul eax, eax, ROW
     lea rdx, [rbp + rax + WEIGHTS - ROW]
     mov [rbp + r10 * 8 + ROWS - 8], rdx
@@ -175,7 +175,7 @@ find:
     movss [rbp + r10 * 4 + RESULTS - 4], xmm0
     mov eax, [r9]
     add r9, 4
-    shr eax, 20
+    shr eax, HASH_BITS - SET_ROW_BITS
     dec r10d
     jne 1b
     call point_to_results
@@ -189,31 +189,31 @@ find:
     lodsd
     mov edx, r11d
     call mix_in
-    shr eax, 11 // 65536 rows of 32
-    and al, 0xe0
+    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // rows of 32, of which this is the first
+    and al, 0x100 - (1 << CORRECTION_BITS)
     mulss xmm5, [rbx + STEEPNESS]
     addss xmm5, [rbx + MIDDLE]
     cvttss2si edx, xmm5
     add eax, edx
-    lea rax, [rbp + rax * 4 + CORRECTIONS]
+    lea rax, [rbp + rax * COUNTER + CORRECTIONS]
     pop rdi
     mov [rdi], rax
-    mulss xmm0, [rbx + CERTAIN]
+    mulss xmm0, [rbx + SCALE]
     cvttss2si edx, xmm0
     cmp dword ptr [rax], 0
     jne 1f
-    lea ecx, [rdx - 0x800000]
-    shl ecx, 8
-    mov cl, 20 // kFirstTrust
+    lea ecx, [rdx - HALF]
+    shl ecx, SEEN_BITS
+    mov cl, FIRST_TRUST
     mov [rax], ecx
 1:  mov eax, [rax]
-    sar eax, 8
-    lea eax, [rax + rdx + 0x800000]
-    shr eax, 5
+    sar eax, SEEN_BITS
+    lea eax, [rax + rdx + HALF]
+    shr eax, PROBABILITY_BITS + 1 - SHARE_BITS
     or al, 1
 
     // Decoder::bit
-1:  cmp byte ptr [rbp + RANGE + 3], 0
+1:  cmp byte ptr [rbp + RANGE + RANGE_BITS / 8], 0
     jne 2f
     shl dword ptr [rbp + RANGE], 8
     shl dword ptr [rbp + CODE], 8
@@ -223,7 +223,7 @@ find:
     jmp 1b
 2:  mov edx, [rbp + RANGE]
     imul rax, rdx
-    shr rax, 20
+    shr rax, SHARE_BITS
     sub edx, eax
     mov ecx, [rbp + CODE]
     cmp ecx, eax
@@ -237,7 +237,7 @@ find:
 
     // learn: the weights
     cvtsi2ss xmm3, r9d
-    push 8
+    push SETS
     pop r10
 1:  movss xmm0, [rbp + r10 * 4 + RESULTS - 4]
     call squash
@@ -258,22 +258,22 @@ find:
     // ... the counters, that of the correction too
     lea rsi, [rbp + COUNTERS]
     lea r10d, [r9 - 1]
-    xor r10d, 0x7fffff
+    xor r10d, CERTAIN // or its complement
     movzx ecx, byte ptr [rbx + CONTEXTS]
-    lea r8d, [rcx + rcx * 2 + 1]
+    lea r8d, [rcx + rcx * (CONTEXT_INPUTS - 1) + 1]
 1:  lodsq
     movzx ecx, byte ptr [rax]
     cvtsi2ss xmm1, ecx
     addss xmm1, [rbx + SETTLED]
     mov edx, [rax]
-    sar edx, 8
+    sar edx, SEEN_BITS
     mov edi, r10d
     sub edi, edx
     cvtsi2ss xmm0, edi
     divss xmm0, xmm1
     cvttss2si edi, xmm0
     add edx, edi
-    shl edx, 8
+    shl edx, SEEN_BITS
     add cl, 1
     sbb cl, 0
     mov dl, cl
@@ -285,16 +285,16 @@ find:
     lea rsi, [rbp + COUNTERS]
     movzx ecx, byte ptr [rbx + CONTEXTS]
 1:  mov rdi, [rsi]
-    mov al, [rdi + 4]
+    mov al, [rdi + SLOT_HISTORY]
     xor al, 1
     jns 2f
-    and al, 63
-    or al, 64
+    and al, HISTORY_FULL / 2 - 1
+    or al, HISTORY_FULL / 2
 2:  add al, al
     or eax, r9d
     xor al, 1
-    mov [rdi + 4], al
-    add rsi, 24
+    mov [rdi + SLOT_HISTORY], al
+    add rsi, 8 * CONTEXT_INPUTS
     loop 1b
 
     shr r9d, 1
@@ -305,7 +305,7 @@ find:
     lea rsi, [rbp + BYTE_SLOTS]
     mov cl, [rbx + CONTEXTS] // rcx was 0
 1:  lodsq
-    mov [rax + 5], r11b
+    mov [rax + SLOT_LAST_BYTE], r11b
     loop 1b
     mov [r13], r11b
     mov [r12], r11b
@@ -326,16 +326,16 @@ find:
 point_to_inputs:
     lea rsi, [rbp + INPUTS]
     movzx ecx, byte ptr [rbx + CONTEXTS]
-    lea ecx, [rcx + rcx * 2]
+    lea ecx, [rcx + rcx * (CONTEXT_INPUTS - 1)]
     ret
 point_to_results:
     lea rdx, [rbp + FINAL_WEIGHTS]
     mov rsi, rbp // RESULTS
-    push 8
+    push SETS
     pop rcx
     ret
 
-// xmm0 = sum of weights at rdx times inputs at rsi, ecx of them, limited to -11 .. 11.
+// xmm0 = sum of weights at rdx times inputs at rsi, ecx of them, limited to kMostSum.
 mix:
     xorps xmm0, xmm0
 1:  movaps xmm1, [rdx + rcx * 4 - 16]
@@ -365,7 +365,7 @@ train:
 
 squash:
     cvttss2si eax, xmm0
-    add eax, 0x3f800000
+    add eax, ONE_BITS
     movd xmm0, eax
     movaps xmm1, xmm0
     addss xmm1, [rbx + ONE]

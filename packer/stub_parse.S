@@ -8,10 +8,10 @@ parse:
     mov [rbp + SO_FAR], eax
     mov eax, [rbp + LEFT]
     mov dl, [rbp + PHASE]
-    sub dl, 1
+    sub dl, PHASE_VEX
     jb at_start
     je at_vex
-    sub dl, 2
+    sub dl, PHASE_SIB - PHASE_VEX
     jb at_modrm
     je at_sib
 
@@ -35,7 +35,7 @@ behind: // ... an opcode, an operand, or a byte of one
     or eax, [rbp + IMMEDIATE]
     je ends
     and dword ptr [rbp + IMMEDIATE], 0
-    mov byte ptr [rbp + PHASE], 5
+    mov byte ptr [rbp + PHASE], PHASE_OPERAND
 return:
     ret
 
@@ -43,7 +43,7 @@ ends:
     mov eax, [rbp + MODRM]
     mov [rbp + MODRM1], eax
     mov rax, [rbp + OPCODE1]
-    mov [rbp + OPCODE2], rax
+    mov [rbp + OPCODE2], rax // and OPCODE3
     mov eax, [rbp + OPCODE]
     mov [rbp + OPCODE1], eax
     mov eax, [rbp + SO_FAR]
@@ -57,7 +57,7 @@ ends:
     ret
 
 at_sib:
-    inc byte ptr [rbp + PHASE]
+    inc byte ptr [rbp + PHASE] // PHASE_DISPLACEMENT
     cmp byte ptr [rbp + MODRM], 0x40
     jae behind
     and cl, 7
@@ -78,7 +78,7 @@ at_modrm:
     test cl, 0x30
     je 1f
     and dword ptr [rbp + IMMEDIATE], 0
-1:  mov byte ptr [rbp + PHASE], 4
+1:  mov byte ptr [rbp + PHASE], PHASE_DISPLACEMENT
     push 4
     pop rax
     cmp dl, 5
@@ -93,7 +93,7 @@ at_modrm:
     and cl, 7
     cmp cl, 4
     jne behind
-    dec byte ptr [rbp + PHASE]
+    dec byte ptr [rbp + PHASE] // PHASE_SIB
     ret
 2:  xor eax, eax
     jmp behind
@@ -106,24 +106,24 @@ at_vex:
     mov [rbp + MAP], dl
 1:  dec eax
     jne return
-    mov [rbp + PHASE], al
+    mov [rbp + PHASE], al // PHASE_START
     and ecx, 7
-    shl ecx, 16
+    shl ecx, PREFIX_SHIFT
     mov [rbp + OPCODE], ecx
     mov al, [rbp + MAP]
-    shl al, 2
-    or al, 2
+    shl al, MAP_SHIFT
+    or al, SEEN_VEX
     ret
 
 at_start:
-    cmp al, 4
+    cmp al, SEEN_MAP
     jae mapped
     lea edx, [rcx - 0x40]
     cmp dl, 16
     jae 1f
     and ecx, 8
     mov [rbp + WIDE], ecx
-    or al, 1
+    or al, SEEN_REX
     ret
 1:  mov edx, ecx
     and dl, 0xfe
@@ -131,32 +131,32 @@ at_start:
     je 1f
     cmp dl, 0xf2
     jne 2f
-1:  shl ecx, 16
+1:  shl ecx, PREFIX_SHIFT
     or [rbp + OPCODE], ecx
     ret
 2:  cmp cl, 0x0f
     jne 3f
-    or al, 4
+    or al, SEEN_MAP
     ret
 3:  cmp dl, 0xc4
     jne at_opcode
-    inc byte ptr [rbp + PHASE]
+    inc byte ptr [rbp + PHASE] // PHASE_VEX
     mov byte ptr [rbp + MAP], 1
     mov al, 0xc6
     sub al, cl
     ret
 mapped:
-    cmp al, 6
+    cmp al, SEEN_MAP + SEEN_VEX
     jae at_opcode
     mov dl, cl
     and dl, 0xfd
     cmp dl, 0x38
     jne at_opcode
-    lea eax, [rax + rcx * 2 - 0x6c]
+    lea eax, [rax + rcx * 2 + SEEN_MAP - 0x38 * 2]
     ret
 
 at_opcode:
-    shr al, 2
+    shr al, MAP_SHIFT
     mov ah, al
     mov al, cl
     or [rbp + OPCODE], eax
@@ -166,17 +166,17 @@ at_opcode:
 1:  movzx edx, byte ptr [rbp + rax + OPCODES]
     mov eax, edx
     shr eax, 1
-    cmp dl, 6
+    cmp dl, RELATIVE32
     sete [rbp + RELATIVE]
-    test dl, 4
+    test dl, IMMEDIATE32
     je 1f
     mov al, 4
-    cmp dl, 6
+    cmp dl, RELATIVE32
     je 1f
-    cmp byte ptr [rbp + OPCODE + 2], 0x66
+    cmp byte ptr [rbp + OPCODE + PREFIX_SHIFT / 8], 0x66
     jne 2f
     mov al, 2
-2:  cmp dl, 4
+2:  cmp dl, IMMEDIATE32
     jne 1f
     cmp byte ptr [rbp + WIDE], 0
     je 1f
@@ -185,7 +185,7 @@ at_opcode:
     mov al, 8
 1:  mov [rbp + IMMEDIATE], eax
     xor eax, eax
-    test dl, 1
+    test dl, HAS_MODRM
     je behind
-    mov byte ptr [rbp + PHASE], 2
+    mov byte ptr [rbp + PHASE], PHASE_MODRM
     ret

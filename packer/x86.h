@@ -17,24 +17,40 @@ enum OpcodeClass : uint8_t {
     kImmediate32 = 4, // four bytes; two with prefix 66, eight for a move to a 64-bit register
     kRelative32 = 6,  // four bytes, relative to the next instruction
 };
-#define OPCODE_RUN(count, kind) (uint8_t)((count) << 3 | (kind)),
-constexpr uint8_t kOpcodeRuns[] = {
+constexpr uint32_t kClassBits = 3, kOpcodes = 4 << 8; // four maps
+struct OpcodeRun {
+    uint32_t count, kind;
+};
+constexpr OpcodeRun kOpcodeRuns[] = {
+#define OPCODE_RUN(count, kind) {count, kind},
 #include "opcodes.h"
 };
 
-// The runs written out: the class of an opcode at map << 8 | opcode.
-static inline void expandOpcodes(uint8_t *classes) {
-    for (uint8_t run : kOpcodeRuns) {
-        uint8_t count = run >> 3;
-        do *classes++ = run & 7;
-        while (--count);
-    }
+// The runs written out: the class of an opcode at map << 8 | opcode. The stub has a byte for a run, the count
+// above the class, and counts down to 0 in eight bits: 0 serves as 256.
+constexpr void expandOpcodes(uint8_t *classes) {
+    for (OpcodeRun run : kOpcodeRuns)
+        for (uint32_t i = 0; i < (run.count ? run.count : 256); ++i) *classes++ = (uint8_t)run.kind;
 }
+static_assert([] {
+    uint32_t all = 0;
+    for (OpcodeRun run : kOpcodeRuns) {
+        if (run.count >> (8 - kClassBits) || run.kind >> kClassBits) return false;
+        all += run.count ? run.count : 256;
+    }
+    return all == kOpcodes;
+}());
 
 struct Parser {
     enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand };
-    uint32_t phase; // what the next byte is part of
-    uint32_t left;  // how many bytes of it are to come. At kStart: what has been seen: 1 REX, 2 VEX, 4 map
+    static_assert(kOperand < 1 << kPhaseBits);
+    // `left` at kStart: what has been seen of the instruction, and above it the map of the opcode to come: 1
+    // for 0f, 2 for 0f 38, 3 for 0f 3a
+    static constexpr uint32_t kSeenRex = 1, kSeenVex = 2, kMapShift = 2, kSeenMap = 1 << kMapShift;
+    static constexpr uint32_t kPrefixShift = 16; // in kOpcode: above map and opcode
+
+    Phase phase;   // what the next byte is part of
+    uint32_t left; // how many bytes of it are to come
     uint32_t map, wide, immediate, relative;
 
     // Takes the next byte. If a field ends with it that is relative to the address behind the instruction,
@@ -44,18 +60,18 @@ struct Parser {
         f[kSoFar] = mixIn(f[kSoFar], b);
         switch (phase) {
         case kStart: {
-            if (left < 4) {
+            if (left < kSeenMap) {
                 if ((b & 0xf0) == 0x40) {
                     wide = b & 8;
-                    left |= 1;
+                    left |= kSeenRex;
                     return 0;
                 }
                 if (b == 0x66 || (b & 0xfe) == 0xf2) {
-                    f[kOpcode] |= b << 16;
+                    f[kOpcode] |= b << kPrefixShift;
                     return 0;
                 }
                 if (b == 0x0f) {
-                    left |= 4;
+                    left |= kSeenMap;
                     return 0;
                 }
                 if ((b & 0xfe) == 0xc4) {
@@ -64,17 +80,17 @@ struct Parser {
                     map = 1;
                     return 0;
                 }
-            } else if (left < 6 && (b & 0xfd) == 0x38) {
-                left += b * 2 - 0x6c; // 0f 38, 0f 3a
+            } else if (left < kSeenMap + kSeenVex && (b & 0xfd) == 0x38) {
+                left += kSeenMap + (b - 0x38) * 2; // 0f 38, 0f 3a
                 return 0;
             }
-            uint32_t opcode = left >> 2 << 8 | b;
+            uint32_t opcode = left >> kMapShift << 8 | b;
             // Eight arithmetic operations, 00 .. 3f, go on alike
             uint32_t kind = classes[opcode < 0x40 ? opcode & 7 : opcode];
             f[kOpcode] |= opcode;
             relative = kind == kRelative32;
             immediate = kind & kImmediate32 ? 4 : kind >> 1;
-            if (kind & kImmediate32 && !relative && f[kOpcode] >> 16 == 0x66) immediate = 2;
+            if (kind & kImmediate32 && !relative && f[kOpcode] >> kPrefixShift == 0x66) immediate = 2;
             if (kind == kImmediate32 && wide && b >= 0xb8) immediate = 8;
             left = 0;
             if (kind & kHasModrm) {
@@ -87,8 +103,8 @@ struct Parser {
             if (left == 2) map = b & 3;
             if (!--left) {
                 phase = kStart;
-                left = map << 2 | 2;
-                f[kOpcode] = (b & 7) << 16;
+                left = map << kMapShift | kSeenVex;
+                f[kOpcode] = (b & 7) << kPrefixShift;
             }
             return 0;
         case kModrmByte:
@@ -111,7 +127,8 @@ struct Parser {
             if (f[kModrm] < 0x40 && (b & 7) == 5) left = 4;
             phase = kDisplacement;
             break;
-        default:
+        case kDisplacement:
+        case kOperand:
             if (--left) return 0;
             if (relative) found = 1 + immediate;
             relative = 0;
@@ -130,7 +147,8 @@ struct Parser {
         f[kOpcode1] = f[kOpcode];
         f[kInstruction1] = f[kSoFar];
         for (int i = kOpcode; i <= kSoFar; ++i) f[i] = 0;
-        phase = wide = 0;
+        phase = kStart;
+        wide = 0;
         return found;
     }
 };

@@ -2,6 +2,7 @@
 // The first byte of the input chooses the reader.
 #include "program.h"
 #include "shape.h"
+#include "stub.h"
 
 #include "stub_bytes.h"
 
@@ -13,20 +14,17 @@ using namespace pack;
 
 namespace {
 
-// Fixed by the writer: what lies in front of the stub.
-constexpr size_t kFront = 528;
-
 // The input as parameters, masks and payload of a file that is otherwise as it should be, its checksum too.
 std::vector<uint8_t> packedAround(const uint8_t *data, size_t size) {
-    std::vector<uint8_t> file(kFront);
+    std::vector<uint8_t> file(sizeof(Front));
     file.insert(file.end(), kStub, kStub + sizeof kStub);
     size_t at = file.size();
     file.insert(file.end(), data, data + size);
     file.resize((std::max(file.size(), at + sizeof(Parameters)) + 3) / 4 * 4 + 4);
-    uint64_t span = 0x10000, slot = 0x400000;
-    std::memcpy(&file[64 + 2 * 56 + 40], &span, 8); // the RW segment's size
-    std::memcpy(&file[480], &slot, 8);              // where the imports go
-    std::memcpy(&file[504], &slot, 8);
+    Front front = {};
+    front.segments[2].p_memsz = 0x10000;
+    for (Elf64_Rela &r : front.relocations) r.r_offset = 0x400000;
+    std::memcpy(file.data(), &front, sizeof front);
     uint32_t words = (uint32_t)(file.size() / 4), last;
     std::memcpy(&file[at + offsetof(Parameters, words)], &words, 4);
     last = -checksum(file.data(), words - 1);
@@ -37,7 +35,7 @@ std::vector<uint8_t> packedAround(const uint8_t *data, size_t size) {
 // Whatever the payload, the stub and C++ as this compiler sees it must decode the same.
 void decodeTwice(std::vector<uint8_t> file, const Packed &packed) {
     uint32_t memory = stubMemory(packed.shape, packed.layout.size);
-    std::memcpy(&file[kFront + sizeof kStub + offsetof(Parameters, memory)], &memory, 4);
+    std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(Parameters, memory)], &memory, 4);
     file.resize(file.size() + 2000 * 20 + 100); // no bit takes more than 20
     Workspace workspace;
     if (decodeWithStub(file) !=

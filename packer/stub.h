@@ -1,0 +1,33 @@
+// The stub as the packer runs it: the decoder in stub.S, called with what a packed file contains. And the
+// proof that the numbers which the assembler takes from stub_numbers.h are those of C++.
+#pragma once
+
+#include "format.h"
+
+#include <bit>
+
+namespace pack {
+
+// What run() in decoder.h does. `parameters`: Parameters as they lie in a file, between stub and
+// masks. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, aligned to 16.
+extern "C" void stubDecode(const uint8_t *parameters, uint8_t *image, void *memory);
+
+extern "C" const uint32_t kStubMemory; // bytes in front of the slots
+inline uint32_t stubMemory(const Shape &shape, uint32_t size) {
+    return kStubMemory + (uint32_t)memoryBehindModel(shape, size);
+}
+
+namespace stub {
+
+constexpr int64_t bits(float value) { return std::bit_cast<uint32_t>(value); }
+
+enum Number : int64_t {
+#define STUB_NUMBER(name, value, meaning) name = value,
+#include "stub_numbers.h"
+};
+#define STUB_NUMBER(name, value, meaning) static_assert((int64_t)(value) == (int64_t)(meaning), #name);
+#include "stub_numbers.h"
+
+} // namespace stub
+
+} // namespace pack
