@@ -1,9 +1,65 @@
-// The container: what a packed program consists of, shared by writer and reader. stub.S is the other party.
+// The packed file. To write another decoder one needs this page, decoder.h, model.h, fields.h, x86.h and
+// opcodes.h.
 //
-// A packed file is one R-X segment (ELF header, loader's tables, stub, parameters, payload, checksum) and one
-// RW segment without file bytes at the program's own addresses. The loader writes dlopen and dlsym into the
-// program's own slots before the stub runs; the stub keeps them across the decoding. The model's memory is
-// mapped by the stub, and given back.
+// THE FILE is an executable (ELF, x86-64, ET_EXEC) whose parts follow each other without gaps; numbers are
+// little-endian:
+//
+//     Front          528 bytes: ELF header, five program headers, the loader's tables
+//     stub           machine code, the same in every file
+//     Parameters     50 bytes
+//     masks          uint16_t: those of code (Shape::masks[0]), then those of data ([1]), each as many as
+//                    there are contexts, and kSets - 1 more
+//     payload        the coded program, then zeros up to a multiple of four
+//     check          four bytes
+//
+// Taken as words of 32 bits, the file makes checksum() 0; the check is what makes it so. Bytes behind
+// Parameters::words words do not belong to it. There are no section headers. The stub's size is not written
+// anywhere: a reader knows the stub it has been made for.
+//
+// IN MEMORY the file is one R-X segment, at Parameters::file, kBelow bytes below the program. The program
+// has one RW segment without bytes in the file, from Parameters::image on, whole pages, so that it starts
+// as zeros. The other headers are an interpreter, a dynamic section (needs libdl.so.2, imports dlopen and
+// dlsym) and a stack that is not executable. The loader writes the two imports into the program's own
+// slots, as the two relocations say, before it goes on at the first byte of the stub.
+//
+// START. The stub computes the checksum of itself and all else, asking the kernel first whether a page is
+// there that a file cut short would lack. Then it maps Parameters::memory bytes for the model, keeps the
+// two slots, decodes, puts the slots back, makes Parameters::readOnly bytes of the image R-X, gives the
+// model's memory back, and jumps to Parameters::entry with rsp, rsi and rdx as the loader left them: the
+// program sees argc, arguments, environment and, in rdx, what to call at exit. Nothing is writable and
+// executable at once.
+//
+// IN TWO PHASES. If Parameters::early is not kNothingEarly, then before each byte whose offset in the image
+// is a multiple of kEarlyStep and not less than `early`, the first `early` bytes of the image are made R-X
+// and the function at Parameters::earlyEntry is called, by the C calling convention, as void (void **stack,
+// uint32_t done, uint32_t size): the stack as the kernel made it (argc on top), bytes decoded, bytes in
+// all. So it is first called when `early` bytes stand, and never if there are no more. Its code and
+// constants lie among them. What it writes must lie behind the last byte that is decoded, since decoding
+// goes over all before, and it finds its imports in their slots only as long as `done` has not reached
+// these.
+//
+// THE PAYLOAD is the first Layout::size bytes of the image; those behind are zeros. Bytes follow each other
+// from the first on, the bits of each from the highest down. Every bit is given to a range decoder (Decoder
+// in decoder.h: 32 bits, range and code 1 and 0 at first, so that it begins by fetching three bytes) with a
+// probability of 20 bits, which predict() in model.h makes of all bits before it; run() in decoder.h is the
+// loop. It may fetch two bytes behind the payload, of padding or check, whose values do not matter. All
+// state is zeros at first but the mixing weights. Floats are IEEE single precision, operations in the order
+// written, each rounded to nearest, never fused; a float becomes an integer by truncation.
+//
+// Bytes from Layout::codeBegin on, Layout::codeSize of them, are code, the rest is data. Code has contexts
+// of its own, and goes through the parser in x86.h, which starts at codeBegin as if an instruction did; in
+// data the parser stands still, and the fields that it has left stay.
+//
+// ADDRESSES. Where the parser says, after the byte at i, that a field of four bytes ends that is relative
+// to the next instruction, which begins at i + behind (one, and one for each byte of an immediate operand
+// to come), the bytes i - 3 .. i were coded as the offset of what they name from the image's start, highest
+// byte first. The program gets that offset less (i + behind), lowest byte first. Contexts and parser see
+// bytes as they were coded.
+//
+// ERRORS. A checksum that is not 0, or a missing page: "damaged: get it afresh"; no memory: "not enough
+// free memory". Both are one line on standard error, with exit status 1, and nothing of the program has
+// run. What the check covers is trusted: behind it nothing is examined. It can guard neither the Front,
+// which the loader reads first, nor its own 128 bytes of code.
 #pragma once
 
 #include "decoder.h"
