@@ -1,4 +1,4 @@
-#include "program.h"
+#include "elf_reader.h"
 
 #include <algorithm>
 #include <array>

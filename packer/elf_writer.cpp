@@ -1,5 +1,6 @@
-#include "program.h"
+#include "elf_writer.h"
 
+#include "stub.h"
 #include "stub_bytes.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 // pack: makes a small self-unpacking executable out of a freestanding one, and takes it apart again.
+#include "elf_reader.h"
+#include "elf_writer.h"
 #include "files.h"
-#include "program.h"
 #include "report.h"
 #include "search.h"
 #include "shape.h"

@@ -1,0 +1,36 @@
+// Packed programs: written, proved, opened, and made plain again. The format is in format.h.
+#pragma once
+
+#include "encoder.h"
+#include "program.h"
+
+namespace pack {
+
+// `payload` encodes `program.bytes`. Throws Unsuitable.
+std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
+                                 const std::vector<uint8_t> &payload);
+
+// Bytes of a packed file that are not payload.
+size_t overhead(const Shape &shape);
+
+// Runs the stub's own code on a packed file in memory, which writePacked has made.
+std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);
+
+// A packed file taken apart: the program but for its bytes, and how to decode them.
+struct Packed {
+    Program program;
+    Layout layout;
+    Shape shape;
+    std::vector<uint8_t> payload;
+};
+
+// From any source. Throws Unsuitable.
+Packed openPacked(const std::vector<uint8_t> &file);
+
+// The same, and decoded with care.
+Program readPacked(const std::vector<uint8_t> &file);
+
+// An executable that lies in memory exactly like `program`, not packed.
+std::vector<uint8_t> writePlain(const Program &program);
+
+} // namespace pack
