@@ -1,30 +1,13 @@
 #include "elf_reader.h"
 
+#include "elf_file.h"
+
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <elf.h>
 
 namespace pack {
 
 namespace {
-
-// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
-bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
-    return address >= base && size <= span && address - base <= span - size;
-}
-
-// The file, read with bounds.
-struct Reader {
-    const std::vector<uint8_t> &file;
-
-    template <class T> T at(uint64_t offset, const char *otherwise) const {
-        need(within(offset, sizeof(T), 0, file.size()), otherwise);
-        T value;
-        std::memcpy(&value, file.data() + offset, sizeof value);
-        return value;
-    }
-};
 
 // The program's memory, read and wiped by address.
 struct Memory {
@@ -49,11 +32,11 @@ struct Memory {
     }
 };
 
-std::vector<Elf64_Phdr> readHeaders(const Reader &in, Elf64_Ehdr &header) {
-    need(in.file.size() >= 4 && !std::memcmp(in.file.data(), ELFMAG, SELFMAG), "not an ELF file");
-    need(in.file.size() > EI_DATA && in.file[EI_CLASS] == ELFCLASS64,
+std::vector<Elf64_Phdr> readHeaders(const ElfFile &in, Elf64_Ehdr &header) {
+    need(in.bytes.size() >= 4 && !std::memcmp(in.bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
+    need(in.bytes.size() > EI_DATA && in.bytes[EI_CLASS] == ELFCLASS64,
          "a 32-bit ELF file: only x86-64 is packed");
-    need(in.file[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
+    need(in.bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
     header = in.at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
     need(header.e_machine == EM_X86_64, "not for x86-64");
     need(header.e_type != ET_DYN, "position-independent: link it with -no-pie");
@@ -68,20 +51,22 @@ std::vector<Elf64_Phdr> readHeaders(const Reader &in, Elf64_Ehdr &header) {
 }
 
 // Checks the segments and lays them out as they will lie in memory.
-void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Program &program) {
+void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Program &program) {
     std::vector<Elf64_Phdr> loads;
     for (const Elf64_Phdr &h : headers) {
         need(h.p_type != PT_TLS, "it has thread-local storage, which is not supported");
+        need(h.p_type != PT_GNU_STACK || !(h.p_flags & PF_X),
+             "it wants an executable stack, which it would not get: link it with -z noexecstack");
         if (h.p_type == PT_LOAD && h.p_memsz) loads.push_back(h);
     }
     need(!loads.empty(), "nothing to load in it");
     std::sort(loads.begin(), loads.end(), [](auto &a, auto &b) { return a.p_vaddr < b.p_vaddr; });
     uint64_t end = 0, fileEnd = 0, codeEnd = 0, firstWritten = UINT64_MAX;
     for (const Elf64_Phdr &h : loads) {
-        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, UINT32_MAX - kPage) &&
+        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
                  h.p_filesz <= h.p_memsz,
-             "a segment of an absurd size or address");
-        need(within(h.p_offset, h.p_filesz, 0, in.file.size()), "cut short: a segment's bytes are missing");
+             "a segment of an absurd size or address: over 64 MiB, or beyond 2 GiB");
+        need(within(h.p_offset, h.p_filesz, 0, in.bytes.size()), "cut short: a segment's bytes are missing");
         need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X), "a segment is both writable and executable");
         need(h.p_vaddr >= end, "its segments overlap");
         end = h.p_vaddr + h.p_memsz;
@@ -92,9 +77,10 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
             codeEnd = end;
     }
     uint64_t base = loads[0].p_vaddr & ~(kPage - 1), writtenPage = firstWritten & ~(kPage - 1);
-    need(base >= 0x210000,
+    static_assert(kLeastBase == 0x210000 && kMostMemory == 64 << 20); // as the lines say
+    need(base >= kLeastBase,
          "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
-    need(end - base <= kMostMemory, "its segments lie too far apart");
+    need(end - base <= kMostMemory, "its segments lie too far apart: over 64 MiB from first to last");
     need(codeEnd <= writtenPage, "writable data shares a page with code or lies before it: link data behind "
                                  "code, on a page of its own");
     program.base = (uint32_t)base;
@@ -102,7 +88,7 @@ void loadSegments(const Reader &in, const std::vector<Elf64_Phdr> &headers, Prog
     program.bytes.assign(fileEnd - base, 0);
     program.readOnly = (uint32_t)wholePages(codeEnd - base);
     for (const Elf64_Phdr &h : loads)
-        std::copy_n(in.file.begin() + (long)h.p_offset, h.p_filesz,
+        std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
                     program.bytes.begin() + (long)(h.p_vaddr - base));
 }
 
@@ -176,7 +162,7 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
 }
 
 // Where the instructions are and what is to run early, by the section headers if there are any.
-void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<Elf64_Phdr> &headers,
+void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector<Elf64_Phdr> &headers,
                   Program &program) {
     uint64_t begin = UINT64_MAX, end = 0, afterEarly = UINT64_MAX;
     auto extend = [&](uint64_t address, uint64_t size) {
@@ -184,30 +170,20 @@ void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<
         end = std::max(end, address + size);
     };
     program.early = kNothingEarly;
-    const char *cut = "cut short: its section headers are incomplete";
-    need(header.e_shnum == 0 || header.e_shentsize == sizeof(Elf64_Shdr),
-         "its section headers make no sense");
-    auto section = [&](uint64_t i) {
-        return in.at<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr), cut);
-    };
-    Elf64_Shdr names = {};
-    if (header.e_shnum) names = section(header.e_shstrndx);
-    for (int i = 0; i < header.e_shnum; ++i) {
-        Elf64_Shdr s = section((uint64_t)i);
-        if (!(s.sh_flags & SHF_ALLOC) || !s.sh_size) continue;
+    std::vector<Elf64_Shdr> sections = in.sections();
+    Elf64_Shdr names = sections.empty() ? Elf64_Shdr{} : sections[header.e_shstrndx];
+    std::erase_if(sections, [](auto &s) { return !(s.sh_flags & SHF_ALLOC); });
+    for (const Elf64_Shdr &s : sections) {
+        if (!s.sh_size) continue;
         need(within(s.sh_addr, s.sh_size, program.base, program.span), "a section lies outside the segments");
         if (s.sh_flags & SHF_EXECINSTR) extend(s.sh_addr, s.sh_size);
-        auto name = in.at<std::array<char, 7>>(names.sh_offset + s.sh_name, cut);
-        if (!std::memcmp(name.data(), ".early", 7)) {
-            program.early = (uint32_t)wholePages(s.sh_addr + s.sh_size - program.base);
-            program.earlyEntry = (uint32_t)s.sh_addr;
-        }
+        if (in.text(names, s.sh_name) != ".early") continue;
+        program.early = (uint32_t)wholePages(s.sh_addr + s.sh_size - program.base);
+        program.earlyEntry = (uint32_t)s.sh_addr;
     }
-    for (int i = 0; i < header.e_shnum && program.early != kNothingEarly; ++i) {
-        Elf64_Shdr s = section((uint64_t)i);
-        if (s.sh_flags & SHF_ALLOC && s.sh_addr > program.earlyEntry)
+    for (const Elf64_Shdr &s : sections)
+        if (program.early != kNothingEarly && s.sh_addr > program.earlyEntry)
             afterEarly = std::min(afterEarly, s.sh_addr);
-    }
     need(program.early == kNothingEarly ||
              (afterEarly >= program.base + program.early && program.early <= program.readOnly),
          "its section .early does not end on a page of its own");
@@ -223,7 +199,7 @@ void readSections(const Reader &in, const Elf64_Ehdr &header, const std::vector<
 } // namespace
 
 Program readProgram(const std::vector<uint8_t> &file) {
-    Reader in = {file};
+    ElfFile in = {file};
     Elf64_Ehdr header;
     std::vector<Elf64_Phdr> headers = readHeaders(in, header);
     Program program = {};

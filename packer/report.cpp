@@ -1,11 +1,10 @@
 #include "report.h"
 
-#include <algorithm>
+#include "elf_file.h"
+
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <cxxabi.h>
-#include <elf.h>
 #include <memory>
 #include <sstream>
 
@@ -13,6 +12,9 @@ namespace pack {
 
 namespace {
 
+constexpr char kMapBegins[] = "Linker script and memory map";
+
+// What any stretch of the program costs.
 class Sum {
 public:
     Sum(const Program &program, const std::vector<float> &bits) : base(program.base), sums(bits.size() + 1) {
@@ -39,40 +41,29 @@ std::string demangle(const std::string &name) {
     return plain ? plain.get() : name;
 }
 
-// Sections and symbols. The file was read before: what does not fit is skipped.
 void readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
-    auto header = reinterpret_cast<const Elf64_Ehdr *>(elf.data());
-    auto within = [&](uint64_t offset, uint64_t size) {
-        return offset <= elf.size() && size <= elf.size() - offset && offset % 8 == 0;
-    };
-    if (!header->e_shnum || !within(header->e_shoff, header->e_shnum * sizeof(Elf64_Shdr))) return;
-    auto sections = reinterpret_cast<const Elf64_Shdr *>(elf.data() + header->e_shoff);
-    auto text = [&](const Elf64_Shdr &table, uint64_t at) -> std::string {
-        if (table.sh_offset > elf.size() || at >= elf.size() - table.sh_offset) return "?";
-        const char *from = (const char *)elf.data() + table.sh_offset + at;
-        return std::string(from, strnlen(from, (size_t)(elf.data() + elf.size() - (const uint8_t *)from)));
-    };
-    for (int i = 0; i < header->e_shnum; ++i) {
-        const Elf64_Shdr &s = sections[i];
-        if (s.sh_flags & SHF_ALLOC && s.sh_type != SHT_NOBITS && header->e_shstrndx < header->e_shnum)
-            sum.add(report.sections[text(sections[header->e_shstrndx], s.sh_name)], s.sh_addr, s.sh_size);
-        if (s.sh_type != SHT_SYMTAB || s.sh_link >= header->e_shnum || !within(s.sh_offset, s.sh_size))
-            continue;
-        auto symbols = reinterpret_cast<const Elf64_Sym *>(elf.data() + s.sh_offset);
-        for (uint64_t k = 0; k < s.sh_size / sizeof(Elf64_Sym); ++k) {
-            int type = ELF64_ST_TYPE(symbols[k].st_info);
-            if (symbols[k].st_size && (type == STT_FUNC || type == STT_OBJECT))
-                sum.add(report.symbols[demangle(text(sections[s.sh_link], symbols[k].st_name))],
-                        symbols[k].st_value, symbols[k].st_size);
+    constexpr char kOutside[] = "its symbols lie outside the file: strip it";
+    ElfFile in = {elf};
+    std::vector<Elf64_Shdr> sections = in.sections();
+    auto header = in.at<Elf64_Ehdr>(0, kOutside);
+    for (const Elf64_Shdr &s : sections) {
+        if (s.sh_flags & SHF_ALLOC && s.sh_type != SHT_NOBITS)
+            sum.add(report.sections[in.text(sections[header.e_shstrndx], s.sh_name)], s.sh_addr, s.sh_size);
+        if (s.sh_type != SHT_SYMTAB) continue;
+        need(s.sh_link < sections.size(), kOutside);
+        for (uint64_t at = 0; at + sizeof(Elf64_Sym) <= s.sh_size; at += sizeof(Elf64_Sym)) {
+            auto symbol = in.at<Elf64_Sym>(s.sh_offset + at, kOutside);
+            int type = ELF64_ST_TYPE(symbol.st_info);
+            if (symbol.st_size && (type == STT_FUNC || type == STT_OBJECT))
+                sum.add(report.symbols[demangle(in.text(sections[s.sh_link], symbol.st_name))],
+                        symbol.st_value, symbol.st_size);
         }
     }
 }
 
 // " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a line of its own if it is long.
 void readMap(const std::string &map, const Sum &sum, Report &report) {
-    size_t start = map.find("Linker script and memory map");
-    if (start == std::string::npos) return;
-    std::istringstream lines(map.substr(start));
+    std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));
     std::string pending;
     for (std::string line; std::getline(lines, line);) {
         if (line.size() < 2 || line[0] != ' ') continue;
@@ -102,8 +93,9 @@ void readMap(const std::string &map, const Sum &sum, Report &report) {
     }
 }
 
+// Of numbers and short words.
 std::string format(const char *pattern, auto... values) {
-    char line[512];
+    char line[200];
     std::snprintf(line, sizeof line, pattern, values...);
     return line;
 }
@@ -113,10 +105,13 @@ std::string printCosts(const std::map<std::string, Cost> &all, const char *title
     std::vector<std::pair<std::string, Cost>> sorted(all.begin(), all.end());
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](auto &a, auto &b) { return a.second.bits > b.second.bits; });
+    if (sorted.size() > most) sorted.resize(most);
+    constexpr size_t kWidth = 60;
     std::string text = format("%-60s %7s %7s\n", title, "packed", "before");
-    for (size_t i = 0; i < std::min(most, sorted.size()); ++i)
-        text += format("%-60.60s %7.0f %7llu\n", sorted[i].first.c_str(), sorted[i].second.bits / 8,
-                       (unsigned long long)sorted[i].second.bytes);
+    for (auto &[name, cost] : sorted)
+        text += (name.size() > kWidth ? name.substr(0, kWidth - 3) + "..."
+                                      : name + std::string(kWidth - name.size(), ' ')) +
+                format(" %7.0f %7llu\n", cost.bits / 8, (unsigned long long)cost.bytes);
     return text;
 }
 
@@ -134,6 +129,8 @@ std::string quote(const std::string &text) {
 
 } // namespace
 
+bool isMap(const std::string &text) { return text.find(kMapBegins) != std::string::npos; }
+
 Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
                   const std::vector<float> &bits, size_t fileSize, size_t overhead) {
     Report report = {fileSize, overhead, {}, {}, {}};
@@ -144,7 +141,8 @@ Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const
 }
 
 std::string printReport(const Report &report) {
-    return printCosts(report.objects, "object", 1000) + printCosts(report.symbols, "costliest symbols", 20);
+    return printCosts(report.objects, "object", SIZE_MAX) +
+           printCosts(report.symbols, "the 20 costliest symbols", 20);
 }
 
 std::string printJson(const Report &report) {

@@ -18,8 +18,11 @@ struct Report {
     std::map<std::string, Cost> sections, objects, symbols;
 };
 
+// Whether it is what GNU ld writes with -Map.
+bool isMap(const std::string &text);
+
 // `elf`: the program as it was read, for its sections and, if it is not stripped, its functions and objects.
-// `map`: what the linker writes with -Map, for the object files; may be empty. `bits`: for each byte.
+// `map`: the linker's, for the object files; may be empty. `bits`: for each byte. Throws Unsuitable.
 Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
                   const std::vector<float> &bits, size_t fileSize, size_t overhead);
 

@@ -124,6 +124,15 @@ TEST(Reader, SaysWhatIsUnsuitable) {
               std::string::npos);
     EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; }).find("absurd"),
               std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  for (int i : {0, 1}) e.image.segments[i].p_vaddr += 0x7fc00000;
+              }).find("beyond 2 GiB"),
+              std::string::npos);
+    EXPECT_NE(complaintAfter([](Example &e) {
+                  e.image.header.e_phnum = 5;
+                  e.image.segments[4] = {PT_GNU_STACK, PF_R | PF_W | PF_X, 0, 0, 0, 0, 0, 16};
+              }).find("executable stack"),
+              std::string::npos);
     EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_offset = 1 << 20; }).find("cut short"),
               std::string::npos);
     EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }).find("statically"),
