@@ -20,7 +20,7 @@ bool readFile(const char *path, std::vector<uint8_t> &bytes) {
 }
 
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable) {
-    std::string part = path + ".part";
+    std::string part = path + "." + std::to_string(getpid()) + ".part";
     int fd = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, executable ? 0777 : 0666);
     if (fd < 0) return false;
     const char *from = (const char *)bytes;

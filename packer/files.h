@@ -9,7 +9,7 @@ namespace pack {
 
 bool readFile(const char *path, std::vector<uint8_t> &bytes);
 
-// Beside the target first, so that it is never half-written.
+// Beside the target first, under a name of its own, so that it is never half-written.
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable);
 
 // -1 if there is no such file.

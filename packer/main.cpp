@@ -32,6 +32,7 @@ struct Options {
                *map = nullptr, *saveModel = nullptr, *report = nullptr;
     long budget = 65536;
     double seconds = 0;
+    const char *onlyToPack = nullptr; // an option given that has no meaning otherwise
 };
 
 // A line for the user and the status to end with.
@@ -68,18 +69,17 @@ Options parse(int argc, char **argv) {
         std::string word = argv[i];
         struct {
             const char *name, **value;
-        } files[] = {{"-o", &o.out},
-                     {"--test", &o.test},
-                     {"-d", &o.unpack},
-                     {"--model", &o.model},
-                     {"--save-model", &o.saveModel},
-                     {"--map", &o.map},
-                     {"--report", &o.report}};
+            bool onlyToPack;
+        } files[] = {
+            {"-o", &o.out, false},        {"--test", &o.test, false},           {"-d", &o.unpack, false},
+            {"--model", &o.model, true},  {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
+            {"--report", &o.report, true}};
         bool taken = false;
         for (auto &file : files)
             if (word == file.name && i + 1 < argc && !*file.value) {
                 *file.value = argv[++i];
                 taken = true;
+                if (file.onlyToPack) o.onlyToPack = file.name;
             }
         if (taken) continue;
         double number;
@@ -90,6 +90,7 @@ Options parse(int argc, char **argv) {
             if (!parseNumber(argv[++i], number) || number != (long)number)
                 throw Refusal{std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2};
             o.budget = (long)number;
+            o.onlyToPack = "--budget";
         } else if (word == "--effort" && i + 1 < argc) {
             std::string effort = argv[++i];
             if (!parseNumber(argv[i], number))
@@ -98,6 +99,7 @@ Options parse(int argc, char **argv) {
                 throw Refusal{
                     "--effort needs fast, normal, best or a number of seconds, not '" + effort + "'", 2};
             o.seconds = number;
+            o.onlyToPack = "--effort";
         } else if (argv[i][0] != '-' && !o.in)
             o.in = argv[i];
         else
@@ -106,6 +108,8 @@ Options parse(int argc, char **argv) {
     int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
     if (modes != 1 || !o.out != (o.test != nullptr))
         throw Refusal{"it takes IN.elf -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
+    if (!o.in && o.onlyToPack)
+        throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
     return o;
 }
 
@@ -139,6 +143,8 @@ void makePacked(const Options &o) {
     std::vector<uint8_t> file = read(o.in);
     pack::Program program = pack::readProgram(file);
     std::string map = o.map ? readText(o.map) : "";
+    if (o.map && !pack::isMap(map))
+        throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
     pack::Shape shape = findShape(o, program);
 
     // Encode, and prove that both decoders give the program back

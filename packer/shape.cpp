@@ -1,5 +1,6 @@
 #include "shape.h"
 
+#include <iterator>
 #include <sstream>
 #include <vector>
 
@@ -8,9 +9,10 @@ namespace pack {
 namespace {
 
 // As in fields.h, from kByte1 on
-constexpr const char *kFieldNames[kFields - 1] = {
-    "byte1",   "byte2",   "byte3",   "byte4",  "byte5",  "byte6", "column", "instruction1",
-    "opcode1", "opcode2", "opcode3", "modrm1", "opcode", "modrm", "mode",   "so-far"};
+constexpr const char *kFieldNames[] = {"byte1",  "byte2",        "byte3",   "byte4",   "byte5",   "byte6",
+                                       "column", "instruction1", "opcode1", "opcode2", "opcode3", "modrm1",
+                                       "opcode", "modrm",        "mode",    "so-far"};
+static_assert(std::size(kFieldNames) == kFields - kByte1);
 constexpr const char *kKinds[2][2] = {{"code", "code-weights"}, {"data", "data-weights"}};
 
 std::string printMask(uint16_t mask) {
@@ -70,6 +72,7 @@ std::string parseShape(const std::string &text, Shape &shape) {
         if (kind == "slots") {
             if (value.size() > 2 || value.find_first_not_of("0123456789") != std::string::npos)
                 return wrong("slots needs a number of bits");
+            if (shape.slotBits) return wrong("slots is given twice");
             shape.slotBits = (uint32_t)std::stoi(value);
             continue;
         }

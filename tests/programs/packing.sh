@@ -29,7 +29,10 @@ check "a missing model" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --mod
 echo "code byte7" >"$WORK/bad"
 check "a wrong model" refuses 2 "line 1: unknown field in 'byte7'" "$pack" "$in" -o "$WORK/x" --model "$WORK/bad"
 check "a missing map" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --map "$WORK/none"
+echo "a map" >"$WORK/map"
+check "a map that is none" refuses 2 "not a map of GNU ld" "$pack" "$in" -o "$WORK/x" --map "$WORK/map"
 check "two at once" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
+check "what is for packing alone" refuses 2 "--budget is for packing alone" "$pack" --test "$BUILD/odraz" --budget 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$pack" --fast
 check "a full disk" refuses 2 "cannot write" "$pack" "$in" -o /dev/full/x
 check "a closed pipe" bash -c "'$pack' '$in' -o '$WORK/p' --model '$model' 2>'$WORK/err' | head -c 0; cmp -s '$WORK/p' '$BUILD/odraz'"

@@ -261,6 +261,7 @@ TEST(Shapes, ArePrintedAndParsed) {
     EXPECT_EQ(parseShape("code byte1\ncode byte9\n", shape), "line 2: unknown field in 'byte9'");
     EXPECT_EQ(parseShape("kode byte1\n", shape), "line 1: unknown word 'kode'");
     EXPECT_EQ(parseShape("code byte1 byte2\n", shape), "line 1: a word and its value are needed");
+    EXPECT_EQ(parseShape("slots 20\nslots 21\n", shape), "line 2: slots is given twice");
     EXPECT_NE(parseShape(text + "code byte1\n", shape), "");
     EXPECT_NE(parseShape(text + "data-weights byte1\n", shape), "");
     text.replace(text.find("slots 2"), 7, "slots 9");
