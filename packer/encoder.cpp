@@ -55,8 +55,10 @@ struct Encoder {
         started = true;
         low = (low & 0xffffff) << 8;
     }
-    // Two bytes such that whatever follows them lies within the range
+    // Two bytes such that whatever follows them lies within the range, more if the last bits have left less
+    // of it than that
     void finish() {
+        for (; range < 1 << 17; range <<= 8) shift();
         low += 0xffff;
         shift();
         shift();

@@ -226,6 +226,19 @@ TEST(Coder, CompressesWhatHasStructure) {
     EXPECT_LT(size(randomBytes(5000, 1)), 5000u * 1.06);
 }
 
+// The range is smallest when the last bit of all was the least likely.
+TEST(Coder, SurvivesASurpriseAtTheVeryEnd) {
+    for (uint32_t size : {300, 3000})
+        for (uint8_t fill : {0x00, 0x55, 0xff}) {
+            Bytes b(size, fill);
+            b.back() ^= 1;
+            Layout layout = {size, 0, 0};
+            Encoded e = encode(b, layout, smallShape(), workspace);
+            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallShape(), workspace), b);
+            ASSERT_EQ(decodeByStub(e.payload, layout, smallShape()), b);
+        }
+}
+
 // Carries run through the whole output when bits are nearly certain, and wrong at the end.
 TEST(Coder, SurvivesItsOwnSurprise) {
     for (int length : {100, 1000, 30000})
