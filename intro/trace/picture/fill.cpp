@@ -16,12 +16,8 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, Int8 owner) {
 static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     const Shape &shape = t.scene.shapes[owner];
     const Material &m = t.scene.materials[shape.material];
-    auto isRough = [](const Texture &texture) {
-        return texture.pattern != Pattern::Plain && texture.pattern != Pattern::Cloud;
-    };
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
-    if (t.quality.texels == 1 || !(isRough(m.texture) || (m.cell > 0 && isRough(m.other))))
-        return albedoSeen(t.scene, t.view, shape, px, py, 1);
+    if (t.quality.texels == 1 || !m.rough()) return albedoSeen(t.scene, t.view, shape, px, py, 1);
     Rgb8 sum = {};
     for (int i = 0; i < 4; ++i)
         sum += albedoSeen(t.scene, t.view, shape, px + ((float)(i & 1) * 0.5f - 0.25f),

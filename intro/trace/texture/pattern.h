@@ -1,0 +1,47 @@
+// Solid textures: a pattern of local points, looked up in a palette.
+//
+// A pattern gives a number in [0, 1]; four evenly spaced colours make it a colour. Patterns are band-limited
+// to the width that a sample covers: octaves fade before they alias. A new one takes an enumerator, a row of
+// kPatterns below it, and a case in valueOf() (pattern.cpp).
+// Source: Perlin, "Improving Noise", 2002, for the noise under them.
+#pragma once
+
+#include "base/rows.h"
+#include "base/vec3.h"
+
+namespace odraz {
+
+enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Cloud, Count };
+
+// What others ask of a pattern.
+struct PatternTraits {
+    Pattern pattern;
+    bool rough;      // several octaves, which fade a little too early or too late
+    float shares[4]; // how often each colour of the palette comes up, as counted
+};
+
+inline constexpr PatternTraits kPatterns[] = {
+    {.pattern = Pattern::Plain, .rough = false, .shares = {1, 0, 0, 0}}, // the first colour alone
+    {.pattern = Pattern::Marble, .rough = true, .shares = {0.26f, 0.65f, 0.08f, 0.01f}},
+    {.pattern = Pattern::Wood, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}},       // grows along z
+    {.pattern = Pattern::WoodAcross, .rough = true, .shares = {0.25f, 0.53f, 0.21f, 0.01f}}, // along x
+    {.pattern = Pattern::Stone, .rough = true, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
+    {.pattern = Pattern::Cloud, .rough = false, .shares = {0.02f, 0.48f, 0.48f, 0.02f}},
+};
+static_assert(inOrder(kPatterns, &PatternTraits::pattern), "a row for every pattern, in the enum's order");
+
+struct Texture {
+    Pattern pattern;
+    float scale; // lattice cells per world unit
+    Rgb palette[4];
+
+    const PatternTraits &traits() const { return kPatterns[(int)pattern]; }
+};
+
+// The colours at local points, averaged over samples `width` wide (world units).
+Rgb8 colour(const Texture &texture, const Vec3x8 &p, Float8 width);
+
+// The average colour over all of space.
+Rgb meanColour(const Texture &texture);
+
+} // namespace odraz
