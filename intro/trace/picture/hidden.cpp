@@ -52,7 +52,7 @@ static void addGrain(Tile &t, int index) {
     place(middle, g.x, g.y);
     float x = g.x, y = g.y;
     if (g.radius > widest) {
-        if (shape.kind == ShapeKind::Polygon || shape.kind == ShapeKind::Triangle) return;
+        if (!shape.traits().extents) return;
         const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
         int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
         float thick = max(half[(longest + 1) % 3], half[(longest + 2) % 3]);
@@ -77,10 +77,10 @@ void watch(Tile &t) {
     TileScratch &s = t.s;
     s.discs.count = s.grainCount = 0;
     auto add = [&](int shape) {
-        ShapeKind kind = t.scene.shapes[shape].kind;
-        if (kind == ShapeKind::Sphere)
+        const Shape &s = t.scene.shapes[shape];
+        if (s.kind == ShapeKind::Sphere)
             addDisc(t, shape);
-        else if (kind != ShapeKind::Plane)
+        else if (s.traits().bounded)
             addGrain(t, shape);
     };
     if (s.among.count >= 0)

@@ -2,21 +2,6 @@
 
 namespace odraz {
 
-Shape triangle(Vec3 corner, Vec3 u, Vec3 v, Vec3 n) {
-    Shape s = {};
-    s.kind = ShapeKind::Triangle;
-    s.centre = corner;
-    // Rows that give 1 at the end of one side and 0 along the other
-    Vec3 a = cross(v, n), b = cross(n, u);
-    s.frame = {a * (1 / dot(a, u)), n, b * (1 / dot(b, v))};
-    float size = max(length(u), length(v));
-    s.half = {size, 0, size};
-    // Wider by more than the rounding of a point, as rectangles are
-    s.half.y = (sumAbs(corner) + 2 * size) * 5e-7f * max(length(s.frame.u), length(s.frame.w));
-    s.chart = -1;
-    return s;
-}
-
 void Scene::clear() {
     shapeCount = materialCount = lightCount = outlineCount = 0;
     sky = {};
@@ -25,29 +10,65 @@ void Scene::clear() {
     lightmap = nullptr;
     exposure = 1;
     contact = false;
+    overflow = nullptr;
+}
+
+// The next free place of an array.
+int Scene::next(int &count, int most, const char *limit) {
+    if (count < most) return count++;
+    overflow = limit;
+    return most - 1;
+}
+
+int Scene::add(const Material &m) {
+    int i = next(materialCount, kMaxMaterials, "kMaxMaterials");
+    materials[i] = m;
+    return i;
 }
 
 Shape *Scene::add(const Shape &s) {
-    if (shapeCount == kMaxShapes) return &shapes[kMaxShapes - 1];
-    shapes[shapeCount] = s;
-    return &shapes[shapeCount++];
+    Shape *to = &shapes[next(shapeCount, kMaxShapes, "kMaxShapes")];
+    *to = s;
+    return to;
 }
 
+void Scene::add(const Light &l) { lights[next(lightCount, kMaxLights, "kMaxLights")] = l; }
+
 Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material) {
-    if (outlineCount + count > kMaxOutline) count = kMaxOutline - outlineCount;
-    Shape s = {ShapeKind::Polygon,
-               (uint8_t)material,
-               (uint16_t)outlineCount,
-               (uint16_t)count,
-               centre,
-               {},
-               frame,
-               false,
-               {},
-               -1};
-    for (int i = 0; i < 2 * count; ++i) outline[2 * outlineCount + i] = points[i];
-    outlineCount += count;
+    Shape s = {.kind = ShapeKind::Polygon,
+               .material = (uint8_t)material,
+               .firstVertex = (uint16_t)outlineCount,
+               .vertexCount = (uint16_t)count,
+               .centre = centre,
+               .frame = frame};
+    for (int i = 0; i < 2 * count; i += 2) {
+        float *to = outline + 2 * next(outlineCount, kMaxOutline, "kMaxOutline");
+        to[0] = points[i], to[1] = points[i + 1];
+    }
+    s.vertexCount = (uint16_t)(outlineCount - s.firstVertex);
     return add(s);
+}
+
+void Scene::finish() {
+    int bounded = 0;
+    unboundedCount = occluderCount = 0;
+    for (int i = 0; i < shapeCount; ++i) {
+        Shape &s = shapes[i];
+        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && !s.traits().askew;
+        if (!s.traits().bounded) {
+            unbounded[next(unboundedCount, kMaxUnbounded, "kMaxUnbounded")] = (uint16_t)i;
+            continue;
+        }
+        box[i] = boundsOf(*this, s);
+        order[bounded++] = (uint16_t)i;
+        if (contact && s.kind == ShapeKind::Sphere && maxComponent(materials[s.material].emit) == 0) {
+            int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
+            occluder[k] = s.centre;
+            occluderRadius[k] = s.half.x;
+        }
+    }
+    buildTree(*this, bounded);
+    for (int i = 0; i < materialCount; ++i) mean[i] = meanAlbedo(materials[i]) * materials[i].diffuse;
 }
 
 } // namespace odraz

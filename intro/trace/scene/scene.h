@@ -1,18 +1,23 @@
 // A scene, posed for one frame: shapes, materials, lights, sky, and the tree over the shapes.
 //
 // show/ fills it anew for every frame (clear, add, finish); nothing here allocates. World units are metres by
-// custom, y is up, coordinates right-handed. A scene that outgrows its arrays drops what does not fit.
+// custom, y is up, coordinates right-handed. What does not fit takes the place of the last of its kind, and
+// `overflow` tells so.
 #pragma once
 
 #include "trace/scene/lightmap.h"
 #include "trace/scene/material.h"
 #include "trace/scene/shape.h"
 #include "trace/scene/sky.h"
+#include "trace/scene/surface.h"
+#include "trace/scene/tree.h"
 
 namespace odraz {
 
 inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMaxOutline = 1024,
-                     kMaxOccluders = 24;
+                     kMaxUnbounded = 8, kMaxOccluders = 24;
+static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100 && kMaxOutline <= 0x10000,
+              "numbers of shapes, materials and points are kept in 16, 8 and 16 bits");
 
 // A point or spot light, with a hard shadow. Irradiance at distance r is intensity / r^2.
 struct Light {
@@ -24,20 +29,6 @@ struct Light {
 };
 
 inline Light pointLight(Vec3 position, Rgb intensity) { return {position, intensity, {0, -1, 0}, -2, -1.5f}; }
-
-// A tree of bounding boxes with up to eight children a node, side by side for eight-wide tests. A node whose
-// children are all balls holds the balls themselves in place of their boxes.
-struct Node {
-    float lo[3][8]; // or the balls' centres
-    union {
-        float hi[3][8];
-        float radius[8];
-    };
-    int child[8]; // a node, or ~shape
-    int count;    // boxes behind it are empty
-    bool balls;
-};
-inline constexpr int kTreeDepth = 20; // most nodes above one another
 
 struct Scene {
     Shape shapes[kMaxShapes];
@@ -57,28 +48,29 @@ struct Scene {
     // Made by finish()
     Node nodes[kMaxShapes];
     uint16_t order[kMaxShapes];
-    uint16_t unbounded[8]; // the planes
+    uint16_t unbounded[kMaxUnbounded]; // the shapes that no box holds
     int nodeCount, unboundedCount;
-    Bounds box[kMaxShapes];       // of each shape but the planes
+    Bounds box[kMaxShapes];       // of each bounded shape
     Vec3 occluder[kMaxOccluders]; // the balls of `contact`
     float occluderRadius[kMaxOccluders];
     int occluderCount;
     Rgb mean[kMaxMaterials]; // each material's average diffuse reflectance
 
+    // What there was too much of, as the constant to raise; null: all fits. The picture is not what was meant
+    const char *overflow;
+
     void clear();
-    int add(const Material &m) {
-        if (materialCount < kMaxMaterials) materials[materialCount++] = m;
-        return materialCount - 1;
-    }
+    int add(const Material &m); // its index
     Shape *add(const Shape &s);
-    void add(const Light &l) {
-        if (lightCount < kMaxLights) lights[lightCount++] = l;
-    }
+    void add(const Light &l);
     // A polygon in the plane through `centre` with frame's v as its normal; `points` are `count` pairs (x,
     // z).
     Shape *addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material);
-    // Builds the tree (tree.cpp); after it the scene may be traced.
+    // Sorts the shapes and builds the tree; after it the scene may be traced.
     void finish();
+
+private:
+    int next(int &count, int most, const char *limit);
 };
 
 } // namespace odraz

@@ -5,57 +5,80 @@
 //   Box       |x| <= half.x, |y| <= half.y, |z| <= half.z
 //   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
 //   Polygon   in the local plane y = 0, bounded by a simple closed outline of (x, z) points, convex or not
-//   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z; met only from where y > 0
-//   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew; met as a Rect is
+//   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z
+//   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew
 //
-// Spheres, boxes and cylinders are solid (glass has an inside); planes and polygons are seen from both sides,
-// rectangles and triangles from one: what is walled in by them can be looked into from outside. Their solid
-// textures lie in world coordinates, so that those of neighbours join.
 // Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit.
+// A new kind takes an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
 #pragma once
 
+#include "base/rows.h"
 #include "base/vec3.h"
 
 namespace odraz {
 
 inline constexpr float kFar = 1e9f;
 
-enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon, Rect, Triangle };
+enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon, Rect, Triangle, Count };
+
+// What others ask of a kind.
+struct ShapeTraits {
+    ShapeKind kind;
+    bool bounded : 1 = false;  // has a box, and stands in the tree; what has none is tried by every ray
+    bool solid : 1 = false;    // has an inside, which glass fills, and is met from there too; others are flat
+    bool oneSided : 1 = false; // met only from where y > 0: what such walls enclose can be looked into
+    bool askew : 1 = false;    // the frame is no rotation
+    bool extents : 1 = false;  // half is how far it reaches along the axes of its frame
+    bool joins : 1 = false; // its solid texture lies in world coordinates, so that those of neighbours join
+};
+
+inline constexpr ShapeTraits kShapeTraits[] = {
+    {.kind = ShapeKind::Sphere, .bounded = true, .solid = true, .extents = true},
+    {.kind = ShapeKind::Plane},
+    {.kind = ShapeKind::Box, .bounded = true, .solid = true, .extents = true},
+    {.kind = ShapeKind::Cylinder, .bounded = true, .solid = true, .extents = true},
+    {.kind = ShapeKind::Polygon, .bounded = true},
+    {.kind = ShapeKind::Rect, .bounded = true, .oneSided = true, .extents = true, .joins = true},
+    {.kind = ShapeKind::Triangle, .bounded = true, .oneSided = true, .askew = true, .joins = true},
+};
+static_assert(inOrder(kShapeTraits, &ShapeTraits::kind), "a row for every kind, in the enum's order");
 
 struct Shape {
-    ShapeKind kind;
-    uint8_t material;     // index into Scene::materials
-    uint16_t firstVertex; // polygons: the outline in Scene::outline, two floats a point
-    uint16_t vertexCount; //
-    Vec3 centre;          // world
-    Vec3 half;            // see above; positive
-    Mat3 frame;           // a rotation; but see Triangle
-    bool aligned;         // the frame is the world's; Scene::finish() sees to it
-    Vec3 textureShift;    // added to local coordinates before texturing: no two balls cut from one place
-    int chart = -1;       // index into the lightmap's charts, -1: lit by ambient light
+    ShapeKind kind = ShapeKind::Sphere;
+    uint8_t material = 0;     // index into Scene::materials
+    uint16_t firstVertex = 0; // polygons: the outline in Scene::outline, two floats a point
+    uint16_t vertexCount = 0; //
+    Vec3 centre = {};         // world
+    Vec3 half = {};           // see above; positive
+    Mat3 frame = kIdentity;
+    bool aligned = true;    // the frame is the world's; Scene::finish() sees to it
+    Vec3 textureShift = {}; // added to local coordinates before texturing: no two balls cut from one place
+    int chart = -1;         // index into the lightmap's charts, -1: lit by ambient light
+
+    const ShapeTraits &traits() const { return kShapeTraits[(int)kind]; }
 };
 
 inline Shape sphere(Vec3 centre, float radius, int material) {
-    return {ShapeKind::Sphere,        (uint8_t)material, 0,    0,  centre,
-            {radius, radius, radius}, kIdentity,         true, {}, -1};
+    return {.kind = ShapeKind::Sphere,
+            .material = (uint8_t)material,
+            .centre = centre,
+            .half = {radius, radius, radius}};
 }
 // Through `point`, facing up.
 inline Shape plane(Vec3 point, int material) {
-    return {ShapeKind::Plane, (uint8_t)material, 0, 0, point, {}, kIdentity, true, {}, -1};
+    return {.kind = ShapeKind::Plane, .material = (uint8_t)material, .centre = point};
 }
 inline Shape box(Vec3 centre, Vec3 half, int material) {
-    return {ShapeKind::Box, (uint8_t)material, 0, 0, centre, half, kIdentity, true, {}, -1};
+    return {.kind = ShapeKind::Box, .material = (uint8_t)material, .centre = centre, .half = half};
 }
 // Upright, about its middle.
 inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
-    return {ShapeKind::Cylinder,          (uint8_t)material, 0,    0,  middle,
-            {radius, halfHeight, radius}, kIdentity,         true, {}, -1};
+    return {.kind = ShapeKind::Cylinder,
+            .material = (uint8_t)material,
+            .centre = middle,
+            .half = {radius, halfHeight, radius}};
 }
 // With sides u and v from one corner, facing u x v; n is that direction.
 Shape triangle(Vec3 corner, Vec3 u, Vec3 v, Vec3 n);
-
-struct Bounds {
-    Vec3 lo, hi;
-};
 
 } // namespace odraz

@@ -2,6 +2,8 @@
 
 #include "trace/scene/scene.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 // The stretch of a ray inside a convex solid; empty where enter > leave.
@@ -94,7 +96,7 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) 
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
     case ShapeKind::Triangle:
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
-    default: {
+    case ShapeKind::Polygon: {
         Float8 t = hitPlane(o.y, d.y);
         Int8 hit = t < kInfinity;
         if (flat == Flat::Whole || !any(hit)) return t;
@@ -102,7 +104,11 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) 
         return select(hit & inOutline(scene, s, fmadd(finite, d.x, o.x), fmadd(finite, d.z, o.z)), t,
                       kInfinity);
     }
+    case ShapeKind::Sphere:
+    case ShapeKind::Count:
+        break;
     }
+    __builtin_unreachable();
 }
 
 Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
@@ -111,17 +117,13 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
     Vec3x8 fromCentre = p - s.centre;
     if (s.kind == ShapeKind::Sphere) {
         Vec3x8 n = normalize(fromCentre);
-        Vec3x8 onSphere = n * broadcast(s.half.x);
-        return {onSphere + s.centre, n, s.frame * onSphere, Int8{}};
+        return {n * broadcast(s.half.x) + s.centre, n, Int8{}};
     }
-    Vec3x8 q = s.frame * fromCentre;
-    if (s.kind == ShapeKind::Triangle) {
-        p = p - s.frame.v * q.y;
-        return {p, broadcast(s.frame.v), p, Int8{}};
-    }
-    Vec3x8 n = {};
+    Vec3x8 q = s.frame * fromCentre, n = {};
     Int8 face = {};
     switch (s.kind) {
+    case ShapeKind::Triangle:
+        return {p - s.frame.v * q.y, broadcast(s.frame.v), Int8{}};
     case ShapeKind::Box: {
         // The face is the one whose coordinate is nearest to its limit
         Vec3x8 over = {abs(q.x) - s.half.x, abs(q.y) - s.half.y, abs(q.z) - s.half.z};
@@ -144,12 +146,55 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         face = cap & (1 + ((up < 0.f) & 1));
         break;
     }
-    default:
+    case ShapeKind::Plane:
+    case ShapeKind::Polygon:
+    case ShapeKind::Rect:
         n.y = broadcast(1.f);
         q.y = Float8{};
+        break;
+    case ShapeKind::Sphere:
+    case ShapeKind::Count:
+        __builtin_unreachable();
     }
-    Vec3x8 world = transposeTimes(s.frame, q) + s.centre;
-    return {world, transposeTimes(s.frame, n), s.kind == ShapeKind::Rect ? world : q, face};
+    return {transposeTimes(s.frame, q) + s.centre, transposeTimes(s.frame, n), face};
+}
+
+// Once a picture and shape: small code will do.
+[[gnu::cold]] Bounds boundsOf(const Scene &scene, const Shape &s) {
+    Vec3 r = s.half;
+    switch (s.kind) {
+    case ShapeKind::Polygon: {
+        Bounds b = kNoBounds;
+        for (int i = 0; i < s.vertexCount; ++i) {
+            const float *v = scene.outline + 2 * (s.firstVertex + i);
+            Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
+            include(b, {p, p});
+        }
+        return b;
+    }
+    case ShapeKind::Triangle: {
+        // Its sides, from the rows that measure along them
+        Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
+        u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
+        w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));
+        Bounds b = {s.centre, s.centre};
+        for (Vec3 p : {u, w}) include(b, {s.centre + p, s.centre + p});
+        return b;
+    }
+    case ShapeKind::Box:
+    case ShapeKind::Cylinder:
+    case ShapeKind::Rect: {
+        Vec3 u = s.frame.u * s.half.x, v = s.frame.v * s.half.y, w = s.frame.w * s.half.z;
+        r = {abs(u.x) + abs(v.x) + abs(w.x), abs(u.y) + abs(v.y) + abs(w.y), abs(u.z) + abs(v.z) + abs(w.z)};
+        break;
+    }
+    case ShapeKind::Sphere:
+        break;
+    case ShapeKind::Plane:
+    case ShapeKind::Count:
+        __builtin_unreachable();
+    }
+    return {s.centre - r, s.centre + r};
 }
 
 } // namespace odraz

@@ -1,4 +1,5 @@
-// Single shapes: how far along a ray they are met, and what lies there. Eight rays at a time.
+// Single shapes: how far along a ray they are met, what lies there, and how far they reach. Rays come by
+// eight.
 //
 // Directions have unit length. A hit counts at t > 0 and t < kFar; origins on surfaces are moved off them by
 // the caller (offsetOrigin). Solid shapes are met from inside too, at their far side. The forms are chosen
@@ -7,6 +8,7 @@
 // others as intersections of intervals in their local frames.
 #pragma once
 
+#include "trace/scene/bounds.h"
 #include "trace/scene/shape.h"
 
 namespace odraz {
@@ -44,12 +46,14 @@ ODRAZ_INLINE Float8 distanceTo(const Scene &scene, const Shape &s, const Ray8 &r
 
 // The place that a ray meets.
 struct Surface8 {
-    Vec3x8 p;     // world, projected back onto the shape: its error depends on coordinates, not on t
-    Vec3x8 n;     // outward unit normal
-    Vec3x8 local; // p in the shape's frame; a rectangle's is the world's
-    Int8 face;    // 0..6: which side of a box or cylinder
+    Vec3x8 p;  // world, projected back onto the shape: its error depends on coordinates, not on t
+    Vec3x8 n;  // outward unit normal
+    Int8 face; // 0..6: which side of a box or cylinder
 };
 Surface8 surfaceAt(const Shape &shape, const Ray8 &ray, Float8 t);
+
+// The box around a bounded shape.
+Bounds boundsOf(const Scene &scene, const Shape &shape);
 
 // How far off the surface a point must be put to lie surely on its side: a few roundings of every magnitude
 // that entered it.

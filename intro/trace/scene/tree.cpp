@@ -1,44 +1,10 @@
-// The tree over a scene's shapes, built anew for every frame.
-#include "trace/scene/scene.h"
+#include "trace/scene/tree.h"
 
-#include <initializer_list>
+#include "trace/scene/scene.h"
 
 namespace odraz {
 
 namespace {
-
-constexpr Bounds kNothing = {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-
-Vec3 lower(Vec3 a, Vec3 b) { return {min(a.x, b.x), min(a.y, b.y), min(a.z, b.z)}; }
-Vec3 upper(Vec3 a, Vec3 b) { return {max(a.x, b.x), max(a.y, b.y), max(a.z, b.z)}; }
-void include(Bounds &b, const Bounds &more) { b = {lower(b.lo, more.lo), upper(b.hi, more.hi)}; }
-
-Bounds boundsOf(const Scene &scene, const Shape &s) {
-    if (s.kind == ShapeKind::Polygon) {
-        Bounds b = kNothing;
-        for (int i = 0; i < s.vertexCount; ++i) {
-            const float *v = scene.outline + 2 * (s.firstVertex + i);
-            Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
-            include(b, {p, p});
-        }
-        return b;
-    }
-    if (s.kind == ShapeKind::Triangle) {
-        // Its sides, from the rows that measure along them
-        Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
-        u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
-        w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));
-        Bounds b = {s.centre, s.centre};
-        for (Vec3 p : {u, w}) include(b, {s.centre + p, s.centre + p});
-        return b;
-    }
-    Vec3 r = s.half;
-    if (s.kind != ShapeKind::Sphere) {
-        Vec3 u = s.frame.u * s.half.x, v = s.frame.v * s.half.y, w = s.frame.w * s.half.z;
-        r = {abs(u.x) + abs(v.x) + abs(w.x), abs(u.y) + abs(v.y) + abs(w.y), abs(u.z) + abs(v.z) + abs(w.z)};
-    }
-    return {s.centre - r, s.centre + r};
-}
 
 float component(Vec3 v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
@@ -54,7 +20,7 @@ struct Group {
 };
 
 Bounds boxOf(const Scene &s, int first, int count) {
-    Bounds b = kNothing;
+    Bounds b = kNoBounds;
     for (int i = first; i < first + count; ++i) include(b, s.box[s.order[i]]);
     return b;
 }
@@ -65,7 +31,7 @@ Bounds boxOf(const Scene &s, int first, int count) {
 int split(Scene &s, const Group &g, bool halve) {
     constexpr int kBins = 16;
     auto middle = [&](int i) { return s.box[s.order[i]].lo + s.box[s.order[i]].hi; };
-    Bounds middles = kNothing;
+    Bounds middles = kNoBounds;
     for (int i = g.first; i < g.first + g.count; ++i) include(middles, {middle(i), middle(i)});
     Vec3 extent = middles.hi - middles.lo;
     int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
@@ -74,7 +40,7 @@ int split(Scene &s, const Group &g, bool halve) {
 
     Bounds boxes[kBins];
     int counts[kBins] = {};
-    for (Bounds &b : boxes) b = kNothing;
+    for (Bounds &b : boxes) b = kNoBounds;
     auto bin = [&](int i) {
         return min((int)((component(middle(i), axis) - low) / width * kBins), kBins - 1);
     };
@@ -84,14 +50,14 @@ int split(Scene &s, const Group &g, bool halve) {
     }
     // Sweep from both ends for the split of least area times count
     float left[kBins];
-    Bounds swept = kNothing;
+    Bounds swept = kNoBounds;
     int passed = 0;
     for (int b = 0; b < kBins - 1; ++b) {
         include(swept, boxes[b]);
         left[b + 1] = halfArea(swept) * (float)(passed += counts[b]);
         if (!passed) left[b + 1] = kInfinity;
     }
-    swept = kNothing;
+    swept = kNoBounds;
     passed = 0;
     int best = 1;
     float least = kInfinity;
@@ -165,26 +131,9 @@ int build(Scene &s, const Group &all, int deep) {
 
 } // namespace
 
-void Scene::finish() {
-    int bounded = 0;
-    unboundedCount = occluderCount = nodeCount = 0;
-    for (int i = 0; i < shapeCount; ++i) {
-        Shape &s = shapes[i];
-        s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && s.kind != ShapeKind::Triangle;
-        if (s.kind == ShapeKind::Plane) {
-            if (unboundedCount < 8) unbounded[unboundedCount++] = (uint16_t)i;
-            continue;
-        }
-        box[i] = boundsOf(*this, s);
-        order[bounded++] = (uint16_t)i;
-        if (contact && s.kind == ShapeKind::Sphere && occluderCount < kMaxOccluders &&
-            maxComponent(materials[s.material].emit) == 0) {
-            occluder[occluderCount] = s.centre;
-            occluderRadius[occluderCount++] = s.half.x;
-        }
-    }
-    if (bounded) build(*this, {0, bounded, boxOf(*this, 0, bounded)}, 0);
-    for (int i = 0; i < materialCount; ++i) mean[i] = meanAlbedo(materials[i]) * materials[i].diffuse;
+void buildTree(Scene &s, int bounded) {
+    s.nodeCount = 0;
+    if (bounded) build(s, {0, bounded, boxOf(s, 0, bounded)}, 0);
 }
 
 } // namespace odraz

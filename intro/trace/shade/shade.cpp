@@ -53,7 +53,7 @@ Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
 // A point in the shape's own frame, where its texture lies; a rectangle's lies in the world's.
 Vec3x8 localOf(const Shape &s, Vec3x8 p) {
-    if (s.kind >= ShapeKind::Rect) return p;
+    if (s.traits().joins) return p;
     Vec3x8 q = p - s.centre;
     return s.aligned ? q : s.frame * q;
 }
@@ -65,10 +65,10 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
     const Material &m = scene.materials[shape.material];
     cell = Int8{};
     Rgb8 colour;
-    if (m.texture.pattern == Pattern::Plain && m.cell == 0) {
+    if (m.plain()) {
         colour = broadcast(m.texture.palette[0] * m.diffuse);
     } else {
-        Vec3x8 local = shape.kind >= ShapeKind::Rect || shape.aligned ? d : shape.frame * d;
+        Vec3x8 local = shape.traits().joins || shape.aligned ? d : shape.frame * d;
         colour = albedo(m, localOf(shape, p) + shape.textureShift, local, cosine, width, cell) *
                  broadcast(m.diffuse);
     }
@@ -269,8 +269,7 @@ void shade(const Context &c, const RayStream &in, RayStream &out) {
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
     const Material &m = scene.materials[shape.material];
     if (m.diffuse == 0) return broadcast(Rgb{});
-    if (m.texture.pattern == Pattern::Plain && m.cell == 0 && scene.lines == 0)
-        return broadcast(m.texture.palette[0] * m.diffuse);
+    if (m.plain() && scene.lines == 0) return broadcast(m.texture.palette[0] * m.diffuse);
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Int8 cell;
     if (shape.kind == ShapeKind::Plane && shape.aligned) { // most pixels of many scenes

@@ -9,7 +9,7 @@ int kindOf(const Scene &scene, int shape) {
     if (shape < 0) return 0;
     const Shape &s = scene.shapes[shape];
     const Material &m = scene.materials[s.material];
-    bool merge = s.kind == ShapeKind::Sphere && m.cell == 0 && m.texture.pattern == Pattern::Plain;
+    bool merge = s.kind == ShapeKind::Sphere && m.plain();
     return merge ? 1 + kMaxShapes + s.material : 1 + shape;
 }
 

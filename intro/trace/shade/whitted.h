@@ -8,8 +8,8 @@
 // Illumination Model for Shaded Display", CACM 23(6), 1980.
 #pragma once
 
-#include "trace/rays/beam.h"
 #include "trace/quality.h"
+#include "trace/rays/beam.h"
 #include "trace/rays/stream.h"
 #include "trace/rays/view.h"
 
