@@ -1,12 +1,13 @@
-// Clustered PCA: against a singular value decomposition in double precision (Eigen), on data of a known
+// Clustered PCA: against the eigenvalues of the covariance in double precision (Eigen), on data of a known
 // structure, and at the extremes.
 #include "transfer/clustered_pca.h"
 
+#include "tests/support/eigenvalues.h"
 #include "tests/support/random.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <vector>
@@ -52,17 +53,25 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// What the best subspace of so many dimensions leaves, squared.
+// What the best subspace of so many dimensions leaves, squared: the sum of the eigenvalues that are left
+// over, of the Gram matrix of columns, or of rows where they are fewer.
 double bestLeft(const Data &d, int dimensions) {
-    Eigen::MatrixXd m(d.rows, d.columns);
-    for (int r = 0; r < d.rows; ++r)
-        for (int c = 0; c < d.columns; ++c)
-            m(r, c) = (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c];
-    m.rowwise() -= m.colwise().mean().eval();
-    Eigen::BDCSVD<Eigen::MatrixXd> svd(m);
+    auto at = [&](int r, int c) { return (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c]; };
+    bool wide = d.columns > d.rows;
+    int n = wide ? d.rows : d.columns, m = wide ? d.columns : d.rows;
+    std::vector<double> vectors((size_t)n * (size_t)m), gram((size_t)n * (size_t)n);
+    for (int c = 0; c < d.columns; ++c) {
+        double mean = 0;
+        for (int r = 0; r < d.rows; ++r) mean += at(r, c) / d.rows;
+        for (int r = 0; r < d.rows; ++r) vectors[(size_t)(wide ? r * m + c : c * m + r)] = at(r, c) - mean;
+    }
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j)
+            for (int k = 0; k < m; ++k)
+                gram[(size_t)(i * n + j)] += vectors[(size_t)(i * m + k)] * vectors[(size_t)(j * m + k)];
+    std::vector<double> squares = eigenvalues(n, gram);
     double left = 0;
-    for (long k = dimensions; k < svd.singularValues().size(); ++k)
-        left += std::pow(svd.singularValues()[k], 2);
+    for (int k = 0; k < n - dimensions; ++k) left += std::max(squares[(size_t)k], 0.);
     return left;
 }
 

@@ -1,0 +1,10 @@
+// Alone in its file: Eigen's templates take a while to compile, and under sanitizers minutes.
+#include "tests/support/eigenvalues.h"
+
+#include <Eigen/Eigenvalues>
+
+std::vector<double> eigenvalues(int n, const std::vector<double> &symmetric) {
+    Eigen::Map<const Eigen::MatrixXd> matrix(symmetric.data(), n, n);
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
+    return {solver.eigenvalues().data(), solver.eigenvalues().data() + n};
+}
