@@ -1,6 +1,7 @@
 // For libFuzzer: whatever comes in, the packer's readers answer with a program or a line, and nothing else.
 // The first byte of the input chooses the reader.
-#include "program.h"
+#include "elf_reader.h"
+#include "elf_writer.h"
 #include "shape.h"
 #include "stub.h"
 

@@ -1,4 +1,5 @@
-#include "program.h"
+#include "elf_reader.h"
+#include "elf_writer.h"
 #include "shape.h"
 
 #include <cstring>

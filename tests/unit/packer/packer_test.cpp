@@ -1,4 +1,4 @@
-#include "program.h"
+#include "elf_writer.h"
 #include "search.h"
 #include "shape.h"
 
