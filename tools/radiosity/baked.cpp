@@ -45,16 +45,16 @@ template <class T> bool get(const std::string &from, size_t &at, std::vector<T> 
     return true;
 }
 
-struct Flat {
+struct OnChart {
     float u, v;
 };
 
 // What of a convex polygon lies to the left of the line from a to b.
-std::vector<Flat> cut(const std::vector<Flat> &in, Flat a, Flat b) {
-    std::vector<Flat> out;
-    auto side = [&](Flat p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); };
+std::vector<OnChart> cut(const std::vector<OnChart> &in, OnChart a, OnChart b) {
+    std::vector<OnChart> out;
+    auto side = [&](OnChart p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); };
     for (size_t i = 0; i < in.size(); ++i) {
-        Flat p = in[i], q = in[(i + 1) % in.size()];
+        OnChart p = in[i], q = in[(i + 1) % in.size()];
         float dp = side(p), dq = side(q);
         if (dp >= 0) out.push_back(p);
         if ((dp >= 0) != (dq >= 0)) {
@@ -65,10 +65,10 @@ std::vector<Flat> cut(const std::vector<Flat> &in, Flat a, Flat b) {
     return out;
 }
 
-double areaOf(const std::vector<Flat> &p) {
+double areaOf(const std::vector<OnChart> &p) {
     double twice = 0;
     for (size_t i = 0; i < p.size(); ++i) {
-        const Flat &a = p[i], &b = p[(i + 1) % p.size()];
+        const OnChart &a = p[i], &b = p[(i + 1) % p.size()];
         twice += (double)a.u * (double)b.v - (double)b.u * (double)a.v;
     }
     return twice / 2;
@@ -149,7 +149,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
         float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
         // Its outline, counter-clockwise, with what hangs in it
-        std::vector<Flat> outline;
+        std::vector<OnChart> outline;
         auto side = [&](int x0, int y0, int x1, int y1) {
             int steps = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
             for (int k = 0; k < steps; ++k) {
@@ -165,14 +165,14 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         side(low.x, high.y, low.x, low.y);
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) {
             const Facet &facet = facets[(size_t)f];
-            std::vector<Flat> left = outline;
+            std::vector<OnChart> left = outline;
             for (int k = 0; k < (facet.triangle() ? 3 : 4) && left.size() > 2; ++k) {
                 int next = (k + 1) % (facet.triangle() ? 3 : 4);
                 left = cut(left, {facet.u[k], facet.v[k]}, {facet.u[next], facet.v[next]});
             }
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
             piece.clear();
-            for (const Flat &p : left) piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
+            for (const OnChart &p : left) piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
             visit(cell.chart, (int)i, piece);
         }
     }
