@@ -24,6 +24,8 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
 
     for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
         Picture p = picture(intro, frameTime(n, o.fps), quality);
+        if (const char *limit = outgrown(intro))
+            return cannotWrite("a scene that outgrew a limit; raise in scene.h", limit);
         // Pack it in place as a PPM: the header in front, three bytes of every four behind it
         Text<32> header;
         header << "P6\n" << p.width << ' ' << p.height << "\n255\n";

@@ -63,4 +63,6 @@ Picture picture(Intro &intro, double seconds, const Quality &quality, const Came
 
 int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
 
+const char *outgrown(const Intro &intro) { return intro.film.scene->overflow; }
+
 } // namespace odraz

@@ -55,7 +55,9 @@ inline constexpr int kHeaderRoom = 64;
 // With a camera given, that one looks instead of the scripted one.
 Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera = nullptr);
 
-// Samples that the last picture took.
+// Of the last picture: samples that it took; null, or the constant of scene.h that its scene outgrew, so that
+// it is not what was meant.
 int64_t samplesTaken(const Intro &intro);
+const char *outgrown(const Intro &intro);
 
 } // namespace odraz

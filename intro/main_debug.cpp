@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
 
 using namespace odraz;
 
@@ -167,6 +168,10 @@ int main(int argc, char **argv) {
         if (!m.paused) m.time = std::fmin(m.time + passed, duration());
         fly(window, m, (float)passed);
         Picture p = picture(*intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
+        if (const char *limit = outgrown(*intro))
+            return fail(
+                (std::string(sceneName(sceneAt(m.time))) + " outgrew a limit; raise in scene.h: " + limit)
+                    .c_str());
         int w, h;
         glfwGetFramebufferSize(window, &w, &h);
         gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);

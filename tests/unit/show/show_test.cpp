@@ -129,6 +129,7 @@ TEST(Film, EveryPictureIsThereWithoutNaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += 1) {
         picture(film(), t, kQualities[(int)QualityName::Play]);
+        EXPECT_STREQ(outgrown(film()), nullptr) << t;
         const Frame &f = film().frame;
         double sum = 0;
         for (int y = 0; y < f.height; ++y)
