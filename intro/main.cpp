@@ -79,5 +79,5 @@ int run(int argc, char **argv, bool stdoutClosed) {
 
 } // namespace
 
-// Compiled for the newer processor; host/start.cpp has checked it.
+// Compiled for the newer processor; start/start.cpp has checked it.
 int odrazRun(int argc, char **argv, int closed) { return run(argc, argv, closed & 2); }
