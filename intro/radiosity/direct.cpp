@@ -1,8 +1,8 @@
 #include "radiosity/direct.h"
 
 #include "base/maths.h"
-#include "trace/shade/ball.h"
 #include "trace/rays/intersect.h"
+#include "trace/shade/ball.h"
 
 namespace odraz {
 

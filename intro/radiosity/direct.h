@@ -11,7 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "radiosity/elements.h"
+#include "radiosity/visible.h"
 
 namespace odraz {
 

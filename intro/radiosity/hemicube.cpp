@@ -2,6 +2,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "radiosity/clip.h"
 
 namespace odraz {
 
@@ -29,39 +30,6 @@ constexpr char kFragmentShader[] =
     "uint a=f.y&65535u;"
     "o=f.x==~0u?f.x:f.x+min(uint(max(s.y,0.)),(f.y>>16)-1u)*a+min(uint(max(s.x,0.)),a-1u);}";
 
-struct Corner {
-    float x, y, w, s, t; // on a face: |x| <= w, y <= w, -w or 0 <= y; place on the chart
-};
-
-// A border of a face: sign * (x or y) + limit * w >= 0.
-struct Border {
-    bool upright;
-    float sign, limit;
-
-    float inside(const Corner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
-};
-
-// Cuts a convex polygon. A new corner is found from the end of its side that lies nearer to the border: that
-// is precise, and neighbours that share the side find the same corner. Then it is put exactly onto the
-// border, which for a wall that passes within a hair of the eye it may miss by many pixels.
-int clip(const Corner *in, int count, Corner *out, const Border &border) {
-    int n = 0;
-    for (int i = 0; i < count; ++i) {
-        const Corner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
-        float dp = border.inside(p), dq = border.inside(q);
-        if (dp >= 0) out[n++] = p;
-        if ((dp >= 0) == (dq >= 0)) continue;
-        bool fromP = abs(dp) < abs(dq) || (abs(dp) == abs(dq) && dp >= 0);
-        const Corner &near = fromP ? p : q, &far = fromP ? q : p;
-        float dn = fromP ? dp : dq, t = dn / (dn - (fromP ? dq : dp));
-        Corner &c = out[n++];
-        c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
-             lerp(near.t, far.t, t)};
-        (border.upright ? c.y : c.x) = -border.sign * border.limit * c.w;
-    }
-    return n;
-}
-
 struct Writer {
     Hemicubes &h;
     float scaleX, scaleY; // half a face in the atlas, in clip units
@@ -75,31 +43,12 @@ struct Writer {
     }
 };
 
-// Beyond which borders of the five faces a point lies: four bits a face, in the order of kBorders.
-uint32_t outside(Vec3 p) {
-    float sum = p.x + p.y, difference = p.x - p.y;
-    uint32_t low = p.z < 0, right = p.x < p.z, left = -p.x < p.z, front = p.y < p.z, back = -p.y < p.z;
-    uint32_t a = sum<0, b = sum> 0, c = difference<0, d = difference> 0;
-    auto face = [](uint32_t k0, uint32_t k1, uint32_t k2, uint32_t k3) {
-        return k0 | k1 << 1 | k2 << 2 | k3 << 3;
-    };
-    return face(p.x<-p.z, p.x> p.z, p.y<-p.z, p.y> p.z) | face(a, c, low, right) << 4 |
-           face(d, a, low, front) << 8 | face(b, d, low, left) << 12 | face(c, b, low, back) << 16;
-}
-
 // Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas,
 // having cut it at the borders that it crosses.
 void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t crossed, float x, float y,
             uint32_t first, uint32_t shape) {
-    const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
-    Corner buffers[2][4 + 4]; // every border adds one corner at most
-    int turn = 0;
-    for (int k = 0; k < 4; ++k) {
-        if (!(crossed >> k & 1)) continue;
-        count = clip(polygon, count, buffers[turn], borders[k]);
-        polygon = buffers[turn];
-        turn ^= 1;
-    }
+    Corner buffers[2][8];
+    polygon = clipToFace(polygon, count, top, crossed, buffers);
     // As a fan of triangles
     if (out.vertices + 3 * (count - 2) > kVertices) out.flush();
     for (int i = 2; i < count; ++i)
@@ -132,7 +81,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         int count = f.triangle() ? 3 : 4;
         for (int k = 0; k < count; ++k) {
             local[k] = eye.frame * (f.corner(c, k) - eye.p);
-            uint32_t code = outside(local[k]);
+            uint32_t code = outsideFaces(local[k]);
             all &= code, some |= code;
         }
         uint32_t first = back ? kBackSide : (uint32_t)c.firstPatch + 1;

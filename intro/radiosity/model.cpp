@@ -1,4 +1,4 @@
-#include "radiosity/elements.h"
+#include "radiosity/visible.h"
 
 #include <initializer_list>
 
@@ -46,8 +46,7 @@ void Model::addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides) {
         if (sides >> i & 1) addRect(all[i].corner, all[i].u, all[i].v, material, cell);
 }
 
-// Where the hemicube of a patch stands, and how much of it is to be seen. A cell's quarter at corner k is the
-// place 3 - k of the texel there.
+// Where the hemicube of a patch stands, and how much of it is to be seen.
 static void place(const Model &model, int index, Patch &patch) {
     const Chart &c = model.charts[patch.chart];
     int firstI = index % c.patchesAcross() * c.patchAcross, firstJ = index / c.patchesAcross() * c.patchDown;
@@ -55,9 +54,7 @@ static void place(const Model &model, int index, Patch &patch) {
         for (int j = firstJ; j < firstJ + c.patchDown; ++j)
             for (int i = firstI; i < firstI + c.patchAcross; ++i)
                 for (int k = 0; k < 4; ++k)
-                    if (model.texels[model.cells[c.firstCell + j * c.across + i].corner[k]].visible >>
-                            (3 - k) &
-                        1)
+                    if (model.quarterVisible(model.cells[c.firstCell + j * c.across + i], k))
                         visit(c.at(((float)i + (k & 1 ? 0.75f : 0.25f)) * c.width / (float)c.across,
                                    ((float)j + (k & 2 ? 0.75f : 0.25f)) * c.height / (float)c.down));
     };

@@ -85,6 +85,11 @@ struct Model {
     void pose(Scene &scene) const;
     Shape shapeOf(int facet) const;
 
+    // The quarter of a cell at corner k is the place 3 - k of the texel there.
+    bool quarterVisible(const Cell &cell, int k) const {
+        return texels[cell.corner[k]].visible >> (3 - k) & 1;
+    }
+
     // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
     // is hidden, in a scene that holds the posed model, finished. There is room for `growth` times as many
     // texels and cells as there are now. False when the arena is full.

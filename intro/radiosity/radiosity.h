@@ -7,6 +7,8 @@
 
 #include "base/progress.h"
 #include "radiosity/solve.h"
+#include "radiosity/spread.h"
+#include "radiosity/ties.h"
 
 namespace odraz {
 

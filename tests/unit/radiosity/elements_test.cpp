@@ -1,6 +1,8 @@
 // Elements: quadtrees without cracks, hidden places, and what divides them.
 #include "tests/support/headless_gl.h"
-#include "radiosity/elements.h"
+#include "radiosity/spread.h"
+#include "radiosity/ties.h"
+#include "radiosity/visible.h"
 #include "tests/support/room.h"
 #include "trace/rays/intersect.h"
 

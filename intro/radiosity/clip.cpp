@@ -1,0 +1,62 @@
+#include "radiosity/clip.h"
+
+namespace odraz {
+
+namespace {
+
+// A border of a face: sign * (x or y) + limit * w >= 0.
+struct Border {
+    bool upright;
+    float sign, limit;
+
+    float inside(const Corner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
+};
+
+// Cuts a convex polygon. A new corner is found from the end of its side that lies nearer to the border: that
+// is precise, and neighbours that share the side find the same corner. Then it is put exactly onto the
+// border, which for a wall that passes within a hair of the eye it may miss by many pixels.
+int clip(const Corner *in, int count, Corner *out, const Border &border) {
+    int n = 0;
+    for (int i = 0; i < count; ++i) {
+        const Corner &p = in[i], &q = in[i + 1 < count ? i + 1 : 0];
+        float dp = border.inside(p), dq = border.inside(q);
+        if (dp >= 0) out[n++] = p;
+        if ((dp >= 0) == (dq >= 0)) continue;
+        bool fromP = abs(dp) < abs(dq) || (abs(dp) == abs(dq) && dp >= 0);
+        const Corner &near = fromP ? p : q, &far = fromP ? q : p;
+        float dn = fromP ? dp : dq, t = dn / (dn - (fromP ? dq : dp));
+        Corner &c = out[n++];
+        c = {lerp(near.x, far.x, t), lerp(near.y, far.y, t), lerp(near.w, far.w, t), lerp(near.s, far.s, t),
+             lerp(near.t, far.t, t)};
+        (border.upright ? c.y : c.x) = -border.sign * border.limit * c.w;
+    }
+    return n;
+}
+
+} // namespace
+
+uint32_t outsideFaces(Vec3 p) {
+    float sum = p.x + p.y, difference = p.x - p.y;
+    uint32_t low = p.z < 0, right = p.x < p.z, left = -p.x < p.z, front = p.y < p.z, back = -p.y < p.z;
+    uint32_t a = sum<0, b = sum> 0, c = difference<0, d = difference> 0;
+    auto face = [](uint32_t k0, uint32_t k1, uint32_t k2, uint32_t k3) {
+        return k0 | k1 << 1 | k2 << 2 | k3 << 3;
+    };
+    return face(p.x<-p.z, p.x> p.z, p.y<-p.z, p.y> p.z) | face(a, c, low, right) << 4 |
+           face(d, a, low, front) << 8 | face(b, d, low, left) << 12 | face(c, b, low, back) << 16;
+}
+
+const Corner *clipToFace(const Corner *polygon, int &count, bool top, uint32_t crossed,
+                         Corner (&buffers)[2][8]) {
+    const Border borders[4] = {{false, 1, 1}, {false, -1, 1}, {true, 1, top ? 1.f : 0.f}, {true, -1, 1}};
+    int turn = 0;
+    for (int k = 0; k < 4; ++k) {
+        if (!(crossed >> k & 1)) continue;
+        count = clip(polygon, count, buffers[turn], borders[k]);
+        polygon = buffers[turn];
+        turn ^= 1;
+    }
+    return polygon;
+}
+
+} // namespace odraz

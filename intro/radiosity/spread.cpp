@@ -1,0 +1,61 @@
+#include "radiosity/spread.h"
+
+namespace odraz {
+
+void meansOfPatches(const Model &m, const float *plane, float *mean, int stride) {
+    for (int i = 0; i < m.patchCount; ++i) mean[(size_t)i * (size_t)stride] = 0;
+    for (int i = 0; i < m.cellCount; ++i) {
+        const Cell &cell = m.cells[i];
+        if (cell.divided()) continue;
+        float sum = 0;
+        for (int k = 0; k < 4; ++k)
+            if (m.quarterVisible(cell, k)) sum += plane[cell.corner[k]];
+        mean[(size_t)cell.patch * (size_t)stride] += sum * cell.area * 0.25f;
+    }
+    for (int i = 0; i < m.patchCount; ++i)
+        if (m.patches[i].area > 0) mean[(size_t)i * (size_t)stride] /= m.patches[i].area;
+}
+
+void addToTexels(const Model &m, const float *values, int columns, float *const *planes, int count,
+                 Workers &workers, int tied) {
+    static constexpr int kPiece = 1024;
+    parallelFor(workers, (m.texelCount + kPiece - 1) / kPiece, [&](int piece, int) {
+        for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, m.texelCount); ++i) {
+            const Texel &t = m.texels[i];
+            const Chart &c = m.charts[t.chart];
+            // Between which two middles it lies, and where
+            auto place = [](int x, int size, int patches, int &first, int &next) {
+                float at = (float)x / (float)(size * kSteps) - 0.5f;
+                first = clamp((int)(at + 1) - 1, 0, max(patches - 2, 0));
+                next = min(first + 1, patches - 1);
+                return broadcast(patches > 1 ? at - (float)first : 0.f);
+            };
+            int across = c.patchesAcross(), x0, x1, y0, y1;
+            Float8 x = place(t.x, c.patchAcross, across, x0, x1),
+                   y = place(t.y, c.patchDown, c.patchesDown(), y0, y1);
+            auto from = [&](int x, int y) {
+                return values + (size_t)(c.firstPatch + y * across + x) * (size_t)columns;
+            };
+            const float *at[4] = {from(x0, y0), from(x1, y0), from(x0, y1), from(x1, y1)};
+            float share = 1;
+            for (int k = 0; k < count; k += 8) {
+                Float8 a = load(at[0] + k), b = load(at[1] + k), d = load(at[2] + k), e = load(at[3] + k);
+                auto between = [&](Float8 x, Float8 y) {
+                    Float8 upper = fmadd(b - a, x, a), lower = fmadd(e - d, x, d);
+                    return fmadd(lower - upper, y, upper);
+                };
+                Float8 v = between(x, y), least = min(min(a, b), min(d, e)) * 0.5f;
+                if (k < tied) {
+                    Float8 inside = between(saturate(x), saturate(y));
+                    if (k == 0 && v[0] < least[0]) share = (inside[0] - least[0]) / (inside[0] - v[0]);
+                    least = select(kLanes < tied - k, inside + (v - inside) * share, least);
+                    v = select(kLanes < tied - k, least, v);
+                }
+                v = max(v, least);
+                for (int j = 0; j < min(count - k, 8); ++j) planes[k + j][i] += v[j];
+            }
+        }
+    });
+}
+
+} // namespace odraz

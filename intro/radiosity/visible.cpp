@@ -1,0 +1,113 @@
+#include "radiosity/visible.h"
+
+#include "base/maths.h"
+#include "trace/rays/intersect.h"
+
+namespace odraz {
+
+namespace {
+
+void put(Vec3x8 &to, int k, Vec3 v) { to.x[k] = v.x, to.y[k] = v.y, to.z[k] = v.z; }
+
+// Whether the nearest thing that points see in a direction is a back: then they lie inside a solid. Fronts
+// alone stop a ray of the tracer, both sides stop light.
+Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
+    Hit8 front = intersect(scene, {p, d}, active);
+    Float8 open = transmittance(scene, {p, d}, min(front.t, kFar) * 0.9999f, active, broadcast(-1)).y;
+    return active & (open < 0.5f);
+}
+
+// A place inside a solid that stands against a wall may look along it and see the wall: so in several
+// directions; and from two sides, so that what touches a solid's edge counts as inside. In a model whose
+// backs may be seen it is inside where it sees nothing else to all sides; upwards it may, for tubes have no
+// lids.
+Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
+    Int8 some = {}, all = places.active;
+    for (int i = 0; i < (model.solid ? 4 : any(all) ? 8 : 0); ++i) {
+        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
+        float a = side * 10 * slant, b = side * 8 * slant;
+        Vec3x8 d = normalize(t.n + t.u * broadcast(i < 4 ? a : -b) + t.v * broadcast(i < 4 ? b : a));
+        Int8 sees = seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
+        some |= sees;
+        all &= sees;
+    }
+    return model.solid ? some : all;
+}
+
+// Whether a place lies on a facet of its chart.
+bool onFacet(const Model &model, const Chart &c, float u, float v) {
+    float slack = (c.width + c.height) * 1e-6f;
+    for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
+        const Facet &f = model.facets[i];
+        bool inside = true;
+        for (int k = 0; k < 4; ++k) {
+            int next = (k + 1) & 3;
+            float du = f.u[next] - f.u[k], dv = f.v[next] - f.v[k];
+            inside &= du * (v - f.v[k]) - dv * (u - f.u[k]) >= -slack * (abs(du) + abs(dv));
+        }
+        if (inside) return true;
+    }
+    return false;
+}
+
+} // namespace
+
+Texels8 loadTexels(const Model &model, const int *numbers, int count) {
+    Texels8 t;
+    for (int k = 0; k < 8; ++k) {
+        const Texel &texel = model.texels[numbers[min(k, count - 1)]];
+        const Chart &c = model.charts[texel.chart];
+        float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+        put(t.p, k, c.at((float)texel.x * du, (float)texel.y * dv));
+        put(t.u, k, c.u), put(t.v, k, c.v), put(t.n, k, c.n);
+        float quarter = (float)kSteps / (float)(4 << texel.level);
+        t.du[k] = du * quarter, t.dv[k] = dv * quarter;
+        t.off[k] = c.off();
+    }
+    t.active = kLanes < count;
+    return t;
+}
+
+Places8 placesOf(const int *masks, int round) {
+    Places8 places = {};
+    for (int k = 0; k < 8; ++k) {
+        int mask = masks[k];
+        for (int i = 0; i < round; ++i) mask &= mask - 1;
+        if (!mask) continue;
+        int number = __builtin_ctz((unsigned)mask);
+        places.x[k] = number & 1 ? 1 : -1, places.y[k] = number & 2 ? 1 : -1;
+        places.number[k] = number;
+        places.active[k] = -1;
+    }
+    return places;
+}
+
+void findVisible(Model &model, const Scene &scene, Workers &workers) {
+    static constexpr int kPiece = 64;
+    parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int) {
+        for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, model.freshCount); i += 8) {
+            int count = min(model.freshCount - i, 8), masks[8] = {}, visible[8] = {};
+            for (int k = 0; k < 4 * count; ++k) {
+                const Texel &t = model.texels[model.fresh[i + k / 4]];
+                const Chart &c = model.charts[t.chart];
+                float quarter = (float)kSteps * 0.25f / (float)(1 << t.level);
+                float u = (float)t.x + (k & 1 ? quarter : -quarter),
+                      v = (float)t.y + (k & 2 ? quarter : -quarter);
+                masks[k / 4] |= onFacet(model, c, u * c.width / (float)(c.across * kSteps),
+                                        v * c.height / (float)(c.down * kSteps))
+                                << (k & 3);
+            }
+            Texels8 t = loadTexels(model, model.fresh + i, count);
+            for (int round = 0; round < 4; ++round) {
+                Places8 places = placesOf(masks, round);
+                if (!any(places.active)) break;
+                Int8 open = places.active & ~insideSolid(model, scene, t, places);
+                for (int k = 0; k < 8; ++k)
+                    if (open[k]) visible[k] |= 1 << places.number[k];
+            }
+            for (int k = 0; k < count; ++k) model.texels[model.fresh[i + k]].visible = (uint8_t)visible[k];
+        }
+    });
+}
+
+} // namespace odraz
