@@ -19,7 +19,7 @@ namespace odraz {
     F(glBufferData) F(glVertexAttribPointer) F(glVertexAttribIPointer) F(glEnableVertexAttribArray) \
     F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferuiv) \
     F(glClearBufferfv) F(glDrawArrays) F(glScissor) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \
-    F(glDeleteBuffers)
+    F(glDeleteBuffers) F(glDeleteShader) F(glDeleteProgram) F(glDeleteVertexArrays)
 // clang-format on
 
 struct Gl {

@@ -167,6 +167,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
         gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);
         gl.glAttachShader(h.program, shader);
+        gl.glDeleteShader(shader); // with the program
     }
     gl.glLinkProgram(h.program);
     GLint linked = 0;
@@ -222,6 +223,9 @@ void closeHemicubes(Hemicubes &h) {
     gl.glDeleteFramebuffers(1, &h.framebuffer);
     gl.glDeleteRenderbuffers(2, h.images);
     gl.glDeleteBuffers(1, &h.buffer);
+    gl.glDeleteVertexArrays(1, &h.vertexArray);
+    gl.glUseProgram(0);
+    gl.glDeleteProgram(h.program);
 }
 
 } // namespace odraz

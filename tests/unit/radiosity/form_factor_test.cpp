@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <dlfcn.h>
 #include <set>
 #include <vector>
 
@@ -315,6 +316,32 @@ TEST(Depth, TellsNearFromFarAtADistance) {
 }
 
 // Where everything shines with 1 and reflects rho, everything has 1 / (1 - rho).
+// Everything that openHemicubes() makes is gone when they are closed.
+TEST(Hemicubes, LeaveNothingBehind) {
+    void *egl = dlopen("libEGL.so.1", RTLD_LAZY);
+    ASSERT_TRUE(egl);
+    auto find = (void *(*)(const char *))dlsym(egl, "eglGetProcAddress");
+    ASSERT_TRUE(find);
+    auto is = [&](const char *what, GLuint name) {
+        return ((GLboolean(*)(GLuint))find(what))(name) == GL_TRUE;
+    };
+    Bench b;
+    addRoom(*b.model, {0, 0, 0}, {1, 1, 1}, 1);
+    b.open(16, 1);
+    Hemicubes h = b.hemicubes();
+    Eye eye = hemicubeEye(b.model->patches[0].p, b.model->patches[0].n, 0);
+    drawHemicubes(h, *b.model, &eye, 1);
+    auto there = [&] {
+        return is("glIsProgram", h.program) + is("glIsVertexArray", h.vertexArray) +
+               is("glIsBuffer", h.buffer) + is("glIsFramebuffer", h.framebuffer) +
+               is("glIsRenderbuffer", h.images[0]) + is("glIsRenderbuffer", h.images[1]);
+    };
+    EXPECT_EQ(there(), 6);
+    b.lens.reset();
+    EXPECT_EQ(there(), 0);
+    for (GLuint shader = 1; shader < 100; ++shader) EXPECT_FALSE(is("glIsShader", shader)) << shader;
+}
+
 TEST(Furnace, ComesOutEven) {
     for (float rho : {0.f, 0.3f, 0.9f, 0.99f}) {
         Bench b;
