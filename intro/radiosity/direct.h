@@ -47,6 +47,8 @@ struct Lights {
 
     int firstLamp() const { return skyCount + sunCount; }
     int bases() const { return firstLamp() + lampCount; }
+    // Whoever counts them himself must not have too many
+    bool fit() const { return skyCount <= kMaxSkies && sunCount <= kMaxSuns && lampCount <= kMaxLamps; }
 };
 
 // Adds up light for the fresh texels: direct[k] is a plane, the share of basis k that arrives. The scene

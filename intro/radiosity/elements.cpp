@@ -75,7 +75,6 @@ void settleFresh(Model &m) {
 }
 
 void split(Model &m, int index) {
-    if (m.cellCount + 4 > m.cellRoom || m.texelCount + 5 > m.texelRoom) return;
     Cell cell = m.cells[index];
     int chart = cell.chart, level = cell.level + 1;
     Texel low = m.texels[cell.corner[0]], high = m.texels[cell.corner[3]];

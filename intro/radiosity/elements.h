@@ -15,7 +15,8 @@ int findTexel(const Model &model, int chart, int x, int y);
 // They have been looked at.
 void settleFresh(Model &model);
 
-// Divides a cell into four, unless there is no room. Texels that are new, or stand closer now, are fresh.
+// Divides a cell into four; its level must be below the levels that divide() made room for. Texels that are
+// new, or stand closer now, are fresh.
 void split(Model &model, int cell);
 
 // What light may change by over a cell: `least` and a share of what is there.

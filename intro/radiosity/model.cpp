@@ -5,7 +5,10 @@
 namespace odraz {
 
 int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind kind) {
-    if (chartCount == kMaxCharts) return chartCount - 1;
+    if (chartCount == kMaxCharts) {
+        overflow = true;
+        return chartCount - 1;
+    }
     Chart &c = charts[chartCount];
     c = {};
     c.corner = corner;
@@ -16,7 +19,7 @@ int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind k
     c.n = cross(c.u, c.v);
     c.material = (uint16_t)material;
     c.open = kind == kOpen;
-    auto cells = [&](float side) { return (int16_t)clamp(side / cell + 0.5f, 1.f, 4000.f); };
+    auto cells = [&](float side) { return (int16_t)clamp(side / cell + 0.5f, 1.f, (float)kMaxAcross); };
     c.across = cells(c.width), c.down = cells(c.height);
     c.firstFacet = facetCount;
     ++chartCount;
@@ -25,7 +28,10 @@ int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind k
 }
 
 void Model::addFacet(const float *u, const float *v) {
-    if (facetCount == kMaxFacets || chartCount == 0) return;
+    if (facetCount == kMaxFacets) {
+        overflow = true;
+        return;
+    }
     Facet &f = facets[facetCount++];
     f.chart = chartCount - 1;
     for (int k = 0; k < 4; ++k) f.u[k] = u[k], f.v[k] = v[k];
@@ -76,7 +82,8 @@ static void place(const Model &model, int index, Patch &patch) {
     });
 }
 
-bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block, int growth) {
+bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels) {
+    if (overflow) return false;
     texelCount = cellCount = patchCount = tieCount = freshCount = 0;
     for (int i = 0; i < chartCount; ++i) {
         // Whole patches: the blocks nearest to what is asked, the cells as many as they hold
@@ -95,9 +102,12 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
         cellCount += c.across * c.down;
         patchCount += c.patchesAcross() * c.patchesDown();
     }
-    texelRoom = texelCount * growth, cellRoom = cellCount * growth, tieRoom = texelRoom * 8;
+    // A cell and all that it is divided into. Ties: 4 in a cell with hidden corners, of which there are fewer
+    // than texels; 2 of a texel that hangs
+    int growth = (4 << 2 * levels) / 3;
+    texelRoom = texelCount * growth, cellRoom = cellCount * growth, tieRoom = texelRoom * 6;
     tableMask = 1;
-    while (tableMask < (uint32_t)texelRoom * 2 && growth > 1) tableMask *= 2;
+    while (tableMask < (uint32_t)texelRoom * 2 && levels) tableMask *= 2;
     patches = arena.take<Patch>((size_t)patchCount);
     texels = arena.take<Texel>((size_t)texelRoom);
     fresh = arena.take<int>((size_t)texelRoom);

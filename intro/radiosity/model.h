@@ -4,7 +4,7 @@
 // there, rectangles or triangles (a wall with windows has several), so that light is continuous over a whole
 // wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their quadtrees are
 // the elements; they carry the light, at their corners (elements.h). World units as in Scene; any scale. Up
-// to kMaxCharts charts and kMaxFacets facets; what is too much is dropped.
+// to kMaxCharts charts and kMaxFacets facets: divide() refuses a model that was to have more.
 #pragma once
 
 #include "base/arena.h"
@@ -13,7 +13,7 @@
 
 namespace odraz {
 
-inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = kMaxShapes;
+inline constexpr int kMaxCharts = 1 << 16, kMaxFacets = kMaxShapes, kMaxAcross = 4000;
 
 // Convex, its corners counter-clockwise about the chart's normal, in world units on the chart. A rectangle
 // along the chart's axes begins with its lower left corner; a triangle repeats its last one.
@@ -53,6 +53,7 @@ struct Model {
     Chart charts[kMaxCharts];
     Facet facets[kMaxFacets];
     int chartCount, facetCount;
+    bool overflow; // something did not fit
     bool solid; // no back is to be seen from where there is light: hemicubes leave backs out, which is faster
 
     // Made by divide(), refined by split()
@@ -67,7 +68,8 @@ struct Model {
     uint32_t tableMask;
 
     // A rectangle with two sides given as vectors, lit on the side of u x v; returns its chart. kPieces: its
-    // facets are added next, by addFacet(); kOpen makes a window of it. Cells have sides of about `cell`.
+    // facets are added next, by addFacet(); kOpen makes a window of it. Cells have sides of about `cell`, but
+    // there are at most kMaxAcross along a side.
     enum Kind { kWhole, kPieces, kOpen };
     int addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind kind = kWhole);
     // To the chart that was added last.
@@ -81,7 +83,7 @@ struct Model {
     void addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides);
 
     // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open. All
-    // must be rectangles: for models with triangles there is poseFacets() of tools/radiosity/regions.h.
+    // must be rectangles.
     void pose(Scene &scene) const;
     Shape shapeOf(int facet) const;
 
@@ -91,9 +93,9 @@ struct Model {
     }
 
     // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
-    // is hidden, in a scene that holds the posed model, finished. There is room for `growth` times as many
-    // texels and cells as there are now. False when the arena is full.
-    bool divide(const Scene &scene, Arena &arena, Workers &workers, int block, int growth);
+    // is hidden, in a scene that holds the posed model, finished. There is room to divide all cells `levels`
+    // times, up to kFinest. False when the arena is full, or the model was.
+    bool divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels);
 };
 
 } // namespace odraz

@@ -51,8 +51,7 @@ static void refineAll(Radiosity &r, Model &model, const Scene &scene, const Radi
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress) {
     // Divide, and see what is hidden
-    int growth = settings.levels ? 5 : 1;
-    if (!model.divide(scene, arena, workers, settings.block, growth) ||
+    if (!model.divide(scene, arena, workers, settings.block, settings.levels) ||
         !takePlanes(r, arena, (size_t)model.texelRoom))
         return false;
     progress(0.05f);

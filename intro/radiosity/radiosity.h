@@ -12,15 +12,18 @@
 
 namespace odraz {
 
+using Bases = unsigned __int128; // a set of them: a bit for each
+static_assert(kMaxBases <= 128);
+
 struct RadiositySettings {
     int px = 32;   // of a hemicube
     int block = 3; // a patch is so many undivided cells wide and high
-    // Cells are divided up to so often where some basis changes over them by more than `contrast`, as a share
-    // of the root mean square of its light; but for suns and lamps that the tracer draws (a bit for each
-    // basis)
+    // Cells are divided up to so often, kFinest at most, where some basis changes over them by more than
+    // `contrast`, as a share of the root mean square of its light; but for suns and lamps that the tracer
+    // draws
     int levels = 0;
     float contrast = 0.3f;
-    uint64_t traced = 0;
+    Bases traced = 0;
     float residual = 1e-4f;
     int sweeps = 100;       // no more than these
     size_t links = 6 << 20; // room for form factors

@@ -80,11 +80,13 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
 }
 
 int solve(System &s, Workers &workers, float residual, int most, const Progress &told) {
-    int sweeps[64] = {}, worst = 0, blocks = s.columns / kSolveBlock;
-    parallelFor(workers, blocks, [&](int block, int) {
-        sweeps[block] = solveBlock(s, block * kSolveBlock, workers, residual, most, told);
+    int worst = 0;
+    parallelFor(workers, s.columns / kSolveBlock, [&](int block, int) {
+        int sweeps = solveBlock(s, block * kSolveBlock, workers, residual, most, told);
+        for (int was = 0; was < sweeps;)
+            if (__atomic_compare_exchange_n(&worst, &was, sweeps, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
+                break;
     });
-    for (int i = 0; i < blocks; ++i) worst = max(worst, sweeps[i]);
     return worst;
 }
 

@@ -16,7 +16,7 @@ void tieBetween(Model &m, int a, int b) {
     int x = p.x + q.x, y = p.y + q.y;
     if ((x | y) & 1) return; // between the finest
     int middle = findTexel(m, p.chart, x / 2, y / 2);
-    if (middle < 0 || m.tieCount + 2 > m.tieRoom) return;
+    if (middle < 0) return;
     m.ties[m.tieCount++] = {middle, a, 1};
     m.ties[m.tieCount++] = {middle, b, 0.5f};
     tieBetween(m, a, middle);
@@ -35,7 +35,7 @@ void tie(Model &m) {
             if (cell.divided()) continue;
             for (int a : cell.corner)
                 for (int b : cell.corner)
-                    if (unknown(a) && !unknown(b) && m.tieCount < m.tieRoom) m.ties[m.tieCount++] = {a, b, 1};
+                    if (unknown(a) && !unknown(b)) m.ties[m.tieCount++] = {a, b, 1};
         }
         // The mean of all that was found for one
         for (int i = begin; i < m.tieCount; ++i) {

@@ -13,6 +13,7 @@ inline constexpr int kSuns = 28; // positions whose bounces are solved, four for
 // Of the bases: 25 of the sky, then the suns, then the lamps
 inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns,
                      kHallBases = kFirstStrip + kStrips;
+static_assert(kSh <= kMaxSkies && kSuns <= kMaxSuns && kLanterns + kStrips <= kMaxLamps);
 
 struct Hall : Room {
     int floor, vault; // charts: the floor; the ceiling's middle bay

@@ -13,6 +13,8 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     double began = processorSeconds();
     prepareHall(*hall, *scene);
     if (change) change(hall->radiosity.lights);
+    if (!hall->radiosity.lights.fit())
+        throw std::runtime_error("these are more lights than the hall may have");
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, memory.arena, workers, progress))
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);

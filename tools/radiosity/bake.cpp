@@ -41,6 +41,7 @@ namespace {
 
 // How often cells are divided in adaptive solutions.
 constexpr int kDivided = 2;
+static_assert(kDivided <= kFinest);
 
 struct Baker {
     Bake &b;
@@ -250,7 +251,7 @@ struct Baker {
         b.scene->finish();
         if (told) told(Bake::kSteps[0], 0.5f, -1);
         int block = (int)std::clamp(std::sqrt(patch) / cell + 0.5, 1., 1000.);
-        if (!m.divide(*b.scene, b.arena, workers, block, s.adaptive ? 20 : 1)) {
+        if (!m.divide(*b.scene, b.arena, workers, block, s.adaptive ? kDivided : 0)) {
             size_t each = sizeof(Texel) + sizeof(Cell) + 8 * sizeof(Tie) + 16;
             refuseMemory(b.arena.used + (size_t)m.texelRoom * each, s.memory);
         }

@@ -1,8 +1,8 @@
 // Elements: quadtrees without cracks, hidden places, and what divides them.
-#include "tests/support/headless_gl.h"
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 #include "radiosity/visible.h"
+#include "tests/support/headless_gl.h"
 #include "tests/support/room.h"
 #include "trace/rays/intersect.h"
 
@@ -20,10 +20,10 @@ struct Divided {
     std::unique_ptr<Model> model = std::make_unique<Model>();
     std::unique_ptr<Scene> scene = std::make_unique<Scene>();
 
-    void divide(int block = 2, int growth = 40) {
+    void divide(int block = 2, int levels = kFinest) {
         model->pose(*scene);
         scene->finish();
-        ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, growth));
+        ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, levels));
         settleFresh(*model);
     }
     // The value of a plane at a place of a chart, as the tracer sees it.
@@ -94,15 +94,52 @@ TEST(Quadtree, SharesCornersAndKeepsAreas) {
     EXPECT_FLOAT_EQ(area, 4);
 }
 
-TEST(Quadtree, StopsWhereThereIsNoRoom) {
+// Whatever is divided and whatever is hidden: neither texels, cells nor ties outgrow what was taken.
+TEST(Quadtree, HasRoomForAllLevels) {
+    for (int levels = 0; levels <= kFinest; ++levels)
+        for (unsigned seed = 0; seed < 6; ++seed) {
+            Divided d;
+            for (Vec3 side : {Vec3{1, 0, 0}, Vec3{7, 0, 0}, Vec3{3, 0, 0}})
+                d.model->addRect({}, {0, 0, 5}, side, 0, 1);
+            d.divide(1, levels);
+            Model &m = *d.model;
+            std::mt19937 random(seed);
+            // Of the cells all, most or few
+            for (int i = 0; i < m.cellCount; ++i)
+                if (m.cells[i].level < levels && random() % 3 >= seed % 3) split(m, i);
+            settleFresh(m);
+            // Places that can be seen: few or many
+            for (int i = 0; i < m.texelCount; ++i)
+                m.texels[i].visible = random() % 4 < seed ? 15 : random() % 4 ? 0 : 1;
+            tie(m);
+            EXPECT_LE(m.texelCount, m.texelRoom) << levels;
+            EXPECT_LE(m.cellCount, m.cellRoom) << levels;
+            EXPECT_LE(m.tieCount, m.tieRoom) << levels;
+            if (seed % 3 == 0) {
+                EXPECT_EQ(m.cellCount, m.cellRoom) << levels;
+            }
+        }
+}
+
+TEST(Model, ThatIsTooLargeIsRefused) {
     Divided d;
-    d.model->addRect({0, 0, 0}, {0, 0, 2}, {2, 0, 0}, 0, 1);
-    d.divide(2, 2);
     Model &m = *d.model;
-    for (int i = 0; i < m.cellCount; ++i)
-        if (!m.cells[i].divided() && m.cells[i].level < kFinest) split(m, i);
-    EXPECT_LE(m.texelCount, m.texelRoom);
-    EXPECT_LE(m.cellCount, m.cellRoom);
+    auto divides = [&] { return d.model->divide(*d.scene, d.memory.arena, d.workers, 1, 0); };
+    d.scene->finish();
+    m.addRect({}, {0, 0, 1}, {1, 0, 0}, 0, 1, Model::kPieces);
+    for (int i = 0; i < kMaxFacets; ++i) m.addFacet(0, 0, 1, 1);
+    EXPECT_FALSE(m.overflow);
+    m.addFacet(0, 0, 1, 1);
+    EXPECT_TRUE(m.overflow);
+    EXPECT_FALSE(divides());
+    d.model = std::make_unique<Model>();
+    Model &other = *d.model;
+    for (int i = 0; i < kMaxCharts; ++i) other.addRect({}, {0, 0, 1}, {1, 0, 0}, 0, 1, Model::kPieces);
+    EXPECT_FALSE(other.overflow);
+    EXPECT_TRUE(divides());
+    other.addRect({}, {0, 0, 1}, {1, 0, 0}, 0, 1);
+    EXPECT_FALSE(divides());
+    EXPECT_EQ(other.chartCount, kMaxCharts);
 }
 
 // An edge of light crosses a floor: cells are divided along it, and nowhere else.

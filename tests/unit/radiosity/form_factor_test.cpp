@@ -1,6 +1,6 @@
 // Hemicubes against closed forms; what they must not see; sums and furnaces.
-#include "tests/support/lens.h"
 #include "radiosity/solve.h"
+#include "tests/support/lens.h"
 #include "tests/support/room.h"
 
 #include <algorithm>
@@ -368,4 +368,37 @@ TEST(Furnace, ComesOutEven) {
             ASSERT_NEAR(1 + (double)s.radiosity[i * s.columns], exact, 0.001 * exact) << rho << ' ' << i;
         }
     }
+}
+
+// Two patches that see each other whole, for so many right-hand sides that reflect more and more.
+struct Facing {
+    static constexpr int kUnknowns = 1100;
+    HeapArena memory{(size_t)1 << 20};
+    Workers workers = serialWorkers();
+    Link links[2] = {{1, 1}, {0, 1}};
+    Row rows[2] = {{links, 1, true}, {links + 1, 1, true}};
+    FormFactors factors = {links, rows, 2, 2};
+    System s;
+
+    Facing() {
+        EXPECT_TRUE(makeSystem(s, memory.arena, factors, 2, kUnknowns));
+        for (int i = 0; i < 2 * s.columns; ++i) {
+            s.reflectance[i] = reflectance(i % s.columns);
+            s.direct[i] = i < s.columns ? 1 : 0;
+        }
+    }
+    static float reflectance(int k) { return k < kUnknowns ? 0.9f * (float)k / kUnknowns : 0; }
+};
+
+// B = rho + rho^2 B' and B' = rho B: however many right-hand sides there are.
+TEST(Solve, AsManyRightHandSidesAsThereIsRoomFor) {
+    Facing f;
+    int sweeps = solve(f.s, f.workers, 1e-6f, 5000);
+    for (int k = 0; k < Facing::kUnknowns; ++k) {
+        double rho = (double)Facing::reflectance(k), exact = rho / (1 - rho * rho);
+        ASSERT_NEAR((double)f.s.radiosity[k], exact, 1e-5 * exact + 1e-9) << k;
+        ASSERT_NEAR((double)f.s.radiosity[f.s.columns + k], rho * exact, 1e-5 * exact + 1e-9) << k;
+    }
+    EXPECT_GT(sweeps, 40); // of those that reflect most
+    EXPECT_EQ(solve(f.s, f.workers, 1e-6f, 7), 7);
 }

@@ -1,6 +1,6 @@
 // Direct light against closed forms, whole rooms solved, and the extremes of reflectance, power and size.
-#include "tests/support/headless_gl.h"
 #include "radiosity/radiosity.h"
+#include "tests/support/headless_gl.h"
 #include "tests/support/room.h"
 #include "transfer/relight.h"
 
@@ -330,7 +330,28 @@ TEST(Extremes, NoLightNoMemoryNoTime) {
     EXPECT_FALSE(left.solve());
 }
 
-// The same room by one thread or in another order of blocks: equal to the bit.
+// Where the tracer draws a lamp's shadow, elements are not divided for it: of all bases, the last one too.
+TEST(Traced, IsOfEveryBasis) {
+    int cells[2];
+    for (int traced = 0; traced < 2; ++traced) {
+        Room room;
+        room.addWalls();
+        room.r->lights.skyCount = kMaxSkies;
+        room.r->lights.sunCount = kMaxSuns; // none shines into a closed room
+        for (int i = 0; i < kMaxLamps; ++i) room.addBall({0.6f * (float)(i % 4) - 0.9f, 2.5f, 1}, 0.1f);
+        ASSERT_TRUE(room.r->lights.fit());
+        RadiositySettings settings;
+        settings.levels = 1;
+        if (traced) settings.traced = (((Bases)1 << kMaxLamps) - 1) << (kMaxSkies + kMaxSuns);
+        ASSERT_TRUE(room.solve(settings));
+        cells[traced] = room.model->cellCount;
+    }
+    EXPECT_LT(cells[1], cells[0] - 100);
+    Lights lights = {};
+    lights.lampCount = kMaxLamps + 1;
+    EXPECT_FALSE(lights.fit());
+}
+
 TEST(Solve, ProgressRisesToOne) {
     Room room;
     room.addWalls();

@@ -105,7 +105,7 @@ TEST(Clusters, SmallNeighboursThatFaceOneWayShare) {
     scene->add(Material{});
     poseFacets(m, *scene);
     scene->finish();
-    ASSERT_TRUE(m.divide(*scene, memory.arena, workers, 100, 1));
+    ASSERT_TRUE(m.divide(*scene, memory.arena, workers, 100, 0));
     int before = m.patchCount;
     Clusters clusters(
         m, 20, [](int) { return 0; }, memory.arena);
