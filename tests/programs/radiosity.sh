@@ -86,9 +86,9 @@ check "a reflectance above 1" refuses 2 "Kd must lie between 0 and 1" "$radiosit
 check "none of them left a file" test ! -e x.rad
 
 # What else users do
-check "a missing model" refuses 2 "cannot be read" "$radiosity" solve none.obj -o x.rad
+check "a missing model" refuses 2 "cannot read" "$radiosity" solve none.obj -o x.rad
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3
-check "no place to write" refuses 2 "cannot be written" "$radiosity" solve cube.obj -o none/x.rad
+check "no place to write" refuses 2 "cannot write" "$radiosity" solve cube.obj -o none/x.rad
 check "an odd hemicube" refuses 2 "even number" "$radiosity" solve cube.obj -o x.rad --hemicube 25
 check "a number out of range" refuses 2 "from 4 to 1024" "$radiosity" solve cube.obj -o x.rad --hemicube 2
 check "no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
@@ -102,7 +102,7 @@ cp cube.rad bit.rad && printf '\x55' | dd of=bit.rad bs=1 seek=200000 conv=notru
 check "a solution with a wrong byte" refuses 1 "damaged" "$radiosity" render bit.rad -o x.png --eye 0,1,0 --at 0,0,0
 check "a picture without a camera" refuses 2 "render needs" "$radiosity" render cube.rad -o x.png
 check "a size that is none" refuses 2 "--size takes pixels" "$radiosity" render cube.rad -o x.png --eye 0,1,0 --at 1,1,0 --size big
-check "a full disk" refuses 1 "cannot be written" "$radiosity" export cube.rad --csv /dev/full/x.csv
+check "a full disk" refuses 1 "cannot write" "$radiosity" export cube.rad --csv /dev/full/x.csv
 check "a closed pipe" bash -c "'$radiosity' --help | head -n 1 | grep -q usage"
 
 # Ctrl-C: direct light and the rows that are there

@@ -26,7 +26,7 @@ check "no name" refuses 2 "name what to measure: trace, radiosity, transfer or p
 check "an unknown option" refuses 2 "cannot use '--slow'" "$tradeoff" pack --slow
 check "a missing film" refuses 2 "cannot read" "$tradeoff" pack "$WORK/none"
 check "a film that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
-check "a missing model" refuses 2 "cannot be read" "$tradeoff" pack --model "$WORK/none" "$BUILD/odraz-safe"
+check "a missing model" refuses 2 "cannot read" "$tradeoff" pack --model "$WORK/none" "$BUILD/odraz-safe"
 check "bench_pack refuses options it does not know" refuses 2 "usage: bench_pack" "$BUILD/bench_pack" --slow
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/peer_povray" "$SOURCE/tools/measure/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then

@@ -1,13 +1,13 @@
 // Looking through one hemicube at a time: what tests of form factors need.
 #pragma once
 
-#include "tests/support/headless_gl.h"
 #include "radiosity/form_factor.h"
+#include "tests/support/headless_gl.h"
 
 #include <vector>
 
 struct Lens {
-    HeapArena memory;
+    odraz::HeapArena memory;
     odraz::Hemicubes h = {};
     std::vector<float> sums;
 

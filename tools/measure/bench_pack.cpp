@@ -1,18 +1,22 @@
 // What the packer makes of machine code, against general packers that are installed.
 //   bench_pack [--effort SECONDS] [FILM]     a search for each sample; FILM: a path of odraz-safe
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
 #include "tools/measure/corpus.h"
+
 #include "files.h"
-#include "program.h"
 #include "search.h"
 #include "shape.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <ctime>
-#include <unistd.h>
 
 using namespace pack;
+using odraz::Arguments;
+using odraz::processorSeconds;
 
 namespace {
 
@@ -33,48 +37,66 @@ std::string replaced(std::string text, const std::string &by) {
     return text;
 }
 
+// Bytes that a peer makes of a file; below 0 where it fails.
 long packedSize(const Peer &peer, const std::string &path) {
     std::string out = path + ".out";
     if (std::system((replaced("{ " + std::string(peer.command) + "; } > ", path) + out).c_str())) return -1;
-    long size = fileSize(out.c_str());
-    unlink(out.c_str());
-    return size;
+    return fileSize(out.c_str());
 }
 
-double now() { return (double)std::clock() / CLOCKS_PER_SEC; }
+// Packs the sample and decodes it by the stub's own code, as in a program. Prints the rest of its line.
+void packSample(const Sample &s, double effort, const long (&sizes)[4]) {
+    static Workspace workspace;
+    const Layout &layout = s.layout;
+    Shape shape = defaultShape();
+    if (effort > 0)
+        shape = search(filter(s.bytes, layout), layout, shape, effort, [](const Progress &) { return true; });
+    double began = processorSeconds();
+    Encoded e = encode(s.bytes, layout, shape, workspace);
+    double encoding = processorSeconds() - began;
+    Program program = {};
+    program.base = 0x400000;
+    program.span = (uint32_t)wholePages(s.bytes.size());
+    program.bytes = s.bytes;
+    program.codeBegin = layout.codeBegin;
+    program.codeSize = layout.codeSize;
+    program.early = kNothingEarly;
+    program.slots[1] = 8;
+    std::vector<uint8_t> packed = writePacked(program, shape, e.payload);
+    began = processorSeconds();
+    bool whole = decodeWithStub(packed) == s.bytes;
+    double decoding = processorSeconds() - began;
+    if (!whole) throw std::runtime_error(s.name + " came back damaged");
+    double size = (double)e.payload.size();
+    std::printf(" %.0f |", size);
+    for (int peer : {0, 3}) {
+        if (sizes[peer] > 0)
+            std::printf(" %.2f |", size / (double)sizes[peer]);
+        else
+            std::printf(" |");
+    }
+    std::printf(" %.2f | %.0f |\n", encoding, (double)s.bytes.size() / 1024 / decoding);
+    std::fflush(stdout);
+}
 
-} // namespace
-
-int main(int argc, char **argv) {
+int run(Arguments &words) {
     double effort = 0;
     std::string film = "build/odraz-safe";
-    for (int i = 1; i < argc; ++i) {
-        if (!std::strcmp(argv[i], "--effort") && i + 1 < argc)
-            effort = std::atof(argv[++i]);
-        else if (argv[i][0] != '-')
-            film = argv[i];
-        else {
-            std::fprintf(stderr, "usage: bench_pack [--effort SECONDS] [FILM]\n");
-            return 2;
-        }
+    while (const char *word = words.next()) {
+        if (!std::strcmp(word, "--effort"))
+            effort = words.number("--effort", 0, 1e6);
+        else if (word[0] != '-')
+            film = word;
+        else
+            words.refuse(word);
     }
-    char folder[] = "/tmp/bench_pack.XXXXXX";
-    if (!mkdtemp(folder)) {
-        std::perror("bench_pack: /tmp");
-        return 1;
-    }
+    odraz::TemporaryFolder folder;
     for (Peer &peer : thePeers) {
         peer.there = !std::system(("command -v " + std::string(peer.program) + " >/dev/null").c_str());
         if (!peer.there) std::printf("(%s is not installed: skipped)\n", peer.program);
     }
     std::vector<std::string> missing;
-    std::vector<Sample> samples;
-    try {
-        samples = corpus(film, missing);
-    } catch (const Unsuitable &e) {
-        std::fprintf(stderr, "bench_pack: %s: %s\n", film.c_str(), e.what());
-        return 2;
-    }
+    std::vector<Sample> samples = corpus(film, missing);
     for (auto &name : missing) std::printf("(%s is not there: skipped)\n", name.c_str());
 
     std::printf("| code | bytes |");
@@ -84,49 +106,20 @@ int main(int argc, char **argv) {
     for (Peer &p : thePeers)
         if (p.there) std::printf("---|");
     std::printf("---|---|---|---|---|\n");
-    Workspace workspace;
     for (const Sample &s : samples) {
-        std::string path = std::string(folder) + "/sample";
-        if (!writeFile(path, s.bytes.data(), s.bytes.size(), false)) {
-            std::perror("bench_pack: /tmp");
-            return 1;
-        }
+        std::string path = folder / "sample";
+        odraz::writeWhole(path, {s.bytes.begin(), s.bytes.end()});
         std::printf("| %s | %zu |", s.name.c_str(), s.bytes.size());
         long sizes[4] = {-1, -1, -1, -1};
         for (int i = 0; i < 4; ++i)
             if (thePeers[i].there) std::printf(" %ld |", sizes[i] = packedSize(thePeers[i], path));
-        unlink(path.c_str());
-
-        const Layout &layout = s.layout;
-        Shape shape = defaultShape();
-        if (effort > 0)
-            shape =
-                search(filter(s.bytes, layout), layout, shape, effort, [](const Progress &) { return true; });
-        double began = now();
-        Encoded e = encode(s.bytes, layout, shape, workspace);
-        double encoding = now() - began;
-        // By the stub's own code, in a program
-        Program program = {};
-        program.base = 0x400000;
-        program.span = (uint32_t)wholePages(s.bytes.size());
-        program.bytes = s.bytes;
-        program.codeBegin = layout.codeBegin;
-        program.codeSize = layout.codeSize;
-        program.early = kNothingEarly;
-        program.slots[1] = 8;
-        std::vector<uint8_t> packed = writePacked(program, shape, e.payload);
-        began = now();
-        bool whole = decodeWithStub(packed) == s.bytes;
-        double decoding = now() - began;
-        if (!whole) {
-            std::fprintf(stderr, "bench_pack: %s came back damaged\n", s.name.c_str());
-            return 1;
-        }
-        double size = (double)e.payload.size();
-        std::printf(" %.0f | %.3f | %.3f | %.2f | %.0f |\n", size, sizes[0] > 0 ? size / (double)sizes[0] : 0,
-                    sizes[3] > 0 ? size / (double)sizes[3] : 0, encoding,
-                    (double)s.bytes.size() / 1024 / decoding);
-        std::fflush(stdout);
+        packSample(s, effort, sizes);
     }
-    rmdir(folder);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return odraz::runProgram("bench_pack", "usage: bench_pack [--effort SECONDS] [FILM]\n", argc, argv, run);
 }

@@ -4,8 +4,8 @@
 //   build/bench_trace --benchmark_filter=picture     milliseconds of processor time a picture of 1280x720
 #include "tools/measure/subject.h"
 
-#include "trace/texture/noise.h"
 #include "trace/shade/whitted.h"
+#include "trace/texture/noise.h"
 
 #include <benchmark/benchmark.h>
 #include <map>

@@ -1,5 +1,8 @@
 #include "tools/measure/corpus.h"
 
+#include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
+
 #include "files.h"
 
 #include <cstring>
@@ -33,6 +36,15 @@ std::vector<uint8_t> instructions(const std::string &path) {
 
 } // namespace
 
+Program programIn(const std::string &path) {
+    std::string file = odraz::readWhole(path);
+    try {
+        return readProgram({file.begin(), file.end()});
+    } catch (const Unsuitable &e) {
+        throw odraz::Refused(path + ": " + e.what());
+    }
+}
+
 std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &missing) {
     const std::string lib = "/usr/lib/x86_64-linux-gnu/";
     const struct {
@@ -60,9 +72,10 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
                                {code.begin() + (long)from, code.begin() + (long)(from + size)},
                                {(uint32_t)size, 0, (uint32_t)size}});
     }
-    std::vector<uint8_t> file;
-    if (readFile(film.c_str(), file)) {
-        Program program = readProgram(file);
+    if (fileSize(film.c_str()) < 0)
+        missing.push_back("the whole film");
+    else {
+        Program program = programIn(film);
         samples.push_back({"the whole film", program.bytes, program.layout()});
     }
     return samples;

@@ -12,8 +12,11 @@ struct Sample {
     Layout layout;
 };
 
+// The program of a file. Throws odraz::Refused with a line that names it.
+Program programIn(const std::string &file);
+
 // 16, 48, 128 and 256 KB each; what is not installed or too small is left out, and named in `missing`.
-// `film`: a path of odraz-safe.
+// `film`: a path of odraz-safe. Throws likewise.
 std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &missing);
 
 } // namespace pack

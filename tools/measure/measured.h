@@ -10,9 +10,6 @@ namespace odraz {
 // std::runtime_error.
 Mesh generatedMesh(const std::string &kind, double area);
 
-// OpenGL without a display and a thread for every processor. Throws std::runtime_error.
-void openAll(Gl &gl, Workers &workers);
-
 // Probes and what a converged solution has there: form factors by rays, of many small patches.
 std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick);
 

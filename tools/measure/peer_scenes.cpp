@@ -1,5 +1,7 @@
 #include "tools/measure/peer_scenes.h"
 
+#include "tools/common/vec3d.h"
+
 #include <cmath>
 
 namespace odraz {
@@ -78,21 +80,18 @@ namespace {
 struct Turn {
     double m[3][3];
 };
-struct Point {
-    double v[3];
-};
 
-Point times(Point p, const Turn &t) {
-    Point q = {};
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i < 3; ++i) q.v[j] += p.v[i] * t.m[i][j];
+Vec3d times(Vec3d p, const Turn &t) {
+    Vec3d q = {};
+    for (size_t j = 0; j < 3; ++j)
+        for (size_t i = 0; i < 3; ++i) q[j] += p[i] * t.m[i][j];
     return q;
 }
 
 // About a unit axis; row vectors.
-Turn rotation(Point axis, double angle) {
+Turn rotation(Vec3d axis, double angle) {
     double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
-    auto [x, y, z] = axis.v;
+    auto [x, y, z] = axis;
     return {{{x * x + c * (1 - x * x), x * y * t + z * s, x * z * t - y * s},
              {x * y * t - z * s, y * y + c * (1 - y * y), y * z * t + x * s},
              {x * z * t + y * s, y * z * t - x * s, z * z + c * (1 - z * z)}}};
@@ -100,21 +99,20 @@ Turn rotation(Point axis, double angle) {
 
 struct Flake {
     Scene &scene;
-    Point children[9];
+    Vec3d children[9];
     int material;
 
-    void grow(int level, Point centre, Point direction, double radius) {
+    void grow(int level, Vec3d centre, Vec3d direction, double radius) {
         // Its z is up
-        scene.add(
-            sphere({(float)centre.v[0], (float)centre.v[2], (float)-centre.v[1]}, (float)radius, material));
+        scene.add(sphere({(float)centre.x, (float)centre.z, (float)-centre.y}, (float)radius, material));
         if (level == 0) return;
-        double x = direction.v[0], y = direction.v[1], z = direction.v[2], across = std::hypot(x, y);
+        auto [x, y, z] = direction;
+        double across = std::hypot(x, y);
         Turn turn = {{{1, 0, 0}, {0, z < 0 ? -1. : 1., 0}, {0, 0, z < 0 ? -1. : 1.}}};
-        if (std::fabs(z) < 1 - 1e-12) turn = rotation({{-y / across, x / across, 0}}, std::acos(z));
-        for (const Point &child : children) {
-            Point to = times(child, turn), at = centre;
-            for (int i = 0; i < 3; ++i) at.v[i] += to.v[i] * radius * 4 / 3;
-            grow(level - 1, at, to, radius / 3);
+        if (std::fabs(z) < 1 - 1e-12) turn = rotation({-y / across, x / across, 0}, std::acos(z));
+        for (Vec3d child : children) {
+            Vec3d to = times(child, turn);
+            grow(level - 1, centre + to * radius * 4 / 3, to, radius / 3);
         }
     }
 };
@@ -126,12 +124,12 @@ void posePeerB(Scene &scene, int level) {
     scene.add(plane({0, -0.5f, 0}, scene.add(ground)));
     Flake flake = {scene, {}, scene.add(plain({1, 0.9f, 0.7f}, 0.5f, 0.5f, 0.3f, 16))};
     double d = std::sqrt(0.5);
-    Turn tilt = rotation({{d, -d, 0}}, std::asin(2 / std::sqrt(6.)));
-    const Point triad[3] = {{{d, d, 0}}, {{d, 0, -d}}, {{0, d, -d}}};
+    Turn tilt = rotation({d, -d, 0}, std::asin(2 / std::sqrt(6.)));
+    const Vec3d triad[3] = {{d, d, 0}, {d, 0, -d}, {0, d, -d}};
     for (int n = 0; n < 3; ++n)
         for (int i = 0; i < 3; ++i)
-            flake.children[3 * n + i] = times(times(triad[i], tilt), rotation({{0, 0, 1}}, n * 2 * M_PI / 3));
-    flake.grow(level, {}, {{0, 0, 1}}, 0.5);
+            flake.children[3 * n + i] = times(times(triad[i], tilt), rotation({0, 0, 1}, n * 2 * M_PI / 3));
+    flake.grow(level, {}, {0, 0, 1}, 0.5);
     for (Vec3 at : {Vec3{4, 2, -3}, Vec3{1, 4, 4}, Vec3{-3, 5, -1}})
         scene.add(light(at, {0.57735f, 0.57735f, 0.57735f}, {}));
     scene.sky = plainSky({0.078f, 0.361f, 0.753f}, {0.078f, 0.361f, 0.753f});

@@ -2,18 +2,10 @@
 #pragma once
 
 #include "show/hall.h"
+#include "tools/common/heap_arena.h"
 #include "tools/radiosity/reference.h"
 
 namespace odraz {
-
-// Memory of a size, zero, as an arena.
-struct OwnArena {
-    explicit OwnArena(size_t bytes)
-        : memory(new unsigned char[bytes + 64]()), arena{memory.get() + (64 - (uintptr_t)memory.get() % 64),
-                                                         bytes, 0} {}
-    std::unique_ptr<unsigned char[]> memory;
-    Arena arena;
-};
 
 // Red, green and blue of texels, for relight().
 struct TexelPlanes {
@@ -37,7 +29,7 @@ struct SolvedHall {
     // Finds the floor's gloss. Throws std::runtime_error where the arena is full.
     void polish(const GlossySettings &settings, Arena &arena, Workers &workers);
 
-    OwnArena memory;
+    HeapArena memory;
     std::unique_ptr<Scene> scene;
     std::unique_ptr<Hall> hall;
     double seconds; // of processor time

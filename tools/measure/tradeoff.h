@@ -1,25 +1,42 @@
-// The sweeps of `tradeoff`: what is paid, and what is had for it.
+// The sweeps of `tradeoff`: what is paid, and what is had for it. They throw Refused where what they were
+// given is wrong, std::runtime_error where something fails.
 #pragma once
 
-#include <string>
+#include "tools/measure/plot.h"
+
+namespace odraz {
 
 struct Sweep {
     bool quick = false;
     std::string csv, plot; // files to write; empty for none
 };
 
-// Writes a text whole, or says why not; nothing where the path is empty.
-bool saveText(const std::string &path, const std::string &text);
+// What a sweep finds: lines of CSV, printed while they are found, and points of a plot.
+class Table {
+public:
+    // `head`: the columns' names.
+    Table(const std::string &head, Plot plot);
+    // A line, as printf has it.
+    void row(const char *format, ...) __attribute__((format(printf, 2, 3)));
+    // Writes what the sweep asks for.
+    void save(const Sweep &sweep) const;
+
+    Plot plot;
+
+private:
+    std::string csv;
+};
 
 // `scene`: one of subjectNames(); empty for all.
-int tradeoffTrace(const Sweep &sweep, const std::string &scene);
+void tradeoffTrace(const Sweep &sweep, const std::string &scene);
 
-// Solutions of generated models and of the film's hall, against references by rays. Returns the exit status.
-int tradeoffRadiosity(const Sweep &sweep);
+// Solutions of generated models and of the film's hall, against references by rays.
+void tradeoffRadiosity(const Sweep &sweep);
 
-// The hall's transfer compressed in several ways. Returns the exit status.
-int tradeoffTransfer(const Sweep &sweep);
+// The hall's transfer compressed in several ways.
+void tradeoffTransfer(const Sweep &sweep);
 
-// `model`: a file of contexts to start from, those that ship; empty for ordinary ones. Returns the exit
-// status, having said on stderr what went wrong.
-int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);
+// `model`: a file of contexts to start from, those that ship; empty for ordinary ones.
+void tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);
+
+} // namespace odraz

@@ -1,15 +1,14 @@
-#include "files.h"
-#include "tools/measure/plot.h"
-#include "program.h"
-#include "search.h"
-#include "shape.h"
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/corpus.h"
 #include "tools/measure/tradeoff.h"
 
-#include <cstdio>
-#include <cstring>
-#include <ctime>
+#include "search.h"
+#include "shape.h"
 
 using namespace pack;
+using odraz::processorSeconds;
 
 namespace {
 
@@ -22,8 +21,6 @@ struct Setting {
     double effort; // seconds
     bool shipped;
 };
-
-double now() { return (double)std::clock() / CLOCKS_PER_SEC; }
 
 // The shape that ships with another number of contexts: the first ones, or more, of two fields each.
 Shape shapeOf(const Setting &s, const Shape &ordinary) {
@@ -39,33 +36,13 @@ Shape shapeOf(const Setting &s, const Shape &ordinary) {
 
 } // namespace
 
-int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
-    std::vector<uint8_t> file;
-    if (!readFile(film.c_str(), file)) {
-        std::perror(("tradeoff: cannot read " + film).c_str());
-        return 2;
-    }
-    Program program;
-    try {
-        program = readProgram(file);
-    } catch (const Unsuitable &e) {
-        std::fprintf(stderr, "tradeoff: %s: %s\n", film.c_str(), e.what());
-        return 2;
-    }
+void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
+    Program program = programIn(film);
     program.early = kNothingEarly;
     Shape ships = defaultShape();
-    if (!model.empty()) {
-        std::vector<uint8_t> text;
-        std::string wrong;
-        if (!readFile(model.c_str(), text))
-            wrong = "cannot be read";
-        else
-            wrong = parseShape({text.begin(), text.end()}, ships);
-        if (!wrong.empty()) {
-            std::fprintf(stderr, "tradeoff: %s: %s\n", model.c_str(), wrong.c_str());
-            return 2;
-        }
-    }
+    if (!model.empty())
+        if (std::string wrong = parseShape(readWhole(model), ships); !wrong.empty())
+            throw Refused(model + ": " + wrong);
 
     // Fewer and more contexts, each with a little search to settle in; less memory; more search
     std::vector<Setting> settings;
@@ -83,8 +60,9 @@ int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string 
             settings.push_back(
                 {std::to_string((int)effort) + " s of search", kSearch, ships.contexts, 22, effort, false});
 
-    std::string csv = "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb\n";
-    Plot plot = {"pack: " + film.substr(film.rfind('/') + 1),
+    std::string name = film.substr(film.rfind('/') + 1);
+    Table table("file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb",
+                {"pack: " + name,
                  "KB decoded in a second of processor time",
                  "payload, bytes",
                  {"contexts", "memory", "search"},
@@ -92,34 +70,25 @@ int tradeoffPack(const Sweep &sweep, const std::string &film, const std::string 
                  true,
                  false,
                  false,
-                 true};
-    std::fputs(csv.c_str(), stdout);
+                 true});
     Layout layout = program.layout();
     Workspace workspace;
     for (const Setting &s : settings) {
         // The search shows from ordinary contexts; what ships has been searched for already
         Shape shape = shapeOf(s, s.series == kSearch ? defaultShape() : ships);
-        double began = now();
+        double began = processorSeconds();
         if (s.effort > 0)
             shape = search(filter(program.bytes, layout), layout, shape, s.effort,
                            [](const Progress &) { return true; });
         Encoded e = encode(program.bytes, layout, shape, workspace);
-        double encoding = now() - began;
+        double encoding = processorSeconds() - began;
         std::vector<uint8_t> packed = writePacked(program, shape, e.payload);
-        began = now();
-        if (decodeWithStub(packed) != program.bytes) {
-            std::fprintf(stderr, "tradeoff: %s came back damaged\n", film.c_str());
-            return 1;
-        }
-        double speed = (double)program.bytes.size() / 1024 / (now() - began);
-        char line[300];
-        std::snprintf(line, sizeof line, "%s,%s,%d,%zu,%.2f,%.0f,%.1f\n", plot.title.c_str() + 6,
-                      s.name.c_str(), s.shipped, e.payload.size(), encoding, speed,
-                      stubMemory(shape, layout.size) / 1048576.0);
-        std::fputs(line, stdout);
-        std::fflush(stdout);
-        csv += line;
-        plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});
+        began = processorSeconds();
+        if (decodeWithStub(packed) != program.bytes) throw std::runtime_error(film + " came back damaged");
+        double speed = (double)program.bytes.size() / 1024 / (processorSeconds() - began);
+        table.row("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped, e.payload.size(),
+                  encoding, speed, stubMemory(shape, layout.size) / 1048576.0);
+        table.plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});
     }
-    return saveText(sweep.csv, csv) && saveText(sweep.plot, svg(plot)) ? 0 : 1;
+    table.save(sweep);
 }

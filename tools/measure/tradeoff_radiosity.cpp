@@ -1,9 +1,7 @@
+#include "tools/common/machine.h"
 #include "tools/measure/measured.h"
-#include "tools/measure/plot.h"
 #include "tools/measure/reference_hall.h"
 #include "tools/measure/tradeoff.h"
-
-#include <cstdio>
 
 using namespace odraz;
 
@@ -58,7 +56,7 @@ struct HallSetting {
     bool shipped;
 };
 
-std::vector<HallSetting> hallSettings(bool quick) {
+std::vector<HallSetting> hallKnobs(bool quick) {
     std::vector<HallSetting> all = {{"shipped", kHallSettings, true}};
     auto with = [&](const std::string &name, auto &&change) {
         HallSetting s = {name, kHallSettings, false};
@@ -83,11 +81,7 @@ std::vector<HallSetting> hallSettings(bool quick) {
 
 } // namespace
 
-int tradeoffRadiosity(const Sweep &sweep) {
-    static const int never = 0;
-    Gl gl;
-    Workers workers;
-    std::string csv = "scene,setting,shipped,cpu_s,rms_percent\n";
+void odraz::tradeoffRadiosity(const Sweep &sweep) {
     Plot plot = {"radiosity: a room, a hall of columns, a corner, and the film's hall",
                  "processor time of a solution, s",
                  "root mean square error, %",
@@ -98,41 +92,33 @@ int tradeoffRadiosity(const Sweep &sweep) {
                  true,
                  true};
     plot.frontOfEach = true;
-    std::fputs(csv.c_str(), stdout);
+    Table table("scene,setting,shipped,cpu_s,rms_percent", plot);
     auto put = [&](const char *scene, const std::string &name, bool shipped, double seconds, double rms,
                    int series) {
-        char line[200];
-        std::snprintf(line, sizeof line, "%s,%s,%d,%.3f,%.3f\n", scene, name.c_str(), shipped, seconds, rms);
-        std::fputs(line, stdout);
-        std::fflush(stdout);
-        csv += line;
-        plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
+        table.row("%s,%s,%d,%.3f,%.3f", scene, name.c_str(), shipped, seconds, rms);
+        table.plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
     };
-    try {
-        openAll(gl, workers);
-        int series = 0;
-        for (const char *kind : {"cube", "columns", "corner"}) {
-            Mesh mesh = generatedMesh(kind, 0);
-            std::vector<Probe> probes = referenceOf(mesh, gl, workers, sweep.quick ? 300 : 1000, sweep.quick);
-            for (const Setting &s : settings(sweep.quick, areaOf(mesh))) {
-                auto solved = bake(mesh, s.bake, gl, workers, &never, {});
-                put(kind, s.name, s.shipped, solved->seconds[4],
-                    rmsPercent(*solved->model, solved->light, probes), series);
-            }
-            ++series;
+    Gl gl = openGl();
+    Workers workers = allProcessors();
+    int series = 0;
+    for (const char *kind : {"cube", "columns", "corner"}) {
+        Mesh mesh = generatedMesh(kind, 0);
+        std::vector<Probe> probes = referenceOf(mesh, gl, workers, sweep.quick ? 300 : 1000, sweep.quick);
+        for (const Setting &s : settings(sweep.quick, areaOf(mesh))) {
+            auto solved = bake(mesh, s.bake, gl, workers, &kNever, {});
+            put(kind, s.name, s.shipped, solved->seconds[4],
+                rmsPercent(*solved->model, solved->light, probes), series);
         }
-        RadiositySettings fine = {.px = 64, .levels = 2, .contrast = 0.05f};
-        fine.block = 1, fine.links = (size_t)48 << 20;
-        if (sweep.quick) fine.px = 32;
-        SolvedHall best(fine, gl, workers, (size_t)1200 << 20);
-        auto probes = gatherHall(best, sweep.quick ? 300 : 1000, sweep.quick ? 32 : 96, workers);
-        for (const HallSetting &s : hallSettings(sweep.quick)) {
-            SolvedHall solved(s.settings, gl, workers, (size_t)600 << 20);
-            put("hall", s.name, s.shipped, solved.seconds, rmsPercent(solved, probes), series);
-        }
-    } catch (const std::runtime_error &e) {
-        std::fprintf(stderr, "tradeoff: %s\n", e.what());
-        return 1;
+        ++series;
     }
-    return saveText(sweep.csv, csv) && saveText(sweep.plot, svg(plot)) ? 0 : 1;
+    RadiositySettings fine = {.px = 64, .levels = 2, .contrast = 0.05f};
+    fine.block = 1, fine.links = (size_t)48 << 20;
+    if (sweep.quick) fine.px = 32;
+    SolvedHall best(fine, gl, workers, (size_t)1200 << 20);
+    auto probes = gatherHall(best, sweep.quick ? 300 : 1000, sweep.quick ? 32 : 96, workers);
+    for (const HallSetting &s : hallKnobs(sweep.quick)) {
+        SolvedHall solved(s.settings, gl, workers, (size_t)600 << 20);
+        put("hall", s.name, s.shipped, solved.seconds, rmsPercent(solved, probes), series);
+    }
+    table.save(sweep);
 }

@@ -1,10 +1,9 @@
-#include "tools/measure/plot.h"
+#include "tools/common/arguments.h"
+#include "tools/common/statistics.h"
 #include "tools/measure/subject.h"
 #include "tools/measure/tradeoff.h"
 
-#include <algorithm>
 #include <cstdio>
-#include <stdexcept>
 
 using namespace odraz;
 
@@ -61,56 +60,42 @@ std::vector<Setting> settings(bool quick) {
 
 } // namespace
 
-int tradeoffTrace(const Sweep &sweep, const std::string &scene) {
+void odraz::tradeoffTrace(const Sweep &sweep, const std::string &scene) {
     std::vector<SubjectName> names;
-    for (const SubjectName &n : subjectNames())
+    std::string known;
+    for (const SubjectName &n : subjectNames()) {
         if (scene.empty() || scene == n.name) names.push_back(n);
-    if (names.empty()) {
-        std::string known;
-        for (const SubjectName &n : subjectNames()) known += std::string(" ") + n.name;
-        std::fprintf(stderr, "tradeoff: there is no scene '%s'; there are:%s\n", scene.c_str(),
-                     known.c_str());
-        return 2;
+        known += std::string(" ") + n.name;
     }
+    if (names.empty()) throw Refused("there is no scene '" + scene + "'; there are:" + known);
     // A small picture costs little, and shows the same order
     int width = sweep.quick ? 256 : 1280, height = width * 9 / 16;
-    std::string csv = "scene,setting,shipped,samples_per_pixel,cpu_ms,psnr_db\n";
     Plot plot = {"trace: " + (scene.empty() ? "all scenes" : "scene " + scene) + ", " +
                      std::to_string(width) + "x" + std::to_string(height),
                  "processor time of a picture, ms",
                  "PSNR to 256 samples a pixel, dB",
-                 {},
+                 scene.empty() ? std::vector<std::string>{} : kSeries,
                  {},
                  true,
                  false,
                  true,
                  false};
     plot.frontOfEach = scene.empty();
-    std::fputs(csv.c_str(), stdout);
-    for (size_t i = 0; i < names.size(); ++i) try {
-            Subject subject(names[i], width, height);
-            if (scene.empty()) plot.series.push_back(names[i].name);
-            for (const Setting &s : settings(sweep.quick)) {
-                std::vector<double> times;
-                for (int round = 0; round < (sweep.quick ? 3 : 7); ++round)
-                    times.push_back(subject.trace(s.quality));
-                std::nth_element(times.begin(), times.begin() + (long)times.size() / 2, times.end());
-                double ms = times[times.size() / 2], samples = subject.samplesPerPixel();
-                std::vector<uint8_t> picture = subject.picture(); // before the reference, once, replaces it
-                double db = psnr(picture, subject.reference());
-                char line[300];
-                std::snprintf(line, sizeof line, "%s,%s,%d,%.3f,%.1f,%.2f\n", names[i].name, s.name.c_str(),
-                              s.shipped, samples, ms, db);
-                std::fputs(line, stdout);
-                std::fflush(stdout);
-                csv += line;
-                plot.points.push_back({ms, db, scene.empty() ? names[i].name + (" " + s.name) : s.name,
-                                       s.shipped, scene.empty() ? (int)i : s.series});
-            }
-        } catch (const std::runtime_error &e) {
-            std::fprintf(stderr, "tradeoff: %s\n", e.what());
-            return 1;
+    Table table("scene,setting,shipped,samples_per_pixel,cpu_ms,psnr_db", plot);
+    for (size_t i = 0; i < names.size(); ++i) {
+        Subject subject(names[i], width, height);
+        if (scene.empty()) table.plot.series.push_back(names[i].name);
+        for (const Setting &s : settings(sweep.quick)) {
+            std::vector<double> times;
+            for (int round = 0; round < (sweep.quick ? 3 : 7); ++round)
+                times.push_back(subject.trace(s.quality));
+            double ms = median(times), samples = subject.samplesPerPixel();
+            std::vector<uint8_t> picture = subject.picture(); // before the reference, once, replaces it
+            double db = psnr(picture, subject.reference());
+            table.row("%s,%s,%d,%.3f,%.1f,%.2f", names[i].name, s.name.c_str(), s.shipped, samples, ms, db);
+            table.plot.points.push_back({ms, db, scene.empty() ? names[i].name + (" " + s.name) : s.name,
+                                         s.shipped, scene.empty() ? (int)i : s.series});
         }
-    if (!scene.empty()) plot.series = kSeries;
-    return saveText(sweep.csv, csv) && saveText(sweep.plot, svg(plot)) ? 0 : 1;
+    }
+    table.save(sweep);
 }

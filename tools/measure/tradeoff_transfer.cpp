@@ -1,18 +1,17 @@
-#include "tools/measure/measured.h"
-#include "tools/measure/plot.h"
+#include "tools/common/machine.h"
 #include "tools/measure/tradeoff.h"
 #include "tools/measure/transfer.h"
 
 #include <cmath>
-#include <cstdio>
 
 using namespace odraz;
 
 namespace {
 
-struct Table {
-    std::string csv = "method,bands,clusters,dimensions,shipped,bytes,relight_ms,error_percent\n";
-    Plot plot = {"transfer: PCA, fixed blocks and clustered PCA",
+struct TransferTable : Table {
+    TransferTable()
+        : Table("method,bands,clusters,dimensions,shipped,bytes,relight_ms,error_percent",
+                {"transfer: PCA, fixed blocks and clustered PCA",
                  "relighting, ms",
                  "error, %",
                  {"pca", "blocks", "cpca", "floor blocks", "floor cpca"},
@@ -20,16 +19,12 @@ struct Table {
                  true,
                  true,
                  true,
-                 true};
-
+                 true}) {
+        plot.frontOfEach = true;
+    }
     void put(const char *method, int bands, int clusters, int dimensions, bool shipped, size_t bytes,
              double ms, double error, int series) {
-        char line[200];
-        std::snprintf(line, sizeof line, "%s,%d,%d,%d,%d,%zu,%.4f,%.3f\n", method, bands, clusters,
-                      dimensions, shipped, bytes, ms, error);
-        std::fputs(line, stdout);
-        std::fflush(stdout);
-        csv += line;
+        row("%s,%d,%d,%d,%d,%zu,%.4f,%.3f", method, bands, clusters, dimensions, shipped, bytes, ms, error);
         std::string name =
             std::string(method) + " " + std::to_string(clusters) + " x " + std::to_string(dimensions);
         if (series >= 0 && error > 0) plot.points.push_back({ms, error, name, shipped, series});
@@ -46,7 +41,7 @@ LightVector lightOf(int which) {
     return lightVector(light);
 }
 
-void sweepRows(Table &table, const SolvedHall &solved, const Sweep &sweep, Workers &workers) {
+void sweepRows(TransferTable &table, const SolvedHall &solved, const Sweep &sweep, Workers &workers) {
     const Hall &hall = *solved.hall;
     size_t texels = (size_t)hall.model.texelCount;
     TexelPlanes planes(hall.model.texelCount);
@@ -73,13 +68,13 @@ void sweepRows(Table &table, const SolvedHall &solved, const Sweep &sweep, Worke
 }
 
 // What the eye gets from the floor under all lights, against matrices that are not compressed.
-void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &workers) {
+void sweepFloor(TransferTable &table, SolvedHall &solved, const Sweep &sweep, Workers &workers) {
     Hall &hall = *solved.hall;
     constexpr int kLights = kHours + 2;
     Vec3 eye = {3, 1.55f, 3};
     std::vector<float> exact[kLights];
     auto measure = [&](const char *method, PcaSettings settings, bool shipped, int series) {
-        OwnArena own((size_t)64 << 20);
+        HeapArena own((size_t)64 << 20);
         GlossySettings glossy;
         glossy.pca = settings;
         solved.polish(glossy, own.arena, workers);
@@ -123,33 +118,25 @@ void sweepFloor(Table &table, SolvedHall &solved, const Sweep &sweep, Workers &w
 
 } // namespace
 
-int tradeoffTransfer(const Sweep &sweep) {
-    Gl gl;
-    Workers workers;
-    Table table;
-    table.plot.frontOfEach = true;
-    std::fputs(table.csv.c_str(), stdout);
-    try {
-        openAll(gl, workers);
-        {
-            SolvedHall solved(kHallSettings, gl, workers);
-            sweepRows(table, solved, sweep, workers);
-            sweepFloor(table, solved, sweep, workers);
-        }
-        // How much of the day's light fewer bands hold, the sun's own counted
-        std::vector<float> hours;
-        for (int i = 0; i < kHours; ++i) hours.push_back((float)i);
-        std::vector<int> bands = {1, 2, 3, 4, kBands};
-        std::vector<DayError> errors = dayErrors(hours, bands, gl, workers);
-        for (int used : bands) {
-            double sum = 0;
-            for (const DayError &e : errors)
-                if (e.bands == used) sum += e.whole * e.whole;
-            table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / kHours), -1);
-        }
-    } catch (const std::runtime_error &e) {
-        std::fprintf(stderr, "tradeoff: %s\n", e.what());
-        return 1;
+void odraz::tradeoffTransfer(const Sweep &sweep) {
+    TransferTable table;
+    Gl gl = openGl();
+    Workers workers = allProcessors();
+    {
+        SolvedHall solved(kHallSettings, gl, workers);
+        sweepRows(table, solved, sweep, workers);
+        sweepFloor(table, solved, sweep, workers);
     }
-    return saveText(sweep.csv, table.csv) && saveText(sweep.plot, svg(table.plot)) ? 0 : 1;
+    // How much of the day's light fewer bands hold, the sun's own counted
+    std::vector<float> hours;
+    for (int i = 0; i < kHours; ++i) hours.push_back((float)i);
+    std::vector<int> bands = {1, 2, 3, 4, kBands};
+    std::vector<DayError> errors = dayErrors(hours, bands, gl, workers);
+    for (int used : bands) {
+        double sum = 0;
+        for (const DayError &e : errors)
+            if (e.bands == used) sum += e.whole * e.whole;
+        table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / kHours), -1);
+    }
+    table.save(sweep);
 }

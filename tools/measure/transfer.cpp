@@ -6,22 +6,6 @@
 
 namespace odraz {
 
-double medianMs(const std::function<void()> &call, int rounds) {
-    std::vector<double> times;
-    for (int i = 0; i < rounds; ++i) {
-        int calls = 0;
-        double began = processorSeconds(), now;
-        do {
-            call();
-            ++calls;
-            now = processorSeconds();
-        } while (now - began < 0.01);
-        times.push_back((now - began) * 1e3 / calls);
-    }
-    std::nth_element(times.begin(), times.begin() + rounds / 2, times.end());
-    return times[(size_t)rounds / 2];
-}
-
 TransferRows rowsOf(const SolvedHall &solved, bool suns) {
     const Radiosity &r = solved.hall->radiosity;
     const Model &m = solved.hall->model;
@@ -97,7 +81,7 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
                     (size_t)rows.rows * (size_t)(settings.dimensions + 3) + (size_t)settings.clusters) *
                        sizeof(float) +
                    4096;
-    c.memory = std::make_unique<OwnArena>(bytes);
+    c.memory = std::make_unique<HeapArena>(bytes);
     c.pca = {};
     c.pca.rows = rows.rows, c.pca.columns = rows.columns, c.pca.data = rows.data.data();
     c.pca.cluster = c.memory->arena.take<int>((size_t)rows.rows);

@@ -21,7 +21,7 @@ TransferRows rowsOf(const SolvedHall &hall, bool suns);
 std::vector<int> blocksOf(const Model &model, int clusters);
 
 struct Compressed {
-    std::unique_ptr<OwnArena> memory;
+    std::unique_ptr<HeapArena> memory;
     ClusteredPca pca;
     double seconds;      // processor time
     double errorPercent; // of the matrix, Frobenius
@@ -49,8 +49,5 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
 
 // The floor's gloss without compression: a cluster for each of its squares.
 PcaSettings uncompressedFloor(const Hall &hall);
-
-// The median time of a call in milliseconds, of processor time.
-double medianMs(const std::function<void()> &call, int rounds = 9);
 
 } // namespace odraz

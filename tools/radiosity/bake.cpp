@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <numeric>
 #include <sys/mman.h>
 
@@ -16,12 +15,6 @@ namespace odraz {
 const char *const Bake::kSteps[4] = {"dividing", "form factors", "direct light", "solving"};
 
 void Bake::Free::operator()(void *memory) const { munmap(memory, *(size_t *)memory); }
-
-double processorSeconds() {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
 
 Rgb Bake::reflects(int chart) const {
     const auto &r = materials[(size_t)material[(size_t)chart]].reflects;

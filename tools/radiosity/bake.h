@@ -1,8 +1,9 @@
 // A model, solved: what `radiosity solve` does, for the measuring programs as well.
 #pragma once
 
-#include "tools/radiosity/mesh.h"
 #include "radiosity/radiosity.h"
+#include "tools/common/clock.h"
+#include "tools/radiosity/mesh.h"
 
 #include <functional>
 #include <memory>
@@ -26,9 +27,6 @@ struct BakeSettings {
     int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
     int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
 };
-
-// User and system time of all threads.
-double processorSeconds();
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.
 using Told = std::function<void(const char *step, float done, float residual)>;

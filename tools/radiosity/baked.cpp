@@ -1,12 +1,10 @@
 #include "tools/radiosity/baked.h"
 
-#include "files.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/facets.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 
 namespace odraz {
 
@@ -45,35 +43,6 @@ template <class T> bool get(const std::string &from, size_t &at, std::vector<T> 
     return true;
 }
 
-struct OnChart {
-    float u, v;
-};
-
-// What of a convex polygon lies to the left of the line from a to b.
-std::vector<OnChart> cut(const std::vector<OnChart> &in, OnChart a, OnChart b) {
-    std::vector<OnChart> out;
-    auto side = [&](OnChart p) { return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u); };
-    for (size_t i = 0; i < in.size(); ++i) {
-        OnChart p = in[i], q = in[(i + 1) % in.size()];
-        float dp = side(p), dq = side(q);
-        if (dp >= 0) out.push_back(p);
-        if ((dp >= 0) != (dq >= 0)) {
-            float t = dp / (dp - dq);
-            out.push_back({p.u + (q.u - p.u) * t, p.v + (q.v - p.v) * t});
-        }
-    }
-    return out;
-}
-
-double areaOf(const std::vector<OnChart> &p) {
-    double twice = 0;
-    for (size_t i = 0; i < p.size(); ++i) {
-        const OnChart &a = p[i], &b = p[(i + 1) % p.size()];
-        twice += (double)a.u * (double)b.v - (double)b.u * (double)a.v;
-    }
-    return twice / 2;
-}
-
 } // namespace
 
 Baked::Baked(const Bake &b) {
@@ -96,11 +65,7 @@ void Baked::save(const std::string &path) const {
 }
 
 Baked::Baked(const std::string &path) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream buffer;
-    if (!file || !(buffer << file.rdbuf()))
-        throw std::runtime_error(path + ": cannot be read: " + std::strerror(errno ? errno : EISDIR));
-    std::string all = buffer.str();
+    std::string all = readWhole(path);
     size_t at = kMagicSize + 8;
     if (all.size() < at || all.compare(0, kMagicSize, kMagic) != 0)
         throw std::runtime_error(path + ": was not written by 'radiosity solve'");
@@ -149,7 +114,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
         float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
         // Its outline, counter-clockwise, with what hangs in it
-        std::vector<OnChart> outline;
+        Outline outline;
         auto side = [&](int x0, int y0, int x1, int y1) {
             int steps = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
             for (int k = 0; k < steps; ++k) {
@@ -164,23 +129,16 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         side(high.x, high.y, low.x, high.y);
         side(low.x, high.y, low.x, low.y);
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) {
-            const Facet &facet = facets[(size_t)f];
-            std::vector<OnChart> left = outline;
-            for (int k = 0; k < (facet.triangle() ? 3 : 4) && left.size() > 2; ++k) {
-                int next = (k + 1) % (facet.triangle() ? 3 : 4);
-                left = cut(left, {facet.u[k], facet.v[k]}, {facet.u[next], facet.v[next]});
-            }
+            Outline left = outline, facet = outlineOf(facets[(size_t)f]);
+            for (size_t k = 0; k < facet.size() && left.size() > 2; ++k)
+                left = cut(left, facet[k], facet[(k + 1) % facet.size()]);
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
             piece.clear();
-            for (const OnChart &p : left) piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
+            for (const PlanePoint &p : left)
+                piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
             visit(cell.chart, (int)i, piece);
         }
     }
-}
-
-void writeWhole(const std::string &path, const std::string &text) {
-    if (!pack::writeFile(path, text.data(), text.size(), false))
-        throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
 }
 
 } // namespace odraz

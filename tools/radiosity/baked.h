@@ -35,9 +35,6 @@ private:
     Rgb at(int chart, int cell, float u, float v) const;
 };
 
-// Writes a text whole, beside and renamed; throws std::runtime_error.
-void writeWhole(const std::string &path, const std::string &text);
-
 void exportCsv(const Baked &baked, const std::string &path);
 void exportPly(const Baked &baked, const std::string &path);
 void exportObj(const Baked &baked, const std::string &path);

@@ -1,6 +1,9 @@
 // A solved model for spreadsheets and viewers.
 #include "tools/radiosity/baked.h"
 
+#include "tools/common/whole_file.h"
+#include "tools/common/statistics.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdarg>
@@ -29,9 +32,8 @@ struct Shown {
             for (const BakedPoint &p : piece) all.push_back(maxComponent(p.radiosity));
         });
         if (all.empty()) return;
-        auto high = all.begin() + (long)(all.size() * 99 / 100);
-        std::nth_element(all.begin(), high, all.end());
-        if (*high > 0) scale = 0.9f / *high;
+        float high = quantile(std::move(all), 0.99);
+        if (high > 0) scale = 0.9f / high;
     }
     float operator()(float x) const {
         x = std::clamp(x * scale, 0.f, 1.f);

@@ -1,6 +1,8 @@
 // A solved model as a picture, by the film's tracer.
 #include "tools/radiosity/baked.h"
 
+#include "tools/common/heap_arena.h"
+#include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/regions.h"
 #include "trace/picture/adaptive.h"
@@ -11,27 +13,14 @@
 
 namespace odraz {
 
-namespace {
-
-// What of the picture's points are brighter than all but the given share of them; black ones do not count.
-float quantile(std::vector<float> &all, double share) {
-    if (all.empty()) return 1;
-    auto at = all.begin() + (long)((double)(all.size() - 1) * share);
-    std::nth_element(all.begin(), at, all.end());
-    return *at;
-}
-
-} // namespace
-
 void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
     size_t bytes = ((size_t)s.width + 16) * (size_t)s.height * 32 +
                    (size_t)workers.count * kTileScratchBytes + ((size_t)1 << 20);
-    std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
-                                                            std::free);
-    Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
+    HeapArena memory(bytes);
     Tracer tracer = {};
     Frame frame = {};
-    if (!memory || !makeTracer(tracer, arena, workers.count) || !makeFrame(frame, arena, s.width, s.height))
+    if (!makeTracer(tracer, memory.arena, workers.count) ||
+        !makeFrame(frame, memory.arena, s.width, s.height))
         throw std::runtime_error("there is not enough memory: try a smaller --size");
 
     // Every polygon shows its radiosity: a white surface in that light
@@ -71,6 +60,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
                 float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
                 if (light > 0) all.push_back(light);
             }
+        if (all.empty()) all.push_back(1); // all is black
         return all;
     };
     std::vector<float> all = trace();
@@ -97,7 +87,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
                         ? (uint8_t)(light > 0 ? shown * std::pow(c[k] / light, 1 / 2.2f) * 255 + 0.5f : 0)
                         : frame.rgba[pixel * 4 + k];
         }
-    if (!writePng(path, picture)) throw std::runtime_error(path + ": cannot be written");
+    if (!writePng(path, picture)) throw std::runtime_error("cannot write " + path);
 }
 
 } // namespace odraz

@@ -1,14 +1,15 @@
 #include "tools/radiosity/generate.h"
 
+#include "tools/common/vec3d.h"
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
 
-namespace {
+using odraz::Vec3d;
 
-using Point = std::array<double, 3>;
+namespace {
 
 struct Material {
     const char *name;
@@ -24,10 +25,11 @@ struct Writer {
     double area;
     size_t triangles = 0;
     std::string points, faces;
-    std::map<Point, int> numbers;
+    std::map<Vec3d, int> numbers;
     const char *material = "";
 
-    int number(const Point &p) {
+    int number(Vec3d p) {
+        for (size_t k = 0; k < 3; ++k) p[k] = std::round(p[k] * 1e6) / 1e6 + 0.0;
         auto [entry, added] = numbers.try_emplace(p, (int)numbers.size() + 1);
         if (added) {
             char line[100];
@@ -49,20 +51,14 @@ struct Writer {
     }
     // Lit on the side of u x v. In as many steps along its sides as the area asks for, never one side more
     // than twice another.
-    void rect(const char *of, Point corner, Point u, Point v) {
+    void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
         use(of);
-        auto length = [](const Point &a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); };
         int across = 1, down = 1;
         if (area > 0) {
             double side = std::sqrt(2 * area);
             across = (int)std::ceil(length(u) / side - 1e-9), down = (int)std::ceil(length(v) / side - 1e-9);
         }
-        auto at = [&](int i, int j) {
-            Point p;
-            for (size_t k = 0; k < 3; ++k) p[k] = corner[k] + u[k] * i / across + v[k] * j / down;
-            for (double &x : p) x = std::round(x * 1e6) / 1e6 + 0.0;
-            return number(p);
-        };
+        auto at = [&](int i, int j) { return number(corner + u * i / across + v * j / down); };
         char line[200];
         for (int j = 0; j < down; ++j)
             for (int i = 0; i < across; ++i) {
@@ -76,7 +72,7 @@ struct Writer {
             }
     }
     // Seen from outside; it has a bottom if that is of some material.
-    void box(const char *of, Point lo, Point hi, const char *bottom) {
+    void box(const char *of, Vec3d lo, Vec3d hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(of, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
         rect(of, {hi[0], lo[1], hi[2]}, {0, 0, -z}, {0, y, 0});
@@ -86,7 +82,7 @@ struct Writer {
         if (bottom) rect(bottom, {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, 0, z});
     }
     // A ceiling, lo to hi at height y, with a lamp let into it.
-    void ceiling(double y, Point lo, Point hi, Point lampLo, Point lampHi) {
+    void ceiling(double y, Vec3d lo, Vec3d hi, Vec3d lampLo, Vec3d lampHi) {
         const double x[4] = {lo[0], lampLo[0], lampHi[0], hi[0]}, z[4] = {lo[2], lampLo[2], lampHi[2], hi[2]};
         for (int j = 0; j < 3; ++j)
             for (int i = 0; i < 3; ++i)
@@ -94,7 +90,7 @@ struct Writer {
                      {0, 0, z[j + 1] - z[j]});
     }
     // The walls and the floor of a room, seen from inside.
-    void room(Point lo, Point hi, const char *floor, const char *left, const char *right) {
+    void room(Vec3d lo, Vec3d hi, const char *floor, const char *left, const char *right) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(floor, {lo[0], lo[1], lo[2]}, {0, 0, z}, {x, 0, 0});
         rect(left, {lo[0], lo[1], lo[2]}, {0, y, 0}, {0, 0, z});
@@ -127,7 +123,7 @@ void columns(Writer &w) {
 void corner(Writer &w) {
     // An L of three squares, 4 high: the lamp lights one end
     const double y = 4;
-    for (Point p : {Point{0, 0, 0}, Point{8, 0, 0}, Point{8, 0, 8}}) {
+    for (Vec3d p : {Vec3d{0, 0, 0}, Vec3d{8, 0, 0}, Vec3d{8, 0, 8}}) {
         w.rect("floor", p, {0, 0, 8}, {8, 0, 0});
         if (p[0] + p[2] > 0)
             w.rect("white", {p[0], y, p[2]}, {8, 0, 0}, {0, 0, 8});
@@ -151,9 +147,8 @@ void cave(Writer &w) {
         double a = 2 * M_PI * (i % columns) / columns, b = M_PI * j / rows;
         double r =
             10 + 0.8 * std::sin(5 * a) * std::sin(3 * b) + 0.4 * std::sin(11 * b + 3 * a) * std::sin(b);
-        Point p = {r * std::sin(b) * std::cos(a), 0.7 * r * std::cos(b), r * std::sin(b) * std::sin(a)};
-        for (double &x : p) x = std::round(x * 1e6) / 1e6 + 0.0;
-        return w.number(p);
+        return w.number(
+            {r * std::sin(b) * std::cos(a), 0.7 * r * std::cos(b), r * std::sin(b) * std::sin(a)});
     };
     for (int j = 0; j < rows; ++j)
         for (int i = 0; i < columns; ++i) {

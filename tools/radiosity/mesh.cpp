@@ -1,24 +1,19 @@
 #include "tools/radiosity/mesh.h"
 
+#include "tools/common/whole_file.h"
+
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <sstream>
 #include <unordered_map>
 
+using odraz::Vec3d;
+
 namespace {
-
-using Point = std::array<double, 3>;
-
-Point minus(const Point &a, const Point &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point cross(const Point &a, const Point &b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-double length(const Point &a) { return std::sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]); }
 
 std::string at(const std::string &path, size_t line) { return path + ":" + std::to_string(line) + ": "; }
 
@@ -70,9 +65,9 @@ struct Text {
 
 } // namespace
 
-std::array<double, 3> normalOf(const Mesh &m, const Triangle &t) {
-    const Point &a = m.points[(size_t)t.corners[0]];
-    return cross(minus(m.points[(size_t)t.corners[1]], a), minus(m.points[(size_t)t.corners[2]], a));
+Vec3d normalOf(const Mesh &m, const Triangle &t) {
+    Vec3d a = m.points[(size_t)t.corners[0]];
+    return cross(m.points[(size_t)t.corners[1]] - a, m.points[(size_t)t.corners[2]] - a);
 }
 
 double areaOf(const Mesh &m) {
@@ -82,27 +77,24 @@ double areaOf(const Mesh &m) {
 }
 
 double Mesh::size() const {
-    Point lo = points.at(0), hi = lo;
-    for (const Point &p : points)
+    Vec3d lo = points.at(0), hi = lo;
+    for (const Vec3d &p : points)
         for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
-    return length(minus(hi, lo));
+    return length(hi - lo);
 }
 
 Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
-    std::ifstream file(path, std::ios::binary);
-    std::stringstream buffer;
-    if (!file || !(buffer << file.rdbuf()))
-        throw ModelError(path + ": cannot be read: " + std::strerror(errno));
-    Text text{buffer.str()};
+    Text text{odraz::readWhole(path)};
     text.check(path);
 
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
     std::vector<tinyobj::material_t> materials;
+    std::istringstream stream(text.all);
     std::string warning, error;
     size_t slash = path.rfind('/');
     tinyobj::MaterialFileReader reader(slash == std::string::npos ? "" : path.substr(0, slash + 1));
-    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &buffer, &reader, true))
+    if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, true))
         throw ModelError(path + ": is not a model: " + error.substr(0, error.find('\n')));
     if (text.materials && materials.empty())
         notes.push_back(path + ": its materials cannot be read: " + warning.substr(0, warning.find('\n')));
@@ -123,14 +115,14 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
 
     // Weld points that lie within a millionth of the model's size
     size_t count = attributes.vertices.size() / 3;
-    std::vector<Point> given(count);
-    Point lo = {1e30, 1e30, 1e30}, hi = {-1e30, -1e30, -1e30};
+    std::vector<Vec3d> given(count);
+    Vec3d lo = {1e30, 1e30, 1e30}, hi = {-1e30, -1e30, -1e30};
     for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
             given[i][k] = (double)attributes.vertices[3 * i + k];
             lo[k] = std::min(lo[k], given[i][k]), hi[k] = std::max(hi[k], given[i][k]);
         }
-    double grid = std::max(length(minus(hi, lo)) * 1e-6, 1e-300);
+    double grid = std::max(length(hi - lo) * 1e-6, 1e-300);
     struct Hash {
         size_t operator()(const std::array<long, 3> &a) const {
             return (size_t)a[0] * 73856093u ^ (size_t)a[1] * 19349663u * 64 ^ (size_t)a[2] * 83492791u * 4096;
@@ -158,8 +150,8 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
             if (t.material < 0) t.material = (int)materials.size(), plain = true;
             double longest = 0;
             for (size_t k = 0; k < 3; ++k)
-                longest = std::max(longest, length(minus(mesh.points[(size_t)t.corners[k]],
-                                                         mesh.points[(size_t)t.corners[(k + 1) % 3]])));
+                longest = std::max(longest, length(mesh.points[(size_t)t.corners[k]] -
+                                                   mesh.points[(size_t)t.corners[(k + 1) % 3]]));
             if (!(length(normalOf(mesh, t)) > longest * grid * 2)) { // lower than two grid steps
                 ++mesh.flat;
                 continue;

@@ -1,14 +1,16 @@
 // Models as triangles, read from Wavefront OBJ.
 #pragma once
 
+#include "tools/common/arguments.h"
+#include "tools/common/vec3d.h"
+
 #include <array>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 // What is wrong with a file, in one line that begins with its name and, where it is known, the line in it.
-struct ModelError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+struct ModelError : odraz::Refused {
+    using Refused::Refused;
 };
 
 struct MeshMaterial {
@@ -22,7 +24,7 @@ struct Triangle {
 };
 
 struct Mesh {
-    std::vector<std::array<double, 3>> points; // no two alike
+    std::vector<odraz::Vec3d> points; // no two alike
     std::vector<Triangle> triangles;
     std::vector<MeshMaterial> materials;
     int flat = 0, twice = 0; // triangles that were left out: without area; given before
@@ -35,7 +37,7 @@ struct Mesh {
 Mesh readObj(const std::string &path, std::vector<std::string> &notes);
 
 // Twice the area of a triangle, as a vector along its normal.
-std::array<double, 3> normalOf(const Mesh &mesh, const Triangle &t);
+odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);
 
 // Of all triangles.
 double areaOf(const Mesh &mesh);

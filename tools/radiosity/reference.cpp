@@ -1,5 +1,7 @@
 #include "tools/radiosity/reference.h"
 
+#include "tools/radiosity/facets.h"
+
 #include "base/random.h"
 #include "trace/rays/intersect.h"
 
@@ -27,14 +29,6 @@ struct Fan {
         return a * (r * std::cos(t)) + b * (r * std::sin(t)) + n * std::sqrt(std::max(0.f, 1 - u));
     }
 };
-
-bool onFacet(const Facet &f, float u, float v) {
-    for (int k = 0; k < 4; ++k) {
-        int next = (k + 1) & 3;
-        if ((f.u[next] - f.u[k]) * (v - f.v[k]) - (f.v[next] - f.v[k]) * (u - f.u[k]) < 0) return false;
-    }
-    return true;
-}
 
 } // namespace
 
@@ -81,17 +75,10 @@ std::vector<Probe> placeProbes(const Model &m, int count) {
                 float u = random(state) * c.width, v = random(state) * c.height;
                 bool there = false;
                 for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
-                    there |= onFacet(m.facets[f], u, v);
+                    there |= onFacet(m.facets[f], {u, v});
                 // What touches hidden places is left out: nobody sees it
-                float x = u / c.width * (float)c.across, y = v / c.height * (float)c.down;
-                int i0 = std::min((int)x, c.across - 1), j0 = std::min((int)y, c.down - 1);
-                const Cell *cell = &m.cells[c.firstCell + j0 * c.across + i0];
-                for (x -= (float)i0, y -= (float)j0; cell->divided();) {
-                    x *= 2, y *= 2;
-                    cell = &m.cells[~cell->corner[0] + (x >= 1) + 2 * (y >= 1)];
-                    x -= (float)(x >= 1), y -= (float)(y >= 1);
-                }
-                for (int k = 0; k < 4; ++k) there &= m.texels[cell->corner[k]].visible >> (3 - k) & 1;
+                const Cell &cell = cellAt(m, c, {u, v});
+                for (int k = 0; k < 4; ++k) there &= m.texels[cell.corner[k]].visible >> (3 - k) & 1;
                 if (!there) continue;
                 probes.push_back({i, c.at(u, v), {}, false});
                 break;

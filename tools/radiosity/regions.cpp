@@ -8,19 +8,9 @@ namespace odraz {
 
 namespace {
 
-using Point = std::array<double, 3>;
 using Flat = std::array<double, 2>; // on a plane
 
-double dot(const Point &a, const Point &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Point minus(const Point &a, const Point &b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
-Point cross(const Point &a, const Point &b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Point unit(const Point &a) {
-    double l = std::sqrt(dot(a, a));
-    return {a[0] / l, a[1] / l, a[2] / l};
-}
-Vec3 toFloat(const Point &a) { return {(float)a[0], (float)a[1], (float)a[2]}; }
+Vec3 toFloat(Vec3d a) { return {(float)a.x, (float)a.y, (float)a.z}; }
 
 struct Edge {
     int low, high, triangle;
@@ -122,24 +112,20 @@ struct Builder {
     // Adds the triangles as one chart; false if they fill too little of its rectangle.
     bool add(const std::vector<int> &triangles, const std::vector<Edge> &borders) {
         // The plane, and a frame along the longest border
-        Point sum = {};
-        for (int t : triangles) {
-            Point n = normalOf(mesh, mesh.triangles[(size_t)t]);
-            for (size_t k = 0; k < 3; ++k) sum[k] += n[k];
-        }
-        Point n = unit(sum), along = {};
+        Vec3d sum = {};
+        for (int t : triangles) sum = sum + normalOf(mesh, mesh.triangles[(size_t)t]);
+        Vec3d n = normalize(sum), along = {};
         const auto &points = mesh.points;
         for (const Edge &e : borders) {
-            Point side = minus(points[(size_t)e.high], points[(size_t)e.low]);
+            Vec3d side = points[(size_t)e.high] - points[(size_t)e.low];
             // The first of those that are about as long: copies of a model are divided alike
             if (dot(side, side) > dot(along, along) * 1.0001) along = side;
         }
-        double height = dot(along, n);
-        for (size_t k = 0; k < 3; ++k) along[k] -= n[k] * height;
-        Point u = unit(along), v = cross(n, u),
+        along = along - n * dot(along, n);
+        Vec3d u = normalize(along), v = cross(n, u),
               origin = points[(size_t)mesh.triangles[(size_t)triangles[0]].corners[0]];
         auto place = [&](int p) {
-            Point d = minus(points[(size_t)p], origin);
+            Vec3d d = points[(size_t)p] - origin;
             return Flat{dot(d, u), dot(d, v)};
         };
         Flat lo = {1e300, 1e300}, hi = {-1e300, -1e300};
@@ -149,8 +135,7 @@ struct Builder {
                 Flat f = place(c);
                 for (size_t k = 0; k < 2; ++k) lo[k] = std::min(lo[k], f[k]), hi[k] = std::max(hi[k], f[k]);
             }
-            Point normal = normalOf(mesh, mesh.triangles[(size_t)t]);
-            twice += std::sqrt(dot(normal, normal));
+            twice += length(normalOf(mesh, mesh.triangles[(size_t)t]));
         }
         double width = hi[0] - lo[0], tall = hi[1] - lo[1];
         std::vector<Rectangle> rectangles;
@@ -165,8 +150,7 @@ struct Builder {
             throw ModelError("more than " + std::to_string(kMaxFacets) +
                              " polygons are left after joining those in one plane");
 
-        Point corner = origin;
-        for (size_t k = 0; k < 3; ++k) corner[k] += u[k] * lo[0] + v[k] * lo[1];
+        Vec3d corner = origin + (u * lo[0] + v * lo[1]);
         model.addRect(toFloat(corner), toFloat(u) * (float)width, toFloat(v) * (float)tall, 0, (float)cell,
                       Model::kPieces);
         // In double: neighbours' corners meet as nearly as floats can
@@ -212,14 +196,14 @@ void poseFacets(const Model &model, Scene &scene) {
 Regions addRegions(const Mesh &mesh, Model &model, double cell) {
     if (mesh.materials.size() > 65535) throw ModelError("a model may have 65535 materials at most");
     size_t count = mesh.triangles.size();
-    std::vector<Point> normals(count);
-    for (size_t i = 0; i < count; ++i) normals[i] = unit(normalOf(mesh, mesh.triangles[i]));
+    std::vector<Vec3d> normals(count);
+    for (size_t i = 0; i < count; ++i) normals[i] = normalize(normalOf(mesh, mesh.triangles[i]));
     double tiny = mesh.size() * 5e-6;
     auto joins = [&](int a, int b) {
         const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
         if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < 0.999995) return false;
         for (int c : t.corners)
-            if (std::fabs(dot(minus(mesh.points[(size_t)c], mesh.points[(size_t)s.corners[0]]),
+            if (std::fabs(dot(mesh.points[(size_t)c] - mesh.points[(size_t)s.corners[0]],
                               normals[(size_t)a])) > tiny)
                 return false;
         return true;

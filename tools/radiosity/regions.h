@@ -2,8 +2,8 @@
 // regions, each a chart; regions that are made of rectangles become few of them.
 #pragma once
 
-#include "tools/radiosity/mesh.h"
 #include "radiosity/model.h"
+#include "tools/radiosity/mesh.h"
 
 namespace odraz {
 

@@ -1,7 +1,9 @@
 // Triangles joined to charts, small charts that share hemicubes, and a solution against its reference.
-#include "tools/radiosity/clusters.h"
 #include "tests/support/headless_gl.h"
+#include "tools/common/machine.h"
 #include "tools/measure/measured.h"
+#include "tools/radiosity/clusters.h"
+#include "tools/radiosity/facets.h"
 #include "tools/radiosity/regions.h"
 
 #include <cmath>
@@ -32,13 +34,7 @@ struct Joined {
     explicit Joined(const Mesh &mesh) : regions(addRegions(mesh, *model, 0.5)) {}
     double facetsArea() const {
         double area = 0;
-        for (int i = 0; i < model->facetCount; ++i) {
-            const Facet &f = model->facets[i];
-            for (int k = 0; k < 4; ++k)
-                area +=
-                    ((double)f.u[k] * (double)f.v[(k + 1) & 3] - (double)f.u[(k + 1) & 3] * (double)f.v[k]) /
-                    2;
-        }
+        for (int i = 0; i < model->facetCount; ++i) area += areaOf(outlineOf(model->facets[i]));
         return area;
     }
 };
@@ -122,13 +118,12 @@ TEST(Clusters, SmallNeighboursThatFaceOneWayShare) {
 
 // Two ways to the same rows: hemicubes by OpenGL and by rays.
 TEST(Rows, RaysFindWhatOpenGlDraws) {
-    static const int never = 0;
     Workers workers = serialWorkers();
     BakeSettings s;
     Mesh mesh = generatedMesh("corner", 0);
     s.patch = areaOf(mesh) / 300;
     s.hemicube = 32;
-    auto b = bake(mesh, s, headlessGl(), workers, &never, {});
+    auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
     HeapArena memory((size_t)64 << 20);
     std::vector<uint8_t> lit((size_t)b->model->patchCount);
     for (size_t i = 0; i < lit.size(); ++i)
@@ -150,7 +145,6 @@ TEST(Rows, RaysFindWhatOpenGlDraws) {
 
 // A small model, solved by hemicubes, against form factors and light by rays alone.
 TEST(Solution, AgreesWithRays) {
-    static const int never = 0;
     Workers workers = serialWorkers();
     Mesh mesh = generatedMesh("cube", 0);
     std::vector<Probe> probes = referenceOf(mesh, headlessGl(), workers, 200, true);
@@ -158,7 +152,7 @@ TEST(Solution, AgreesWithRays) {
         BakeSettings s;
         s.adaptive = adaptive;
         if (adaptive) s.element = areaOf(mesh) / 120000;
-        auto b = bake(mesh, s, headlessGl(), workers, &never, {});
+        auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
         double rms = rmsPercent(*b->model, b->light, probes);
         std::printf("cube, %s: %.3f %% rms\n", adaptive ? "adaptive" : "uniform", rms);
         EXPECT_LT(rms, 1);

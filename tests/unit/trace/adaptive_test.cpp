@@ -1,5 +1,6 @@
 // The adaptive picture against the one traced in full, and its independence of everything but the scene.
 #include "show/show.h"
+#include "tools/common/heap_arena.h"
 #include "tools/measure/peer_scenes.h"
 #include "trace/picture/adaptive.h"
 #include "trace/rays/beam.h"
@@ -39,7 +40,7 @@ constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
 const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
 struct Picture {
-    std::vector<unsigned char> memory;
+    HeapArena memory;
     std::vector<uint16_t> shapes;
     Frame frame;
     int64_t samples;
@@ -51,9 +52,9 @@ struct Picture {
 
 Picture traced(Scene &posed, const CameraKey &camera, const Quality &quality, int width, int height,
                int threads = 2, bool shapes = false) {
-    Picture p;
-    p.memory.resize(((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192);
-    Arena arena = {p.memory.data() + (64 - (uintptr_t)p.memory.data() % 64), p.memory.size() - 64, 0};
+    size_t bytes = ((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192;
+    Picture p = {HeapArena(bytes), {}, {}, 0};
+    Arena &arena = p.memory.arena;
     Threads pool(threads);
     Tracer tracer;
     EXPECT_TRUE(makeTracer(tracer, arena, threads) && makeFrame(p.frame, arena, width, height));
@@ -310,11 +311,10 @@ TEST(Adaptive, TakesTheLargestFrame) {
 TEST(Adaptive, AbortLeavesAtOnce) {
     Threads pool(2);
     pool.abort = 1;
-    std::vector<unsigned char> memory(320 * 184 * 16 + 2 * kTileScratchBytes + 8192);
-    Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
+    HeapArena memory(320 * 184 * 16 + 2 * kTileScratchBytes + 8192);
     Tracer tracer;
     Frame frame;
-    ASSERT_TRUE(makeTracer(tracer, arena, 2) && makeFrame(frame, arena, 320, 180));
+    ASSERT_TRUE(makeTracer(tracer, memory.arena, 2) && makeFrame(frame, memory.arena, 320, 180));
     auto posed = std::make_unique<Scene>();
     posed->clear();
     posed->finish();

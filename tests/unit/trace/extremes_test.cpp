@@ -2,6 +2,7 @@
 // grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on surfaces.
 #include "base/maths.h"
 #include "tests/support/stage.h"
+#include "tools/common/vec3d.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -12,15 +13,7 @@ using namespace odraz;
 
 namespace {
 
-struct Point {
-    double x, y, z;
-    Point operator+(Point b) const { return {x + b.x, y + b.y, z + b.z}; }
-    Point operator-(Point b) const { return {x - b.x, y - b.y, z - b.z}; }
-    Point operator*(double s) const { return {x * s, y * s, z * s}; }
-};
-double dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-double length(Point a) { return std::sqrt(dot(a, a)); }
-Point exact(Vec3 v) { return {v.x, v.y, v.z}; }
+Vec3d exact(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 lane(const Vec3x8 &v) { return {v.x[0], v.y[0], v.z[0]}; }
 
 struct Dice {
@@ -29,7 +22,7 @@ struct Dice {
     Vec3 direction() {
         for (;;) {
             Vec3 v = {(*this)(-1, 1), (*this)(-1, 1), (*this)(-1, 1)};
-            float n = odraz::dot(v, v);
+            float n = dot(v, v);
             if (n > 0.01f && n < 1) return normalize(v);
         }
     }
@@ -61,7 +54,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
                 Vec3 d = normalize(to - o);
                 Shape s = sphere({0, 0, 0}, radius, 0);
                 float alone = distanceTo(*scene, s, {broadcast(o), broadcast(d)})[0];
-                Point f = exact(o), v = exact(d);
+                Vec3d f = exact(o), v = exact(d);
                 double unit = length(v), b = -dot(f, v) / unit,
                        near = std::sqrt(std::fmax(dot(f, f) - b * b, 0));
                 bool hits = near <= radius && b > 0;
@@ -127,14 +120,14 @@ TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
                 Vec3 n = lane(at.n), d = dice.direction();
                 float grazing = std::pow(10.f, dice(-4, 0));
                 Vec3 out = normalize(dice.across(n) + n * grazing),
-                     in = normalize(d - n * (odraz::dot(d, n) + grazing));
+                     in = normalize(d - n * (dot(d, n) + grazing));
                 ASSERT_EQ(distanceTo(*scene, s, {offsetOrigin(s, at, broadcast(1.f)), broadcast(out)})[0],
                           kInfinity)
                     << radius << " " << away << " " << grazing;
                 float inside =
                     distanceTo(*scene, s, {offsetOrigin(s, at, broadcast(-1.f)), broadcast(in)})[0];
                 ASSERT_LT(inside, kInfinity) << radius << " " << away << " " << grazing;
-                double chord = -2 * (double)odraz::dot(in, n) * radius;
+                double chord = -2 * (double)dot(in, n) * radius;
                 double moved = (double)errorBound(at.p, broadcast(magnitude(s)))[0];
                 ASSERT_NEAR(inside, chord, 1e-3 * radius + 4 * moved / grazing) << grazing;
             }
@@ -151,20 +144,20 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
         Vec3 o = s.centre, d = dice.direction();
         o = o + dice.direction() * 0.9f;
         Ray8 r = {broadcast(o), broadcast(d)};
-        Point p = exact(o) - exact(s.centre), v = exact(d) * (1 / length(exact(d)));
+        Vec3d p = exact(o) - exact(s.centre), v = exact(d) * (1 / length(exact(d)));
         for (int bounce = 0; bounce < 64; ++bounce) {
             Float8 t = distanceTo(*scene, s, r);
             ASSERT_LT(t[0], kInfinity) << bounce;
             Surface8 at = surfaceAt(s, r, t);
-            r.d = normalize(fmadd(at.n, odraz::dot(at.n, r.d) * -2.f, r.d));
+            r.d = normalize(fmadd(at.n, dot(at.n, r.d) * -2.f, r.d));
             r.o = offsetOrigin(s, at, broadcast(-1.f));
             double b = dot(p, v), far = -b + std::sqrt(b * b - dot(p, p) + 2.25);
             p = p + v * far;
-            Point n = p * (1 / 1.5);
+            Vec3d n = p * (1 / 1.5);
             v = v - n * (2 * dot(n, v));
             p = p * (1.5 / length(p)); // the oracle's own rounding would grow
             v = v * (1 / length(v));
-            ASSERT_NEAR(odraz::length(lane(r.d)), 1, 3e-7) << bounce;
+            ASSERT_NEAR(length(lane(r.d)), 1, 3e-7) << bounce;
             ASSERT_NEAR(length(exact(lane(at.p)) - exact(s.centre)), 1.5, 2e-6) << bounce;
             worst = std::fmax(worst, length(exact(lane(at.p)) - exact(s.centre) - p));
         }

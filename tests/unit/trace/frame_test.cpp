@@ -1,4 +1,5 @@
 #include "show/font.h"
+#include "tools/common/heap_arena.h"
 #include "trace/picture/frame.h"
 #include "trace/picture/overlay.h"
 
@@ -11,11 +12,10 @@ using namespace odraz;
 namespace {
 
 struct Canvas {
-    std::vector<unsigned char> memory;
+    HeapArena memory;
     Frame frame;
     Canvas(int width, int height) : memory((size_t)(width + 8) * (size_t)height * 16 + 1024) {
-        Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
-        EXPECT_TRUE(makeFrame(frame, arena, width, height));
+        EXPECT_TRUE(makeFrame(frame, memory.arena, width, height));
     }
     float &at(int x, int y) { return frame.plane[0][y * frame.stride + x]; }
     double sum() {

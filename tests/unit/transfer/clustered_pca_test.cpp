@@ -4,6 +4,7 @@
 
 #include "tests/support/eigenvalues.h"
 #include "tests/support/random.h"
+#include "tools/common/heap_arena.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ struct Data {
 };
 
 struct Result {
-    std::vector<unsigned char> memory = std::vector<unsigned char>((size_t)16 << 20);
+    HeapArena memory{(size_t)16 << 20};
     ClusteredPca p = {};
     double error = 0, size = 0; // Frobenius, squared
     std::vector<int> cluster;
@@ -34,9 +35,8 @@ struct Result {
         cluster.resize((size_t)d.rows);
         for (int r = 0; r < d.rows; ++r) cluster[(size_t)r] = seed(r);
         p.rows = d.rows, p.columns = d.columns, p.data = d.values.data(), p.cluster = cluster.data();
-        Arena arena = {memory.data() + (64 - (uintptr_t)memory.data() % 64), memory.size() - 64, 0};
         Workers workers = serialWorkers();
-        EXPECT_TRUE(compress(p, settings, arena, workers));
+        EXPECT_TRUE(compress(p, settings, memory.arena, workers));
         for (int r = 0; r < d.rows; ++r) {
             EXPECT_TRUE(cluster[(size_t)r] >= 0 && cluster[(size_t)r] < settings.clusters);
             for (int c = 0; c < d.columns; ++c) {

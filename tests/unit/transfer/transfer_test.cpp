@@ -20,7 +20,7 @@ SolvedHall &solved() {
 
 // The floor's gloss, compressed or not.
 struct Floor {
-    OwnArena memory{(size_t)64 << 20};
+    HeapArena memory{(size_t)64 << 20};
     explicit Floor(bool compress) {
         GlossySettings settings;
         if (!compress) settings.pca = uncompressedFloor(*solved().hall);

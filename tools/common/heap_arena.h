@@ -1,0 +1,30 @@
+// Memory for an engine that takes its own from an arena: zero, taken lazily, given back with the object.
+#pragma once
+
+#include "base/arena.h"
+
+#include <cstdlib>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+namespace odraz {
+
+struct HeapArena {
+    // Throws std::runtime_error where there are not so many bytes.
+    explicit HeapArena(size_t bytes) : memory((unsigned char *)std::calloc(1, bytes + kLine), std::free) {
+        if (!memory)
+            throw std::runtime_error("there is not enough memory: " + std::to_string(bytes >> 20) +
+                                     " MB are needed");
+        arena = {memory.get() + (kLine - (uintptr_t)memory.get() % kLine), bytes, 0};
+    }
+
+private:
+    static constexpr size_t kLine = 64; // bytes of a cache line: what Arena::take() aligns to
+    std::unique_ptr<unsigned char, void (*)(void *)> memory;
+
+public:
+    Arena arena;
+};
+
+} // namespace odraz

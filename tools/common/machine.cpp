@@ -1,0 +1,24 @@
+#include "tools/common/machine.h"
+
+#include "host/headless.h"
+#include "host/threads.h"
+
+#include <stdexcept>
+#include <unistd.h>
+
+namespace odraz {
+
+Workers allProcessors() {
+    Workers workers = serialWorkers();
+    if (const char *missing = startWorkers(workers, (int)sysconf(_SC_NPROCESSORS_ONLN), &kNever))
+        throw std::runtime_error(missing);
+    return workers;
+}
+
+Gl openGl() {
+    Gl gl;
+    if (const char *missing = openHeadlessGl(gl)) throw std::runtime_error(missing);
+    return gl;
+}
+
+} // namespace odraz

@@ -1,0 +1,34 @@
+#include "tools/common/whole_file.h"
+
+#include "tools/common/arguments.h"
+
+#include "files.h"
+
+#include <cerrno>
+#include <cstring>
+#include <unistd.h>
+
+namespace odraz {
+
+static std::string cannot(const char *what, const std::string &path) {
+    return std::string("cannot ") + what + " " + path + ": " + std::strerror(errno);
+}
+
+std::string readWhole(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    if (!pack::readFile(path.c_str(), bytes)) throw Refused(cannot("read", path));
+    return {bytes.begin(), bytes.end()};
+}
+
+void checkWritable(const std::string &path) {
+    size_t slash = path.rfind('/');
+    std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    if (access(folder.c_str(), W_OK) != 0) throw Refused(cannot("write", path));
+}
+
+void writeWhole(const std::string &path, const std::string &text) {
+    if (!pack::writeFile(path, text.data(), text.size(), false))
+        throw std::runtime_error(cannot("write", path));
+}
+
+} // namespace odraz
