@@ -98,8 +98,7 @@ int run(Arguments &words) {
     std::vector<std::string> missing;
     std::vector<Sample> samples = corpus(film, missing);
     for (auto &name : missing) std::printf("(%s is not there: skipped)\n", name.c_str());
-
-    std::printf("| code | bytes |");
+    std::printf("\n| code | bytes |");
     for (Peer &p : thePeers)
         if (p.there) std::printf(" %s |", p.name);
     std::printf(" odraz's pack | to xz | to zpaq | encode s | decode KB/s |\n|---|---|");

@@ -32,12 +32,13 @@ void Table::save(const Sweep &sweep) const {
 using namespace odraz;
 
 static constexpr char kUsage[] =
-    "usage: tradeoff trace [--quick] [--scene NAME] [--csv FILE] [--plot FILE]\n"
+    "usage: tradeoff trace [--quick] [--named] [--scene NAME] [--csv FILE] [--plot FILE]\n"
     "       tradeoff radiosity [--quick] [--csv FILE] [--plot FILE]\n"
     "       tradeoff transfer [--quick] [--csv FILE] [--plot FILE]\n"
     "       tradeoff pack [--quick] [--model FILE] [--csv FILE] [--plot FILE] [FILM]\n"
     "trace: how near to 256 samples a pixel the tracer's settings come, against processor time;\n"
-    "       --quick leaves out most settings and traces small pictures; --scene: one alone, all its knobs\n"
+    "       --quick leaves out most settings and traces small pictures; --scene: one alone, all its knobs;\n"
+    "       --named: the named qualities and plain grids alone\n"
     "radiosity: how near to references by rays solutions come, against processor time\n"
     "transfer: how near the hall's transfer is when it is compressed, against the time of relighting: of "
     "rows of\n"
@@ -56,6 +57,8 @@ static int run(Arguments &words) {
         std::string w = word;
         if (w == "--quick")
             sweep.quick = true;
+        else if (w == "--named" && what == "trace")
+            sweep.named = true;
         else if (w == "--csv" || w == "--plot") {
             std::string &to = w == "--csv" ? sweep.csv : sweep.plot;
             to = words.value(w);

@@ -8,6 +8,7 @@ namespace odraz {
 
 struct Sweep {
     bool quick = false;
+    bool named = false; // trace: the named qualities and plain grids alone
     std::string csv, plot; // files to write; empty for none
 };
 

@@ -21,7 +21,7 @@ const std::vector<std::string> kSeries = {
 
 // The named points, the ways between them that the governor takes, plain grids, and one knob of `play` after
 // the other.
-std::vector<Setting> settings(bool quick) {
+std::vector<Setting> settings(bool few) {
     std::vector<Setting> all;
     auto named = [](QualityName name) { return kQualities[(int)name]; };
     for (int i = 0; i < 3; ++i) all.push_back({kQualityNames[i], 0, kQualities[i], true});
@@ -32,10 +32,10 @@ std::vector<Setting> settings(bool quick) {
         all.push_back({name, series, q, false});
     };
     for (int n : {1, 2, 3, 4})
-        if (!quick || n < 3)
+        if (!few || n < 3)
             with(1, std::to_string(n) + "x" + std::to_string(n) + " samples",
                  [&](Quality &q) { q.grid = n; });
-    if (quick) return all;
+    if (few) return all;
     auto text = [](const char *knob, float v) {
         char s[60];
         std::snprintf(s, sizeof s, "%s %g", knob, (double)v);
@@ -85,7 +85,7 @@ void odraz::tradeoffTrace(const Sweep &sweep, const std::string &scene) {
     for (size_t i = 0; i < names.size(); ++i) {
         Subject subject(names[i], width, height);
         if (scene.empty()) table.plot.series.push_back(names[i].name);
-        for (const Setting &s : settings(sweep.quick)) {
+        for (const Setting &s : settings(sweep.quick || sweep.named)) {
             std::vector<double> times;
             for (int round = 0; round < (sweep.quick ? 3 : 7); ++round)
                 times.push_back(subject.trace(s.quality));

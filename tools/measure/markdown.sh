@@ -1,0 +1,51 @@
+# Sourced by tools/measure/all: tables in Markdown. Input is CSV without quotes.
+
+# The first line is the head
+markdown() {
+    awk -F, '{
+        printf "|"
+        for (i = 1; i <= NF; ++i) printf " %s |", $i
+        print ""
+        if (NR == 1) { printf "|"; for (i = 1; i <= NF; ++i) printf "---|"; print "" }
+    }'
+}
+
+# matrix CORNER: lines of row,column,value become a table; rows and columns in the order in which they first come
+matrix() {
+    awk -F, -v corner="$1" '
+        !($1 in rows) { rows[$1] = 1; row[++down] = $1 }
+        !($2 in columns) { columns[$2] = 1; column[++across] = $2 }
+        { value[$1, $2] = substr($0, length($1 $2) + 3) } # it may hold commas
+        END {
+            printf "| %s |", corner
+            for (i = 1; i <= across; ++i) printf " %s |", column[i]
+            printf "\n|"
+            for (i = 0; i <= across; ++i) printf "---|"
+            for (j = 1; j <= down; ++j) {
+                printf "\n| %s |", row[j]
+                for (i = 1; i <= across; ++i) printf " %s |", value[row[j], column[i]]
+            }
+            print ""
+        }'
+}
+
+# proofs PROGRAM...: runs tests of build/tests; a table of what they print, by test. Fails where one fails.
+proofs() {
+    local program
+    printf '| test | |\n|---|---|\n'
+    for program in "$@"; do
+        run "$BUILD/tests/$program" >"$WORK/printed" 2>&1 || { cat "$WORK/printed" >&2; return 1; }
+        awk '
+            function tell() { if (said != "") printf "| %s | %s |\n", name, said; said = "" }
+            /^\[ RUN/ { tell(); name = $4; next }
+            /^\[/ || /^Running main/ || /^$/ { next }
+            name != "" { sub(/^ */, ""); gsub(/\|/, "/"); said = said (said == "" ? "" : "<br>") $0 }
+            END { tell() }' "$WORK/printed"
+    done
+}
+
+# shown PLOT TEXT: a plot beside the results
+shown() { printf '\n![%s](%s)\n' "$2" "$1"; }
+
+# Paragraphs around the tables
+prose() { printf '\n'; cat; }
