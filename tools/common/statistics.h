@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace odraz {
@@ -21,6 +22,13 @@ template <class T> T median(std::vector<T> values) { return quantile(std::move(v
 // none differs.
 inline double psnr(double squares, size_t count) {
     return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
+}
+
+// Of as many values in both.
+inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double squares = 0;
+    for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return psnr(squares, a.size());
 }
 
 } // namespace odraz

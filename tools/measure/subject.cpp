@@ -1,10 +1,10 @@
 #include "tools/measure/subject.h"
 
+#include "tools/common/clock.h"
+#include "tools/common/machine.h"
 #include "tools/measure/peer_scenes.h"
 
-#include <cmath>
 #include <cstring>
-#include <ctime>
 #include <stdexcept>
 
 namespace odraz {
@@ -18,16 +18,11 @@ const std::vector<SubjectName> &subjectNames() {
     return names;
 }
 
-Subject::Subject(const SubjectName &name, int width, int height) : workers(serialWorkers()) {
-    IntroSettings settings = {width, height};
-    size_t bytes = (memoryNeeded(settings, 1, name.hall) + 127) & ~(size_t)63;
-    memory.reset(new unsigned char[bytes]());
-    unsigned char *base = memory.get() + (64 - (uintptr_t)memory.get() % 64);
-    arena = {base, bytes - 64, 0};
-    Gl gl;
-    const char *missing = name.hall ? openHeadlessGl(gl) : nullptr;
-    if (!missing) missing = load(intro, settings, arena, workers, name.hall ? &gl : nullptr);
-    if (missing) throw std::runtime_error(std::string(name.name) + ": " + missing);
+Subject::Subject(const SubjectName &name, int width, int height)
+    : settings{width, height}, memory(memoryNeeded(settings, 1, name.hall)), workers(serialWorkers()) {
+    Gl gl = name.hall ? openGl() : Gl{};
+    if (const char *missing = load(intro, settings, memory.arena, workers, name.hall ? &gl : nullptr))
+        throw std::runtime_error(std::string(name.name) + ": " + missing);
 
     if (name.seconds >= 0) {
         theView = poseAt(intro->film, name.seconds).view(width, height);
@@ -42,16 +37,10 @@ Subject::Subject(const SubjectName &name, int width, int height) : workers(seria
     theView = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
 }
 
-double processorMs() {
-    timespec t;
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
-}
-
 double Subject::trace(const Quality &quality) {
-    double began = processorMs();
+    double began = threadSeconds();
     traceFrame(intro->tracer, workers, scene(), theView, quality, intro->frame);
-    return processorMs() - began;
+    return (threadSeconds() - began) * 1e3;
 }
 
 double Subject::samplesPerPixel() const {
@@ -80,12 +69,6 @@ const std::vector<uint8_t> &Subject::reference() {
         truth = picture();
     }
     return truth;
-}
-
-double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
-    double squares = 0;
-    for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-    return squares == 0 ? 99 : 10 * std::log10(255. * 255 * (double)a.size() / squares);
 }
 
 } // namespace odraz

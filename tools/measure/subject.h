@@ -1,10 +1,9 @@
 // What tracers are measured on: the scenes shared with other tracers, and the film's.
 #pragma once
 
-#include "host/headless.h"
 #include "inside.h"
+#include "tools/common/heap_arena.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -34,22 +33,14 @@ public:
 
     Scene &scene() { return *intro->film.scene; }
     const View &view() const { return theView; }
-    Tracer &tracer() { return intro->tracer; }
-    const Frame &frame() const { return intro->frame; }
 
 private:
-    std::unique_ptr<unsigned char[]> memory;
-    Arena arena;
+    IntroSettings settings;
+    HeapArena memory;
     Workers workers;
     Intro *intro = nullptr; // in the arena
     View theView = {};
     std::vector<uint8_t> truth;
 };
-
-// Decibels of two such pictures.
-double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b);
-
-// User and system time of this thread in milliseconds.
-double processorMs();
 
 } // namespace odraz

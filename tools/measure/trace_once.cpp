@@ -1,25 +1,24 @@
 // trace_once: poses one of the subjects and traces it once, for programs that count
 // (tools/measure/instructions).
+#include "tools/common/arguments.h"
 #include "tools/measure/subject.h"
 
-#include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
 using namespace odraz;
 
-int main(int argc, char **argv) {
-    for (int i = 0; argc == 3 && i < (int)QualityName::Count; ++i)
-        for (const SubjectName &n : subjectNames()) {
-            if (std::strcmp(argv[1], n.name) || std::strcmp(argv[2], kQualityNames[i])) continue;
-            try {
+static constexpr char kUsage[] = "usage: trace_once SCENE QUALITY, a scene and a quality of tradeoff trace\n";
+
+static int run(Arguments &words) {
+    const char *scene = words.next(), *quality = words.next();
+    if (!scene || !quality) throw Refused("a scene and a quality are needed; see trace_once --help");
+    for (int i = 0; i < (int)QualityName::Count; ++i)
+        for (const SubjectName &n : subjectNames())
+            if (!std::strcmp(scene, n.name) && !std::strcmp(quality, kQualityNames[i])) {
                 Subject(n, 1280, 720).trace(kQualities[i]);
                 return 0;
-            } catch (const std::runtime_error &e) {
-                std::fprintf(stderr, "trace_once: %s\n", e.what());
-                return 1;
             }
-        }
-    std::fprintf(stderr, "usage: trace_once SCENE QUALITY; scenes are those of tradeoff trace\n");
-    return 2;
+    words.refuse(std::string(scene) + " " + quality);
 }
+
+int main(int argc, char **argv) { return runProgram("trace_once", kUsage, argc, argv, run); }

@@ -3,6 +3,7 @@
 #include "tools/measure/subject.h"
 #include "tools/measure/tradeoff.h"
 
+#include <algorithm>
 #include <cstdio>
 
 using namespace odraz;
@@ -91,7 +92,7 @@ void odraz::tradeoffTrace(const Sweep &sweep, const std::string &scene) {
                 times.push_back(subject.trace(s.quality));
             double ms = median(times), samples = subject.samplesPerPixel();
             std::vector<uint8_t> picture = subject.picture(); // before the reference, once, replaces it
-            double db = psnr(picture, subject.reference());
+            double db = std::min(psnr(picture, subject.reference()), 99.); // equal ones shall be drawn too
             table.row("%s,%s,%d,%.3f,%.1f,%.2f", names[i].name, s.name.c_str(), s.shipped, samples, ms, db);
             table.plot.points.push_back({ms, db, scene.empty() ? names[i].name + (" " + s.name) : s.name,
                                          s.shipped, scene.empty() ? (int)i : s.series});

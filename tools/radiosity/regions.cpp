@@ -1,5 +1,7 @@
 #include "tools/radiosity/regions.h"
 
+#include "tools/radiosity/rectangles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -7,8 +9,6 @@
 namespace odraz {
 
 namespace {
-
-using Flat = std::array<double, 2>; // on a plane
 
 Vec3 toFloat(Vec3d a) { return {(float)a.x, (float)a.y, (float)a.z}; }
 
@@ -41,68 +41,6 @@ struct Union {
     }
 };
 
-struct Rectangle {
-    double u0, v0, u1, v1;
-};
-
-// Divides what lies between upright borders into rectangles, if all borders of the region run along u or v:
-// slab by slab, between the heights at which borders end. Empty if it is not made of rectangles.
-std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Flat, 2>> &borders, double tiny) {
-    struct Upright {
-        double u, v0, v1;
-    };
-    std::vector<Upright> uprights;
-    for (const auto &[a, b] : borders) {
-        if (std::fabs(a[0] - b[0]) <= tiny)
-            uprights.push_back({a[0], std::min(a[1], b[1]), std::max(a[1], b[1])});
-        else if (std::fabs(a[1] - b[1]) > tiny)
-            return {};
-    }
-    // Join pieces of one line
-    std::sort(uprights.begin(), uprights.end(), [&](const Upright &a, const Upright &b) {
-        return std::fabs(a.u - b.u) > tiny ? a.u < b.u : a.v0 < b.v0;
-    });
-    std::vector<Upright> lines;
-    for (const Upright &s : uprights) {
-        if (!lines.empty() && std::fabs(lines.back().u - s.u) <= tiny &&
-            std::fabs(lines.back().v1 - s.v0) <= tiny)
-            lines.back().v1 = s.v1;
-        else
-            lines.push_back(s);
-    }
-    std::vector<double> heights;
-    for (const Upright &s : lines) heights.push_back(s.v0), heights.push_back(s.v1);
-    std::sort(heights.begin(), heights.end());
-    heights.erase(std::unique(heights.begin(), heights.end(),
-                              [&](double a, double b) { return std::fabs(a - b) <= tiny; }),
-                  heights.end());
-    std::vector<Rectangle> done, open;
-    for (size_t i = 0; i + 1 < heights.size(); ++i) {
-        double middle = (heights[i] + heights[i + 1]) / 2;
-        std::vector<double> crossed;
-        for (const Upright &s : lines)
-            if (s.v0 < middle && s.v1 > middle) crossed.push_back(s.u);
-        if (crossed.size() % 2) return {};
-        std::sort(crossed.begin(), crossed.end());
-        std::vector<Rectangle> now;
-        for (size_t k = 0; k < crossed.size(); k += 2)
-            now.push_back({crossed[k], heights[i], crossed[k + 1], heights[i + 1]});
-        // What goes on upwards is one rectangle
-        for (const Rectangle &was : open) {
-            auto same = std::find_if(now.begin(), now.end(), [&](const Rectangle &r) {
-                return std::fabs(r.u0 - was.u0) <= tiny && std::fabs(r.u1 - was.u1) <= tiny;
-            });
-            if (same == now.end())
-                done.push_back(was);
-            else
-                same->v0 = was.v0;
-        }
-        open = now;
-    }
-    done.insert(done.end(), open.begin(), open.end());
-    return done;
-}
-
 struct Builder {
     const Mesh &mesh;
     Model &model;
@@ -126,13 +64,13 @@ struct Builder {
               origin = points[(size_t)mesh.triangles[(size_t)triangles[0]].corners[0]];
         auto place = [&](int p) {
             Vec3d d = points[(size_t)p] - origin;
-            return Flat{dot(d, u), dot(d, v)};
+            return Vec2d{dot(d, u), dot(d, v)};
         };
-        Flat lo = {1e300, 1e300}, hi = {-1e300, -1e300};
+        Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
         double twice = 0;
         for (int t : triangles) {
             for (int c : mesh.triangles[(size_t)t].corners) {
-                Flat f = place(c);
+                Vec2d f = place(c);
                 for (size_t k = 0; k < 2; ++k) lo[k] = std::min(lo[k], f[k]), hi[k] = std::max(hi[k], f[k]);
             }
             twice += length(normalOf(mesh, mesh.triangles[(size_t)t]));
@@ -140,7 +78,7 @@ struct Builder {
         double width = hi[0] - lo[0], tall = hi[1] - lo[1];
         std::vector<Rectangle> rectangles;
         if (triangles.size() > 1) {
-            std::vector<std::array<Flat, 2>> flat;
+            std::vector<std::array<Vec2d, 2>> flat;
             for (const Edge &e : borders) flat.push_back({place(e.low), place(e.high)});
             rectangles = rectanglesOf(flat, tiny);
             if (rectangles.empty() && twice < 0.6 * width * tall) return false;
@@ -164,7 +102,7 @@ struct Builder {
             for (int t : triangles) {
                 float us[4], vs[4];
                 for (size_t k = 0; k < 4; ++k) {
-                    Flat f = place(mesh.triangles[(size_t)t].corners[std::min(k, (size_t)2)]);
+                    Vec2d f = place(mesh.triangles[(size_t)t].corners[std::min(k, (size_t)2)]);
                     us[k] = (float)(f[0] - lo[0]), vs[k] = (float)(f[1] - lo[1]);
                 }
                 model.addFacet(us, vs);
