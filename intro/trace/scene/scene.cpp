@@ -1,5 +1,7 @@
 #include "trace/scene/scene.h"
 
+#include "trace/scene/surface.h"
+
 namespace odraz {
 
 void Scene::clear() {

@@ -5,11 +5,11 @@
 // `overflow` tells so.
 #pragma once
 
+#include "trace/scene/bounds.h"
 #include "trace/scene/lightmap.h"
 #include "trace/scene/material.h"
 #include "trace/scene/shape.h"
 #include "trace/scene/sky.h"
-#include "trace/scene/surface.h"
 #include "trace/scene/tree.h"
 
 namespace odraz {
