@@ -4,7 +4,7 @@
 
 #include "intro.h"
 #include "show/show.h"
-#include "trace/picture/adaptive.h"
+#include "trace/picture/tracer.h"
 
 namespace odraz {
 

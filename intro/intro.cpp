@@ -1,6 +1,7 @@
 #include "intro.h"
 
 #include "inside.h"
+#include "trace/picture/development.h"
 
 namespace odraz {
 

@@ -4,8 +4,10 @@
 
 namespace odraz {
 
+inline constexpr int kMaxWorkers = 64;
+
 struct Workers {
-    int count; // threads that work, the caller's among them; >= 1
+    int count; // threads that work, the caller's among them; 1 .. kMaxWorkers
     // Runs body(context, piece, worker) for every piece in [0, pieces) and returns when all are done.
     void (*run)(Workers &, int pieces, void (*body)(void *, int piece, int worker), void *context);
     const int *abort; // becomes non-zero when the viewer leaves: skip what is left, the result is void

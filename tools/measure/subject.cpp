@@ -3,6 +3,7 @@
 #include "tools/common/clock.h"
 #include "tools/common/machine.h"
 #include "tools/measure/peer_scenes.h"
+#include "trace/picture/development.h"
 
 #include <cstring>
 #include <stdexcept>

@@ -5,8 +5,8 @@
 #include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/regions.h"
-#include "trace/picture/adaptive.h"
-#include "trace/picture/frame.h"
+#include "trace/picture/development.h"
+#include "trace/picture/tracer.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "trace/picture/adaptive.h"
 
-#include "trace/picture/tile.h"
+#include "trace/picture/criterion.h"
+#include "trace/picture/fill.h"
 
 namespace odraz {
 
@@ -30,8 +31,8 @@ void wantMiddles(TileScratch &s, Square q, int size) {
 // a size below 1.
 void traceWanted(Tile &t, float size) {
     TileScratch &s = t.s;
-    float x[kChunk], y[kChunk];
-    uint32_t index[kChunk];
+    float *x = s.x, *y = s.y;
+    uint32_t *index = s.index;
     bool corners = size == 1;
     for (int first = 0; first < s.wantedCount; first += kChunk) {
         int count = min(s.wantedCount - first, kChunk);
@@ -43,69 +44,14 @@ void traceWanted(Tile &t, float size) {
         }
         traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, x, y, index,
                      corners ? s.corners : s.samples);
-        for (int i = 0; i < count; ++i) {
-            if (!corners) {
+        for (int i = 0; i < count; ++i)
+            if (corners)
+                s.shown[index[i]] = intensityOf(t.scene, s.corners[index[i]]);
+            else
                 s.fine[s.wanted[first + i]] = radianceOf(s.samples[i]);
-                continue;
-            }
-            const Sample &c = s.corners[index[i]];
-            Rgb mean = c.id ? t.scene.mean[t.scene.shapes[c.shape()].material] : Rgb{};
-            __m128 lit = fourOf(c.light) * __m128{mean.x, mean.y, mean.z, 0};
-            s.shown[index[i]] = shown(t.scene, lit + fourOf(c.rest));
-        }
     }
     s.sampleCount += s.wantedCount;
     s.wantedCount = 0;
-}
-
-float rangeOf(const TileScratch &s, const int *c) {
-    return range({s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]});
-}
-
-// Whether two samples show the same thing, lit and mirroring alike: the first three of the thesis's four
-// tests.
-bool sameMarks(const Sample &a, const Sample &b) {
-    return a.id == b.id && !((a.lights ^ b.lights) & ~kTextured) && a.secondary == b.secondary;
-}
-
-// The four tests of a square's corners, in the thesis's order. Where a mirror or glass shows a texture, the
-// corners of a larger square cannot tell what lies between.
-bool differ(const TileScratch &s, const int *c, int size, const Quality &q) {
-    const Sample *k[4] = {&s.corners[c[0]], &s.corners[c[1]], &s.corners[c[2]], &s.corners[c[3]]};
-    bool marks = !(sameMarks(*k[0], *k[1]) && sameMarks(*k[0], *k[2]) && sameMarks(*k[0], *k[3]));
-    bool textured = (k[0]->lights | k[1]->lights | k[2]->lights | k[3]->lights) & kTextured;
-    if ((marks || textured) && size > 8) return true;
-    float difference = rangeOf(s, c);
-    return difference > q.threshold || (marks && difference > q.mild);
-}
-
-// Whether a sample in the middle of one of a square's sides, traced because a neighbour split, differs from
-// the corners, all alike, that let the square be.
-bool sidesDiffer(const TileScratch &s, Square a, int size, float mild) {
-    const int half = size / 2, x[4] = {a.x + half, a.x, a.x + size, a.x + half},
-              y[4] = {a.y, a.y + half, a.y + half, a.y + size};
-    int corner = (a.y >> 2) * kCorners + (a.x >> 2);
-    const Sample &c = s.corners[corner];
-    for (int i = 0; i < 4; ++i) {
-        if (s.traced[y[i] * kPlaces + x[i]] != s.stamp) continue;
-        int middle = (y[i] >> 2) * kCorners + (x[i] >> 2);
-        if (sameMarks(s.corners[middle], c)) continue;
-        if (size > 8 || range({s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]}) > mild)
-            return true;
-    }
-    return false;
-}
-
-// Radiance at the corners of a square below a pixel.
-__m128 radianceAt(const TileScratch &s, int x, int y) {
-    if ((x | y) & 3) return s.fine[y * kPlaces + x];
-    return radianceOf(s.corners[(y >> 2) * kCorners + (x >> 2)]);
-}
-void radianceOf(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
-    for (int i = 0; i < 4; ++i) v[i] = radianceAt(s, q.x + (i & 1) * size, q.y + (i >> 1) * size);
-}
-float rangeOf(const Tile &t, const __m128 (&v)[4]) {
-    return range({shown(t.scene, v[0]), shown(t.scene, v[1]), shown(t.scene, v[2]), shown(t.scene, v[3])});
 }
 
 // Splits the first `count` squares level by level, down to a pixel at least; fills the rest. Returns how many
@@ -130,25 +76,13 @@ int splitSquares(Tile &t, int count) {
             cornersOf(a, size, c);
             int shape = onSilhouette(s, c) || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
             if (size > 4) {
-                if (size > q.fine && (differ(s, c, size, q) || mayHide(t, a, size, shape)))
+                if (size > q.fine && splitsSquare(t, a, size, c, shape))
                     split(a);
                 else
                     squares[left++] = a;
                 continue;
             }
-            // Below a pixel only what is seen decides; where nothing but the texture differs its own filter
-            // serves
-            bool isRough = false;
-            if (q.fine < 4) {
-                bool calm = shape >= 0 && rangeOf(s, c) <= q.edge;
-                if (!calm) {
-                    __m128 v[4];
-                    radianceOf(s, a, size, v);
-                    isRough = rangeOf(t, v) > q.edge;
-                }
-                isRough |= !isRough && mayHide(t, a, size, shape);
-            }
-            if (isRough)
+            if (q.fine < 4 && splitsPixel(t, a, c, shape))
                 s.squares[2][rough++] = a;
             else
                 squares[left++] = a;
@@ -161,7 +95,7 @@ int splitSquares(Tile &t, int count) {
             Square *more = s.squares[2];
             int kept = 0, found = 0;
             for (int i = 0; i < left; ++i)
-                if (size > q.fine && sidesDiffer(s, squares[i], size, q.mild))
+                if (size > q.fine && splitsBySides(s, squares[i], size, q.mild))
                     more[found++] = squares[i];
                 else
                     squares[kept++] = squares[i];
@@ -197,8 +131,8 @@ void splitPixels(Tile &t, int count) {
             Square a = squares[i >> 2];
             a = {(uint8_t)(a.x + half * (i & 1)), (uint8_t)(a.y + half * (i >> 1 & 1))};
             __m128 v[4];
-            radianceOf(s, a, half, v);
-            if (half > q.fine && (rangeOf(t, v) > edge || mayHide(t, a, half, -1))) {
+            radianceAt(s, a, half, v);
+            if (half > q.fine && splitsPart(t, a, half, v, edge)) {
                 next[splits++] = a;
                 continue;
             }

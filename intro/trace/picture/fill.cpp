@@ -1,4 +1,6 @@
-#include "trace/picture/tile.h"
+#include "trace/picture/fill.h"
+
+#include "trace/shade/diffuse.h"
 
 namespace odraz {
 

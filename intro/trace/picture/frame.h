@@ -1,9 +1,7 @@
-// The picture: linear radiance as the tracer leaves it, then film curve, sRGB and eight bits.
+// The picture: planes of linear radiance as the tracer leaves them, and room for what is shown of it.
 #pragma once
 
 #include "base/arena.h"
-#include "base/parallel.h"
-#include "base/vec3.h"
 
 namespace odraz {
 
@@ -24,15 +22,5 @@ inline constexpr int kPictureMargin = 64;
 
 // Takes the memory for frames of up to this size; false when the arena is full.
 bool makeFrame(Frame &frame, Arena &arena, int width, int height);
-
-// The film curve: 0 -> 0, rising, infinity -> 1; 0.18 -> 0.26, 1 -> 0.78. x >= 0, NaN gives 0.
-Float8 filmic(Float8 x);
-
-// Encodes [0, 1] after IEC 61966-2-1.
-Float8 encodeSrgb(Float8 x);
-
-// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Half a bit of fixed noise hides the
-// steps.
-void develop(Frame &frame, Workers &workers, float exposure);
 
 } // namespace odraz

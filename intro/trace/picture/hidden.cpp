@@ -1,5 +1,4 @@
-// What may lie between corners: balls by the ellipses that they show, thin shapes by lines.
-#include "trace/picture/tile.h"
+#include "trace/picture/hidden.h"
 
 namespace odraz {
 

@@ -1,6 +1,7 @@
 // Lines of light over the traced picture: what text is drawn with.
 #pragma once
 
+#include "base/vec3.h"
 #include "trace/picture/frame.h"
 
 namespace odraz {

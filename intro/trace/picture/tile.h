@@ -5,15 +5,18 @@
 // its neighbours, which trace them anew.
 #pragma once
 
-#include "trace/picture/adaptive.h"
+#include "trace/picture/frame.h"
+#include "trace/shade/whitted.h"
 
 namespace odraz {
 
+inline constexpr int kTile = 64;                   // pixels along a side
 inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
 inline constexpr int kPlaces = 4 * kTile + 1;      // of quarters
-inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile can watch for
+inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile watches for at most
 // Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
+static_assert(kMaxShapes <= kDone);
 
 // A square of the tile, by its upper left corner.
 struct Square {
@@ -46,6 +49,10 @@ struct TileScratch {
     // Places wanted next
     uint32_t wanted[kPlaces * kPlaces];
     int wantedCount;
+    // Places that are being traced, pixels of the picture, and the samples that they go to. Read by eight:
+    // behind the last one stands what was there before
+    float x[kChunk], y[kChunk];
+    uint32_t index[kChunk];
     Square squares[3][kTile * kTile * 4];
     // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
@@ -66,20 +73,6 @@ struct Tile {
     int x0, y0, width, height; // the part of the frame that it covers, in pixels
 };
 
-// Radiance on a scale on which equal steps look about equally large.
-ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
-    __m128 v = radiance * scene.exposure;
-    return _mm_sqrt_ps(v / (v + 0.7f));
-}
-
-// The largest difference between four colours in one channel.
-ODRAZ_INLINE float range(const __m128 (&v)[4]) {
-    __m128 lo = _mm_min_ps(_mm_min_ps(v[0], v[1]), _mm_min_ps(v[2], v[3]));
-    __m128 hi = _mm_max_ps(_mm_max_ps(v[0], v[1]), _mm_max_ps(v[2], v[3]));
-    __m128 d = hi - lo;
-    return max(d[0], max(d[1], d[2]));
-}
-
 // Indices of the corners of a square that is some whole pixels wide: upper left, upper right, lower left,
 // lower right.
 ODRAZ_INLINE void cornersOf(Square q, int size, int *c) {
@@ -95,23 +88,13 @@ ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const int *c) {
     return s.corners[c[1]].id != id || s.corners[c[2]].id != id || s.corners[c[3]].id != id;
 }
 
-// --- adaptive.cpp: the quadtree ---
-
-void traceAdaptive(Tile &t);
-
-// --- hidden.cpp: what corners do not tell ---
-
-// Finds the balls and the thin shapes that the tile may show.
-void watch(Tile &t);
-// Whether a shape may show in a square without showing at its corners, which all show `shape` (-1: the sky,
-// or not the same).
-bool mayHide(const Tile &t, Square q, int size, int shape);
-
-// --- fill.cpp: from corners to pixels ---
-
-// Interpolates a square of whole pixels over the pixels that it covers.
-void fill(Tile &t, Square q, int size);
-// Multiplies every pixel's light by the albedo it sees, and writes the tile into the frame.
-void finishTile(Tile &t);
+// Radiance at a place that is traced, and at the corners of a square below a pixel.
+inline __m128 radianceAt(const TileScratch &s, int x, int y) {
+    if ((x | y) & 3) return s.fine[y * kPlaces + x];
+    return radianceOf(s.corners[(y >> 2) * kCorners + (x >> 2)]);
+}
+inline void radianceAt(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
+    for (int i = 0; i < 4; ++i) v[i] = radianceAt(s, q.x + (i & 1) * size, q.y + (i >> 1) * size);
+}
 
 } // namespace odraz

@@ -1,7 +1,8 @@
-// The light that arrives at a run of hits.
+#include "trace/shade/light.h"
+
 #include "base/maths.h"
+#include "trace/rays/beam.h"
 #include "trace/shade/ball.h"
-#include "trace/shade/whitted.h"
 
 namespace odraz {
 

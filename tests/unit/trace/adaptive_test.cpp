@@ -2,7 +2,8 @@
 #include "show/show.h"
 #include "tools/common/heap_arena.h"
 #include "tools/measure/peer_scenes.h"
-#include "trace/picture/adaptive.h"
+#include "trace/picture/development.h"
+#include "trace/picture/tracer.h"
 #include "trace/rays/beam.h"
 
 #include <atomic>

@@ -1,6 +1,6 @@
 #include "show/font.h"
 #include "tools/common/heap_arena.h"
-#include "trace/picture/frame.h"
+#include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 
 #include <cmath>

@@ -1,5 +1,6 @@
-// The frame, tile by tile.
-#include "trace/picture/tile.h"
+#include "trace/picture/tracer.h"
+
+#include "trace/picture/adaptive.h"
 
 namespace odraz {
 
@@ -20,17 +21,15 @@ void aimTile(Tile &t) {
 void traceGrid(Tile &t) {
     TileScratch &s = t.s;
     int side = t.quality.grid, perPixel = side * side, batch = kChunk / perPixel;
-    float x[kChunk], y[kChunk];
-    uint32_t index[kChunk];
-    for (uint32_t i = 0; i < kChunk; ++i) index[i] = i;
+    for (uint32_t i = 0; i < kChunk; ++i) s.index[i] = i;
     for (int first = 0; first < t.width * t.height; first += batch) {
         int pixels = min(batch, t.width * t.height - first), count = 0;
         for (int p = first; p < first + pixels; ++p)
             for (int k = 0; k < perPixel; ++k) {
-                x[count] = (float)(t.x0 + p % t.width) + ((float)(k % side) + 0.5f) / (float)side;
-                y[count++] = (float)(t.y0 + p / t.width) + ((float)(k / side) + 0.5f) / (float)side;
+                s.x[count] = (float)(t.x0 + p % t.width) + ((float)(k % side) + 0.5f) / (float)side;
+                s.y[count++] = (float)(t.y0 + p / t.width) + ((float)(k / side) + 0.5f) / (float)side;
             }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, x, y, index,
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y, s.index,
                      s.samples);
         s.sampleCount += count;
         for (int p = 0, i = 0; p < pixels; ++p) {

@@ -1,0 +1,14 @@
+// From corners to pixels.
+#pragma once
+
+#include "trace/picture/tile.h"
+
+namespace odraz {
+
+// Interpolates a square of whole pixels over the pixels that it covers.
+void fill(Tile &t, Square q, int size);
+
+// Multiplies every pixel's light by the albedo it sees, and writes the tile into the frame.
+void finishTile(Tile &t);
+
+} // namespace odraz

@@ -1,0 +1,31 @@
+// The picture, traced: tile by tile, by as many workers as there are.
+#pragma once
+
+#include "base/arena.h"
+#include "base/parallel.h"
+#include "trace/picture/frame.h"
+#include "trace/quality.h"
+#include "trace/rays/view.h"
+
+namespace odraz {
+
+struct TileScratch;
+
+// What tracing needs beyond the scene: scratch for every worker, taken once.
+struct Tracer {
+    TileScratch *scratch[kMaxWorkers];
+    int workers;
+};
+
+extern const size_t kTileScratchBytes; // for each worker
+// False where the arena is full, or there are more workers than kMaxWorkers.
+bool makeTracer(Tracer &tracer, Arena &arena, int workers);
+
+// Traces the whole frame. The picture does not depend on the number of workers.
+void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,
+                const Quality &quality, Frame &frame);
+
+// Samples that the last frame took.
+int64_t tracedSamples(const Tracer &tracer);
+
+} // namespace odraz

@@ -1,0 +1,63 @@
+#include "trace/rays/wave.h"
+
+namespace odraz {
+
+// By what a hit is sorted: the sky, a shape, or the material of a ball without texture.
+static int kindOf(const Scene &scene, int shape) {
+    if (shape < 0) return 0;
+    const Shape &s = scene.shapes[shape];
+    const Material &m = scene.materials[s.material];
+    bool merge = s.kind == ShapeKind::Sphere && m.plain();
+    return merge ? 1 + kMaxShapes + s.material : 1 + shape;
+}
+
+void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCounts &counts,
+              SortedHits &sorted) {
+    // Part the stream where what is hit changes; count by kind, and list the kinds in order
+    struct Part {
+        int begin, count, kind;
+    } parts[kChunk];
+    int present[kChunk], kinds = 0, partCount = 0;
+    for (int i = begin; i < end;) {
+        int shape = in.shape[i], j = i, others;
+        do {
+            others = laneBits(loadInts(in.shape + j) != shape);
+            j += others ? __builtin_ctz((unsigned)others) : 8;
+        } while (!others && j < end);
+        j = min(j, end);
+        int k = kindOf(scene, shape);
+        parts[partCount++] = {i, j - i, k};
+        if (counts[k] == 0) {
+            int at = kinds++;
+            for (; at > 0 && present[at - 1] > k; --at) present[at] = present[at - 1];
+            present[at] = k;
+        }
+        counts[k] += j - i;
+        i = j;
+    }
+    // Place them kind by kind, each from a multiple of eight on
+    int place = 0;
+    for (int i = 0; i < kinds; ++i) {
+        int32_t &count = counts[present[i]];
+        sorted.groups[i] = {place, count, present[i] == 0, present[i] > kMaxShapes};
+        int start = place;
+        place += (count + 7) & ~7;
+        count = start;
+    }
+    for (int i = 0; i < partCount; ++i) {
+        const Part &p = parts[i];
+        for (int k = 0; k < p.count; k += 8)
+            _mm256_maskstore_epi32(sorted.place + counts[p.kind] + k, (__m256i)(kLanes < p.count - k),
+                                   (__m256i)(kLanes + (p.begin + k)));
+        counts[p.kind] += p.count;
+    }
+    for (int i = 0; i < kinds; ++i) {
+        counts[present[i]] = 0;
+        const HitGroup &g = sorted.groups[i];
+        int32_t *end = sorted.place + g.start + g.count;
+        for (int k = g.count; k & 7; ++k, ++end) *end = end[-1];
+    }
+    sorted.groupCount = kinds;
+}
+
+} // namespace odraz

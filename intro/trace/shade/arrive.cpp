@@ -1,0 +1,69 @@
+#include "trace/shade/arrive.h"
+
+#include "base/maths.h"
+
+namespace odraz {
+
+// Eight rays of a run.
+static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) {
+    const Scene &scene = c.scene;
+    const Shape &shape = scene.shapes[run.shape];
+    const Material &m = scene.materials[shape.material];
+    Eight pick(run.ray + i);
+    Ray8 ray = {pick(in.o), pick(in.d)};
+    Float8 t = pick(in.t);
+    Vec3x8 p, n;
+    Int8 id;
+    Float8 size;
+    if (run.balls) {
+        // Each lane has a ball of its own
+        Int8 index = pick(in.shape);
+        int32_t at[8];
+        store(at, index);
+        Vec3x8 centre;
+        Float8 radius;
+        for (int k = 0; k < 8; ++k) {
+            const Shape &s = scene.shapes[at[k]];
+            centre.x[k] = s.centre.x, centre.y[k] = s.centre.y, centre.z[k] = s.centre.z;
+            radius[k] = s.half.x;
+        }
+        n = normalize(fmadd(ray.d, t, ray.o - centre));
+        p = fmadd(n, radius, centre);
+        size = sumAbs(centre) + radius;
+        id = index * 8 + 1;
+    } else {
+        Surface8 at = surfaceAt(shape, ray, t);
+        p = at.p, n = at.n;
+        size = broadcast(magnitude(shape));
+        id = at.face + (run.shape * 8 + 1);
+    }
+    // Turn the normal to the side that the ray came from
+    Float8 side = select(dot(n, ray.d) > 0.f, -1.f, 1.f);
+    n = n * side;
+    store(run.p, i, p);
+    store(run.n, i, n);
+    store(run.side + i, side);
+    store(run.error + i, errorBound(p, size));
+    store(run.cosine + i, clamp(-dot(n, ray.d), 0.f, 1.f));
+    store(run.width + i, fmadd(pick(in.spread), t, pick(in.width)));
+    store(run.id + i, id);
+
+    // Weaken by what was passed: fog on the way, glass if the ray comes from inside
+    Rgb8 weight = pick(in.weight);
+    if (scene.fog > 0) {
+        Float8 clear = exp2(t * -scene.fog);
+        store(run.clear + i, clear);
+        weight = weight * clear;
+    }
+    if (m.ior > 0 && maxComponent(m.absorb) > 0) {
+        auto through = [&](float absorb) { return select(side < 0.f, exp2(t * -absorb), 1.f); };
+        weight = weight * Rgb8{through(m.absorb.x), through(m.absorb.y), through(m.absorb.z)};
+    }
+    store(run.weight, i, weight);
+}
+
+void arrive(const Context &c, const RayStream &in, Run &run) {
+    for (int i = 0; i < run.count; i += 8) arriveEight(c, in, run, i);
+}
+
+} // namespace odraz

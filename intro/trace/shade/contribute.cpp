@@ -1,0 +1,106 @@
+#include "trace/shade/contribute.h"
+
+#include "base/random.h"
+#include "trace/shade/diffuse.h"
+
+namespace odraz {
+
+namespace {
+
+// Rows of four from four times eight.
+struct Rows {
+    __m128 row[8];
+    Rows(Vec3x8 v, Int8 w) {
+        __m256 xy = _mm256_unpacklo_ps(v.x, v.y), xyHigh = _mm256_unpackhi_ps(v.x, v.y);
+        __m256 zw = _mm256_unpacklo_ps(v.z, (Float8)w), zwHigh = _mm256_unpackhi_ps(v.z, (Float8)w);
+        auto put = [&](int i, __m256 four) {
+            row[i] = _mm256_castps256_ps128(four);
+            row[i + 4] = _mm256_extractf128_ps(four, 1);
+        };
+        put(0, _mm256_shuffle_ps(xy, zw, 0x44));
+        put(1, _mm256_shuffle_ps(xy, zw, 0xee));
+        put(2, _mm256_shuffle_ps(xyHigh, zwHigh, 0x44));
+        put(3, _mm256_shuffle_ps(xyHigh, zwHigh, 0xee));
+    }
+};
+
+// Adds light and marks to the samples of eight rays.
+void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+             Int8 marks) {
+    Rows rows(light, marks);
+    for (int k = 0; k < count; ++k) {
+        float *rest = &c.samples[in.sample[ray[k]]].rest.x;
+        __m128 was = _mm_load_ps(rest), more = rows.row[k], none = _mm_setzero_ps();
+        __m128i marks = _mm_add_epi32(_mm_castps_si128(was), _mm_castps_si128(more));
+        __m128 sum = _mm_blend_ps(was, none, 8) + _mm_blend_ps(more, none, 8);
+        _mm_store_ps(rest, _mm_blend_ps(sum, _mm_castsi128_ps(marks), 8));
+    }
+}
+
+// Begins the samples of eight primary rays.
+void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
+           const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
+    Rows first(albedo, id), second(light, lights), third(rest, Int8{});
+    for (int k = 0; k < count; ++k) {
+        Sample &s = c.samples[in.sample[ray[k]]];
+        _mm_store_ps(&s.albedo.x, first.row[k]);
+        _mm_store_ps(&s.light.x, second.row[k]);
+        _mm_store_ps(&s.rest.x, third.row[k]);
+    }
+}
+
+Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
+
+// What eight places of a run show.
+void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
+    const Scene &scene = c.scene;
+    const Shape &shape = scene.shapes[run.shape];
+    const Material &m = scene.materials[shape.material];
+    Eight pick(run.ray + i);
+    int count = min(run.count - i, 8);
+    Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
+    Int8 cell = {}, states = {};
+    if (m.diffuse > 0 || m.specular > 0) {
+        rest += weight * load(run.highlight, i);
+        light = weight * load(run.diffuse, i);
+        states = loadInts(run.states + i);
+        if (m.diffuse > 0)
+            albedo = diffuseColour(scene, shape, load(run.p, i), pick(in.d), load(run.cosine + i),
+                                   load(run.width + i), cell);
+    }
+    if (scene.fog > 0)
+        rest += radiance(scene.sky, pick(in.d)) * pick(in.weight) * (1.f - load(run.clear + i));
+    Int8 id = loadInts(run.id + i);
+    if (c.bounces == 0) {
+        if (scene.lines > 0) states += cell << kCellShift; // a mosaic: patches end abruptly
+        begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
+        return;
+    }
+    // What counts in the picture is a mark of the sample, told apart by the way there
+    Int8 marked = maxComponent(weight) * scene.exposure > c.quality.mark;
+    Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
+    addRest(c, in, run.ray + i, count, rest + albedo * light, mark);
+    if (m.diffuse > 0 && m.texture.pattern != Pattern::Plain)
+        for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
+            c.samples[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
+}
+
+} // namespace
+
+void addShown(const Context &c, const RayStream &in, const Run &run) {
+    for (int i = 0; i < run.count; i += 8) addEight(c, in, run, i);
+}
+
+void addSky(const Context &c, const RayStream &in, const Run &run) {
+    for (int i = 0; i < run.count; i += 8) {
+        Eight pick(run.ray + i);
+        Rgb8 weight = pick(in.weight), light = radiance(c.scene.sky, pick(in.d)) * weight;
+        int count = min(run.count - i, 8);
+        if (c.bounces == 0)
+            begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light);
+        else
+            addRest(c, in, run.ray + i, count, light, hash(pick(in.path)) & (weight.y > c.quality.mark));
+    }
+}
+
+} // namespace odraz

@@ -1,0 +1,50 @@
+#include "trace/shade/diffuse.h"
+
+namespace odraz {
+
+// A point where the shape's texture lies: in its own frame, or in the world's.
+static Vec3x8 localOf(const Shape &s, Vec3x8 p) {
+    if (s.traits().joins) return p;
+    Vec3x8 q = p - s.centre;
+    return s.aligned ? q : s.frame * q;
+}
+
+Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine,
+                   Float8 width, Int8 &cell) {
+    const Material &m = scene.materials[shape.material];
+    cell = Int8{};
+    Rgb8 colour;
+    if (m.plain()) {
+        colour = broadcast(m.texture.palette[0] * m.diffuse);
+    } else {
+        Vec3x8 local = shape.traits().joins || shape.aligned ? d : shape.frame * d;
+        colour = albedo(m, localOf(shape, p) + shape.textureShift, local, cosine, width, cell) *
+                 broadcast(m.diffuse);
+    }
+    if (scene.lines > 0 && shape.chart >= 0) {
+        Float8 clear;
+        cell = patchAt(scene.lightmap->charts[shape.chart], p, width / sqrt(max(cosine, 0.02f)), clear);
+        colour = colour * fmadd(clear - 1.f, scene.lines, 1.f);
+    }
+    return colour;
+}
+
+Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
+    const Material &m = scene.materials[shape.material];
+    if (m.diffuse == 0) return broadcast(Rgb{});
+    if (m.plain() && scene.lines == 0) return broadcast(m.texture.palette[0] * m.diffuse);
+    Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
+    Int8 cell;
+    if (shape.kind == ShapeKind::Plane && shape.aligned) { // most pixels of many scenes
+        Float8 t = min(abs((shape.centre.y - view.eye.y) / ray.d.y), kFar);
+        Vec3x8 p = fmadd(ray.d, t, ray.o);
+        p.y = broadcast(shape.centre.y);
+        return diffuseColour(scene, shape, p, ray.d, min(abs(ray.d.y), 1.f), t * (view.spread * size), cell);
+    }
+    Float8 t = distance(scene, shape, ray, Flat::Whole);
+    Surface8 at = surfaceAt(shape, ray, t);
+    Float8 cosine = min(abs(dot(at.n, ray.d)), 1.f);
+    return diffuseColour(scene, shape, at.p, ray.d, cosine, t * (view.spread * size), cell);
+}
+
+} // namespace odraz

@@ -1,0 +1,33 @@
+// Samples: what is traced at a point of the picture, and the marks by which neighbours are compared.
+#pragma once
+
+#include "trace/scene/scene.h"
+
+namespace odraz {
+
+// What a primary ray brought: radiance = albedo * light + rest.
+struct alignas(16) Sample {
+    Rgb albedo;      // diffuse colour at the primary hit
+    uint32_t id;     // primary hit: 1 + 8 shape + face; 0: the sky
+    Rgb light;       // diffuse light on it
+    uint32_t lights; // two bits a light: 0 dark, 1 lit, 2 lit with a highlight, 3 dimmed by glass; kTextured
+    Rgb rest;        // highlights, emission, sky, and all that secondary rays brought
+    uint32_t secondary; // sum of hashes of what every secondary ray hit, and of the texture cell there
+
+    uint32_t shape() const { return (id - 1) / 8; } // where id != 0
+    Rgb radiance() const { return albedo * light + rest; }
+};
+// A colour of a sample as four floats, the last one 0: the mark that lies there would be a denormal number,
+// and those cost a hundred cycles.
+ODRAZ_INLINE __m128 fourOf(const Rgb &c) { return _mm_blend_ps(_mm_load_ps(&c.x), _mm_setzero_ps(), 8); }
+ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
+    return fourOf(s.albedo) * fourOf(s.light) + fourOf(s.rest);
+}
+
+// In Sample::lights: the states, from kCellShift on what tells patches apart where a scene shows them, and
+// whether a secondary ray of weight met a texture, whose detail corners cannot tell.
+inline constexpr int kCellShift = 16;
+inline constexpr uint32_t kTextured = 1u << 31;
+static_assert(2 * kMaxLights <= kCellShift, "two bits a light");
+
+} // namespace odraz
