@@ -181,7 +181,7 @@ int main(int argc, char **argv) {
         char title[160];
         std::snprintf(title, sizeof title, "odraz-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
                       sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
-                      m.time * kRowsPerSecond, kQualityNames[m.quality], m.paused ? "  paused" : "",
+                      m.time * kRowsPerSecond, kQualities[m.quality].name, m.paused ? "  paused" : "",
                       passed * 1e3);
         glfwSetWindowTitle(window, title);
     }

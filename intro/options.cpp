@@ -82,8 +82,8 @@ bool readThreads(const char *p, Options &o) {
 }
 
 bool readQuality(const char *p, Options &o) {
-    for (int i = 0; i < (int)QualityName::Count; ++i)
-        if (same(p, kQualityNames[i])) o.quality = (QualityName)i;
+    for (const Quality &q : kQualities)
+        if (!q.internal && same(p, q.name)) o.quality = q.id;
     return o.quality != QualityName::Count;
 }
 

@@ -35,23 +35,24 @@ struct SceneStats {
     double samples; // of all pictures, in every pixel
 };
 
-// Keeps up with the clock by moving between `film`, `play` and `draft`. It moves a little every picture, by
-// how far the last ones were from the time that they should take, so that nobody sees a step.
+// Keeps up with the clock by moving between `film`, `play`, `draft` and what is left when that is too dear.
+// It moves a little every picture, by how far the last ones were from the time that they should take, so that
+// nobody sees a step.
 struct Governor {
     static constexpr float kWanted = 0.029f; // seconds a picture
-    static constexpr Quality kLeast = {0, 32, 4, 1, 0.3f, 0.6f, 1, 0.4f, 3, 1 / 8.f};
-    float level = 1,
-          average = kWanted; // towards 0: film, 1: play, 2: draft, 3: what is left when that is too dear
+    static constexpr QualityName kWay[] = {QualityName::Film, QualityName::Play, QualityName::Draft,
+                                           QualityName::Least};
+    static constexpr int kSteps = sizeof kWay / sizeof *kWay - 1;
+    float level = 1;         // 0 .. kSteps along the way
+    float average = kWanted; // of the last pictures, seconds
 
     Quality quality() const {
-        const Quality way[] = {kQualities[(int)QualityName::Film], kQualities[(int)QualityName::Play],
-                               kQualities[(int)QualityName::Draft], kLeast};
-        int from = min((int)level, 2);
-        return between(way[from], way[from + 1], level - (float)from);
+        int from = min((int)level, kSteps - 1);
+        return between(kQualities[(int)kWay[from]], kQualities[(int)kWay[from + 1]], level - (float)from);
     }
     void spent(float seconds) {
         average += (seconds - average) * 0.25f;
-        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.1f, 3.f);
+        level = clamp(level + clamp(average / kWanted - 1, -0.5f, 1.f) * 0.08f, 0.1f, (float)kSteps);
     }
 };
 

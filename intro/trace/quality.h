@@ -1,46 +1,94 @@
 // The knobs that trade speed for accuracy, and the named points on that trade.
+//
+// A new quality is an enumerator and a row of kQualities: --quality knows it then, and `tradeoff trace`
+// measures it.
 #pragma once
+
+#include "base/rows.h"
 
 namespace odraz {
 
+enum class QualityName { Draft, Play, Film, Reference, Least, Count };
+
 struct Quality {
-    int grid;        // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
-    int coarse;      // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int fine;        // ... of the smallest: 8, 4, 2 or 1
-    int texels;      // 1 or 2: per side of a pixel, of textures whose own filter is rough
-    float threshold; // difference of shown intensity (0 .. 1) that splits a square
-    float mild;      // squares of two pixels whose marks differ split only from this difference on
-    float edge;      // difference that splits a pixel; doubled a level below
-    float mark;      // rays of less than this share of the intensity do not split squares by what they hit
-    int depth;       // most bounces of a path, <= kMaxDepth
-    float cutoff;    // a ray that would bring less than this share of the picture's intensity is not followed
+    QualityName id = QualityName::Count; // of a row; Count: somewhere between two
+    const char *name = nullptr;
+    bool internal = false; // the governor's own: --quality does not know it
+
+    int grid = 0;        // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
+    int coarse = 0;      // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
+    int fine = 0;        // ... of the smallest: 8, 4, 2 or 1
+    int texels = 1;      // 1 or 2: per side of a pixel, of textures whose own filter is rough
+    float threshold = 0; // difference of shown intensity (0 .. 1) that splits a square
+    float mild = 0;      // squares of two pixels whose marks differ split only from this difference on
+    float edge = 0;      // difference that splits a pixel; doubled a level below
+    float mark = 0; // rays of less than this share of the intensity do not split squares by what they hit
+    int depth = 0;  // most bounces of a path, <= kMaxDepth
+    float cutoff =
+        0; // a ray that would bring less than this share of the picture's intensity is not followed
 };
 
 inline constexpr int kMaxDepth = 64;
 
-enum class QualityName { Draft, Play, Film, Reference, Count };
-
-inline constexpr Quality kQualities[(int)QualityName::Count] = {
-    {0, 32, 4, 1, 0.12f, 0.25f, 1.00f, 0.25f, 5, 1 / 16.f},
-    {0, 32, 2, 1, 0.03f, 0.02f, 0.10f, 0.12f, 5, 1 / 40.f},
-    {0, 32, 1, 2, 0.026f, 0.005f, 0.046f, 0.05f, 9, 1 / 128.f},
-    {8, 0, 0, 1, 0, 0, 0, 0, 12, 1 / 512.f},
+inline constexpr Quality kQualities[] = {
+    {.id = QualityName::Draft,
+     .name = "draft",
+     .coarse = 32,
+     .fine = 4,
+     .threshold = 0.12f,
+     .mild = 0.25f,
+     .edge = 1,
+     .mark = 0.25f,
+     .depth = 5,
+     .cutoff = 1 / 16.f},
+    {.id = QualityName::Play,
+     .name = "play",
+     .coarse = 32,
+     .fine = 2,
+     .threshold = 0.03f,
+     .mild = 0.02f,
+     .edge = 0.1f,
+     .mark = 0.12f,
+     .depth = 5,
+     .cutoff = 1 / 40.f},
+    {.id = QualityName::Film,
+     .name = "film",
+     .coarse = 32,
+     .fine = 1,
+     .texels = 2,
+     .threshold = 0.026f,
+     .mild = 0.005f,
+     .edge = 0.046f,
+     .mark = 0.05f,
+     .depth = 9,
+     .cutoff = 1 / 128.f},
+    {.id = QualityName::Reference, .name = "reference", .grid = 8, .depth = 12, .cutoff = 1 / 512.f},
+    {.id = QualityName::Least, // what is left where `draft` is too dear
+     .name = "least",
+     .internal = true,
+     .coarse = 32,
+     .fine = 4,
+     .threshold = 0.3f,
+     .mild = 0.6f,
+     .edge = 1,
+     .mark = 0.4f,
+     .depth = 3,
+     .cutoff = 1 / 8.f},
 };
+static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
+
 // The way from one quality (share 0) to another (1), without steps but in bounces and texels.
 inline Quality between(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
-    return {0,
-            share < 0.5f ? a.coarse : b.coarse,
-            a.fine < b.fine ? a.fine : b.fine,
-            share == 0 ? a.texels : b.texels,
-            mix(a.threshold, b.threshold),
-            mix(a.mild, b.mild),
-            mix(a.edge, b.edge),
-            mix(a.mark, b.mark),
-            (int)(mix((float)a.depth, (float)b.depth) + 0.5f),
-            mix(a.cutoff, b.cutoff)};
+    return {.coarse = share < 0.5f ? a.coarse : b.coarse,
+            .fine = a.fine < b.fine ? a.fine : b.fine,
+            .texels = share == 0 ? a.texels : b.texels,
+            .threshold = mix(a.threshold, b.threshold),
+            .mild = mix(a.mild, b.mild),
+            .edge = mix(a.edge, b.edge),
+            .mark = mix(a.mark, b.mark),
+            .depth = (int)(mix((float)a.depth, (float)b.depth) + 0.5f),
+            .cutoff = mix(a.cutoff, b.cutoff)};
 }
-
-inline constexpr const char *kQualityNames[(int)QualityName::Count] = {"draft", "play", "film", "reference"};
 
 } // namespace odraz

@@ -10,7 +10,7 @@ check "... and as a plot" bash -c "grep -q '^<svg' '$WORK/svg' && [ \$(grep -c '
 check "the tracer's trade is measured" bash -c "'$tradeoff' trace --quick --csv '$WORK/trace.csv' --plot '$WORK/trace.svg' >'$WORK/out'"
 check "... as a table" grep -qx "scene,setting,shipped,samples_per_pixel,cpu_ms,psnr_db" "$WORK/trace.csv"
 for scene in A B field point table flake patches hall odraz credits; do
-    check "... with three points of $scene that ship" test "$(awk -F, -v s=$scene '$1 == s && $3 == 1' "$WORK/trace.csv" | wc -l)" = 3
+    check "... with four points of $scene that ship" test "$(awk -F, -v s=$scene '$1 == s && $3 == 1' "$WORK/trace.csv" | wc -l)" = 4
 done
 # decibels SCENE SETTING
 decibels() { awk -F, -v s="$1" -v q="$2" '$1 == s && $2 == q { print $6 }' "$WORK/trace.csv"; }

@@ -8,7 +8,7 @@
 namespace odraz {
 
 // Nothing left out: twelve bounces, however faint.
-inline constexpr Quality kExact = {1, 0, 0, 1, 0, 0, 0, 0, 12, 1e-6f};
+inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
 

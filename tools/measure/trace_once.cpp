@@ -12,10 +12,10 @@ static constexpr char kUsage[] = "usage: trace_once SCENE QUALITY, a scene and a
 static int run(Arguments &words) {
     const char *scene = words.next(), *quality = words.next();
     if (!scene || !quality) throw Refused("a scene and a quality are needed; see trace_once --help");
-    for (int i = 0; i < (int)QualityName::Count; ++i)
+    for (const Quality &q : kQualities)
         for (const SubjectName &n : subjectNames())
-            if (!std::strcmp(scene, n.name) && !std::strcmp(quality, kQualityNames[i])) {
-                Subject(n, 1280, 720).trace(kQualities[i]);
+            if (!std::strcmp(scene, n.name) && !std::strcmp(quality, q.name)) {
+                Subject(n, 1280, 720).trace(q);
                 return 0;
             }
     words.refuse(std::string(scene) + " " + quality);

@@ -25,7 +25,8 @@ const std::vector<std::string> kSeries = {
 std::vector<Setting> settings(bool few) {
     std::vector<Setting> all;
     auto named = [](QualityName name) { return kQualities[(int)name]; };
-    for (int i = 0; i < 3; ++i) all.push_back({kQualityNames[i], 0, kQualities[i], true});
+    for (const Quality &q : kQualities)
+        if (q.grid == 0) all.push_back({q.name, 0, q, true});
     Quality play = named(QualityName::Play);
     auto with = [&](int series, const std::string &name, auto &&change) {
         Quality q = play;
@@ -45,6 +46,8 @@ std::vector<Setting> settings(bool few) {
     for (float share : {0.25f, 0.5f, 0.75f}) {
         all.push_back({text("to film", 1 - share), 0, between(named(QualityName::Film), play, share), false});
         all.push_back({text("to draft", share), 0, between(play, named(QualityName::Draft), share), false});
+        all.push_back({text("to least", share), 0,
+                       between(named(QualityName::Draft), named(QualityName::Least), share), false});
     }
     for (int fine : {8, 4, 1})
         with(2, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
