@@ -18,13 +18,19 @@ void want(TileScratch &s, int x, int y) {
     s.wanted[s.wantedCount++] = i;
 }
 void wantCorners(TileScratch &s, Square q, int size) {
-    want(s, q.x, q.y), want(s, q.x + size, q.y), want(s, q.x, q.y + size), want(s, q.x + size, q.y + size);
+    want(s, q.x, q.y);
+    want(s, q.x + size, q.y);
+    want(s, q.x, q.y + size);
+    want(s, q.x + size, q.y + size);
 }
 // The corners of a square's quarters that are not its own.
 void wantMiddles(TileScratch &s, Square q, int size) {
     int half = size / 2;
-    want(s, q.x + half, q.y), want(s, q.x, q.y + half), want(s, q.x + half, q.y + half);
-    want(s, q.x + size, q.y + half), want(s, q.x + half, q.y + size);
+    want(s, q.x + half, q.y);
+    want(s, q.x, q.y + half);
+    want(s, q.x + half, q.y + half);
+    want(s, q.x + size, q.y + half);
+    want(s, q.x + half, q.y + size);
 }
 
 // Traces what is wanted: whole samples for the corners of pixels; radiance for places between, as samples of

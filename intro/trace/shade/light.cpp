@@ -86,7 +86,8 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
                 broadcast(scene.ambientLow) + (scene.ambientHigh - scene.ambientLow) * fmadd(n.y, 0.5f, 0.5f);
         if (occluders.count) {
             Float8 open = occluders.open(shape, p, n);
-            diffuse = diffuse * open, highlight = highlight * open;
+            diffuse = diffuse * open;
+            highlight = highlight * open;
         }
         store(run.diffuse, i, diffuse);
         store(run.highlight, i, highlight);
@@ -126,7 +127,8 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             if (!any(lit)) continue;
 
             // Add what comes through. A shape does not shade what faces the light on its own outside
-            if (!aimed) aim(scene, run, light.position, among), aimed = true;
+            if (!aimed) aim(scene, run, light.position, among);
+            aimed = true;
             Int8 own = select(side > 0.f, ((loadInts(run.id + i) - 1) >> 3), broadcast(-1));
             Float8 end = fmadd(far, 1.f - 3e-7f, -load(run.error + i));
             Rgb8 through = transmittance(scene, among, light.position, -l, end, lit, own);

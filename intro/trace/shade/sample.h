@@ -24,8 +24,8 @@ ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
     return fourOf(s.albedo) * fourOf(s.light) + fourOf(s.rest);
 }
 
-// In Sample::lights: the states, from kCellShift on what tells patches apart where a scene shows them, and
-// whether a secondary ray of weight met a texture, whose detail corners cannot tell.
+// In Sample::lights: the states, from kCellShift on what tells patches apart (up to 2^15 of them) where a
+// scene shows them, and whether a secondary ray of weight met a texture, whose detail corners cannot tell.
 inline constexpr int kCellShift = 16;
 inline constexpr uint32_t kTextured = 1u << 31;
 static_assert(2 * kMaxLights <= kCellShift, "two bits a light");

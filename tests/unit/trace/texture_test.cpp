@@ -151,6 +151,29 @@ TEST(Materials, AreColoursEverywhere) {
                 }
 }
 
+// The shares of a pattern's row are those that it has: of each colour alone, and of all.
+TEST(Patterns, ShowTheirColoursAsOftenAsTheirRowsSay) {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<float> place(-40, 40);
+    for (const PatternTraits &row : kPatterns) {
+        EXPECT_NEAR(row.shares[0] + row.shares[1] + row.shares[2] + row.shares[3], 1, 1e-6);
+        Texture t = {
+            .pattern = row.pattern, .scale = 1, .palette = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
+        double sum[3] = {};
+        constexpr int kPackets = 10000;
+        for (int i = 0; i < kPackets; ++i) {
+            Vec3x8 p;
+            for (int k = 0; k < 8; ++k)
+                p.x[k] = place(random), p.y[k] = place(random), p.z[k] = place(random);
+            Rgb8 c = colour(t, p, broadcast(1e-3f));
+            for (int k = 0; k < 8; ++k)
+                sum[0] += (double)c.x[k], sum[1] += (double)c.y[k], sum[2] += (double)c.z[k];
+        }
+        for (int c = 0; c < 3; ++c)
+            EXPECT_NEAR((double)row.shares[c], sum[c] / (8 * kPackets), 0.03) << (int)row.pattern << ' ' << c;
+    }
+}
+
 // Radiosity reflects what the eye sees: the mean that is counted on is the mean of the pattern.
 TEST(Material, MeanAlbedoIsTheMean) {
     std::mt19937 random(5);

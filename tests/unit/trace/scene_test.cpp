@@ -1,0 +1,116 @@
+// What a scene says of itself: the traits of its shapes, and when it has outgrown its arrays.
+#include "trace/rays/intersect.h"
+#include "trace/shade/diffuse.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <string>
+
+using namespace odraz;
+
+namespace {
+
+std::unique_ptr<Scene> cleared() {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    return scene;
+}
+
+// One shape of a kind, about a centre; its frame is the world's.
+const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
+    static const float square[] = {-1, -1, 1, -1, 1, 1, -1, 1};
+    if (kind == ShapeKind::Polygon) return *scene.addPolygon(centre, kIdentity, square, 4, 0);
+    if (kind == ShapeKind::Triangle) return *scene.add(triangle(centre, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}));
+    return *scene.add(Shape{.kind = kind, .centre = centre, .half = {1, 1, 1}});
+}
+
+float meet(const Scene &scene, const Shape &s, Vec3 o, Vec3 d) {
+    return distance(scene, s, {broadcast(o), broadcast(normalize(d))})[0];
+}
+
+} // namespace
+
+TEST(Shapes, AreWhatTheirTraitsSay) {
+    for (const ShapeTraits &traits : kShapeTraits) {
+        SCOPED_TRACE((int)traits.kind);
+        auto scene = cleared();
+        scene->add(Material{});
+        const Vec3 centre = {3, 5, -2}, in = centre + Vec3{0.2f, 0, 0.3f};
+        const Shape &s = put(*scene, traits.kind, centre);
+        scene->finish();
+        EXPECT_EQ(scene->unboundedCount, traits.bounded ? 0 : 1);
+        EXPECT_EQ(scene->nodeCount, traits.bounded ? 1 : 0);
+        EXPECT_EQ(s.aligned, !traits.askew);
+
+        // Solid ones are met from the inside, others are flat; from above all of them
+        EXPECT_LT(meet(*scene, s, in + Vec3{0, 9, 0}, {0, -1, 0}), kInfinity);
+        EXPECT_EQ(meet(*scene, s, in + Vec3{0, 0.1f, 0}, {0, 1, 0}) < kInfinity, traits.solid);
+        EXPECT_EQ(meet(*scene, s, in - Vec3{0, 9, 0}, {0, 1, 0}) < kInfinity, !traits.oneSided);
+
+        // The box holds every place that is met, and is the extents where these are known
+        if (traits.bounded) {
+            Bounds b = scene->box[0];
+            for (float x = -1.4f; x < 1.5f; x += 0.1f)
+                for (float z = -1.4f; z < 1.5f; z += 0.1f) {
+                    Vec3 o = centre + Vec3{x, 9, z};
+                    float t = meet(*scene, s, o, {0, -1, 0});
+                    if (t == kInfinity) continue;
+                    constexpr float kSlack = 1e-4f;
+                    EXPECT_TRUE(o.x > b.lo.x - kSlack && o.x < b.hi.x + kSlack && o.z > b.lo.z - kSlack &&
+                                o.z < b.hi.z + kSlack && o.y - t > b.lo.y - kSlack &&
+                                o.y - t < b.hi.y + kSlack);
+                }
+            if (traits.extents) {
+                EXPECT_LT(length(b.hi - (centre + s.half)), 1e-5f);
+            }
+        } else {
+            EXPECT_FALSE(traits.extents);
+        }
+    }
+}
+
+// Of two shapes side by side, the texture is one where it joins.
+TEST(Shapes, JoinTheirTexturesOrNot) {
+    Texture cloud = {.pattern = Pattern::Cloud, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
+    for (const ShapeTraits &traits : kShapeTraits) {
+        auto scene = cleared();
+        scene->add(Material{.texture = cloud, .diffuse = 1});
+        put(*scene, traits.kind, {0.3f, 0, 0});
+        put(*scene, traits.kind, {1.7f, 0, 0.4f});
+        scene->finish();
+        Vec3x8 p = {toFloat(kLanes) * 0.1f + 0.6f, broadcast(0.5f), broadcast(0.2f)};
+        auto colour = [&](int shape) {
+            Int8 cell;
+            return diffuseColour(*scene, scene->shapes[shape], p, broadcast(Vec3{0, -1, 0}), broadcast(1.f),
+                                 broadcast(1e-3f), cell);
+        };
+        EXPECT_EQ(all(colour(0).x == colour(1).x), traits.joins) << (int)traits.kind;
+    }
+}
+
+// Nothing is dropped in silence: the constant that has to be raised is named.
+TEST(Scene, TellsWhatItHasTooMuchOf) {
+    auto scene = cleared();
+    auto fills = [&](const char *limit, int most, auto &&add) {
+        scene->clear();
+        for (int i = 0; i < most; ++i) add();
+        scene->finish();
+        EXPECT_EQ(scene->overflow, nullptr) << limit;
+        add();
+        scene->finish();
+        ASSERT_NE(scene->overflow, nullptr) << limit;
+        EXPECT_EQ(std::string(scene->overflow), limit);
+    };
+    fills("kMaxMaterials", kMaxMaterials, [&] { scene->add(Material{}); });
+    fills("kMaxLights", kMaxLights, [&] { scene->add(pointLight({}, {1, 1, 1})); });
+    fills("kMaxShapes", kMaxShapes, [&] { scene->add(sphere({}, 1, 0)); });
+    fills("kMaxUnbounded", kMaxUnbounded, [&] { scene->add(plane({}, 0)); });
+    const float points[] = {0, 0, 1, 0, 1, 1, 0, 1};
+    fills("kMaxOutline", kMaxOutline / 4, [&] { scene->addPolygon({}, kIdentity, points, 4, 0); });
+    fills("kMaxOccluders", kMaxOccluders, [&] {
+        scene->contact = true;
+        scene->add(sphere({}, 1, 0));
+    });
+    scene->clear();
+    EXPECT_EQ(scene->overflow, nullptr);
+}
