@@ -25,18 +25,19 @@ struct Lamp {
     int chart;
 };
 
-// A facet that shines whatever the sky: red, green and blue count to the first three skies.
+// A facet that shines in a colour of its own: red, green and blue count to the first three skies.
 struct Glow {
     int facet;
     int cells; // 1 .. kMaxLampCells
     Rgb radiance;
 };
 
-// All of it has one colour: what is linear in it has its colour later. A basis is one of the skies, then one
-// of the suns, then one of the lamps.
+// All of it has one colour, but for glows: what is linear in it has its colour later. A basis is one of the
+// skies, then one of the suns, then one of the lamps.
 struct Lights {
     // Skies stand in all windows: functions of the unit direction that may be negative, but for the first
-    // one, which tells where light from the windows changes
+    // one, which tells where light from the windows changes. Null: there is none, and three skies are the
+    // red, green and blue of the glows
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
     Vec3 suns[kMaxSuns]; // world; so far away that their light is parallel; irradiance / pi of 1 on what
@@ -49,6 +50,7 @@ struct Lights {
     int bases() const { return firstLamp() + lampCount; }
     // Whoever counts them himself must not have too many
     bool fit() const { return skyCount <= kMaxSkies && sunCount <= kMaxSuns && lampCount <= kMaxLamps; }
+    int functions() const { return sky ? skyCount : 0; }
 };
 
 // Adds up light for the fresh texels: direct[k] is a plane, the share of basis k that arrives. The scene

@@ -136,7 +136,7 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     for (int i = 0; i < chartCount; ++i)
         for (int k = 0; k < charts[i].patchesAcross() * charts[i].patchesDown(); ++k) {
             Patch &p = patches[charts[i].firstPatch + k];
-            p = {{}, charts[i].n, 0, 0, i};
+            p = {{}, charts[i].n, {}, 0, 0, i};
             place(*this, k, p);
         }
     return true;

@@ -26,10 +26,11 @@ struct Facet {
 };
 
 struct Patch {
-    Vec3 p;      // its middle; where some of it is hidden, the visible place nearest to the middle of those
-    Vec3 n;      // of its plane
-    float share; // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
-    float area;  // of what is visible, once the elements are final
+    Vec3 p;       // its middle; where some of it is hidden, the visible place nearest to the middle of those
+    Vec3 n;       // of its plane
+    Rgb reflects; // what share of the light that arrives; the solver's caller says it
+    float share;  // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
+    float area;   // of what is visible, once the elements are final
     int chart;
 };
 

@@ -1,5 +1,8 @@
 #include "radiosity/radiosity.h"
 
+#include "radiosity/spread.h"
+#include "radiosity/ties.h"
+
 namespace odraz {
 
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
@@ -12,82 +15,52 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     return true;
 }
 
-// Patches reflect what arrives: the mean of their texels' direct light.
-static void fillSystem(Radiosity &r, const Model &model, const Scene &scene, Workers &workers) {
+void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
+                Workers &workers, const Progress &progress) {
     const Lights &lights = r.lights;
-    System &s = r.system;
-    size_t columns = (size_t)s.columns;
-    for (int i = 0; i < model.patchCount; ++i) {
-        const Chart &c = model.charts[model.patches[i].chart];
-        Rgb mean = c.open ? Rgb{} : scene.mean[c.material];
-        float *to = s.reflectance + (size_t)i * columns;
-        for (int k = 0; k < lights.bases(); ++k)
-            to[3 * k] = mean.x, to[3 * k + 1] = mean.y, to[3 * k + 2] = mean.z;
-    }
-    parallelFor(workers, lights.bases(), [&](int k, int) {
-        float *to = s.direct + 3 * k;
-        meansOfPatches(model, r.direct[k], to, s.columns);
-        for (size_t i = 0; i < (size_t)model.patchCount; ++i, to += columns) to[1] = to[2] = to[0];
-    });
-}
-
-// Divides the cells over which the light of some basis changes much, and looks at what is new.
-static void refineAll(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
-                      Workers &workers) {
-    // Of the skies the first one tells
     Measure measures[kMaxBases];
     int count = 0;
-    for (int k = 0; k < r.lights.bases() && settings.levels; ++k)
-        if ((k == 0 || k >= r.lights.skyCount) && !(settings.traced >> k & 1))
-            count += measure(model, r.direct[k], settings.contrast, measures[count]);
-    for (int level = 0; level < settings.levels; ++level) {
+    for (int level = 0;; ++level) {
+        findDirectLight(model, scene, lights, workers, r.direct, level ? Progress{} : progress);
+        settleFresh(model);
+        // The first light tells what is much; of skies that are functions the first one alone
+        for (int k = 0; k < lights.bases() && level == 0; ++k)
+            if ((k == 0 || k >= lights.functions()) && !(settings.traced >> k & 1))
+                count += measure(model, r.direct[k], settings.contrast, measures[count]);
+        if (level == settings.levels) break;
         refine(model, level, measures, count, settings.contrast);
         findVisible(model, scene, workers);
-        findDirectLight(model, scene, r.lights, workers, r.direct, {});
-        settleFresh(model);
     }
+    tie(model);
 }
 
-bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
-                    Arena &arena, Workers &workers, const Progress &progress) {
-    // Divide, and see what is hidden
-    if (!model.divide(scene, arena, workers, settings.block, settings.levels) ||
-        !takePlanes(r, arena, (size_t)model.texelRoom))
-        return false;
-    progress(0.05f);
-
-    // Form factors
-    auto *lit = arena.take<uint8_t>((size_t)model.patchCount);
-    r.factors.capacity = settings.links;
-    r.factors.links = arena.take<Link>(settings.links);
-    if (!lit || !r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
+    System &s = r.system;
+    int bases = r.lights.bases();
+    if (!makeSystem(s, arena, r.factors, model.patchCount, 3 * bases)) return false;
+    size_t columns = (size_t)s.columns;
     for (int i = 0; i < model.patchCount; ++i) {
-        const Chart &c = model.charts[model.patches[i].chart];
-        lit[i] = !c.open && maxComponent(scene.mean[c.material]) > 0 ? kReflects : kShines;
+        Rgb reflects = model.patches[i].reflects;
+        float *to = s.reflectance + (size_t)i * columns;
+        for (int k = 0; k < bases; ++k)
+            to[3 * k] = reflects.x, to[3 * k + 1] = reflects.y, to[3 * k + 2] = reflects.z;
     }
-    if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
-        return false;
+    parallelFor(workers, bases, [&](int k, int) {
+        float *to = s.direct + 3 * k;
+        meansOfPatches(model, r.direct[k], to, s.columns);
+        for (int i = 0; i < model.patchCount; ++i, to += columns) to[1] = to[2] = to[0];
+    });
+    return true;
+}
 
-    // Direct light
-    findDirectLight(model, scene, r.lights, workers, r.direct, progress.part(0.635f, 0.8f));
-    progress(0.8f);
-    settleFresh(model);
-    refineAll(r, model, scene, settings, workers);
-    tie(model);
-    progress(0.92f);
-    if (workers.aborted()) return false;
+void spreadLight(Radiosity &r, const Model &model, Workers &workers) {
+    const System &s = r.system;
+    fillPatches(model, r.factors, s.columns, s.gathered, 0, model.patchCount);
+    addToTexels(model, s.gathered, s.columns, r.bounced[0], 3 * r.lights.bases(), workers,
+                3 * r.lights.functions());
+}
 
-    // Bounces, brought to the elements
-    if (!makeSystem(r.system, arena, r.factors, model.patchCount, 3 * r.lights.bases())) return false;
-    float *gathered = arena.take<float>((size_t)model.patchCount * (size_t)r.system.columns);
-    if (!gathered) return false;
-    fillSystem(r, model, scene, workers);
-    solve(r.system, workers, settings.residual, settings.sweeps);
-    progress(0.965f);
-    gather(r.factors, model.patchCount, r.system.columns, r.system.radiosity, gathered, workers);
-    fillPatches(model, r.factors, r.system.columns, gathered, 0, model.patchCount);
-    addToTexels(model, gathered, r.system.columns, r.bounced[0], 3 * r.lights.bases(), workers,
-                3 * r.lights.skyCount);
+void settleLight(Radiosity &r, const Model &model, Workers &workers) {
     parallelFor(workers, r.lights.bases(), [&](int k, int) {
         for (float *plane : r.bounced[k]) {
             for (int t = 0; t < model.texelCount && k < r.lights.skyCount; ++t) plane[t] += r.direct[k][t];
@@ -95,6 +68,36 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
         }
         settle(model, r.direct[k]);
     });
+}
+
+bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
+                    Arena &arena, Workers &workers, const Progress &progress) {
+    if (!model.divide(scene, arena, workers, settings.block, settings.levels) ||
+        !takePlanes(r, arena, (size_t)model.texelRoom))
+        return false;
+    progress(0.05f);
+
+    auto *lit = arena.take<uint8_t>((size_t)model.patchCount);
+    r.factors.capacity = settings.links;
+    r.factors.links = arena.take<Link>(settings.links);
+    if (!lit || !r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+    for (int i = 0; i < model.patchCount; ++i) {
+        Patch &p = model.patches[i];
+        const Chart &c = model.charts[p.chart];
+        if (!c.open) p.reflects = scene.mean[c.material];
+        lit[i] = maxComponent(p.reflects) > 0 ? kReflects : kShines;
+    }
+    if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
+        return false;
+
+    findDirect(r, model, scene, settings, workers, progress.part(0.635f, 0.8f));
+    progress(0.92f);
+    if (workers.aborted() || !fillSystem(r, model, arena, workers)) return false;
+    solve(r.system, workers, settings.residual, settings.sweeps);
+    progress(0.965f);
+    gather(r.system, workers);
+    spreadLight(r, model, workers);
+    settleLight(r, model, workers);
     progress(1);
     return !workers.aborted();
 }

@@ -1,14 +1,22 @@
-// A room, solved: for every light its light on every texel, bounces and all.
+// A model, solved: for every light its light on every texel, bounces and all; and the stages that lead there.
 //
 // Light is linear: the picture at any time is a weighted sum of these bases, skies, suns and lamps. Direct
 // light of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer
 // draws it, or put in.
+//
+// The stages, in their order; solveRadiosity() goes through them for a room that is relit, tools go through
+// them too, with rows, lights and steps between of their own:
+//   Model::divide()    patches and texels, and what of them is hidden; the caller says what patches reflect
+//   findFormFactors()  by hemicubes that OpenGL draws, or whoever else fills FormFactors
+//   findDirect()       light from all that shines to the texels, which are refined and tied
+//   fillSystem()       what patches reflect, and what of direct light arrives there
+//   solve()            until little changes; or bounce(), so many times
+//   gather()           what arrives at the patches in the end
+//   spreadLight()      and from there at the texels
 #pragma once
 
 #include "base/progress.h"
 #include "radiosity/solve.h"
-#include "radiosity/spread.h"
-#include "radiosity/ties.h"
 
 namespace odraz {
 
@@ -38,8 +46,24 @@ struct Radiosity {
     Hemicubes hemicubes;          // open as long as the context is
 };
 
-// Divides the model and solves it; `scene` is used for shadow rays. False when the arena is too small, OpenGL
-// cannot do it, or the viewer left.
+// Finds direct light, divides the cells over which it changes much, looks at what is new, and ties. `direct`
+// are planes of zeros, one for each basis.
+void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
+                Workers &workers, const Progress &progress);
+
+// Makes a system of bases whose light is white: patches reflect what arrives, the means of their texels'
+// direct light. False when the arena is full.
+bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers);
+
+// Adds what a system has gathered to the planes of its columns. Of the first `functions` bases it may be
+// negative.
+void spreadLight(Radiosity &r, const Model &model, Workers &workers);
+
+// Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
+void settleLight(Radiosity &r, const Model &model, Workers &workers);
+
+// All stages: divides the model and solves it; `scene` is used for shadow rays, and patches reflect what its
+// materials do on average. False when the arena is too small, OpenGL cannot do it, or the viewer left.
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress);
 

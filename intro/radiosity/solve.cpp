@@ -30,7 +30,7 @@ Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns
 
 int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
     int columns = s.columns;
-    float *values = s.block + (size_t)block * (size_t)s.patches;
+    float *values = s.gathered + (size_t)block * (size_t)s.patches;
     // What the sources put in
     Float8 put[2] = {};
     for (int i = 0; i < s.patches; ++i)
@@ -74,7 +74,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
 bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches, int unknowns) {
     int columns = (unknowns + kSolveBlock - 1) / kSolveBlock * kSolveBlock;
     s = {&factors, patches, columns, {}, {}, {}, {}};
-    for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.block})
+    for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.gathered})
         if (!(*p = arena.take<float>((size_t)patches * (size_t)columns))) return false;
     return true;
 }
@@ -88,6 +88,12 @@ int solve(System &s, Workers &workers, float residual, int most, const Progress 
                 break;
     });
     return worst;
+}
+
+void bounce(System &s, Workers &workers) {
+    gather(s, workers);
+    for (size_t i = 0; i < (size_t)s.patches * (size_t)s.columns; ++i)
+        s.radiosity[i] = s.reflectance[i] * (s.direct[i] + s.gathered[i]);
 }
 
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,

@@ -20,7 +20,8 @@ struct System {
     float *reflectance;   // [patches][columns]
     float *direct;        // [patches][columns], D
     float *radiosity;     // [patches][columns], B: reflected light, as radiance
-    float *block;         // [patches][kSolveBlock] for each block in turn, while it is solved: close together
+    float *gathered;      // [patches][columns], F B, once gathered; solve() keeps each block's values in it,
+                          // close together
 };
 
 // Takes the memory, all zero; false when the arena is full.
@@ -30,9 +31,15 @@ bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int pa
 // the first right-hand sides' sweeps left.
 int solve(System &system, Workers &workers, float residual, int most, const Progress &told = {});
 
-// One bounce more: from radiosities B of `columns` columns, F B.
+// One bounce, of as many as are wanted, in place of solve().
+void bounce(System &system, Workers &workers);
+
+// From radiosities B of `columns` columns, F B.
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
             Workers &workers);
+inline void gather(System &s, Workers &workers) {
+    gather(*s.factors, s.patches, s.columns, s.radiosity, s.gathered, workers);
+}
 
 // Gives patches whose rows are not known the mean of those around them on their charts; `values` as for
 // gather(), of `count` patches from `first` on, whole charts.

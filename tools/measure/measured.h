@@ -1,7 +1,7 @@
 // What radiosity is measured on: generated models as meshes, and their references.
 #pragma once
 
-#include "tools/radiosity/reference.h"
+#include "tools/measure/reference.h"
 
 namespace odraz {
 

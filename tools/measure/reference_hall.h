@@ -3,7 +3,7 @@
 
 #include "show/hall.h"
 #include "tools/common/heap_arena.h"
-#include "tools/radiosity/reference.h"
+#include "tools/measure/reference.h"
 
 namespace odraz {
 

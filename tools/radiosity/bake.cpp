@@ -2,12 +2,12 @@
 
 #include "tools/radiosity/clusters.h"
 #include "tools/radiosity/lamps.h"
-#include "tools/radiosity/reference.h"
+#include "tools/radiosity/ray_rows.h"
 #include "tools/radiosity/regions.h"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
-#include <numeric>
 #include <sys/mman.h>
 
 namespace odraz {
@@ -26,192 +26,23 @@ Rgb Bake::emits(int chart) const {
 }
 namespace {
 
-[[noreturn]] void refuseMemory(size_t needed, size_t allowed) {
-    throw std::runtime_error("needs about " + std::to_string(needed >> 20) + " MB, more than the " +
-                             std::to_string(allowed >> 20) +
-                             " of --memory: larger patches or elements need less");
-}
-
 // How often cells are divided in adaptive solutions.
 constexpr int kDivided = 2;
 static_assert(kDivided <= kFinest);
 
-struct Baker {
-    Bake &b;
-    const Gl &gl;
-    Workers &workers;
-    const int *stop;
-    const Told &told;
-    const int never = 0;
-
-    struct Step {
-        const Told &told;
-        const char *name;
-        Progress progress() {
-            return {[](float done, void *p) {
-                        Step &s = *(Step *)p;
-                        if (s.told) s.told(s.name, done, -1);
-                    },
-                    this};
-        }
-    };
-
-    template <class T> T *take(size_t count) {
-        T *p = b.arena.take<T>(count);
-        if (!p) refuseMemory(b.arena.used + count * sizeof(T), b.settings.memory);
-        return p;
-    }
-
-    // Backs that no ray sees are left out of the hemicubes: that is faster. 64 rays from 500 patches.
-    void findSolid() {
-        Model &m = *b.model;
-        std::vector<Probe> places;
-        for (int i = 0; i < m.patchCount; i += std::max(1, m.patchCount / 500))
-            if (m.patches[i].share > 0) places.push_back({m.patches[i].chart, m.patches[i].p, {}, false});
-        m.solid = !seesBacks(m, *b.scene, places, 8, workers);
-    }
-
-    // How many links the rows will have: as many as those of 64 patches or more, spread over the model, and
-    // some.
-    size_t estimateLinks(Hemicubes &h, const uint8_t *lit, const float *sums) {
-        const Model &m = *b.model;
-        std::vector<Eye> eyes;
-        size_t rows = 0, links = 0, seen = 0;
-        for (int i = 0; i < m.patchCount; ++i) rows += lit[i] && m.patches[i].share > 0;
-        size_t every = std::max((size_t)1, rows / (size_t)std::max(h.batch, 64));
-        for (int i = 0; i < m.patchCount; ++i)
-            if (lit[i] && m.patches[i].share > 0 && seen++ % every == 0)
-                eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
-        if (eyes.empty()) return 1;
-        std::vector<float> row((size_t)m.patchCount);
-        for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
-            int count = std::min(h.batch, (int)(eyes.size() - first));
-            drawHemicubes(h, m, &eyes[first], count);
-            for (int k = 0; k < count; ++k) {
-                std::fill(row.begin(), row.end(), 0.f);
-                sumHemicube(h, k, sums, row.data());
-                for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
-            }
-        }
-        return links * rows / eyes.size() * (size_t)b.settings.turns * 5 / 4 + 1000;
-    }
-
-    void findRows(uint8_t *lit) {
-        Hemicubes h;
-        Model &m = *b.model;
-        if (b.settings.rays) {
-            if (!findRowsByRays(m, *b.scene, lit, b.settings.rays, workers, b.arena, b.factors))
-                refuseMemory(b.arena.used + b.factors.capacity * sizeof(Link), b.settings.memory);
-            b.whole = true;
-            return;
-        }
-        // OpenGL's time grows with the polygons, that of rays hardly
-        if (m.facetCount > 1500 && b.settings.hemicube <= 64 && b.settings.turns == 1 && !b.settings.turn) {
-            Step s = {told, Bake::kSteps[1]};
-            workers.abort = stop;
-            b.whole = findRowsByRayHemicubes(m, *b.scene, lit, b.settings.hemicube, workers, b.arena,
-                                             b.factors, s.progress());
-            workers.abort = &never;
-            if (!b.whole && !*stop)
-                refuseMemory(b.arena.used + b.factors.capacity * sizeof(Link), b.settings.memory);
-            countRows();
-            return;
-        }
-        if (!openHemicubes(h, gl, b.arena, b.settings.hemicube))
-            throw std::runtime_error("OpenGL 3.3 draws no integers here: install Mesa (libgl1-mesa-dri)");
-        auto *delta = take<float>((size_t)(3 * h.px * h.px));
-        auto *sums = take<float>((size_t)(3 * h.px * (h.px + 1)));
-        deltaFormFactors(h.px, delta);
-        accumulateFormFactors(h.px, delta, sums);
-        size_t links = estimateLinks(h, lit, sums),
-               rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40;
-        size_t needed = b.arena.used + links * sizeof(Link) + rest;
-        if (needed > b.settings.memory) {
-            closeHemicubes(h);
-            refuseMemory(needed, b.settings.memory);
-        }
-        b.factors.links = take<Link>(links);
-        b.factors.capacity = links;
-        int step = (int)(m.patchCount * 0.6180339) | 1;
-        while (std::gcd(step, m.patchCount) != 1) step += 2;
-        Step s = {told, Bake::kSteps[1]};
-        workers.abort = stop;
-        h.turn = b.settings.turn;
-        h.turns = std::min(b.settings.turns, h.batch);
-        bool done = findFormFactors(h, m, lit, workers, b.arena, b.factors, s.progress(), step);
+// Goes through the stages. Finding form factors and solving may be cut short; all else is done to its end,
+// whatever happens.
+class Baker {
+public:
+    Baker(Bake &b, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop, const Told &told)
+        : b(b), m(*b.model), r(b.radiosity), s(b.settings), mesh(mesh), gl(gl), workers(workers), stop(stop),
+          told(told), watched(workers.abort) {
         workers.abort = &never;
-        closeHemicubes(h);
-        if (!done && !*stop)
-            throw std::runtime_error("the rows took more memory than estimated: raise --memory");
-        b.whole = done;
-        countRows();
     }
-    void countRows() {
-        for (int i = 0; i < b.model->patchCount; ++i) b.rows += b.factors.rows[i].known;
-    }
+    Baker(const Baker &) = delete;
+    ~Baker() { workers.abort = watched; }
 
-    // Light that patches get and give, and from it what the texels get by reflection.
-    void bounce(float *indirect[3]) {
-        Model &m = *b.model;
-        System &s = b.system;
-        size_t columns = kSolveBlock;
-        if (!makeSystem(s, b.arena, b.factors, m.patchCount, 3))
-            refuseMemory(b.arena.used, b.settings.memory);
-        auto *gathered = take<float>((size_t)m.patchCount * columns);
-        auto *lamps = take<float>((size_t)m.patchCount * columns);
-        for (int i = 0; i < m.patchCount; ++i) {
-            Rgb rho = b.reflects(m.patches[i].chart), e = b.emits(m.patches[i].chart);
-            for (int c = 0; c < 3; ++c) {
-                size_t at = (size_t)i * columns + (size_t)c;
-                s.reflectance[at] = component(rho, c);
-                if (!b.settings.analytic) lamps[at] = component(e, c);
-            }
-        }
-        if (b.settings.analytic)
-            for (int c = 0; c < 3; ++c) meansOfPatches(m, b.direct[c], s.direct + c, (int)columns);
-        else
-            gather(b.factors, m.patchCount, (int)columns, lamps, s.direct, workers);
-        if (b.settings.bounces >= 0) {
-            // Bounce by bounce: radiosities from what arrived with the one before
-            std::fill(s.radiosity, s.radiosity + (size_t)m.patchCount * columns, 0.f);
-            for (int n = 0; n < b.settings.bounces; ++n) {
-                if (n > 0) gather(b.factors, m.patchCount, (int)columns, s.radiosity, gathered, workers);
-                for (size_t i = 0; i < (size_t)m.patchCount * columns; ++i)
-                    s.radiosity[i] = s.reflectance[i] * (s.direct[i] + gathered[i]);
-                if (told) told(Bake::kSteps[3], (float)(n + 1) / (float)b.settings.bounces, -1);
-            }
-            b.sweeps = b.settings.bounces;
-        } else {
-            struct Context {
-                Baker &baker;
-                double begin;
-            } context = {*this, 0};
-            workers.abort = stop;
-            b.sweeps =
-                solve(s, workers, b.settings.residual, 10000,
-                      {[](float residual, void *p) {
-                           Context &c = *(Context *)p;
-                           c.baker.b.left = residual;
-                           double now = std::log(std::max((double)residual, 1e-12));
-                           if (c.begin == 0) c.begin = now;
-                           double end = std::log((double)c.baker.b.settings.residual);
-                           double done = c.begin <= end ? 1 : (c.begin - now) / (c.begin - end);
-                           if (c.baker.told)
-                               c.baker.told(Bake::kSteps[3], (float)std::clamp(done, 0., 1.), residual);
-                       },
-                       &context});
-            workers.abort = &never;
-        }
-        gather(b.factors, m.patchCount, (int)columns, s.radiosity, gathered, workers);
-        if (!b.settings.analytic)
-            for (size_t i = 0; i < (size_t)m.patchCount * columns; ++i) gathered[i] += s.direct[i];
-        fillPatches(m, b.factors, (int)columns, gathered, 0, m.patchCount);
-        addToTexels(m, gathered, (int)columns, indirect, 3, workers);
-    }
-
-    static float component(Rgb c, int k) { return k == 0 ? c.x : k == 1 ? c.y : c.z; }
-
-    void run(const Mesh &mesh) {
+    void run() {
         double began = processorSeconds(), last = began;
         auto lap = [&](int step) {
             double now = processorSeconds();
@@ -219,88 +50,184 @@ struct Baker {
             last = now;
             b.seconds[4] = now - began;
         };
-        Model &m = *b.model;
-        // Divide
-        if (told) told(Bake::kSteps[0], 0, -1);
-        double area = areaOf(mesh);
-        const BakeSettings &s = b.settings;
-        double element = s.element > 0 ? s.element : area / 30000, patch = s.patch;
-        double cell = std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
-        Regions regions = addRegions(mesh, m, cell);
-        // What is about as large as an element is one
-        for (int i = 0; i < m.chartCount; ++i) {
-            Chart &c = m.charts[i];
-            if ((double)(c.width * c.height) < 3 * cell * cell) c.across = c.down = 1;
-        }
-        // A hemicube of many polygons takes longer: then there are fewer of them
-        if (!(patch > 0)) patch = area / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
-        b.material = regions.material;
-        b.glows = findLamps(mesh, regions, m, s.lampSamples);
-        if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
-        if (b.glows.size() > kManyLamps) b.settings.analytic = false;
-        Material plain = {};
-        b.scene->add(plain);
-        poseFacets(m, *b.scene);
-        b.scene->finish();
-        if (told) told(Bake::kSteps[0], 0.5f, -1);
-        int block = (int)std::clamp(std::sqrt(patch) / cell + 0.5, 1., 1000.);
-        if (!m.divide(*b.scene, b.arena, workers, block, s.adaptive ? kDivided : 0)) {
-            size_t each = sizeof(Texel) + sizeof(Cell) + 8 * sizeof(Tie) + 16;
-            refuseMemory(b.arena.used + (size_t)m.texelRoom * each, s.memory);
-        }
-        findSolid();
-        Clusters clusters(
-            m, patch, [&](int chart) { return maxComponent(b.reflects(chart)) > 0; }, b.arena);
-        if (told) told(Bake::kSteps[0], 1, -1);
+        divide();
         lap(0);
-
-        // Form factors; lamps too where hemicubes are to see them
-        auto *lit = take<uint8_t>((size_t)m.patchCount);
-        for (int i = 0; i < m.patchCount; ++i) {
-            int chart = m.patches[i].chart;
-            lit[i] = maxComponent(b.reflects(chart)) > 0 || (!s.analytic && maxComponent(b.emits(chart)) > 0);
-        }
-        findRows(lit);
+        findRows();
         lap(1);
-
-        // Direct light
-        size_t texels = (size_t)m.texelRoom + 8;
-        float *indirect[3];
-        for (int c = 0; c < 3; ++c) {
-            b.direct[c] = take<float>(texels);
-            b.light[c] = take<float>(texels);
-            indirect[c] = take<float>(texels);
-        }
-        Lights lights = {};
-        lights.skyCount = 3;
-        lights.glows = b.glows.data();
-        lights.glowCount = (int)b.glows.size();
-        Step step = {told, Bake::kSteps[2]};
-        auto look = [&](const Progress &progress) {
-            if (s.analytic) findDirectLight(m, *b.scene, lights, workers, b.direct, progress);
-            settleFresh(m);
-        };
-        look(step.progress());
-        Measure measures[3];
-        int count = 0;
-        for (int c = 0; c < 3 && s.adaptive && s.analytic; ++c)
-            count += measure(m, b.direct[c], s.contrast, measures[count]);
-        for (int level = 0; level < (s.adaptive ? kDivided : 0); ++level) {
-            refine(m, level, measures, count, s.contrast);
-            findVisible(m, *b.scene, workers);
-            look({});
-        }
-        tie(m);
+        RadiositySettings settings;
+        settings.levels = s.adaptive ? kDivided : 0;
+        settings.contrast = s.contrast;
+        takePlanes();
+        findDirect(r, m, *b.scene, settings, workers, tell(2));
         lap(2);
-
-        bounce(indirect);
-        clusters.smooth(m, b.factors, indirect);
-        for (int c = 0; c < 3; ++c) {
-            for (int i = 0; i < m.texelCount; ++i) b.light[c][i] = b.direct[c][i] + indirect[c][i];
-            settle(m, b.light[c]);
-        }
+        solveBounces();
         lap(3);
         if (told) told(nullptr, 1, b.left);
+    }
+
+private:
+    Bake &b;
+    Model &m;
+    Radiosity &r;
+    BakeSettings &s;
+    const Mesh &mesh;
+    const Gl &gl;
+    Workers &workers;
+    const int *stop;
+    const Told &told;
+    const int *watched;
+    const int never = 0;
+    double patch = 0; // its area
+    std::unique_ptr<Clusters> clusters;
+    const char *step = nullptr;
+    double begin = 0; // the logarithm of the first residual
+
+    Progress tell(int which) {
+        step = Bake::kSteps[which];
+        return {[](float done, void *p) {
+                    Baker &k = *(Baker *)p;
+                    if (k.told) k.told(k.step, done, -1);
+                },
+                this};
+    }
+
+    void divide() {
+        Progress progress = tell(0);
+        progress(0);
+        double area = areaOf(mesh), element = s.element > 0 ? s.element : area / 30000;
+        double cell = std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
+        Regions regions = addRegions(mesh, m, cell);
+        b.material = regions.material;
+        int coarse = 0;
+        for (int i = 0; i < m.chartCount; ++i) {
+            Chart &c = m.charts[i];
+            coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * cell;
+            // What is about as large as an element is one
+            if ((double)(c.width * c.height) < 3 * cell * cell) c.across = c.down = 1;
+        }
+        if (coarse > 0)
+            b.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
+                              std::to_string(kMaxAcross) + " elements: theirs are longer than asked");
+        // A hemicube of many polygons takes longer: then there are fewer of them
+        patch = s.patch > 0 ? s.patch : area / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
+        findGlows(regions);
+        b.scene->add(Material{});
+        poseFacets(m, *b.scene);
+        b.scene->finish();
+        progress(0.5f);
+        int block = (int)std::clamp(std::sqrt(patch) / cell + 0.5, 1., (double)kMaxAcross),
+            levels = s.adaptive ? kDivided : 0;
+        refuseTooMany(levels);
+        if (!m.divide(*b.scene, b.arena, workers, block, levels))
+            refuseMemory(b.arena, texelBytes((size_t)m.texelRoom));
+        m.solid = !seesBacks(m, *b.scene, workers);
+        clusters = std::make_unique<Clusters>(
+            m, patch, [&](int chart) { return maxComponent(b.reflects(chart)) > 0; }, b.arena);
+        for (int i = 0; i < m.patchCount; ++i) m.patches[i].reflects = b.reflects(m.patches[i].chart);
+        progress(1);
+    }
+
+    // What shines: seen from the texels or, where that is too much, by hemicubes.
+    void findGlows(const Regions &regions) {
+        b.glows = findLamps(mesh, regions, m, s.lampSamples);
+        if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
+        if (b.glows.size() > kManyLamps) s.analytic = false;
+        r.lights.skyCount = 3;
+        if (!s.analytic) return;
+        r.lights.glows = b.glows.data();
+        r.lights.glowCount = (int)b.glows.size();
+    }
+
+    static size_t texelBytes(size_t texels) {
+        return texels * (sizeof(Texel) + sizeof(Cell) + 6 * sizeof(Tie) + 16);
+    }
+
+    // Before they are counted in ints. Whole patches may make them half as many, or half more.
+    void refuseTooMany(int levels) {
+        double texels = 0;
+        for (int i = 0; i < m.chartCount; ++i) texels += m.charts[i].texels();
+        texels *= (4 << 2 * levels) / 3;
+        size_t least = texelBytes((size_t)(texels / 2));
+        if (least > s.memory) refuseMemory(b.arena, least);
+        if (texels * 1.5 > INT_MAX)
+            throw std::runtime_error("there are too many elements to count: ask for larger ones");
+    }
+
+    void findRows() {
+        auto *lit = takeOrRefuse<uint8_t>(b.arena, (size_t)m.patchCount);
+        for (int i = 0; i < m.patchCount; ++i) {
+            const Patch &p = m.patches[i];
+            // Lamps too where hemicubes are to see them
+            bool seen = !s.analytic && maxComponent(b.emits(p.chart)) > 0;
+            lit[i] = maxComponent(p.reflects) > 0 || seen ? kReflects : kUnlit;
+        }
+        RowFinder find = s.rows;
+        if (!find && m.facetCount > 1500 && s.hemicube <= 64 && s.turns == 1 && !s.turn)
+            find = rowsByRayHemicubes(s.hemicube);
+        if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
+        workers.abort = stop;
+        b.whole = find(m, *b.scene, lit, workers, b.arena, r.factors, tell(1));
+        workers.abort = &never;
+        for (int i = 0; i < m.patchCount; ++i) b.rows += r.factors.rows[i].known;
+    }
+
+    void takePlanes() {
+        size_t texels = (size_t)m.texelRoom + 8;
+        for (int k = 0; k < 3; ++k) {
+            r.direct[k] = takeOrRefuse<float>(b.arena, texels);
+            b.light[k] = takeOrRefuse<float>(b.arena, texels);
+            float *unused = takeOrRefuse<float>(b.arena, texels);
+            for (int c = 0; c < 3; ++c) r.bounced[k][c] = k == c ? b.light[k] : unused;
+        }
+    }
+
+    // Light that patches get and give, and from it what the texels get by reflection.
+    void solveBounces() {
+        System &system = r.system;
+        if (!fillSystem(r, m, b.arena, workers))
+            refuseMemory(b.arena, (size_t)m.patchCount * kSolveBlock * 4 * sizeof(float));
+        // Red light has no green
+        size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
+        for (size_t i = 0; i < (size_t)m.patchCount; ++i)
+            for (size_t k = 0; k < 9; ++k)
+                if (k % 4) system.reflectance[i * columns + k] = 0;
+        if (!s.analytic) {
+            auto *lamps = takeOrRefuse<float>(b.arena, all);
+            for (int i = 0; i < m.patchCount; ++i) {
+                Rgb e = b.emits(m.patches[i].chart);
+                float *to = lamps + (size_t)i * columns;
+                to[0] = e.x, to[4] = e.y, to[8] = e.z;
+            }
+            gather(r.factors, m.patchCount, system.columns, lamps, system.direct, workers);
+        }
+        if (s.bounces < 0) solveToResidual();
+        for (Progress progress = tell(3); b.sweeps < s.bounces;
+             progress((float)b.sweeps / (float)s.bounces)) {
+            bounce(system, workers);
+            ++b.sweeps;
+        }
+        gather(system, workers);
+        if (!s.analytic)
+            for (size_t i = 0; i < all; ++i) system.gathered[i] += system.direct[i];
+        spreadLight(r, m, workers);
+        clusters->smooth(m, r.factors, b.light);
+        settleLight(r, m, workers);
+    }
+
+    void solveToResidual() {
+        workers.abort = stop;
+        b.sweeps = solve(r.system, workers, s.residual, 10000,
+                         {[](float residual, void *p) {
+                              Baker &k = *(Baker *)p;
+                              k.b.left = residual;
+                              double now = std::log(std::max((double)residual, 1e-12));
+                              if (k.begin == 0) k.begin = now;
+                              double end = std::log((double)k.s.residual),
+                                     done = k.begin <= end ? 1 : (k.begin - now) / (k.begin - end);
+                              if (k.told) k.told(Bake::kSteps[3], (float)std::clamp(done, 0., 1.), residual);
+                          },
+                          this});
+        workers.abort = &never;
     }
 };
 
@@ -320,16 +247,7 @@ std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const
     b->arena = {(unsigned char *)memory, settings.memory, 64};
     b->model = std::make_unique<Model>();
     b->scene = std::make_unique<Scene>();
-    const int *watched = workers.abort;
-    Baker baker = {*b, gl, workers, stop, told};
-    workers.abort = &baker.never;
-    try {
-        baker.run(mesh);
-    } catch (...) {
-        workers.abort = watched;
-        throw;
-    }
-    workers.abort = watched;
+    Baker(*b, mesh, gl, workers, stop, told).run();
     return b;
 }
 

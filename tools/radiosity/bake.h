@@ -1,9 +1,11 @@
-// A model, solved: what `radiosity solve` does, for the measuring programs as well.
+// A model, solved: what `radiosity solve` does, for the measuring programs as well. The stages are those of
+// radiosity/radiosity.h, for one set of lights: what shines in the model, red, green and blue.
 #pragma once
 
 #include "radiosity/radiosity.h"
 #include "tools/common/clock.h"
 #include "tools/radiosity/mesh.h"
+#include "tools/radiosity/row_finder.h"
 
 #include <functional>
 #include <memory>
@@ -25,7 +27,7 @@ struct BakeSettings {
     size_t memory = (size_t)2048 << 20;
     uint32_t turn = 0; // other rotations of the hemicubes
     int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
-    int rays = 0;      // rows by rays x rays of them instead of hemicubes: for references
+    RowFinder rows;    // null: by hemicubes, as is faster
 };
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.
@@ -43,14 +45,14 @@ struct Bake {
     std::vector<MeshMaterial> materials;
     std::vector<int> material; // of each chart
     std::vector<Glow> glows;
-    FormFactors factors;
-    System system;
-    float *direct[3], *light[3]; // planes of texels: direct light, and all that arrives; irradiance / pi
-    bool whole;                  // false: it was stopped, and some rows are missing
+    Radiosity radiosity; // its bases are red, green and blue, each reflected in its own channel alone
+    float *light[3];     // planes of texels: all that arrives; irradiance / pi
+    bool whole;          // false: it was stopped, and some rows are missing
     int sweeps;
-    float left;        // the residual
-    double seconds[5]; // of processor time: dividing, form factors, direct, solving, all
-    int rows;          // hemicubes drawn
+    float left;                     // the residual
+    double seconds[5];              // of processor time: dividing, form factors, direct, solving, all
+    int rows;                       // hemicubes drawn
+    std::vector<std::string> notes; // what users should know, a line each
     static const char *const kSteps[4];
 
     Rgb reflects(int chart) const;

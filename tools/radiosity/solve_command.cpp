@@ -64,6 +64,10 @@ void stopAtInterrupt() {
     sigaction(SIGINT, &action, nullptr);
 }
 
+void tell(const std::vector<std::string> &notes) {
+    for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
+}
+
 void report(const Mesh &mesh, const Bake &b, int elements) {
     const Model &m = *b.model;
     std::printf("%zu triangles, %d polygons in one plane each; %d patches, %d elements\n",
@@ -86,7 +90,7 @@ int runSolve(Arguments &words) {
     Job job = readJob(words);
     std::vector<std::string> notes;
     Mesh mesh = readObj(job.model, notes);
-    for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
+    tell(notes);
     Workers workers = allProcessors();
     Gl gl = openGl();
     stopAtInterrupt();
@@ -100,6 +104,7 @@ int runSolve(Arguments &words) {
         throw ModelError(job.model + ": " + e.what());
     }
     bar.clear();
+    tell(b->notes);
     Baked baked(*b);
     baked.save(job.out);
     int elements = 0, last = -1;

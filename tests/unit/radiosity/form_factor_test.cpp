@@ -402,3 +402,17 @@ TEST(Solve, AsManyRightHandSidesAsThereIsRoomFor) {
     EXPECT_GT(sweeps, 40); // of those that reflect most
     EXPECT_EQ(solve(f.s, f.workers, 1e-6f, 7), 7);
 }
+
+TEST(Solve, BouncesAddUpToTheSolution) {
+    Facing f;
+    bounce(f.s, f.workers);
+    for (int k = 0; k < Facing::kUnknowns; ++k) {
+        ASSERT_EQ(f.s.radiosity[k], Facing::reflectance(k)); // light from outside, reflected once
+        ASSERT_EQ(f.s.radiosity[f.s.columns + k], 0);
+    }
+    for (int n = 1; n < 400; ++n) bounce(f.s, f.workers);
+    Facing solved;
+    solve(solved.s, solved.workers, 1e-6f, 5000);
+    for (int i = 0; i < 2 * f.s.columns; ++i)
+        ASSERT_NEAR(f.s.radiosity[i], solved.s.radiosity[i], 1e-5f * solved.s.radiosity[i]) << i;
+}

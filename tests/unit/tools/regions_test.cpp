@@ -4,6 +4,7 @@
 #include "tools/measure/measured.h"
 #include "tools/radiosity/clusters.h"
 #include "tools/radiosity/facets.h"
+#include "tools/radiosity/ray_rows.h"
 #include "tools/radiosity/regions.h"
 
 #include <cmath>
@@ -129,12 +130,12 @@ TEST(Rows, RaysFindWhatOpenGlDraws) {
     for (size_t i = 0; i < lit.size(); ++i)
         lit[i] = maxComponent(b->reflects(b->model->patches[i].chart)) > 0;
     FormFactors rays = {};
-    ASSERT_TRUE(
-        findRowsByRayHemicubes(*b->model, *b->scene, lit.data(), 32, workers, memory.arena, rays, {}));
+    ASSERT_TRUE(rowsByRayHemicubes(32)(*b->model, *b->scene, lit.data(), workers, memory.arena, rays, {}));
     for (int i = 0; i < b->model->patchCount; ++i) {
         std::vector<double> difference((size_t)b->model->patchCount);
-        for (int k = 0; k < b->factors.rows[i].count; ++k)
-            difference[b->factors.rows[i].links[k].patch] += (double)b->factors.rows[i].links[k].share;
+        for (int k = 0; k < b->radiosity.factors.rows[i].count; ++k)
+            difference[b->radiosity.factors.rows[i].links[k].patch] +=
+                (double)b->radiosity.factors.rows[i].links[k].share;
         for (int k = 0; k < rays.rows[i].count; ++k)
             difference[rays.rows[i].links[k].patch] -= (double)rays.rows[i].links[k].share;
         double off = 0;
@@ -156,5 +157,23 @@ TEST(Solution, AgreesWithRays) {
         double rms = rmsPercent(*b->model, b->light, probes);
         std::printf("cube, %s: %.3f %% rms\n", adaptive ? "adaptive" : "uniform", rms);
         EXPECT_LT(rms, 1);
+    }
+}
+
+// A chart has so many elements along a side and no more: users are told.
+TEST(Solution, TellsWhereElementsAreLongerThanAsked) {
+    Workers workers = serialWorkers();
+    for (int length : {kMaxAcross, kMaxAcross + 10}) {
+        Mesh mesh = grid(length, 1, [](int, int) { return false; });
+        mesh.materials.push_back({"lamp", {}, {1, 1, 1}});
+        for (auto &p : {Vec3d{0, 2, 0}, {0, 2, -1}, {1, 2, 0}}) mesh.points.push_back(p);
+        int first = (int)mesh.points.size() - 3;
+        mesh.triangles.push_back({{first, first + 1, first + 2}, 1});
+        BakeSettings s;
+        s.element = 1;
+        s.patch = 100;
+        auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
+        EXPECT_EQ(b->notes.size(), length > kMaxAcross ? 1u : 0u);
+        EXPECT_EQ(b->model->charts[0].across, kMaxAcross);
     }
 }

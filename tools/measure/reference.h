@@ -1,4 +1,5 @@
-// What a solution is compared with: light at places of a model, gathered by rays alone.
+// What a solution is compared with: light at places of a model, gathered by rays alone. They are drawn at
+// random by the cosine law, which nothing that ships does.
 #pragma once
 
 #include "tools/radiosity/bake.h"
@@ -30,19 +31,8 @@ double facetFormFactor(const Model &model, const Scene &scene, int facet, const 
 int castFan(const Scene &scene, const Chart &from, Vec3 p, int side, uint32_t seed,
             const std::function<void(int chart, Vec3 at, Vec3 d)> &met);
 
-// Whether a ray from one of the places, side x side of them, meets a back first.
-bool seesBacks(const Model &model, const Scene &scene, const std::vector<Probe> &places, int side,
-               Workers &workers);
-
-// Form factors by rays, `side` x `side` a patch, for the patches that `lit` tells: in place of
-// findFormFactors().
-bool findRowsByRays(const Model &model, const Scene &scene, const uint8_t *lit, int side, Workers &workers,
-                    Arena &arena, FormFactors &factors);
-
-// The same hemicubes that OpenGL draws, each pixel found by a ray: faster where there are thousands of
-// polygons. False where memory is short or `stop` ended it.
-bool findRowsByRayHemicubes(const Model &model, const Scene &scene, const uint8_t *lit, int px,
-                            Workers &workers, Arena &arena, FormFactors &factors, const Progress &progress);
+// Form factors by rays, `side` x `side` a patch.
+RowFinder rowsByRays(int side);
 
 // The light of a solution at a probe.
 Rgb lightAtProbe(const Model &model, float *const light[3], const Probe &probe);

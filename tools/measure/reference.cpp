@@ -1,4 +1,4 @@
-#include "tools/radiosity/reference.h"
+#include "tools/measure/reference.h"
 
 #include "tools/radiosity/facets.h"
 
@@ -165,134 +165,30 @@ void dropInside(std::vector<Probe> &probes) {
     std::erase_if(probes, [](const Probe &p) { return p.inside; });
 }
 
-bool seesBacks(const Model &m, const Scene &scene, const std::vector<Probe> &places, int side,
-               Workers &workers) {
-    int backs = 0;
-    parallelFor(workers, (int)places.size(), [&](int i, int) {
-        const Probe &p = places[(size_t)i];
-        int seen = castFan(scene, m.charts[p.chart], p.p, side, (uint32_t)i, [](int, Vec3, Vec3) {});
-        __atomic_add_fetch(&backs, seen, __ATOMIC_RELAXED);
-    });
-    return backs > 0;
-}
-
-namespace {
-
-// Keeps rows that were found one by one.
-bool keepRows(const std::vector<std::vector<Link>> &rows, const std::vector<uint8_t> &known, Arena &arena,
-              FormFactors &factors) {
-    size_t links = 0;
-    for (const auto &row : rows) links += row.size();
-    factors.capacity = factors.used = links;
-    factors.links = arena.take<Link>(links);
-    factors.rows = arena.take<Row>(rows.size());
-    if (!factors.links || !factors.rows) return false;
-    Link *next = factors.links;
-    for (size_t i = 0; i < rows.size(); ++i) {
-        factors.rows[i] = {next, (int)rows[i].size(), known[i] != 0};
-        next = std::copy(rows[i].begin(), rows[i].end(), next);
-    }
-    return true;
-}
-
-uint32_t patchAt(const Model &m, int chart, Vec3 at) {
-    const Chart &c = m.charts[chart];
-    auto block = [](float x, float size, int count) {
-        return std::clamp((int)(x / size * (float)count), 0, count - 1);
-    };
-    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross()),
-        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown());
-    return (uint32_t)(c.firstPatch + y * c.patchesAcross() + x);
-}
-
-} // namespace
-
-bool findRowsByRayHemicubes(const Model &m, const Scene &scene, const uint8_t *lit, int px, Workers &workers,
-                            Arena &arena, FormFactors &factors, const Progress &progress) {
-    size_t count = (size_t)m.patchCount;
-    std::vector<float> delta((size_t)(3 * px * px)), sums((size_t)(3 * px * (px + 1)));
-    deltaFormFactors(px, delta.data());
-    accumulateFormFactors(px, delta.data(), sums.data());
-    std::vector<std::vector<Link>> rows(count);
-    std::vector<uint8_t> known(count);
-    int done = 0;
-    parallelFor(workers, m.patchCount, [&](int i, int worker) {
-        const Patch &p = m.patches[i];
-        if (worker == 0) progress((float)__atomic_load_n(&done, __ATOMIC_RELAXED) / (float)count);
-        __atomic_add_fetch(&done, 1, __ATOMIC_RELAXED);
-        if (p.share == 0 || !lit[i]) return;
-        Eye eye = hemicubeEye(p.p, p.n, (uint32_t)i);
-        const Chart &c = m.charts[p.chart];
-        std::vector<uint32_t> ids((size_t)(3 * px * px));
-        Ray8 ray;
-        ray.o = broadcast(p.p + c.n * c.off());
-        for (int first = 0; first < 3 * px * px; first += 8) {
-            int lanes = std::min(8, 3 * px * px - first);
-            for (int k = 0; k < 8; ++k) {
-                int at = first + std::min(k, lanes - 1), line = at / px;
-                float a = ((float)(at % px) + 0.5f) * 2 / (float)px - 1;
-                Vec3 local;
-                if (line < px)
-                    local = {a, ((float)line + 0.5f) * 2 / (float)px - 1, 1};
-                else {
-                    int side = (line - px) / (px / 2);
-                    float up = ((float)((line - px) % (px / 2)) + 0.5f) * 2 / (float)px;
-                    local = side == 0   ? Vec3{1, a, up}
-                            : side == 1 ? Vec3{-a, 1, up}
-                            : side == 2 ? Vec3{-1, -a, up}
-                                        : Vec3{a, -1, up};
-                }
-                Vec3 d = normalize(transposeTimes(eye.frame, local));
-                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
+RowFinder rowsByRays(int side) {
+    return [side](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers, Arena &arena,
+                  FormFactors &factors, const Progress &) {
+        std::vector<FoundRow> rows((size_t)m.patchCount);
+        parallelFor(workers, m.patchCount, [&](int i, int) {
+            const Patch &p = m.patches[i];
+            if (p.share == 0 || !lit[i]) return;
+            std::vector<uint32_t> met;
+            castFan(scene, m.charts[p.chart], p.p, side, (uint32_t)i, [&](int chart, Vec3 at, Vec3) {
+                if (chart >= 0) met.push_back(patchAt(m, chart, at));
+            });
+            std::sort(met.begin(), met.end());
+            FoundRow &found = rows[(size_t)i];
+            for (size_t k = 0; k < met.size();) {
+                size_t end = k;
+                while (end < met.size() && met[end] == met[k]) ++end;
+                if (lit[met[k]]) found.links.push_back({met[k], (float)(end - k) / (float)(side * side)});
+                k = end;
             }
-            Int8 active = kLanes < lanes;
-            Hit8 hit = intersect(scene, ray, active);
-            Float8 open = broadcast(1.f);
-            if (!m.solid)
-                open = transmittance(scene, ray, min(hit.t, kFar) * 0.9999f, active, broadcast(-1)).y;
-            for (int k = 0; k < lanes; ++k) {
-                uint32_t &id = ids[(size_t)(first + k)];
-                if (open[k] <= 0.5f)
-                    id = kBackSide;
-                else if (hit.shape[k] >= 0)
-                    id = patchAt(m, scene.shapes[hit.shape[k]].chart,
-                                 p.p + Vec3{ray.d.x[k], ray.d.y[k], ray.d.z[k]} * hit.t[k]) +
-                         1;
-            }
-        }
-        Hemicubes h = {};
-        h.px = px, h.columns = 1, h.ids = ids.data();
-        std::vector<float> row(count);
-        sumHemicube(h, 0, sums.data(), row.data());
-        for (size_t k = 0; k < count; ++k)
-            if (row[k] > 0 && lit[k]) rows[(size_t)i].push_back({(uint32_t)k, row[k]});
-        known[(size_t)i] = 1;
-    });
-    bool aborted = workers.aborted();
-    return keepRows(rows, known, arena, factors) && !aborted;
-}
-
-bool findRowsByRays(const Model &m, const Scene &scene, const uint8_t *lit, int side, Workers &workers,
-                    Arena &arena, FormFactors &factors) {
-    std::vector<std::vector<Link>> rows((size_t)m.patchCount);
-    std::vector<uint8_t> known((size_t)m.patchCount);
-    parallelFor(workers, m.patchCount, [&](int i, int) {
-        const Patch &p = m.patches[i];
-        if (p.share == 0 || !lit[i]) return;
-        std::vector<uint32_t> met;
-        castFan(scene, m.charts[p.chart], p.p, side, (uint32_t)i, [&](int chart, Vec3 at, Vec3) {
-            if (chart >= 0) met.push_back(patchAt(m, chart, at));
+            found.known = true;
         });
-        std::sort(met.begin(), met.end());
-        for (size_t k = 0; k < met.size();) {
-            size_t end = k;
-            while (end < met.size() && met[end] == met[k]) ++end;
-            if (lit[met[k]]) rows[(size_t)i].push_back({met[k], (float)(end - k) / (float)(side * side)});
-            k = end;
-        }
-        known[(size_t)i] = 1;
-    });
-    return keepRows(rows, known, arena, factors);
+        keepRows(rows, arena, factors);
+        return !workers.aborted();
+    };
 }
 
 } // namespace odraz

@@ -1,0 +1,107 @@
+#include "tools/radiosity/row_finder.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace odraz {
+
+void refuseMemory(const Arena &arena, size_t more) {
+    throw std::runtime_error("needs about " + std::to_string((arena.used + more) >> 20) +
+                             " MB, more than the " + std::to_string(arena.size >> 20) +
+                             " of --memory: larger patches or elements need less");
+}
+
+void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors) {
+    size_t links = 0;
+    for (const FoundRow &row : rows) links += row.links.size();
+    factors.capacity = factors.used = links;
+    factors.links = takeOrRefuse<Link>(arena, links);
+    factors.rows = takeOrRefuse<Row>(arena, rows.size());
+    Link *next = factors.links;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        factors.rows[i] = {next, (int)rows[i].links.size(), rows[i].known};
+        next = std::copy(rows[i].links.begin(), rows[i].links.end(), next);
+    }
+}
+
+uint32_t patchAt(const Model &m, int chart, Vec3 at) {
+    const Chart &c = m.charts[chart];
+    auto block = [](float x, float size, int count) {
+        return std::clamp((int)(x / size * (float)count), 0, count - 1);
+    };
+    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross()),
+        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown());
+    return (uint32_t)(c.firstPatch + y * c.patchesAcross() + x);
+}
+
+namespace {
+
+// How many links the rows will have: as many as those of 64 patches or more, spread over the model, and some.
+size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
+    std::vector<float> delta((size_t)(3 * h.px * h.px)), sums((size_t)(3 * h.px * (h.px + 1)));
+    deltaFormFactors(h.px, delta.data());
+    accumulateFormFactors(h.px, delta.data(), sums.data());
+    auto hasRow = [&](int i) { return lit[i] && m.patches[i].share > 0; };
+    std::vector<Eye> eyes;
+    size_t rows = 0, links = 0, seen = 0;
+    for (int i = 0; i < m.patchCount; ++i) rows += hasRow(i);
+    size_t every = std::max((size_t)1, rows / (size_t)std::max(h.batch, 64));
+    for (int i = 0; i < m.patchCount; ++i)
+        if (hasRow(i) && seen++ % every == 0)
+            eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
+    if (eyes.empty()) return 1;
+    std::vector<float> row((size_t)m.patchCount);
+    for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
+        int count = std::min(h.batch, (int)(eyes.size() - first));
+        drawHemicubes(h, m, &eyes[first], count);
+        for (int k = 0; k < count; ++k) {
+            std::fill(row.begin(), row.end(), 0.f);
+            sumHemicube(h, k, sums.data(), row.data());
+            for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
+        }
+    }
+    return links * rows / eyes.size() * (size_t)h.turns * 5 / 4 + 1000;
+}
+
+// Hemicubes that are closed whatever happens.
+struct Opened {
+    Hemicubes h;
+
+    Opened(const Gl &gl, Arena &arena, int px) {
+        if (!openHemicubes(h, gl, arena, px))
+            throw std::runtime_error("OpenGL 3.3 draws no integers here: install Mesa (libgl1-mesa-dri)");
+    }
+    Opened(const Opened &) = delete;
+    ~Opened() { closeHemicubes(h); }
+};
+
+} // namespace
+
+RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
+    return [&gl, px, turns, turn](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
+                                  Arena &arena, FormFactors &factors, const Progress &progress) {
+        Opened opened(gl, arena, px);
+        Hemicubes &h = opened.h;
+        if (turns > h.batch)
+            throw std::runtime_error("so many hemicubes for each patch do not fit one picture");
+        h.turns = turns;
+        // With what comes later
+        size_t links = estimateLinks(h, m, lit),
+               rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40,
+               needed = links * sizeof(Link) + rest;
+        if (arena.used + needed > arena.size) refuseMemory(arena, needed);
+        factors.links = takeOrRefuse<Link>(arena, links);
+        factors.capacity = links;
+        h.turn = turn;
+        int step = (int)(m.patchCount * 0.6180339) | 1;
+        while (std::gcd(step, m.patchCount) != 1) step += 2;
+        bool done = findFormFactors(h, m, lit, workers, arena, factors, progress, step);
+        if (!done && !workers.aborted())
+            throw std::runtime_error("the rows took more memory than estimated: raise --memory");
+        return done;
+    };
+}
+
+} // namespace odraz
