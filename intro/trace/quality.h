@@ -12,7 +12,7 @@ enum class QualityName { Draft, Play, Film, Reference, Least, Count };
 
 struct Quality {
     QualityName id = QualityName::Count; // of a row; Count: somewhere between two
-    const char *name = nullptr;
+    char name[12] = "";                  // no pointer: options are read before constants elsewhere are decoded
     bool internal = false; // the governor's own: --quality does not know it
 
     int grid = 0;        // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
