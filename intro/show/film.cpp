@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-const SceneEntry kScenes[kSceneCount] = {
+constexpr SceneEntry kScenes[kSceneCount] = {
     [kPoint] = {"point", posePoint, letterPoint, false},
     [kTable] = {"table", poseTable, nullptr, false},
     [kFlake] = {"flake", poseFlake, nullptr, false},
@@ -13,6 +13,13 @@ const SceneEntry kScenes[kSceneCount] = {
     [kOdraz] = {"odraz", poseOdraz, nullptr, true},
     [kCredits] = {"credits", poseCredits, letterCredits, false},
 };
+static_assert(
+    [] {
+        for (const SceneEntry &scene : kScenes)
+            if (!scene.pose) return false;
+        return true;
+    }(),
+    "a row for every scene");
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
 static constexpr CameraKey kPushIn[] = {
