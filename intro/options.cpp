@@ -1,5 +1,6 @@
 #include "options.h"
 
+#include "base/parallel.h"
 #include "trace/picture/frame.h"
 
 namespace odraz {
@@ -20,6 +21,8 @@ const char kHelp[] =
     "  --quality NAME     draft, play, film or reference (default: what keeps up; film for dumps)\n"
     "  --threads N        1 to 64 (default: as many as there are processors); pictures do not depend on it\n"
     "  --version, --help\n";
+
+static_assert(kMaxWorkers == 64 && kMaxWidth == 7680 && kMaxHeight == 4320, "the help says so");
 
 namespace {
 
@@ -76,7 +79,7 @@ bool readSize(const char *p, Options &o) {
 
 bool readThreads(const char *p, Options &o) {
     int64_t n;
-    if (!readInteger(p, 64, n) || *p || !n) return false;
+    if (!readInteger(p, kMaxWorkers, n) || *p || !n) return false;
     o.threads = (int)n;
     return true;
 }

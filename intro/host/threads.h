@@ -5,10 +5,8 @@
 
 namespace odraz {
 
-inline constexpr int kMaxThreads = 64; // more are not started, however many are asked for
-
-// Starts count - 1 threads, which sleep until there is work; they live as long as the process. Returns null,
-// or what is missing. `abort` is watched as Workers has it.
+// Starts count - 1 threads, kMaxWorkers - 1 at most, which sleep until there is work; they live as long as
+// the process. Returns null, or what is missing. `abort` is watched as Workers has it.
 const char *startWorkers(Workers &workers, int count, const int *abort);
 
 // Runs body(context) on a thread of its own. Returns null, or what is missing.

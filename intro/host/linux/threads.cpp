@@ -80,7 +80,7 @@ const char *startThread(void *(*body)(void *), void *context) {
 }
 
 const char *startWorkers(Workers &workers, int count, const int *abort) {
-    workers = {count < kMaxThreads ? count : kMaxThreads, run, abort, &thePool};
+    workers = {count < kMaxWorkers ? count : kMaxWorkers, run, abort, &thePool};
     for (int i = 1; i < workers.count; ++i)
         if (const char *missing = startThread(threadMain, &thePool)) return missing;
     return nullptr;
