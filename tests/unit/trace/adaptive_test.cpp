@@ -1,6 +1,7 @@
 // The adaptive picture against the one traced in full, and its independence of everything but the scene.
 #include "show/show.h"
 #include "tools/common/heap_arena.h"
+#include "tools/common/statistics.h"
 #include "tools/measure/peer_scenes.h"
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
@@ -97,7 +98,7 @@ double psnr(const Picture &a, const Picture &b) {
         double d = a.frame.rgba[i] - b.frame.rgba[i];
         squares += d * d;
     }
-    return 10 * std::log10(255. * 255 * (double)bytes * 0.75 / squares);
+    return odraz::psnr(squares, bytes / 4 * 3);
 }
 
 } // namespace
@@ -256,7 +257,7 @@ TEST(Adaptive, DoesNotFlicker) {
             jumps += std::abs(change) > 48;
             ++count;
         }
-    double db = 10 * std::log10(255. * 255 * count * 0.75 / squares), share = 100. * jumps / count;
+    double db = odraz::psnr(squares, (size_t)count / 4 * 3), share = 100. * jumps / count;
     std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
     EXPECT_GT(db, 36);
     EXPECT_LT(share, 0.05);
