@@ -5,10 +5,16 @@
 #include "host/process.h"
 #include "host/threads.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
-#include <set>
+#include <iterator>
+#include <sched.h>
+#include <sstream>
 #include <string>
 #include <unistd.h>
 #include <vector>
@@ -36,22 +42,83 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
     EXPECT_EQ(ran, 0);
 }
 
-TEST(Machine, KnowsItself) {
-    EXPECT_TRUE(cpuSuffices()); // or these tests would not have been compiled to run here
-    EXPECT_GE(cpuCount(), 1);
-    int64_t a = nanoseconds(), b = nanoseconds();
-    EXPECT_LE(a, b);
-    EXPECT_LT(b - a, 1000000000);
-    char name[49];
+namespace {
+
+// What the kernel says of the first processor, as words.
+std::vector<std::string> cpuinfo(const std::string &key) {
+    std::ifstream file("/proc/cpuinfo");
+    for (std::string line; std::getline(file, line);)
+        if (line.rfind(key, 0) == 0 && line.find(": ") != std::string::npos) {
+            std::istringstream words(line.substr(line.find(": ") + 2));
+            return {std::istream_iterator<std::string>(words), {}};
+        }
+    return {};
+}
+
+} // namespace
+
+// machine.sh asks the same of processors that lack something.
+TEST(Machine, KnowsWhatTheProcessorCanDo) {
+    std::vector<std::string> flags = cpuinfo("flags");
+    bool all = true;
+    for (const char *needed : {"avx2", "fma", "bmi1", "bmi2", "f16c", "movbe", "abm", "popcnt", "sse4_2"})
+        all &= std::count(flags.begin(), flags.end(), needed) == 1;
+    EXPECT_EQ(cpuSuffices(), all);
+}
+
+TEST(Machine, CountsTheProcessorsThatItMayUse) {
+    cpu_set_t before, one;
+    ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+    EXPECT_EQ(cpuCount(), CPU_COUNT(&before));
+    int last = 0;
+    for (int i = 0; i < CPU_SETSIZE; ++i)
+        if (CPU_ISSET(i, &before)) last = i;
+    CPU_ZERO(&one);
+    CPU_SET(last, &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    EXPECT_EQ(cpuCount(), 1);
+    ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+}
+
+// Between two looks at the clock by another way.
+TEST(Machine, TellsTheTime) {
+    auto clock = [] {
+        timespec t;
+        clock_gettime(CLOCK_MONOTONIC, &t);
+        return t.tv_sec * (int64_t)1000000000 + t.tv_nsec;
+    };
+    int64_t before = clock(), now = nanoseconds(), after = clock();
+    EXPECT_LE(before, now);
+    EXPECT_LE(now, after);
+}
+
+// The words of the kernel's name for it, without trademarks and clock rate.
+TEST(Machine, KnowsTheProcessorsName) {
+    char name[50];
+    std::memset(name, 'x', sizeof name);
     cpuName(name);
-    EXPECT_LT(std::string(name).size(), 49u);
-    EXPECT_EQ(std::string(name).find_first_of("(@)"), std::string::npos) << name;
-    EXPECT_EQ(std::string(name).find("  "), std::string::npos) << name;
-    EXPECT_GT(ownSize(), 0);
-    auto *p = (unsigned char *)takeMemory(1 << 20);
+    ASSERT_NE(std::memchr(name, 0, 49), nullptr);
+    EXPECT_EQ(name[49], 'x');
+    std::string plain, got = name;
+    for (const std::string &word : cpuinfo("model name")) {
+        if (word[0] == '@') break;
+        plain += (plain.empty() ? "" : " ") + word.substr(0, word.find('('));
+    }
+    EXPECT_EQ(got, plain);
+    EXPECT_EQ(got.find_first_of("(@)"), std::string::npos) << got;
+}
+
+TEST(Machine, GivesMemoryThatIsZero) {
+    constexpr size_t kSize = 1 << 20;
+    auto *p = (unsigned char *)takeMemory(kSize);
     ASSERT_NE(p, nullptr);
-    EXPECT_EQ(p[12345], 0);
+    EXPECT_EQ(std::count(p, p + kSize, 0), (long)kSize);
+    std::memset(p, 1, kSize);
     EXPECT_EQ(takeMemory(SIZE_MAX / 2), nullptr);
+}
+
+TEST(Machine, KnowsTheSizeOfItsFile) {
+    EXPECT_EQ(ownSize(), (long)std::filesystem::file_size("/proc/self/exe"));
 }
 
 TEST(Files, AreWholeOrAbsent) {

@@ -91,7 +91,7 @@ Picture traced(int scene, double row, const CameraKey &camera, const Quality &qu
     return traced(*posed(scene, row), camera, quality, width, height, threads);
 }
 
-double psnr(const Picture &a, const Picture &b) {
+double decibels(const Picture &a, const Picture &b) {
     double squares = 0;
     size_t bytes = (size_t)a.frame.width * (size_t)a.frame.height * 4;
     for (size_t i = 0; i < bytes; ++i) {
@@ -105,9 +105,9 @@ double psnr(const Picture &a, const Picture &b) {
 
 TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     Picture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
-    double draft = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Draft), 320, 180));
-    double play = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Play), 320, 180));
-    double film = psnr(reference, traced(kTable, 100, kTableView, named(QualityName::Film), 320, 180));
+    double draft = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Draft), 320, 180));
+    double play = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Play), 320, 180));
+    double film = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Film), 320, 180));
     EXPECT_GT(draft, 30);
     EXPECT_GT(play, draft + 3);
     EXPECT_GT(film, play + 2);
@@ -123,7 +123,7 @@ TEST(Adaptive, GoesFromFilmToDraftInSmallSteps) {
         Quality q = level < 1 ? between(named(QualityName::Film), named(QualityName::Play), level)
                               : between(named(QualityName::Play), named(QualityName::Draft), level - 1);
         Picture p = traced(kTable, 100, kTableView, q, 320, 180);
-        double db = psnr(reference, p), taken = (double)p.samples;
+        double db = decibels(reference, p), taken = (double)p.samples;
         EXPECT_LT(taken, samples * 1.02) << level;
         EXPECT_LT(db, quality + 0.3) << level;
         if (i > 2) {
