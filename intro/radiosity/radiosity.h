@@ -55,8 +55,8 @@ void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiosityS
 // direct light. False when the arena is full.
 bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers);
 
-// Adds what a system has gathered to the planes of its columns. Of the first `functions` bases it may be
-// negative.
+// Adds what a system has gathered to the planes of its columns. What skies gave may be negative, if they are
+// functions.
 void spreadLight(Radiosity &r, const Model &model, Workers &workers);
 
 // Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
