@@ -19,23 +19,24 @@ const std::vector<SubjectName> &subjectNames() {
     return names;
 }
 
+View poseSubject(const SubjectName &name, const IntroSettings &settings, const Film &film) {
+    if (name.seconds >= 0) return poseAt(film, name.seconds).view(settings.width, settings.height);
+    Scene &scene = *film.scene;
+    scene.clear();
+    bool a = !std::strcmp(name.name, "A"), b = !std::strcmp(name.name, "B");
+    a ? posePeerA(scene) : b ? posePeerB(scene) : poseField(scene);
+    scene.finish();
+    CameraKey camera = a ? kPeerCameraA : b ? kPeerCameraB : kFieldCamera;
+    return lookAt(camera.eye, camera.target, camera.roll, camera.fov, settings.width, settings.height);
+}
+
 Subject::Subject(const SubjectName &name, int width, int height)
     : settings{width, height}, memory(memoryNeeded(settings, 1, name.hall)), workers(serialWorkers()) {
     Gl gl = name.hall ? openGl() : Gl{};
     if (const char *missing = load(intro, settings, memory.arena, workers, name.hall ? &gl : nullptr))
         throw std::runtime_error(std::string(name.name) + ": " + missing);
 
-    if (name.seconds >= 0) {
-        theView = poseAt(intro->film, name.seconds).view(width, height);
-        return;
-    }
-    Scene &posed = scene();
-    posed.clear();
-    bool a = !std::strcmp(name.name, "A"), b = !std::strcmp(name.name, "B");
-    a ? posePeerA(posed) : b ? posePeerB(posed) : poseField(posed);
-    posed.finish();
-    CameraKey camera = a ? kPeerCameraA : b ? kPeerCameraB : kFieldCamera;
-    theView = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
+    theView = poseSubject(name, settings, intro->film);
 }
 
 double Subject::trace(const Quality &quality) {

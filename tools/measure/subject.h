@@ -18,6 +18,9 @@ struct SubjectName {
 // In the order in which they are measured.
 const std::vector<SubjectName> &subjectNames();
 
+// Poses it in the film's scene; returns how it is looked at.
+View poseSubject(const SubjectName &name, const IntroSettings &settings, const Film &film);
+
 // A scene, posed, with all that tracing it needs. Throws std::runtime_error with a line that tells why not.
 class Subject {
 public:
