@@ -1,35 +1,113 @@
-# Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD
-BUILD=$(cd "$1" && pwd)
+# Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD [ARGUMENT...]
+#
+# A test fails for a wrong result, not for a busy machine: it waits for what must happen, however long that takes there;
+# after PATIENCE seconds it gives up. ctest's time-out stands beside the test's name in CMakeLists.txt.
+BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
+[ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/
+PATIENCE=${PATIENCE:-300}
 WORK=$(mktemp -d)
-trap 'stop_all; rm -rf "$WORK"' EXIT
 PIDS=()
-FAILED=0
+CHECKS=0 FAILED=0 FINISHED=
 
-stop_all() { for pid in "${PIDS[@]}"; do kill "$pid" 2>/dev/null; done; }
+leave() {
+    local status=$? pid
+    for pid in "${PIDS[@]}"; do kill "$pid" 2>/dev/null; done
+    rm -rf "$WORK"
+    [ -n "$FINISHED" ] || [ $status = 77 ] || { echo "FAILED: it ended before its end, with status $status" >&2; exit 1; }
+}
+trap leave EXIT
 
 check() { # check WHAT COMMAND...: the command must succeed
-    local what=$1
+    local what=$1 began=${EPOCHREALTIME/[.,]/} took=
     shift
-    if "$@"; then echo "ok: $what"; else echo "FAILED: $what" >&2; FAILED=1; fi
+    CHECKS=$((CHECKS + 1))
+    "$@" && set -- ok || set -- FAILED
+    began=$(((${EPOCHREALTIME/[.,]/} - began) / 1000000))
+    [ $began -ge 2 ] && took="   ($began s)"
+    if [ "$1" = ok ]; then echo "ok: $what$took"; else echo "FAILED: $what$took" >&2; FAILED=1; fi
+}
+
+finish() {
+    FINISHED=1
+    [ $CHECKS -gt 0 ] || { echo "FAILED: nothing was checked" >&2; FAILED=1; }
+    exit $FAILED
 }
 
 skip_unless() { # programs that a test cannot do without
     local program
     for program in "$@"; do command -v "$program" >/dev/null || { echo "SKIPPED: $program is not installed"; exit 77; }; done
 }
+needs_built() { [ -x "$BUILD/$1" ] || { echo "SKIPPED: $1 is not built"; exit 77; }; }
+
+# --- What programs say ---
 
 # refuses STATUS TEXT COMMAND...: exits with the status and says one line with the text on stderr, nothing on stdout
 refuses() {
     local status=$1 text=$2 got
     shift 2
-    timeout 60 "$@" >"$WORK/out" 2>"$WORK/err"
+    timeout "$PATIENCE" "$@" >"$WORK/out" 2>"$WORK/err"
     got=$?
     [ "$got" = "$status" ] && [ "$(wc -l <"$WORK/err")" = 1 ] && grep -qF -- "$text" "$WORK/err" && [ ! -s "$WORK/out" ] && return 0
     echo "exit $got, wanted $status; stderr: $(head -c 300 "$WORK/err")" >&2
     return 1
 }
+# prints PATTERN COMMAND...: succeeds, and a line of its output matches
+prints() {
+    local pattern=$1
+    shift
+    "$@" >"$WORK/printed" && grep -qE -- "$pattern" "$WORK/printed" && return 0
+    echo "printed: $(head -c 300 "$WORK/printed")" >&2
+    return 1
+}
+# lacks PATTERN FILE: there is something in the file, and no line of it matches
+lacks() {
+    [ -s "$2" ] || { echo "$2 is empty" >&2; return 1; }
+    grep -aE -m 3 -- "$1" "$2" >&2
+    [ $? = 1 ] # 2 is an error
+}
 
-less() { awk "BEGIN { exit !($1 < $2) }"; } # less A B: numbers
+# --- Numbers ---
 
-finish() { exit $FAILED; }
+# less A B: what a program did not print, or printed as nan, is no number
+less() {
+    local n
+    for n in "${1-}" "${2-}"; do
+        [[ $n =~ ^-?[0-9]+(\.[0-9]*)?(e[-+]?[0-9]+)?$ ]] || { echo "'$1' < '$2'? '$n' is not a number" >&2; return 1; }
+    done
+    awk "BEGIN { exit !(($1) < ($2)) }"
+}
+# table FILE ACTION CONDITION: a CSV with at least one line below its head, and numbers only; every line goes through
+# awk's action, then the condition must hold
+table() {
+    lacks '(^|,)[-+]?(nan|inf)' "$1" && awk -F, "NR > 1 { ++lines; $2 } END { exit !(lines > 0 && ($3)) }" "$1"
+}
+
+# --- Waiting ---
+
+# await COMMAND...: until it succeeds
+await() {
+    local end=$((SECONDS + PATIENCE))
+    until "$@"; do
+        [ $SECONDS -lt $end ] || { echo "waited $PATIENCE s in vain for: $*" >&2; return 1; }
+        sleep 0.02
+    done
+}
+gone() { ! kill -0 "$1" 2>/dev/null; }
+# ended PID: waits for a process of this shell; its exit status
+ended() {
+    await gone "$1" || kill -KILL "$1"
+    wait "$1"
+}
+# worked PID HUNDREDTHS: waits until the process has used so much more processor time; false when it ends before
+worked() {
+    local until=$(($(ticks "$1") + $2))
+    await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"
+    ! gone "$1"
+}
+ticks() {
+    local stat
+    read -r stat <"/proc/$1/stat" || { echo 0; return; }
+    set -- ${stat##*) } # the name may hold blanks
+    echo $((${12} + ${13}))
+}

@@ -1,6 +1,6 @@
 # The command that measures and writes RESULTS.md: quick runs of two sections into another file.
 . "$(dirname "$0")/common.sh"
-[ -x "$BUILD/bench_transfer" ] || { echo "SKIPPED: bench_transfer is not built"; exit 77; }
+needs_built bench_transfer
 export BUILD
 all=$SOURCE/tools/measure/all
 to=$WORK/results.md
@@ -11,17 +11,20 @@ renew() { "$all" --built --quick --to "$to" "$@" >/dev/null 2>"$WORK/err"; }
 check "sections are measured" renew --only size --only transfer
 check "the commit stands at the head" grep -qE '^\| commit \| ([0-9a-f]{12}\+?|unknown\+?) \|$' "$to"
 check "... and so do processor, compiler and Mesa" test "$(grep -cE '^\| (processor|compiler|Mesa) \| .+ \|$' "$to")" = 3
-check "every section is there" bash -c "[ \$(grep -c '^## ' '$to') = \$('$all' --list | wc -l) ]"
+"$all" --list >"$WORK/list"
+check "sections are listed" test "$(wc -l <"$WORK/list")" -gt 3
+check "... and every one is there" test "$(grep -c '^## ' "$to")" = "$(wc -l <"$WORK/list")"
 check "what was not measured says how" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
-check "the film's size is told" bash -c "grep -q '^| .odraz.: packed | $(stat -c %s "$BUILD/odraz") |\$' '$to'"
-check "... with the command that makes it" bash -c "$(declare -f section); to='$to'; section size | grep -q 'By \`cmake --build build --target film\`:'"
-check "transfer is told" bash -c "$(declare -f section); to='$to'; [ \$(section transfer | grep -cE '^\| [a-z].*\| [0-9.]+ \|') -ge 10 ]"
-
+check "the film's size is told" grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") |" "$to"
+check "... with the command that makes it" prints 'By `cmake --build build --target film`:' section size
 section transfer >"$WORK/transfer"
+check "transfer is told" test "$(grep -cE '^\| [a-z].*\| [0-9.]+ \|' "$WORK/transfer")" -ge 10
 check "one section is renewed" renew --only size
-check "... and the other stays as it was" cmp -s "$WORK/transfer" <(section transfer)
+check "... and the other stays as it was" cmp "$WORK/transfer" <(section transfer)
 cp "$to" "$WORK/before"
-check "a section that fails is told" bash -c "! BUILD='$WORK/none' '$all' --built --quick --to '$to' --only size 2>'$WORK/err' && grep -q 'left as they were: size' '$WORK/err'"
+BUILD=$WORK/none "$all" --built --quick --to "$to" --only size 2>"$WORK/err" >/dev/null
+check "a section that fails" test $? != 0
+check "... is told" grep -q 'left as they were: size' "$WORK/err"
 check "... and leaves the results alone" cmp -s "$to" "$WORK/before"
 check "nothing else is left beside them" test "$(find "$WORK" -name '.results*' | wc -l)" = 0
 

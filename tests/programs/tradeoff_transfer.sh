@@ -1,10 +1,10 @@
 # What transfer's speed and accuracy are measured with: its quick run.
 . "$(dirname "$0")/common.sh"
 tradeoff=$BUILD/tradeoff
-[ -x "$tradeoff" ] || { echo "SKIPPED: tradeoff is not built"; exit 77; }
-check "transfer's trade is measured" bash -c "'$tradeoff' transfer --quick --csv '$WORK/csv' --plot '$WORK/svg' >'$WORK/out'"
+needs_built tradeoff
+check "transfer's trade is measured" prints '^method,' "$tradeoff" transfer --quick --csv "$WORK/csv" --plot "$WORK/svg"
 check "... as a table" grep -qx "method,bands,clusters,dimensions,shipped,bytes,relight_ms,error_percent" "$WORK/csv"
-check "... that is printed too" cmp -s "$WORK/csv" "$WORK/out"
+check "... that is printed too" cmp "$WORK/csv" "$WORK/printed"
 # error METHOD BANDS CLUSTERS DIMENSIONS
 error() { awk -F, -v m="$1" -v b="$2" -v c="$3" -v d="$4" '$1 == m && $2 == b && $3 == c && $4 == d { print $8 }' "$WORK/csv"; }
 check "one subspace does poorly" less 20 "$(error pca 5 1 16)"
@@ -13,9 +13,10 @@ check "... and clusters best" less "$(error cpca 5 64 16)" "$(error blocks 5 64 
 check "what ships of the floor is near to what is not compressed" less "$(awk -F, '$1 == "floor cpca" && $5 == 1 { print $8 }' "$WORK/csv")" 10
 check "the day's light is within a per cent" less "$(error bands 5 0 0)" 1
 for method in uncompressed "floor cpca" bands; do
-    check "... with one point of '$method' that ships" test "$(awk -F, -v m="$method" '$1 == m && $5 == 1' "$WORK/csv" | wc -l)" = 1
+    check "... with one point of '$method' that ships" table "$WORK/csv" "shipped += \$1 == \"$method\" && \$5 == 1" 'shipped == 1'
 done
-check "a plot" bash -c "grep -q '^<svg' '$WORK/svg' && [ \$(grep -c '<circle' '$WORK/svg') -ge 6 ]"
+check "a plot" grep -q '^<svg' "$WORK/svg"
+check "... of at least six" test "$(grep -c '<circle' "$WORK/svg")" -ge 6
 check "a folder that is not there is refused at once" refuses 2 "cannot write" "$tradeoff" transfer --csv "$WORK/none/csv"
 check "bench_transfer refuses options it does not know" refuses 2 "usage: bench_transfer" "$BUILD/bench_transfer" --slow
 finish

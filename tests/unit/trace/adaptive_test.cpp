@@ -98,7 +98,7 @@ double decibels(const Picture &a, const Picture &b) {
         double d = a.frame.rgba[i] - b.frame.rgba[i];
         squares += d * d;
     }
-    return odraz::psnr(squares, bytes / 4 * 3);
+    return psnr(squares, bytes / 4 * 3);
 }
 
 } // namespace

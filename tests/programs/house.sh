@@ -1,0 +1,108 @@
+# Who knows whom: the house's first rule, read from the #include lines of intro/. No arrow upwards, so no circle.
+. "$(dirname "$0")/common.sh"
+
+# A file or a folder, and what it may include besides itself. The longest name counts: what has a rule of its own is not
+# meant by the name of the folder around it.
+cat >"$WORK/rules" <<'END'
+base
+timeline        base
+trace/quality.h base
+trace/texture   trace/quality.h base
+trace/scene     trace/quality.h base trace/texture
+trace/rays      trace/quality.h base trace/texture trace/scene
+trace/shade     trace/quality.h base trace/texture trace/scene trace/rays
+trace/picture   trace/quality.h base trace/texture trace/scene trace/rays trace/shade
+sound           base
+radiosity       base trace
+transfer        base trace radiosity
+show            base timeline trace sound radiosity transfer
+host            base
+host/linux      base host
+start           base host options.h show/length.h timeline/track.h
+options.h       base trace/quality.h base
+options.cpp     base trace/quality.h trace/picture/frame.h options.h
+intro.h         base timeline trace/quality.h base
+inside.h        base timeline trace sound radiosity transfer show intro.h
+intro.cpp       base timeline trace sound radiosity transfer show intro.h inside.h
+play.h          base host intro.h options.h
+play.cpp        base host intro.h options.h play.h
+dump.h          base host intro.h options.h
+dump.cpp        base host intro.h options.h dump.h
+main.cpp        base host start intro.h options.h play.h dump.h version.h
+main_debug.cpp  base host timeline intro.h options.h
+END
+# ... and of the system's headers
+cat >"$WORK/system" <<'END'
+.               stddef.h stdint.h immintrin.h initializer_list
+base/gl.h       GL
+host            stddef.h stdint.h
+host/linux      *
+start           stddef.h stdint.h
+main_debug.cpp  *
+END
+
+# includes QUOTE: lines of FILE INCLUDED, of "" or <>
+includes() {
+    (cd "$SOURCE/intro" && grep -rE --include='*.h' --include='*.cpp' "^ *# *include *$1" .) |
+        sed -E 's|^\./([^:]*):[^"<]*["<]([^">]*).*|\1 \2|'
+}
+# judge RULES: of lines FILE INCLUDED those that no rule allows
+judge() {
+    awk '
+        function inside(name, of) { return of == "*" || of == "." || name == of || index(name, of "/") == 1 }
+        function rule(name, best, i) {
+            for (i = 1; i <= n; ++i) if (inside(name, known[i]) && length(known[i]) > length(best)) best = known[i]
+            return best
+        }
+        FNR == NR { known[++n] = $1; has[$1] = 1; for (i = 2; i <= NF; ++i) may[$1, ++count[$1]] = $i; next }
+        {
+            from = rule($1); to = rule($2)
+            good = from != "" && from != "." && from == to
+            for (i = 1; i <= count[from]; ++i) {
+                name = may[from, i]
+                if (inside($2, name) && (name == to || !has[name])) good = 1
+            }
+            if (!good) print "    " $1 " includes " $2 (from == "" ? ", and no rule names it" : "")
+        }' "$1" -
+}
+obeys() { # obeys RULES QUOTE
+    includes "$2" >"$WORK/includes"
+    [ "$(wc -l <"$WORK/includes")" -ge 20 ] || { echo "no includes were found" >&2; return 1; }
+    judge "$1" <"$WORK/includes" >"$WORK/wrong"
+    cat "$WORK/wrong" >&2
+    [ ! -s "$WORK/wrong" ]
+}
+there() { # what is included lies in intro/, but for what is generated
+    local file included missing=0
+    while read -r file included; do
+        [ -e "$SOURCE/intro/$included" ] || [ "$included" = version.h ] || { echo "    $file includes $included, which is not in intro/" >&2; missing=1; }
+    done <"$WORK/includes"
+    return $missing
+}
+check "rooms include what is below them" obeys "$WORK/rules" '"'
+check "... and nothing outside intro/" there
+check "platforms stay behind host/linux" obeys "$WORK/system" '<'
+
+# What builds the film names nothing in tests/, and of tools/ what lies in build/
+grep -rnE '\$\{CMAKE_SOURCE_DIR\}/|\.\./' --include=CMakeLists.txt "$SOURCE/intro" "$SOURCE/packer" | sed "s|^$SOURCE/||" >"$WORK/named"
+check "the film's build names tools/build" grep -q '/tools/build/' "$WORK/named"
+check "... nothing else of tools, and no tests" lacks '\}/(tests|tools/[^b]|tools/b[^u])|\.\./(tests|tools)' "$WORK/named"
+if command -v ninja >/dev/null && [ -e "$BUILD/build.ninja" ]; then
+    ninja -C "$BUILD" -t inputs odraz odraz-safe | sed "s|^$SOURCE/||" >"$WORK/inputs"
+    check "the film is made of files of intro and packer" grep -qx 'intro/main.cpp' "$WORK/inputs"
+    check "... and none of tests" lacks '^tests/' "$WORK/inputs"
+    check "... or tools, but tools/build" lacks '^tools/([^b]|b[^u])' "$WORK/inputs"
+fi
+
+# Violations are found, one of each kind
+finds() { [ "$(judge "$1" <<<"$2" | wc -l)" = 1 ]; }
+for violation in "base/text.h host/files.h" "timeline/shot.h show/show.h" "trace/texture/noise.cpp trace/scene/scene.h" \
+    "trace/quality.h trace/scene/shape.h" "trace/rays/view.h trace/picture/frame.h" "host/window.h start/early.h" "sound/score.h timeline/track.h" \
+    "radiosity/solve.h transfer/relight.h" "transfer/room.h show/hall.h" "show/hall.cpp host/headless.h" "start/start.cpp trace/picture/frame.h" \
+    "start/early.cpp show/show.h" "play.cpp inside.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
+    check "(it would be found that ${violation/ / includes })" finds "$WORK/rules" "$violation"
+done
+for violation in "host/window.h X11/Xlib.h" "show/hall.cpp GL/gl.h" "start/start.cpp unistd.h" "trace/picture/frame.cpp vector"; do
+    check "(it would be found that ${violation/ / includes })" finds "$WORK/system" "$violation"
+done
+finish

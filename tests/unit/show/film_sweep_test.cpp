@@ -1,0 +1,58 @@
+// The whole film, four pictures a second, in draft and in film: nothing is NaN, infinite or negative, no
+// picture is black where no fade is, and none is the one before.
+#include "inside.h"
+#include "tests/support/headless_gl.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+
+class Sweep : public testing::TestWithParam<QualityName> {
+protected:
+    Workers workers = serialWorkers();
+    IntroSettings settings = {kWidth, kHeight};
+    HeapArena memory{memoryNeeded(settings, 1, true)};
+    Intro *intro = nullptr;
+};
+
+} // namespace
+
+TEST_P(Sweep, EveryPictureIsOne) {
+    ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
+    const char *from = std::getenv("SWEEP_FROM"); // to try it
+    int pictures = 0;
+    double before = -1, darkest = 1e9;
+    for (double t = from ? std::atof(from) : 0; t < duration(); t += 0.25) {
+        picture(*intro, t, kQualities[(int)GetParam()]);
+        const Frame &f = intro->frame;
+        double sum = 0;
+        for (int y = 0; y < f.height; ++y)
+            for (int x = 0; x < f.width; ++x)
+                for (const float *plane : f.plane) {
+                    float v = plane[y * f.stride + x];
+                    ASSERT_TRUE(v >= 0 && v < 1e6f) << t << " s, pixel " << x << ' ' << y << ": " << v;
+                    sum += (double)v;
+                }
+        double mean = sum / (3. * kWidth * kHeight), fade = (double)momentAt(kFilm, t * kRowsPerSecond).fade;
+        if (fade > 0.05) {
+            EXPECT_GT(mean / fade, 0.01) << t << " s is black";
+            EXPECT_NE(mean, before) << t << " s is as the picture before";
+            darkest = std::fmin(darkest, mean / fade);
+        }
+        before = mean;
+        ++pictures;
+    }
+    std::printf("%d pictures, the darkest with a mean of %.3f\n", pictures, darkest);
+    EXPECT_GT(pictures, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Qualities, Sweep, testing::Values(QualityName::Draft, QualityName::Film),
+                         [](const auto &info) {
+                             return info.param == QualityName::Draft ? "draft" : "film";
+                         });
