@@ -1,5 +1,6 @@
 #include "tools/radiosity/bake.h"
 
+#include "tools/common/machine.h"
 #include "tools/radiosity/clusters.h"
 #include "tools/radiosity/lamps.h"
 #include "tools/radiosity/ray_rows.h"
@@ -37,7 +38,7 @@ public:
     Baker(Bake &b, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop, const Told &told)
         : b(b), m(*b.model), r(b.radiosity), s(b.settings), mesh(mesh), gl(gl), workers(workers), stop(stop),
           told(told), watched(workers.abort) {
-        workers.abort = &never;
+        workers.abort = &kNever;
     }
     Baker(const Baker &) = delete;
     ~Baker() { workers.abort = watched; }
@@ -76,7 +77,6 @@ private:
     const int *stop;
     const Told &told;
     const int *watched;
-    const int never = 0;
     double patch = 0; // its area
     std::unique_ptr<Clusters> clusters;
     const char *step = nullptr;
@@ -167,7 +167,7 @@ private:
         if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
         workers.abort = stop;
         b.whole = find(m, *b.scene, lit, workers, b.arena, r.factors, tell(1));
-        workers.abort = &never;
+        workers.abort = &kNever;
         for (int i = 0; i < m.patchCount; ++i) b.rows += r.factors.rows[i].known;
     }
 
@@ -227,7 +227,7 @@ private:
                               if (k.told) k.told(Bake::kSteps[3], (float)std::clamp(done, 0., 1.), residual);
                           },
                           this});
-        workers.abort = &never;
+        workers.abort = &kNever;
     }
 };
 
