@@ -5,21 +5,21 @@
 namespace odraz {
 
 constexpr SceneEntry kScenes[kSceneCount] = {
-    [kPoint] = {"point", posePoint, letterPoint, false},
-    [kTable] = {"table", poseTable, nullptr, false},
-    [kFlake] = {"flake", poseFlake, nullptr, false},
-    [kPatches] = {"patches", posePatches, letterPatches, true},
-    [kHall] = {"hall", poseDay, nullptr, true},
-    [kOdraz] = {"odraz", poseOdraz, nullptr, true},
-    [kCredits] = {"credits", poseCredits, letterCredits, false},
+    {"point", posePoint, letterPoint, kPoint, false},
+    {"table", poseTable, nullptr, kTable, false},
+    {"flake", poseFlake, nullptr, kFlake, false},
+    {"patches", posePatches, letterPatches, kPatches, true},
+    {"hall", poseDay, nullptr, kHall, true},
+    {"odraz", poseOdraz, nullptr, kOdraz, true},
+    {"credits", poseCredits, letterCredits, kCredits, false},
 };
 static_assert(
     [] {
-        for (const SceneEntry &scene : kScenes)
-            if (!scene.pose) return false;
+        for (int i = 0; i < kSceneCount; ++i)
+            if (kScenes[i].id != i) return false;
         return true;
     }(),
-    "a row for every scene");
+    "a row for every scene, in the order of SceneId");
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
 static constexpr CameraKey kPushIn[] = {

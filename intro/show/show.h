@@ -26,14 +26,16 @@ struct Cue {
     Facts facts;
 };
 
+enum SceneId { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kSceneCount };
+
 struct SceneEntry {
     const char *name;
     void (*pose)(const Cue &cue, Scene &scene);                     // fills a cleared scene
     void (*letter)(const Cue &cue, const View &view, Frame &frame); // draws over the linear picture; or null
+    SceneId id; // its own: the compiler tells where a row is missing
     bool needsHall;
 };
 
-enum SceneId { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kSceneCount };
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
