@@ -107,7 +107,7 @@ worked() {
 }
 ticks() {
     local stat
-    read -r stat <"/proc/$1/stat" || { echo 0; return; }
+    { read -r stat <"/proc/$1/stat"; } 2>/dev/null || { echo 0; return; }
     set -- ${stat##*) } # the name may hold blanks
     echo $((${12} + ${13}))
 }

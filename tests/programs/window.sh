@@ -34,7 +34,7 @@ check "the picture changes" await differs
 # 1000x700 is taller than 16:9: 68 or 69 black rows above and below
 check "the aspect is kept, bars are black" is_black 1000x67+0+0
 check "below too" is_black 1000x67+0+633
-check "... and the picture is not" is_bright
+check "... and the picture is not" await is_bright
 check "ESC leaves" leaves xdotool key Escape
 
 # Loading: a bar that grows, and that can be left
