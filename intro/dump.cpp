@@ -11,13 +11,23 @@ int cannotWrite(const char *what, const char *why) {
     return complain(m.data);
 }
 
+int checkOutput(const char *to, bool stdoutClosed) {
+    if (!isStdout(to)) return 0;
+    if (stdoutClosed) return cannotWrite("standard output", "it is closed");
+    if (!isTerminal(1)) return 0;
+    complain("what goes to - is not text: send it to a program or a file, not to the terminal");
+    return 2;
+}
+
+int writeOutput(const char *to, const void *data, size_t size) {
+    bool toStdout = isStdout(to);
+    const char *wrong = toStdout ? writeAll(1, data, size) : writeFile(to, data, size);
+    return wrong ? cannotWrite(toStdout ? "standard output" : to, wrong) : 0;
+}
+
 int dump(Intro &intro, const Options &o, bool stdoutClosed) {
-    bool toStdout = o.dump[0] == '-' && !o.dump[1];
-    if (toStdout && stdoutClosed) return cannotWrite("standard output", "it is closed");
-    if (toStdout && isTerminal(1)) {
-        complain("--dump - writes pictures, not text: send it to a program or a file, not to the terminal");
-        return 2;
-    }
+    if (int status = checkOutput(o.dump, stdoutClosed)) return status;
+    bool toStdout = isStdout(o.dump);
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
     const Quality &quality = o.qualityOr(QualityName::Film);
@@ -37,13 +47,10 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
             for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
         size_t size = (size_t)(to - file);
 
-        if (toStdout) {
-            if (const char *wrong = writeAll(1, file, size)) return cannotWrite("standard output", wrong);
-        } else {
-            Text<4096> path;
-            (path << o.dump << "/frame-").number((uint64_t)n, 6) << ".ppm";
-            if (const char *wrong = writeFile(path.data, file, size)) return cannotWrite(path.data, wrong);
-        }
+        Text<4096> path;
+        path << o.dump;
+        if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
+        if (int status = writeOutput(path.data, file, size)) return status;
     }
     return 0;
 }

@@ -3,7 +3,9 @@
 #pragma once
 
 #include "intro.h"
+#include "show/score.h"
 #include "show/show.h"
+#include "sound/mixer.h"
 #include "trace/picture/tracer.h"
 
 namespace odraz {
@@ -13,6 +15,10 @@ struct Intro {
     Film film;
     Tracer tracer;
     Frame frame;
+};
+
+struct Sound {
+    Mixer mixer;
 };
 
 } // namespace odraz

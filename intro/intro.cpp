@@ -6,6 +6,7 @@
 namespace odraz {
 
 static_assert(kSceneCount <= kMaxScenes && kHeaderRoom <= kPictureMargin);
+static_assert(kSoundRate == kSampleRate && kSoundBlock == kBlock);
 
 bool needsHall(double from, double to) {
     for (int i = 0; i < kFilm.count; ++i) {
@@ -27,14 +28,13 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
                  const Progress &progress) {
     intro = arena.take<Intro>(1);
     Scene *scene = arena.take<Scene>(1);
-    if (!intro || !scene || !makeTracer(intro->tracer, arena, workers.count) ||
+    Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
+    if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
     intro->workers = &workers;
-    intro->film = {scene, nullptr, {s.bytes, s.machine}};
+    intro->film = {scene, hall, {s.bytes, s.machine}};
     if (!gl) return nullptr;
-    Hall *hall = intro->film.hall = arena.take<Hall>(1);
-    if (!hall) return "not enough memory";
     prepareHall(*hall, *scene);
     return solveRoom(*hall, *scene, hallSettings(*hall), *gl, arena, workers, progress);
 }
@@ -63,6 +63,18 @@ Picture picture(Intro &intro, double seconds, const Quality &quality, const Came
 }
 
 int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
+
+size_t soundMemory() { return sizeof(Sound) + 64; }
+
+Sound *loadSound(Arena &arena) {
+    Sound *s = arena.take<Sound>(1);
+    if (s) s->mixer.player = playRow;
+    return s;
+}
+
+void seekSound(Sound &s, int block) { seekBlock(s.mixer, block); }
+
+void soundBlock(Sound &s, float *stereo) { renderBlock(s.mixer, stereo); }
 
 const char *outgrown(const Intro &intro) { return intro.film.scene->overflow; }
 

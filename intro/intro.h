@@ -60,4 +60,23 @@ Picture picture(Intro &intro, double seconds, const Quality &quality, const Came
 int64_t samplesTaken(const Intro &intro);
 const char *outgrown(const Intro &intro);
 
+// --- Sound: apart from the picture, for another thread if a host likes ---
+
+// The film's music as it is being played: zeroed memory of this struct's size makes one. Stereo, samples of
+// the left and of the right side in turn, -1 .. 1.
+struct Sound;
+inline constexpr int kSoundRate = 48000; // samples a second, of each side
+inline constexpr int kSoundBlock = 240;  // that are made at a time: 5 ms
+
+size_t soundMemory();
+
+// At the film's begin; null where the arena is full.
+Sound *loadSound(Arena &arena);
+
+// Goes to a block of the film, in some 0.2 s: what rings there from before is rendered.
+void seekSound(Sound &sound, int block);
+
+// Renders the next block, or goes on without when that is null. After the film's end there is silence.
+void soundBlock(Sound &sound, float *stereo);
+
 } // namespace odraz

@@ -9,6 +9,7 @@
 #include "play.h"
 #include "start/early.h"
 #include "version.h"
+#include "wav.h"
 
 using namespace odraz;
 
@@ -30,8 +31,16 @@ int run(int argc, char **argv, bool stdoutClosed) {
     if (o.help || o.version) {
         if (stdoutClosed) return cannotWrite("standard output", "it is closed");
         Text<4096> t;
-        t << (o.help ? kHelp : "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n");
+        if (o.help)
+            writeHelp(t);
+        else
+            t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
         return say(t.data, t.size);
+    }
+
+    if (o.wav) {
+        int status = writeWav(o, stdoutClosed);
+        if (status || !o.dump) return status;
     }
 
     // Threads, memory, film. What a dump lacks is told to the script that runs it, not in a window
@@ -48,7 +57,8 @@ int run(int argc, char **argv, bool stdoutClosed) {
     cpuName(name);
     IntroSettings settings = {o.width, o.height};
     if (!o.dump) settings.bytes = ownSize(), settings.machine = name;
-    size_t bytes = memoryNeeded(settings, workers.count, hall);
+    bool heard = !o.dump && !o.mute;
+    size_t bytes = memoryNeeded(settings, workers.count, hall) + (heard ? soundMemory() : 0);
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (!arena.base) {
         Message m;
@@ -67,7 +77,8 @@ int run(int argc, char **argv, bool stdoutClosed) {
         const char *wrong = load(intro, settings, arena, workers, hall ? &window.gl : nullptr,
                                  {showLoading, &window, loaded});
         if (viewerLeft()) return 0;
-        return wrong ? refuse(wrong) : play(*intro, o, window, &theEarly.viewerLeft, began);
+        Sound *sound = heard ? loadSound(arena) : nullptr;
+        return wrong ? refuse(wrong) : play(*intro, sound, o, window, &theEarly.viewerLeft, began);
     }
     Gl gl;
     if (hall)

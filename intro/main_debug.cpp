@@ -6,11 +6,13 @@
 //   1 2 3        draft, play, film          ESC           leave
 #include "base/gl.h"
 #include "base/maths.h"
+#include "host/clock.h"
 #include "host/cpu.h"
 #include "host/library.h"
 #include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
+#include "music.h"
 #include "options.h"
 #include "timeline/track.h"
 
@@ -28,13 +30,14 @@ namespace {
 
 struct Maker {
     double time = 0;
-    bool paused = false, flying = false;
+    bool paused = false, flying = false, sought = false;
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
 };
 
 Maker theMaker; // GLFW's callbacks reach it
+Music theMusic;
 
 // The first move away from the script starts where the script stands.
 void takeOver(Maker &m) {
@@ -63,9 +66,11 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
         break;
     case GLFW_KEY_RIGHT:
         m.time = std::fmin(m.time + step, duration());
+        m.sought = true;
         break;
     case GLFW_KEY_LEFT:
         m.time = std::fmax(m.time - step, 0);
+        m.sought = true;
         break;
     case GLFW_KEY_R:
         m.flying = false;
@@ -124,7 +129,7 @@ int main(int argc, char **argv) {
         return 2;
     }
     if (o.help) {
-        std::puts("usage: odraz-debug [--from S] [--size WxH] [--threads N]\n"
+        std::puts("usage: odraz-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
                   "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC");
         return 0;
     }
@@ -144,7 +149,7 @@ int main(int argc, char **argv) {
     if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, gl))
         return fail("no OpenGL 3.3 on this display");
     IntroSettings settings = {o.width, o.height};
-    size_t bytes = memoryNeeded(settings, workers.count, true);
+    size_t bytes = memoryNeeded(settings, workers.count, true) + soundMemory();
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     Intro *intro;
     if (!arena.base) return fail("not enough memory: try a smaller --size");
@@ -160,12 +165,22 @@ int main(int argc, char **argv) {
 
     Maker &m = theMaker;
     m.time = seconds(o.from);
+    startMusic(theMusic, o.mute ? nullptr : loadSound(arena), m.time, &never);
     glfwGetCursorPos(window, &m.mouseX, &m.mouseY);
     for (double last = glfwGetTime(); !glfwWindowShouldClose(window);) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
-        if (!m.paused) m.time = std::fmin(m.time + passed, duration());
+        // Paused, or sought, the clock follows us; else we follow it
+        int64_t moment = nanoseconds();
+        FilmClock &clock = theMusic.clock;
+        clock.watch(moment, processorNanoseconds());
+        theMusic.playback.pause(m.paused);
+        if (m.paused || m.sought)
+            clock.start(m.time, moment);
+        else
+            m.time = std::fmin(clock.at(moment), duration());
+        m.sought = false;
         fly(window, m, (float)passed);
         Picture p = picture(*intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
         if (const char *limit = outgrown(*intro))
@@ -185,6 +200,7 @@ int main(int argc, char **argv) {
                       passed * 1e3);
         glfwSetWindowTitle(window, title);
     }
+    endMusic(theMusic);
     glfwTerminate();
     return 0;
 }

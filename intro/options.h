@@ -13,14 +13,15 @@ struct Decimal {
 
 inline double seconds(Decimal d) { return (double)d.value / (double)d.scale; }
 
-// Frames a second: numerator / denominator, both positive and at most 10^7; 1/1000 .. 1000.
+// Frames a second: numerator / denominator, both positive and at most 10^6; 1/1000 .. 1000.
 struct Rate {
     int64_t numerator, denominator;
 };
 
 struct Options {
-    bool help = false, version = false, window = false, stats = false;
+    bool help = false, version = false, window = false, mute = false, stats = false;
     const char *dump = nullptr; // a directory, "-" for standard output, null to play
+    const char *wav = nullptr;  // a file, "-" for standard output
     int width = 1280, height = 720;
     int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
@@ -33,11 +34,14 @@ struct Options {
     }
 };
 
+// Whether an output is standard output: "-".
+bool isStdout(const char *path);
+
 using Message = Text<256>;
 
 // Reads the arguments after the program's name; false with one line that says what is wrong and what would be
 // right.
-bool parseOptions(int argc, const char *const *argv, double duration, Options &options, Message &wrong);
+bool parseOptions(int argc, const char *const *argv, double duration, Options &options, AnyText &wrong);
 
 // The number of the first frame at or after a time: the smallest n with n / fps >= time.
 int64_t firstFrame(Decimal time, Rate fps);
@@ -45,6 +49,7 @@ int64_t firstFrame(Decimal time, Rate fps);
 // The time that frame n shows, in seconds.
 double frameTime(int64_t n, Rate fps);
 
-extern const char kHelp[];
+// What --help prints.
+void writeHelp(AnyText &text);
 
 } // namespace odraz

@@ -2,6 +2,7 @@
 
 #include "host/clock.h"
 #include "host/files.h"
+#include "music.h"
 
 namespace odraz {
 
@@ -12,8 +13,8 @@ constexpr int kBins = 5000; // of a tenth of a millisecond
 constexpr int kSlots = 30;
 
 struct Histogram {
-    int bins[kBins];
     int count;
+    int bins[kBins];
 
     void add(int64_t nanoseconds) {
         int64_t bin = nanoseconds / 100000;
@@ -30,9 +31,9 @@ struct Histogram {
 };
 
 struct SceneStats {
-    Histogram trace, present;
     int shown, dropped;
     double samples; // of all pictures, in every pixel
+    Histogram trace, present;
 };
 
 // Keeps up with the clock by moving between `film`, `play`, `draft` and what is left when that is too dear.
@@ -56,7 +57,9 @@ struct Governor {
     }
 };
 
-SceneStats theStats[kMaxScenes]; // zero at the start; too large for a stack
+// Zero at the start
+SceneStats theStats[kMaxScenes];
+Music theMusic;
 
 void printStats(double untilFirst) {
     Text<2048> t;
@@ -74,21 +77,34 @@ void printStats(double untilFirst) {
         t.padTo(line + 71).decimal(s.present.quantile(0.95), 1);
         t.padTo(line + 86).decimal(s.samples / s.shown, 2) << '\n';
     }
+    // How far what was heard was from the film when the device told it
+    const int *offs = theMusic.clock.offs;
+    int count = 0, median = 0, most = 0, seen = 0;
+    for (int i = 0; i < FilmClock::kOffs; ++i) count += offs[i];
+    for (int i = 0; i < FilmClock::kOffs && count; ++i) {
+        seen += offs[i];
+        if (seen * 2 <= count) median = i + 1;
+        if (seen * 20 <= count * 19) most = i + 1;
+    }
+    if (count) t << "sound off by ms: median below " << median + 1 << ", p95 below " << most + 1 << '\n';
     t << "(dropped: thirtieths of a second without a new picture)\n";
     writeAll(1, t.data, (size_t)t.size);
 }
 
 } // namespace
 
-int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, int64_t began) {
+int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const int *leave, int64_t began) {
     const Quality &quality = o.qualityOr(QualityName::Play);
     double from = seconds(o.from), to = seconds(o.to);
 
     Governor governor;
+    startMusic(theMusic, sound, from, leave);
     int64_t start = nanoseconds(), lastSlot = -1, firstShown = 0;
     for (;;) {
         int64_t before = nanoseconds();
-        double passed = (double)(before - start) * 1e-9, time = from + passed;
+        theMusic.clock.watch(before, processorNanoseconds());
+        double time = theMusic.clock.at(before);
+        if (time < from) time = from; // what is heard first is still on its way
         if (time >= to || __atomic_load_n(leave, __ATOMIC_RELAXED)) break;
         Picture p = picture(intro, time, o.quality == QualityName::Count ? governor.quality() : quality);
         if (__atomic_load_n(leave, __ATOMIC_RELAXED)) break;
@@ -107,6 +123,7 @@ int play(Intro &intro, const Options &o, FilmWindow &window, const int *leave, i
         s.trace.add(traced - before);
         s.present.add(shown - traced);
     }
+    endMusic(theMusic);
     if (o.stats && firstShown) printStats((double)(firstShown - began) * 1e-9);
     return 0;
 }

@@ -7,8 +7,9 @@
 
 namespace odraz {
 
-// Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status. `began`
-// is when the program did, in nanoseconds().
-int play(Intro &intro, const Options &options, FilmWindow &window, const int *leave, int64_t began);
+// Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status. `sound`
+// is null where it is to be silent; `began` is when the program did, in nanoseconds().
+int play(Intro &intro, Sound *sound, const Options &options, FilmWindow &window, const int *leave,
+         int64_t began);
 
 } // namespace odraz

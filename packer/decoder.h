@@ -12,7 +12,7 @@ struct Layout {
 };
 
 constexpr uint32_t kPast = 8; // zeros that stand for the bytes before the first one
-static_assert(kPast >= kByte6);
+static_assert(kPast >= kByte5);
 
 inline uint64_t memoryBehindModel(const Shape &shape, uint32_t size) {
     return (sizeof(Slot) << shape.slotBits) + kPast + size;
@@ -53,10 +53,10 @@ void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, u
     Parser parser = {};
     expandOpcodes(m.opcodes);
     float *weights = (float *)m.finalWeights; // the others lie behind them
-    for (uint32_t i = 0; i < kSets + kSets * kRows * kMostInputs; ++i) weights[i] = kFirstWeight;
+    for (uint32_t i = 0; i < kPhases * kSets + kSets * kRows * kMostInputs; ++i) weights[i] = kFirstWeight;
 
     for (uint32_t i = 0; i < layout.size; ++i) {
-        for (uint32_t k = kByte1; k <= kByte6; ++k) fields[k] = *(now - k);
+        for (uint32_t k = kByte1; k <= kByte5; ++k) fields[k] = *(now - k);
         fields[kWhere] = parser.left << kPhaseBits | parser.phase;
         fields[kColumn] = i % kColumns;
         uint32_t data = i - layout.codeBegin >= layout.codeSize;
@@ -74,7 +74,8 @@ void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, u
         if (uint32_t behind = parser.step(fields, byte, m.opcodes)) {
             uint32_t value;
             __builtin_memcpy(&value, image + i - 3, 4);
-            value = __builtin_bswap32(value) - (i + behind);
+            fields[kTarget] = value = __builtin_bswap32(value);
+            value -= i + behind;
             __builtin_memcpy(image + i - 3, &value, 4);
         }
     }

@@ -111,9 +111,9 @@ std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
     std::memcpy(&p, copy.data() + kParametersAt, sizeof p);
     p.early = kNothingEarly; // not here
     std::memcpy(copy.data() + kParametersAt, &p, sizeof p);
-    std::vector<Float4> memory(p.memory / sizeof(Float4) + 1);
+    Workspace workspace;
     std::vector<uint8_t> image(p.layout.size);
-    stubDecode(copy.data() + kParametersAt, image.data(), memory.data());
+    stubDecode(copy.data() + kParametersAt, image.data(), workspace.zeroed(p.memory));
     return image;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <new>
 
 namespace pack {
 
@@ -97,9 +98,13 @@ struct CarefulDecoder {
 
 } // namespace
 
-void *Workspace::zeroed(const Shape &shape, uint32_t size) {
-    memory.assign(modelMemory(shape, size) / sizeof(Float4) + 1, Float4{});
-    return memory.data();
+void *Workspace::zeroed(uint64_t size) {
+    constexpr uint64_t kPageSize = 4096;
+    // Fresh pages from the kernel, rather than cleared ones: a short run touches few of them
+    memory.reset();
+    memory.reset(std::calloc(size + kPageSize, 1));
+    if (!memory) throw std::bad_alloc();
+    return (void *)(((uintptr_t)memory.get() + kPageSize - 1) & ~(kPageSize - 1));
 }
 
 std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &layout) {
@@ -124,7 +129,7 @@ Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const Sh
     encoded.bits.resize(image.size());
     std::vector<uint8_t> bytes = filter(image, layout), back(image.size());
     Encoder encoder{{bytes.data()}, encoded};
-    run(encoder, layout, shape, workspace.zeroed(shape, layout.size), back.data());
+    run(encoder, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), back.data());
     encoder.finish();
     return encoded;
 }
@@ -134,7 +139,7 @@ double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const
     std::vector<uint8_t> back(filtered.size());
     Meter meter{{filtered.data()}, enough * 8};
     try {
-        run(meter, layout, shape, workspace.zeroed(shape, layout.size), back.data());
+        run(meter, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), back.data());
     } catch (const TooMuch &) {
         return enough;
     }
@@ -145,7 +150,7 @@ std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const La
                             const Shape &shape, Workspace &workspace) {
     std::vector<uint8_t> image(layout.size);
     CarefulDecoder decoder{payload, payload + payloadSize};
-    run(decoder, layout, shape, workspace.zeroed(shape, layout.size), image.data());
+    run(decoder, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), image.data());
     return image;
 }
 

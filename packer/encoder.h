@@ -3,17 +3,22 @@
 
 #include "decoder.h"
 
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
 namespace pack {
 
-// Zeroed memory for the model, kept from one run to the next.
+// Zeroed memory for the model, page-aligned, for one run after another.
 class Workspace {
 public:
-    void *zeroed(const Shape &shape, uint32_t size);
+    void *zeroed(uint64_t size);
 
 private:
-    std::vector<Float4> memory;
+    struct Free {
+        void operator()(void *memory) const { std::free(memory); }
+    };
+    std::unique_ptr<void, Free> memory;
 };
 
 // The bytes as they are coded: relative operands made absolute.

@@ -10,8 +10,9 @@ enum Field {
     kWhere, // part of every context. Code: what the next byte is part of, how many bytes of it are to come.
             // The parser's left << kPhaseBits | phase
     kByte1, // the last byte; from here on each context chooses
-    kByte6 = 6,    // the sixth-last byte
-    kColumn,       // address modulo kColumns
+    kByte5 = 5, // the fifth-last byte
+    kColumn,    // address modulo kColumns
+    kTarget, // what the last operand named that is relative to its instruction, as an offset in the program
     kInstruction1, // the instruction before this one, hashed
     kOpcode1,      // its opcode
     kOpcode2,      // the opcode of the one before that
@@ -24,7 +25,7 @@ enum Field {
     kFields
 };
 
-constexpr uint32_t kPhaseBits = 3, kColumns = 4;
+constexpr uint32_t kPhases = 6, kPhaseBits = 3, kColumns = 4;
 constexpr uint32_t kHash = 0x2c9277b5, kHashShift = 15;
 
 static inline uint32_t mixIn(uint32_t hash, uint32_t value) {

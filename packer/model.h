@@ -2,10 +2,11 @@
 //
 // A context is a choice of fields (fields.h), hashed. With the bits of the byte so far it names a slot, which
 // gives three inputs, each an adaptive probability: the slot's own; one named by the last bits that followed
-// there, shared by all slots of the context; and one named by the byte that followed there last. Eight sets
-// of weights, each selected by fields of its own, mix all inputs; a ninth mixes their eight results; a last
-// table corrects the outcome by where in an instruction we are. Probabilities are mixed as ln(p / (1 - p)),
-// weights follow the error (as in Mahoney's PAQ).
+// there; and one named by the byte that followed there last, the two shared by all slots of the context in
+// one phase of the parser. Eight sets of weights, each selected by fields and bits of its own, mix all
+// inputs; a ninth, selected by the phase, mixes their eight results; a last table corrects the outcome by
+// where in an instruction we are. Probabilities are mixed as ln(p / (1 - p)), weights follow the error (as in
+// Mahoney's PAQ).
 //
 // This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single floats, one operation at a time in the order written,
@@ -44,7 +45,9 @@ struct Shape {
 typedef uint32_t Counter;
 constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
-constexpr float kSettled = 1.1f;   // a counter moves by 1 / (seen + kSettled) of its error
+// A counter moves by 1 / (seen + settled) of its error. Of a context's three counters that of the byte that
+// followed last is the most cautious
+constexpr float kSettled[kContextInputs] = {1.05f, 1.05f, 1.3f};
 constexpr int32_t kShareBits = 20; // of what predict says
 
 struct Slot {
@@ -59,18 +62,20 @@ constexpr uint32_t kHistoryFull = 128; // its leading one, when it holds seven
 typedef float Float4 __attribute__((vector_size(16)));
 // Logarithms are in units of a float's last bit.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
-constexpr float kFirstWeight = 1.0f / 16, kLearning = 1.0f / 160 * kLogUnit,
+constexpr float kFirstWeight = 1.0f / 20, kLearning = 1.0f / 160 * kLogUnit,
                 kFinalLearning = 1.0f / 1024 * kLogUnit;
 constexpr float kMostSum = 11 / kLogUnit; // what weights and inputs may add up to
 // Corrections: of 65,536 rows one is chosen by a hash, in it one of 32 by the sum, 1.25 to a factor of e
 constexpr uint32_t kCorrectionRowBits = 16, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
-constexpr uint32_t kFirstTrust = 20; // bits that a correction starts with
+constexpr uint32_t kFirstTrust = 10; // bits that a correction starts with
 
 struct Context {
     Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
     Counter *counter[kContextInputs];
-    Counter histories[256], afterLast[256][256];
+    struct {
+        Counter histories[256], afterLast[256][256];
+    } shared[kPhases]; // by all slots, of one phase of the parser
 };
 
 struct Model {
@@ -78,11 +83,12 @@ struct Model {
     Float4 *rows[kSets];
     Counter *correction;
     float mixed;
+    uint32_t phase; // of the parser, at this byte
     uint32_t hashes[kMostContexts + kSets - 1];
     Context contexts[kMostContexts];
     uint8_t opcodes[kOpcodes];
     Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
-    Float4 finalWeights[kSets / 4], weights[kSets][kRows][kMostInputs / 4];
+    Float4 finalWeights[kPhases][kSets / 4], weights[kSets][kRows][kMostInputs / 4];
 };
 
 union FloatBits {
@@ -115,59 +121,93 @@ inline void train(Float4 *weights, const Float4 *inputs, uint32_t count4, float 
     while (count4--) weights[count4] += inputs[count4] * by;
 }
 
-inline void adapt(Counter &c, uint32_t bit) {
+inline void adapt(Counter &c, uint32_t bit, float settled) {
     constexpr uint32_t kMostSeen = (1 << kSeenBits) - 1;
     int32_t p = (int32_t)c >> kSeenBits;
     uint32_t seen = c & kMostSeen;
-    p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + kSettled));
+    p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + settled));
     c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
+}
+
+// What context i of code (0) or data (1) sees, then the selectors of all sets but the first.
+inline uint32_t hashOf(const Shape &shape, uint32_t type, uint32_t i, const uint32_t *fields) {
+    uint32_t hash = mixIn(shape.hashes() - i + type, fields[kWhere]), mask = shape.masks[type][i];
+    for (uint32_t j = kByte1; mask; mask >>= 1, ++j)
+        if (mask & 1) hash = mixIn(hash, fields[j]);
+    return hash;
+}
+
+inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
+
+// The slots of one nibble are neighbours, sixteen in two cache lines: its hash says which sixteen, and what has
+// been coded of it which of them.
+struct Nibble {
+    uint32_t start, step; // the byte's bits before it, behind a leading one; 1 .. 15
+};
+inline Nibble nibbleOf(uint32_t bits) {
+    uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
+    return {start, bits - ((start - 1) << coded)};
+}
+constexpr uint32_t kNibbleSlots = 16;
+
+// Finds a context's counters.
+inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, uint32_t bits) {
+    Nibble nibble = nibbleOf(bits);
+    hash = mixIn(hash, nibble.start);
+    uint16_t check = (uint16_t)hash;
+    uint32_t place = hash >> (32 - slotBits) ^ nibble.step;
+    Slot *s = slots + place;
+    if (s->check != check) {
+        Slot *other = slots + (place ^ kNibbleSlots);
+        if (other->check == check)
+            s = other;
+        else {
+            if (other->history < s->history) s = other;
+            *s = Slot{0, 0, 0, check};
+        }
+    }
+    c.slot = s;
+    if (bits == 1) c.byteSlot = s;
+    c.counter[0] = &s->counter;
+    c.counter[1] = &c.shared[phase].histories[s->history];
+    c.counter[2] = &c.shared[phase].afterLast[c.byteSlot->lastByte][bits];
+}
+
+inline void learn(Context &c, uint32_t bit) {
+    for (uint32_t k = 0; k < kContextInputs; ++k) adapt(*c.counter[k], bit, kSettled[k]);
+    uint8_t &history = c.slot->history;
+    uint32_t h = history ^ 1u;
+    if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
+    history = (uint8_t)((h * 2 + bit) ^ 1);
+}
+
+// The row of a set's weights: chosen by its selector's hash and by some of the byte's bits so far; in the
+// first set by phase and all bits.
+inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits) {
+    return set ? hash >> (32 - kRowBits) ^ bits >> ((kSets + 1 - set) | 4) : phase << 8 | bits;
 }
 
 // A new byte begins, in code (0) or data (1).
 inline void begin(Model &m, const Shape &shape, const uint32_t *fields, uint32_t type) {
-    for (uint32_t i = 0; i < shape.hashes(); ++i) {
-        uint32_t hash = mixIn(shape.hashes() - i + type, fields[kWhere]), mask = shape.masks[type][i];
-        for (uint32_t j = kByte1; mask; mask >>= 1, ++j)
-            if (mask & 1) hash = mixIn(hash, fields[j]);
-        m.hashes[i] = hash;
-    }
+    for (uint32_t i = 0; i < shape.hashes(); ++i) m.hashes[i] = hashOf(shape, type, i, fields);
+    m.phase = phaseOf(fields);
 }
 
 // The probability of a one, of 2^kShareBits; 1 .. 2^kShareBits - 1. `bits`: the byte so far behind a leading
 // one.
 inline uint32_t predict(Model &m, const Shape &shape, Slot *slots, uint32_t bits) {
-    // Find the counters
-    for (uint32_t i = 0; i < shape.contexts; ++i) {
-        Context &c = m.contexts[i];
-        uint32_t hash = mixIn(m.hashes[i], bits);
-        uint16_t check = (uint16_t)hash;
-        uint32_t place = hash >> (32 - shape.slotBits);
-        Slot *s = slots + place;
-        if (s->check != check) {
-            Slot *other = slots + (place ^ 1);
-            if (other->check == check)
-                s = other;
-            else {
-                if (other->history < s->history) s = other;
-                *s = Slot{0, 0, 0, check};
-            }
-        }
-        c.slot = s;
-        if (bits == 1) c.byteSlot = s;
-        c.counter[0] = &s->counter;
-        c.counter[1] = &c.histories[s->history];
-        c.counter[2] = &c.afterLast[c.byteSlot->lastByte][bits];
-    }
+    for (uint32_t i = 0; i < shape.contexts; ++i)
+        find(m.contexts[i], slots, shape.slotBits, m.hashes[i], m.phase, bits);
     float *x = (float *)m.inputs, *results = (float *)m.results;
     for (uint32_t i = 0; i < shape.contexts; ++i)
         for (uint32_t k = 0; k < kContextInputs; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
 
     // Mix. The last set's result lies first
     for (uint32_t i = 0; i < kSets; ++i) {
-        m.rows[i] = m.weights[i][i ? m.hashes[shape.contexts + i - 1] >> (32 - kRowBits) : bits];
+        m.rows[i] = m.weights[i][rowOf(i, m.hashes[shape.contexts + i - 1], m.phase, bits)];
         results[kSets - 1 - i] = mix(m.rows[i], m.inputs, shape.inputs4());
     }
-    float sum = mix(m.finalWeights, m.results, kSets / 4);
+    float sum = mix(m.finalWeights[m.phase], m.results, kSets / 4);
     m.mixed = squash(sum);
 
     // Correct
@@ -185,16 +225,9 @@ inline void learn(Model &m, const Shape &shape, uint32_t bit) {
     const float *results = (const float *)m.results;
     for (uint32_t i = 0; i < kSets; ++i)
         train(m.rows[i], m.inputs, shape.inputs4(), (y - squash(results[kSets - 1 - i])) * kLearning);
-    train(m.finalWeights, m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
-    for (uint32_t i = 0; i < shape.contexts; ++i)
-        for (Counter *c : m.contexts[i].counter) adapt(*c, bit);
-    adapt(*m.correction, bit);
-    for (uint32_t i = 0; i < shape.contexts; ++i) {
-        uint8_t &history = m.contexts[i].slot->history;
-        uint32_t h = history ^ 1u;
-        if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
-        history = (uint8_t)((h * 2 + bit) ^ 1);
-    }
+    train(m.finalWeights[m.phase], m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
+    for (uint32_t i = 0; i < shape.contexts; ++i) learn(m.contexts[i], bit);
+    adapt(*m.correction, bit, kSettled[0]);
 }
 
 // The byte was this.

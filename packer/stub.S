@@ -17,10 +17,10 @@
 #include "stub_numbers.h"
 
 // --- From rbx: Parameters; before them the constants at the end of this file ---
-.set MOST, -36
-.set LEAST, -32
-.set ONE, -28
-.set SETTLED, -24
+.set MOST, -44
+.set LEAST, -40
+.set ONE, -36
+.set SETTLED, -32 // three
 .set LEARNING, -20
 .set FINAL_LEARNING, -16
 .set STEEPNESS, -12
@@ -30,6 +30,7 @@
 // --- The model's memory, from rbp, which points behind the first variables so that most offsets are one byte ---
 .set FIELDS, -112
 .set WHERE, FIELDS + 4 * FIELD_WHERE
+.set TARGET, FIELDS + 4 * FIELD_TARGET
 .set INSTRUCTION1, FIELDS + 4 * FIELD_INSTRUCTION1
 .set OPCODE1, FIELDS + 4 * FIELD_OPCODE1
 .set OPCODE2, FIELDS + 4 * FIELD_OPCODE2
@@ -49,27 +50,30 @@
 .set CODE, RANGE + 4
 .set POSITION, CODE + 4
 .set TYPE, POSITION + 4
+.set NIBBLE, TYPE + 4
 .set RESULTS, 0
-.set ROWS, RESULTS + 4 * SETS // of the last set first, as the results
+.set STEP, RESULTS + 4 * SETS
+.set ROWS, STEP + 4 // of the last set first, as the results
 .set HASHES, ROWS + 8 * SETS
-.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS) // one more than there are, for alignment
+.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS - 1)
 .set COUNTERS, INPUTS + 4 * MOST_INPUTS
 .set BYTE_SLOTS, COUNTERS + 8 * (MOST_INPUTS + 2) // the correction's too, and alignment
 .set OPCODES, BYTE_SLOTS + 8 * MOST_CONTEXTS
 .set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
-.set WEIGHTS, FINAL_WEIGHTS + 4 * SETS
+.set WEIGHTS, FINAL_WEIGHTS + 4 * SETS * PHASES
 .set ROW, 4 * MOST_INPUTS
 .set ALL_ROWS, SETS << SET_ROW_BITS
 .set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
-.set SLOTS, HISTORIES + MOST_CONTEXTS * CONTEXT
+.set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * PHASES * SHARED - FIELDS
+.set SLOTS, SLOTS_FROM + 255 - (SLOTS_FROM + 255) % 256 + FIELDS // so that their neighbours are found by a bit
 // The slots follow, then kPast zeros and the coded bytes
 
 // --- What the code relies on beyond these names ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
 EQUAL(FIELD_WHERE, 0) // fields up to the column are written in a row
 EQUAL(FIELD_BYTE1, 1)
-EQUAL(FIELD_COLUMN, FIELD_BYTE6 + 1)
+EQUAL(FIELD_COLUMN, FIELD_BYTE5 + 1)
 EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two move on as one
 EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
 EQUAL(FIELD_MODRM, FIELD_OPCODE + 1) // what is cleared with the parser's state
@@ -86,8 +90,9 @@ EQUAL(SLOT_CHECK, SLOT - 2)
 EQUAL(COUNTER, 4) // seen: its lowest byte
 EQUAL(SEEN_BITS, 8)
 EQUAL(HISTORY_FULL, 128) // the sign of a byte
+EQUAL((SLOTS - FIELDS) & (2 * SLOT * NIBBLE_SLOTS - 1), 0)
 EQUAL((INPUTS | FINAL_WEIGHTS | WEIGHTS) & 15, 0) // vectors
-EQUAL(TYPE + 8, RESULTS) // the variables end in front of it, and keep it aligned
+EQUAL(NIBBLE + 4, RESULTS) // the variables end in front of it, and keep it aligned
 
 .section .stub, "ax"
 start:
@@ -201,7 +206,9 @@ runs_end:
     .long MOST_BITS // in the order of MOST .. SCALE
     .long MOST_BITS | 0x80000000 // the sign
     .long ONE_BITS
-    .long SETTLED_BITS
+    .long SETTLED0_BITS
+    .long SETTLED1_BITS
+    .long SETTLED2_BITS
     .long LEARNING_BITS
     .long FINAL_LEARNING_BITS
     .long STEEPNESS_BITS

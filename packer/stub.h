@@ -9,7 +9,7 @@
 namespace pack {
 
 // What run() in decoder.h does. `parameters`: Parameters as they lie in a file, between stub and
-// masks. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, aligned to 16.
+// masks. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
 extern "C" void stubDecode(const uint8_t *parameters, uint8_t *image, void *memory);
 
 extern "C" const uint32_t kStubMemory; // bytes in front of the slots

@@ -15,7 +15,7 @@ decode:
     jne 2b
     dec edx
     jne 1b
-    mov ecx, SETS + ALL_ROWS * MOST_INPUTS
+    mov ecx, PHASES * SETS + ALL_ROWS * MOST_INPUTS
     mov eax, FIRST_WEIGHT_BITS
     rep stosd
 
@@ -47,7 +47,7 @@ next_byte: // eax is the position
     shl eax, PHASE_BITS
     or eax, [rbp + PHASE]
     stosd
-    push FIELD_BYTE6
+    push FIELD_BYTE5
     pop rcx
     mov rsi, r13
 1:  dec rsi
@@ -95,23 +95,35 @@ hash_next:
 next_bit:
     lea r8, [rbp + SLOTS]
     // predict: find the counters
+    bsr ecx, r11d
+    and cl, 3 // bits of the nibble
+    mov edx, r11d
+    shr edx, cl
+    mov [rbp + NIBBLE], edx
+    dec edx
+    shl edx, cl
+    mov eax, r11d
+    sub eax, edx
+    mov [rbp + STEP], eax
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rsi, [rbp + HASHES]
     lea rdi, [rbp + COUNTERS]
     lea r9, [rbp + BYTE_SLOTS]
-    lea r15, [rbp + HISTORIES]
+    imul eax, [rbp + PHASE], SHARED
+    lea r15, [rbp + rax + HISTORIES]
 find:
     lodsd
-    mov edx, r11d
+    mov edx, [rbp + NIBBLE]
     call mix_in
     mov edx, eax // check in its low half
     mov cl, [rbx + SLOT_SHIFT]
     shr eax, cl
+    xor eax, [rbp + STEP]
     lea rax, [r8 + rax * SLOT]
     cmp [rax + SLOT_CHECK], dx
     je 2f
     mov rcx, rax
-    xor cl, SLOT
+    xor cl, SLOT * NIBBLE_SLOTS
     cmp [rcx + SLOT_CHECK], dx
     je 1f
     push rdx
@@ -137,7 +149,7 @@ find:
     mov al, r11b
     lea rax, [r15 + rax * COUNTER + AFTER_LAST]
     stosq
-    add r15, CONTEXT
+    add r15, PHASES * SHARED
     dec r10d
     jne find
     push rdi // where the correction's counter goes
@@ -166,6 +178,7 @@ find:
     push SETS
     pop r10
     mov eax, r11d
+    mov ah, [rbp + PHASE]
 1:  lea eax, [r10 + rax * SETS] // rows of the eight sets lie together
     imul eax, eax, ROW
     lea rdx, [rbp + rax + WEIGHTS - ROW]
@@ -176,6 +189,11 @@ find:
     mov eax, [r9]
     add r9, 4
     shr eax, HASH_BITS - SET_ROW_BITS
+    mov ecx, r10d
+    or cl, 4
+    mov edx, r11d
+    shr edx, cl
+    xor eax, edx
     dec r10d
     jne 1b
     call point_to_results
@@ -261,10 +279,12 @@ find:
     xor r10d, CERTAIN // or its complement
     movzx ecx, byte ptr [rbx + CONTEXTS]
     lea r8d, [rcx + rcx * (CONTEXT_INPUTS - 1) + 1]
+    movups xmm2, [rbx + SETTLED]
 1:  lodsq
     movzx ecx, byte ptr [rax]
     cvtsi2ss xmm1, ecx
-    addss xmm1, [rbx + SETTLED]
+    addss xmm1, xmm2
+    pshufd xmm2, xmm2, 0b001001 // the next one's, of three
     mov edx, [rax]
     sar edx, SEEN_BITS
     mov edi, r10d
@@ -329,7 +349,8 @@ point_to_inputs:
     lea ecx, [rcx + rcx * (CONTEXT_INPUTS - 1)]
     ret
 point_to_results:
-    lea rdx, [rbp + FINAL_WEIGHTS]
+    imul edx, [rbp + PHASE], 4 * SETS
+    lea rdx, [rbp + rdx + FINAL_WEIGHTS]
     mov rsi, rbp // RESULTS
     push SETS
     pop rcx
@@ -364,10 +385,9 @@ train:
     ret
 
 squash:
-    cvttss2si eax, xmm0
-    add eax, ONE_BITS
-    movd xmm0, eax
-    movaps xmm1, xmm0
-    addss xmm1, [rbx + ONE]
+    movss xmm1, [rbx + ONE]
+    cvttps2dq xmm0, xmm0
+    paddd xmm0, xmm1
+    addss xmm1, xmm0
     divss xmm0, xmm1
     ret

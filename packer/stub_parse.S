@@ -23,6 +23,7 @@ parse:
     mov [rbp + RELATIVE], al
     mov eax, [r12 - 3]
     bswap eax
+    mov [rbp + TARGET], eax
     sub eax, [rbp + POSITION]
     sub eax, [rbp + IMMEDIATE]
     dec eax

@@ -43,7 +43,7 @@ static_assert([] {
 
 struct Parser {
     enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand };
-    static_assert(kOperand < 1 << kPhaseBits);
+    static_assert(kOperand + 1 == kPhases && kPhases <= 1 << kPhaseBits);
     // `left` at kStart: what has been seen of the instruction, and above it the map of the opcode to come: 1
     // for 0f, 2 for 0f 38, 3 for 0f 3a
     static constexpr uint32_t kSeenRex = 1, kSeenVex = 2, kMapShift = 2, kSeenMap = 1 << kMapShift;

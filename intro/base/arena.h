@@ -10,14 +10,13 @@ struct Arena {
     unsigned char *base;
     size_t size;
     size_t used;
+    bool full = false; // it could not give all that was asked for: who takes many things may ask once
 
-    // `count` zeroed Ts on a cache line of their own; null when the arena is full.
-    template <class T> T *take(size_t count) {
-        size_t start = (used + 63) & ~(size_t)63;
-        if (start > size || count > (size - start) / sizeof(T)) return nullptr;
-        used = start + count * sizeof(T);
-        return (T *)(base + start);
-    }
+    // `count` zeroed Ts on a cache line of their own; null when there is not so much left.
+    template <class T> T *take(size_t count) { return (T *)take(count, sizeof(T)); }
+
+private:
+    void *take(size_t count, size_t each);
 };
 
 } // namespace odraz

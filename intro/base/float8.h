@@ -62,9 +62,9 @@ ODRAZ_INLINE Int8 select(Int8 m, Int8 a, Int8 b) {
     return (Int8)_mm256_blendv_ps((Float8)b, (Float8)a, (Float8)m);
 }
 
-ODRAZ_INLINE int32_t bits(float x) { return __builtin_bit_cast(int32_t, x); }
+ODRAZ_INLINE constexpr int32_t bits(float x) { return __builtin_bit_cast(int32_t, x); }
 ODRAZ_INLINE Int8 bits(Float8 x) { return (Int8)x; }
-ODRAZ_INLINE float fromBits(int32_t x) { return __builtin_bit_cast(float, x); }
+ODRAZ_INLINE constexpr float fromBits(int32_t x) { return __builtin_bit_cast(float, x); }
 ODRAZ_INLINE Float8 fromBits(Int8 x) { return (Float8)x; }
 
 // Towards zero; |x| < 2^31.

@@ -8,37 +8,38 @@ inline constexpr int kMaxWorkers = 64;
 
 struct Workers {
     int count; // threads that work, the caller's among them; 1 .. kMaxWorkers
-    // Runs body(context, piece, worker) for every piece in [0, pieces) and returns when all are done.
-    void (*run)(Workers &, int pieces, void (*body)(void *, int piece, int worker), void *context);
-    const int *abort; // becomes non-zero when the viewer leaves: skip what is left, the result is void
+    // Runs body(context, first, end, worker) for [0, count) in pieces of `size` and returns when all are
+    // done. What is left after an abort is skipped
+    void (*run)(Workers &, int count, int size, void (*body)(const void *, int first, int end, int worker),
+                const void *context);
+    const int *abort; // becomes non-zero when the viewer leaves: the result is void then
     void *host;       // the host's own
 
     bool aborted() const { return __atomic_load_n(abort, __ATOMIC_RELAXED) != 0; }
 };
 
-// f(piece, worker) for every piece; what is left after an abort is skipped.
-template <class F> void parallelFor(Workers &workers, int pieces, F &&f) {
-    struct Context {
-        F &f;
-        Workers &workers;
-    } context = {f, workers};
-    workers.run(
-        workers, pieces,
-        [](void *p, int piece, int worker) {
-            Context &c = *(Context *)p;
-            if (!c.workers.aborted()) c.f(piece, worker);
-        },
-        &context);
+// f(piece, worker) for every piece in [0, pieces).
+template <class F> void parallelFor(Workers &workers, int pieces, const F &f) {
+    auto body = [](const void *f, int piece, int, int worker) { (*(const F *)f)(piece, worker); };
+    workers.run(workers, pieces, 1, body, &f);
+}
+
+// f(first, end, worker) for [0, count) in pieces of `size`.
+template <class F> void parallelRanges(Workers &workers, int count, int size, const F &f) {
+    auto body = [](const void *f, int first, int end, int worker) { (*(const F *)f)(first, end, worker); };
+    workers.run(workers, count, size, body, &f);
 }
 
 // For one thread: tests and tools.
 inline Workers serialWorkers() {
     static const int never = 0;
-    return {1,
-            [](Workers &, int pieces, void (*body)(void *, int, int), void *context) {
-                for (int i = 0; i < pieces; ++i) body(context, i, 0);
-            },
-            &never, nullptr};
+    return {
+        1,
+        [](Workers &w, int count, int size, void (*body)(const void *, int, int, int), const void *context) {
+            for (int i = 0; i < count && !w.aborted(); i += size)
+                body(context, i, i + size < count ? i + size : count, 0);
+        },
+        &never, nullptr};
 }
 
 } // namespace odraz

@@ -5,45 +5,28 @@
 
 namespace odraz {
 
-template <int N> struct Text {
-    char data[N];
+// Of any size: so that there is one copy of what it does.
+struct AnyText {
+    char *data;
+    int room; // the zero at the end included
     int size = 0;
 
-    Text &operator<<(char c) {
-        if (size < N - 1) data[size++] = c;
-        data[size] = 0;
-        return *this;
-    }
-    Text &operator<<(const char *s) {
-        while (*s) *this << *s++;
-        return *this;
-    }
-    Text &operator<<(int64_t x) {
-        if (x < 0) *this << '-';
-        return number(x < 0 ? 0 - (uint64_t)x : (uint64_t)x, 1);
-    }
-    Text &operator<<(int x) { return *this << (int64_t)x; }
+    AnyText &operator<<(char c);
+    AnyText &operator<<(const char *s);
+    AnyText &operator<<(int64_t x);
+    AnyText &operator<<(int x) { return *this << (int64_t)x; }
     // At least `digits` digits, zeros in front.
-    Text &number(uint64_t x, int digits) {
-        char reversed[20];
-        int n = 0;
-        for (; x || n < digits; x /= 10) reversed[n++] = (char)('0' + x % 10);
-        while (n) *this << reversed[--n];
-        return *this;
-    }
+    AnyText &number(uint64_t x, int digits);
     // x >= 0 with `places` decimals, rounded.
-    Text &decimal(double x, int places) {
-        uint64_t scale = 1;
-        for (int i = 0; i < places; ++i) scale *= 10;
-        uint64_t scaled = (uint64_t)(x * (double)scale + 0.5);
-        number(scaled / scale, 1);
-        if (places) (*this << '.').number(scaled % scale, places);
-        return *this;
-    }
-    Text &padTo(int column) {
-        while (size < column && size < N - 1) *this << ' ';
-        return *this;
-    }
+    AnyText &decimal(double x, int places);
+    AnyText &padTo(int column);
+};
+
+template <int N> struct Text : AnyText {
+    char buffer[N];
+
+    Text() : AnyText{buffer, N} {}
+    Text(const Text &) = delete;
 };
 
 } // namespace odraz

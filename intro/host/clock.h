@@ -5,6 +5,8 @@
 
 namespace odraz {
 
-int64_t nanoseconds(); // monotonic, from any moment
+int64_t nanoseconds();          // monotonic, from any moment
+int64_t processorNanoseconds(); // that all threads of this process have worked
+void sleepFor(int64_t nanoseconds);
 
 } // namespace odraz

@@ -35,7 +35,7 @@ int clip(const Corner *in, int count, Corner *out, const Border &border) {
 
 } // namespace
 
-uint32_t outsideFaces(Vec3 p) {
+uint32_t outsideFaces(const Vec3 &p) {
     float sum = p.x + p.y, difference = p.x - p.y;
     uint32_t low = p.z < 0, right = p.x < p.z, left = -p.x < p.z, front = p.y < p.z, back = -p.y < p.z;
     uint32_t a = sum<0, b = sum> 0, c = difference<0, d = difference> 0;

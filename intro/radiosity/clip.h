@@ -13,7 +13,7 @@ struct Corner {
 
 // Beyond which borders of the five faces a point lies: four bits a face, the top face's lowest, then those
 // that look to +x, +y, -x and -y.
-uint32_t outsideFaces(Vec3 p);
+uint32_t outsideFaces(const Vec3 &p);
 
 // Cuts a convex polygon of 3 or 4 corners, which then has `count`, at the borders of which `crossed` has a
 // bit. Every border adds one corner at most: they are found in the buffers.

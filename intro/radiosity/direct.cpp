@@ -194,12 +194,10 @@ void Context::add(const Places &at, Float8 *sums) {
 
 void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
                      float *const *direct, const Progress &progress) {
-    static constexpr int kPiece = 64;
     int done = 0; // texels
-    parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int worker) {
+    parallelRanges(workers, model.freshCount, 64, [&](int first, int end, int worker) {
         Context context = {model, scene, lights, 0, {}};
-        int end = min(piece * kPiece + kPiece, model.freshCount);
-        for (int i = piece * kPiece; i < end; i += 8) {
+        for (int i = first; i < end; i += 8) {
             int count = min(end - i, 8), seen[8] = {};
             Texels8 t = loadTexels(model, model.fresh + i, count);
             for (int k = 0; k < count; ++k) seen[k] = model.texels[model.fresh[i + k]].visible;
@@ -217,7 +215,7 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
                 for (int t = 0; t < count; ++t) direct[k][model.fresh[i + t]] = sum[t];
             }
         }
-        int texels = __atomic_add_fetch(&done, end - piece * kPiece, __ATOMIC_RELAXED);
+        int texels = __atomic_add_fetch(&done, end - first, __ATOMIC_RELAXED);
         if (worker == 0) progress((float)texels / (float)model.freshCount);
     });
 }

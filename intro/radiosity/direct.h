@@ -40,11 +40,11 @@ struct Lights {
     // red, green and blue of the glows
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
+    const Glow *glows;
+    int skyCount, sunCount, lampCount, glowCount;
     Vec3 suns[kMaxSuns]; // world; so far away that their light is parallel; irradiance / pi of 1 on what
                          // faces them
     Lamp lamps[kMaxLamps];
-    const Glow *glows;
-    int skyCount, sunCount, lampCount, glowCount;
 
     int firstLamp() const { return skyCount + sunCount; }
     int bases() const { return firstLamp() + lampCount; }

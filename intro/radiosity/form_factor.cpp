@@ -99,7 +99,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
     float *rows = arena.take<float>((size_t)rowFloats * (size_t)h.batch);
     factors.rows = arena.take<Row>((size_t)count);
     factors.used = 0;
-    if (!delta || !sums || !rows || !factors.rows) return false;
+    if (arena.full) return false;
     deltaFormFactors(h.px, delta);
     accumulateFormFactors(h.px, delta, sums);
 

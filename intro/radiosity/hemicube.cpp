@@ -85,8 +85,8 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
             all &= code, some |= code;
         }
         uint32_t first = back ? kBackSide : (uint32_t)c.firstPatch + 1;
-        uint32_t shape = (uint32_t)c.patchesAcross() | (uint32_t)c.patchesDown() << 16;
-        float perU = (float)c.patchesAcross() / c.width, perV = (float)c.patchesDown() / c.height;
+        uint32_t shape = (uint32_t)c.patchesAcross | (uint32_t)c.patchesDown << 16;
+        float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
         for (int side = -1; side < 4; ++side, all >>= 4, some >>= 4) {
             if (all & 15) continue;
             Corner corners[4];
@@ -105,7 +105,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
 
 } // namespace
 
-Eye hemicubeEye(Vec3 p, Vec3 n, uint32_t number) {
+Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number) {
     float angle = unitFloat(pcg(number)) * (2 * kPi), c = cos(angle), s = sin(angle);
     Vec3 a = normalize(cross(abs(n.y) < 0.9f ? Vec3{0, 1, 0} : Vec3{1, 0, 0}, n)), b = cross(n, a);
     return {p, {a * c + b * s, b * c - a * s, n}};
@@ -134,7 +134,7 @@ bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     shapeAtlas(h, px);
     h.vertices = arena.take<float>((size_t)kVertices * kFloats);
     h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));
-    if (!h.vertices || !h.ids) return false;
+    if (arena.full) return false;
 
     // Look for reversed depth
     GLint extensions = 0;

@@ -29,7 +29,7 @@ struct Eye {
 
 // About the unit normal n, turned by an angle that is random but fixed for each number: else the grids of
 // neighbours alias together.
-Eye hemicubeEye(Vec3 p, Vec3 n, uint32_t number);
+Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number);
 
 struct Hemicubes {
     const Gl *gl;

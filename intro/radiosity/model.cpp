@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-int Model::addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind kind) {
+int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell, Kind kind) {
     if (chartCount == kMaxCharts) {
         overflow = true;
         return chartCount - 1;
@@ -38,7 +38,7 @@ void Model::addFacet(const float *u, const float *v) {
     ++charts[f.chart].facetsCount;
 }
 
-void Model::addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides) {
+void Model::addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, unsigned sides) {
     Vec3 x = {hi.x - lo.x, 0, 0}, y = {0, hi.y - lo.y, 0}, z = {0, 0, hi.z - lo.z};
     struct {
         Vec3 corner, u, v;
@@ -55,10 +55,11 @@ void Model::addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides) {
 // Where the hemicube of a patch stands, and how much of it is to be seen.
 static void place(const Model &model, int index, Patch &patch) {
     const Chart &c = model.charts[patch.chart];
-    int firstI = index % c.patchesAcross() * c.patchAcross, firstJ = index / c.patchesAcross() * c.patchDown;
+    int wide = c.patchAcross(), high = c.patchDown(), firstI = index % c.patchesAcross * wide,
+        firstJ = index / c.patchesAcross * high;
     auto places = [&](auto &&visit) {
-        for (int j = firstJ; j < firstJ + c.patchDown; ++j)
-            for (int i = firstI; i < firstI + c.patchAcross; ++i)
+        for (int j = firstJ; j < firstJ + high; ++j)
+            for (int i = firstI; i < firstI + wide; ++i)
                 for (int k = 0; k < 4; ++k)
                     if (model.quarterVisible(model.cells[c.firstCell + j * c.across + i], k))
                         visit(c.at(((float)i + (k & 1 ? 0.75f : 0.25f)) * c.width / (float)c.across,
@@ -67,7 +68,7 @@ static void place(const Model &model, int index, Patch &patch) {
     int count = 0;
     Vec3 sum = {};
     places([&](Vec3 p) { sum += p, ++count; });
-    int all = 4 * c.patchAcross * c.patchDown;
+    int all = 4 * wide * high;
     patch.share = (float)count / (float)all;
     if (count == 0) return;
     Vec3 middle = sum * (1.f / (float)count);
@@ -88,19 +89,19 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     for (int i = 0; i < chartCount; ++i) {
         // Whole patches: the blocks nearest to what is asked, the cells as many as they hold
         Chart &c = charts[i];
-        auto divideSide = [&](int16_t &cells, int16_t &patch) {
+        auto divideSide = [&](int16_t &cells, int16_t &patches) {
             int blocks = max((cells + block / 2) / block, 1);
-            patch = (int16_t)max((cells + blocks / 2) / blocks, 1);
-            cells = (int16_t)(patch * blocks);
+            patches = (int16_t)blocks;
+            cells = (int16_t)(max((cells + blocks / 2) / blocks, 1) * blocks);
         };
-        divideSide(c.across, c.patchAcross);
-        divideSide(c.down, c.patchDown);
+        divideSide(c.across, c.patchesAcross);
+        divideSide(c.down, c.patchesDown);
         c.firstTexel = texelCount;
         c.firstCell = cellCount;
         c.firstPatch = patchCount;
         texelCount += c.texels();
         cellCount += c.across * c.down;
-        patchCount += c.patchesAcross() * c.patchesDown();
+        patchCount += c.patchesAcross * c.patchesDown;
     }
     // A cell and all that it is divided into. Ties: 4 in a cell with hidden corners, of which there are fewer
     // than texels; 2 of a texel that hangs
@@ -114,7 +115,7 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     cells = arena.take<Cell>((size_t)cellRoom);
     ties = arena.take<Tie>((size_t)tieRoom);
     table = arena.take<int>(tableMask--);
-    if (!patches || !texels || !fresh || !cells || !ties || !table) return false;
+    if (arena.full) return false;
 
     for (int index = 0; index < chartCount; ++index) {
         const Chart &c = charts[index];
@@ -128,13 +129,14 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
         for (int j = 0; j < c.down; ++j)
             for (int i = 0; i < c.across; ++i) {
                 int t = c.texel(i, j), below = t + c.across + 1;
-                int patch = c.firstPatch + j / c.patchDown * c.patchesAcross() + i / c.patchAcross;
+                int patch = c.firstPatch + j * c.patchesDown / c.down * c.patchesAcross +
+                            i * c.patchesAcross / c.across;
                 cells[c.firstCell + j * c.across + i] = {{t, t + 1, below, below + 1}, patch, index, area, 0};
             }
     }
     findVisible(*this, scene, workers);
     for (int i = 0; i < chartCount; ++i)
-        for (int k = 0; k < charts[i].patchesAcross() * charts[i].patchesDown(); ++k) {
+        for (int k = 0; k < charts[i].patchesAcross * charts[i].patchesDown; ++k) {
             Patch &p = patches[charts[i].firstPatch + k];
             p = {{}, charts[i].n, {}, 0, 0, i};
             place(*this, k, p);

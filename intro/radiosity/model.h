@@ -51,8 +51,6 @@ struct Tie {
 };
 
 struct Model {
-    Chart charts[kMaxCharts];
-    Facet facets[kMaxFacets];
     int chartCount, facetCount;
     bool overflow; // something did not fit
     bool solid; // no back is to be seen from where there is light: hemicubes leave backs out, which is faster
@@ -68,11 +66,15 @@ struct Model {
     int *table; // of the texels inside divided cells, by their place
     uint32_t tableMask;
 
+    Chart charts[kMaxCharts];
+    Facet facets[kMaxFacets];
+
     // A rectangle with two sides given as vectors, lit on the side of u x v; returns its chart. kPieces: its
     // facets are added next, by addFacet(); kOpen makes a window of it. Cells have sides of about `cell`, but
     // there are at most kMaxAcross along a side.
     enum Kind { kWhole, kPieces, kOpen };
-    int addRect(Vec3 corner, Vec3 u, Vec3 v, int material, float cell, Kind kind = kWhole);
+    int addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell,
+                Kind kind = kWhole);
     // To the chart that was added last.
     void addFacet(float u0, float v0, float u1, float v1) {
         const float u[4] = {u0, u1, u1, u0}, v[4] = {v0, v0, v1, v1};
@@ -81,7 +83,7 @@ struct Model {
     void addFacet(const float *u, const float *v);
     // The sides of a box named by kLeft .. kBack, facing out.
     enum Side { kLeft = 1, kRight = 2, kBottom = 4, kTop = 8, kBack = 16, kFront = 32, kUpright = 51 };
-    void addBox(Vec3 lo, Vec3 hi, int material, float cell, unsigned sides);
+    void addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, unsigned sides);
 
     // Adds the facets to a scene, whose materials are numbered as the charts' are; windows are left open. All
     // must be rectangles.

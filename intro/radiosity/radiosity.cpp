@@ -8,11 +8,10 @@ namespace odraz {
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     size_t padded = texels + 8;
     for (int k = 0; k < r.lights.bases(); ++k) {
-        for (float *&plane : r.bounced[k])
-            if (!(plane = arena.take<float>(padded))) return false;
-        if (!(r.direct[k] = arena.take<float>(padded))) return false;
+        for (float *&plane : r.bounced[k]) plane = arena.take<float>(padded);
+        r.direct[k] = arena.take<float>(padded);
     }
-    return true;
+    return !arena.full;
 }
 
 void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
@@ -80,7 +79,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     auto *lit = arena.take<uint8_t>((size_t)model.patchCount);
     r.factors.capacity = settings.links;
     r.factors.links = arena.take<Link>(settings.links);
-    if (!lit || !r.factors.links || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
+    if (arena.full || !openHemicubes(r.hemicubes, gl, arena, settings.px)) return false;
     for (int i = 0; i < model.patchCount; ++i) {
         Patch &p = model.patches[i];
         const Chart &c = model.charts[p.chart];

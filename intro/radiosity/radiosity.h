@@ -38,9 +38,9 @@ struct RadiositySettings {
 };
 
 struct Radiosity {
-    Lights lights;
     FormFactors factors;
-    System system;                // of all bases; columns 3 basis + channel
+    System system; // of all bases; columns 3 basis + channel
+    Lights lights;
     float *bounced[kMaxBases][3]; // planes of texels; of skies all that arrives, direct light too
     float *direct[kMaxBases];     // planes: what share arrives from the sky, the sun or the lamp itself
     Hemicubes hemicubes;          // open as long as the context is

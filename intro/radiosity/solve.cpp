@@ -75,8 +75,8 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
     int columns = (unknowns + kSolveBlock - 1) / kSolveBlock * kSolveBlock;
     s = {&factors, patches, columns, {}, {}, {}, {}};
     for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.gathered})
-        if (!(*p = arena.take<float>((size_t)patches * (size_t)columns))) return false;
-    return true;
+        *p = arena.take<float>((size_t)patches * (size_t)columns);
+    return !arena.full;
 }
 
 int solve(System &s, Workers &workers, float residual, int most, const Progress &told) {
@@ -98,9 +98,8 @@ void bounce(System &s, Workers &workers) {
 
 void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
             Workers &workers) {
-    static constexpr int kRows = 64;
-    parallelFor(workers, (patches + kRows - 1) / kRows, [&](int piece, int) {
-        for (int i = piece * kRows; i < min(piece * kRows + kRows, patches); ++i)
+    parallelRanges(workers, patches, 64, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i)
             for (int block = 0; block < columns; block += kSolveBlock) {
                 Pair sum = gatherRow(factors, i, radiosity + block, columns);
                 float *to = gathered + (size_t)i * (size_t)columns + block;
@@ -116,12 +115,12 @@ void fillPatches(const Model &model, const FormFactors &factors, int columns, fl
     for (int i = first; i < first + count; ++i) {
         if (factors.rows[i].known) continue;
         const Chart &c = model.charts[model.patches[i].chart];
-        int x = (i - c.firstPatch) % c.patchesAcross(), y = (i - c.firstPatch) / c.patchesAcross();
+        int x = (i - c.firstPatch) % c.patchesAcross, y = (i - c.firstPatch) / c.patchesAcross;
         float *to = valuesOf(i);
         int found = 0;
-        for (int v = max(y - 1, 0); v <= min(y + 1, c.patchesDown() - 1); ++v)
-            for (int u = max(x - 1, 0); u <= min(x + 1, c.patchesAcross() - 1); ++u) {
-                int n = c.firstPatch + v * c.patchesAcross() + u;
+        for (int v = max(y - 1, 0); v <= min(y + 1, c.patchesDown - 1); ++v)
+            for (int u = max(x - 1, 0); u <= min(x + 1, c.patchesAcross - 1); ++u) {
+                int n = c.firstPatch + v * c.patchesAcross + u;
                 if (!factors.rows[n].known) continue;
                 ++found;
                 for (int k = 0; k < columns; k += 8) {

@@ -18,9 +18,8 @@ void meansOfPatches(const Model &m, const float *plane, float *mean, int stride)
 
 void addToTexels(const Model &m, const float *values, int columns, float *const *planes, int count,
                  Workers &workers, int tied) {
-    static constexpr int kPiece = 1024;
-    parallelFor(workers, (m.texelCount + kPiece - 1) / kPiece, [&](int piece, int) {
-        for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, m.texelCount); ++i) {
+    parallelRanges(workers, m.texelCount, 1024, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
             const Texel &t = m.texels[i];
             const Chart &c = m.charts[t.chart];
             // Between which two middles it lies, and where
@@ -30,9 +29,9 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
                 next = min(first + 1, patches - 1);
                 return broadcast(patches > 1 ? at - (float)first : 0.f);
             };
-            int across = c.patchesAcross(), x0, x1, y0, y1;
-            Float8 x = place(t.x, c.patchAcross, across, x0, x1),
-                   y = place(t.y, c.patchDown, c.patchesDown(), y0, y1);
+            int across = c.patchesAcross, x0, x1, y0, y1;
+            Float8 x = place(t.x, c.patchAcross(), across, x0, x1),
+                   y = place(t.y, c.patchDown(), c.patchesDown, y0, y1);
             auto from = [&](int x, int y) {
                 return values + (size_t)(c.firstPatch + y * across + x) * (size_t)columns;
             };

@@ -83,10 +83,9 @@ Places8 placesOf(const int *masks, int round) {
 }
 
 void findVisible(Model &model, const Scene &scene, Workers &workers) {
-    static constexpr int kPiece = 64;
-    parallelFor(workers, (model.freshCount + kPiece - 1) / kPiece, [&](int piece, int) {
-        for (int i = piece * kPiece; i < min(piece * kPiece + kPiece, model.freshCount); i += 8) {
-            int count = min(model.freshCount - i, 8), masks[8] = {}, visible[8] = {};
+    parallelRanges(workers, model.freshCount, 64, [&](int first, int end, int) {
+        for (int i = first; i < end; i += 8) {
+            int count = min(end - i, 8), masks[8] = {}, visible[8] = {};
             for (int k = 0; k < 4 * count; ++k) {
                 const Texel &t = model.texels[model.fresh[i + k / 4]];
                 const Chart &c = model.charts[t.chart];

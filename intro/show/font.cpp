@@ -106,7 +106,7 @@ Glyph glyph(char letter) {
 } // namespace
 
 void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
-              Align align, Rgb radiance, float opacity) {
+              Align align, const Rgb &radiance, float opacity) {
     if (opacity <= 0) return;
     float unit = size / 12, width = 0;
     for (const char *c = text; *c; ++c) width += (glyph(*c).advance + tracking) * unit;

@@ -11,6 +11,6 @@ enum class Align { Left, Centre, Right };
 // height of a figure in pixels, `weight` the stroke's width as a share of it. Unknown characters are left
 // out.
 void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
-              Align align, Rgb radiance, float opacity);
+              Align align, const Rgb &radiance, float opacity);
 
 } // namespace odraz

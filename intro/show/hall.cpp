@@ -24,19 +24,14 @@ Material faded(Material m, float grey) {
     return m;
 }
 
+const Material *const kParts[] = {
+    [kFloor] = &kHallFloor, [kWall] = &kPlaster,     [kWarm] = &kWarmPlaster, [kShaft] = &kLimestone,
+    [kBlock] = &kGranite,   [kBeamX] = &kBeamAcross, [kBeamZ] = &kBeamAlong,  [kStep] = &kGranite,
+};
+static_assert(sizeof kParts / sizeof *kParts == kLantern);
+
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
-    const Material parts[] = {
-        [kFloor] = hallFloor(),
-        [kPlaster] = plaster({0.76f, 0.73f, 0.68f}),
-        [kWarm] = plaster({0.62f, 0.33f, 0.19f}),
-        [kShaft] = limestone(),
-        [kBlock] = granite(),
-        [kBeamX] = beamAcross(),
-        [kBeamZ] = beamAlong(),
-        [kStep] = granite(),
-    };
-    static_assert(sizeof parts / sizeof *parts == kLantern);
-    for (const Material &m : parts) scene.add(faded(m, grey));
+    for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
 }
@@ -88,14 +83,13 @@ RoomSettings hallSettings(const Hall &hall) {
     return s;
 }
 
-void poseHall(Hall &hall, const HallLight &light, float grey, Vec3 eye, Scene &scene) {
+void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, Scene &scene) {
     addMaterials(scene, light, grey);
     poseRoom(hall, scene);
 
     Daylight now = daylightAt(light.hour);
     scene.sky = now.sky;
-    if (light.sun > 0)
-        scene.add(pointLight(now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))));
+    if (light.sun > 0) scene.add(Light{now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))});
 
     // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
     // the third's share
@@ -107,7 +101,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, Vec3 eye, Scene &s
         Vec3 place = hall.radiosity.lights.lamps[i].centre;
         scene.add(sphere(place, kLanternRadius, kLantern + i));
         if (drawn[i] > 0)
-            scene.add(pointLight(place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius)));
+            scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius)});
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 

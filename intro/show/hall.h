@@ -9,6 +9,7 @@
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
+inline constexpr int kHallMaterials = 8 + kLanterns + kStrips; // that it gives a scene
 inline constexpr int kSuns = 28; // positions whose bounces are solved, four for each hour
 // Of the bases: 25 of the sky, then the suns, then the lamps
 inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns,
@@ -46,6 +47,6 @@ RoomSettings hallSettings(const Hall &hall);
 
 // Fills a scene with the hall and its lights, lit for an eye: the sun and the two strongest lanterns are left
 // to the tracer. `grey` 1 .. 0 has all surfaces alike or in their own materials.
-void poseHall(Hall &hall, const HallLight &light, float grey, Vec3 eye, Scene &scene);
+void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, Scene &scene);
 
 } // namespace odraz

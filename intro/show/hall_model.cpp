@@ -53,14 +53,14 @@ void build(Hall &hall) {
     }
     m.addRect({kX, 0, -kZ}, z, y, kWarm, 0.52f);
     // The wall with the entrance
-    m.addRect({kX, 0, kZ}, -x, y, kPlaster, 0.52f, Model::kPieces);
+    m.addRect({kX, 0, kZ}, -x, y, kWall, 0.52f, Model::kPieces);
     m.addFacet(0, 0, kX - kDoor, kY);
     m.addFacet(kX + kDoor, 0, 2 * kX, kY);
     m.addFacet(kX - kDoor, kDoorHeight, kX + kDoor, kY);
-    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kPlaster, 1.39f, Model::kOpen);
-    m.addRect({-kX, 0, -kZ}, x, y, kPlaster, 0.52f);
+    m.addRect({kDoor, 0, kZ}, {-2 * kDoor, 0, 0}, {0, kDoorHeight, 0}, kWall, 1.39f, Model::kOpen);
+    m.addRect({-kX, 0, -kZ}, x, y, kWall, 0.52f);
     // The wall with the windows, in pieces, and their depth
-    m.addRect({-kX, 0, kZ}, -z, y, kPlaster, 0.42f, Model::kPieces);
+    m.addRect({-kX, 0, kZ}, -z, y, kWall, 0.42f, Model::kPieces);
     m.addFacet(0, 0, 2 * kZ, kSill);
     m.addFacet(0, kLintel, 2 * kZ, kY);
     float from = 0;
@@ -73,11 +73,11 @@ void build(Hall &hall) {
         Vec3 lo = {-kX - kDeep, kSill, middle - kWindow}, deep = {kDeep, 0, 0},
              tall = {0, kLintel - kSill, 0};
         Vec3 wide = {0, 0, 2 * kWindow};
-        m.addRect(lo, wide, deep, kPlaster, 0.2f);        // sill
-        m.addRect(lo + tall, deep, wide, kPlaster, 0.2f); // lintel
-        m.addRect(lo, deep, tall, kPlaster, 0.2f);        // jambs
-        m.addRect(lo + wide + deep, -deep, tall, kPlaster, 0.2f);
-        m.addRect(lo + wide, -wide, tall, kPlaster, 0.6f, Model::kOpen);
+        m.addRect(lo, wide, deep, kWall, 0.2f);        // sill
+        m.addRect(lo + tall, deep, wide, kWall, 0.2f); // lintel
+        m.addRect(lo, deep, tall, kWall, 0.2f);        // jambs
+        m.addRect(lo + wide + deep, -deep, tall, kWall, 0.2f);
+        m.addRect(lo + wide, -wide, tall, kWall, 0.6f, Model::kOpen);
     }
     for (int side = -1; side <= 1; side += 2) {
         float cx = kColumnX * (float)side;

@@ -8,7 +8,7 @@ namespace odraz {
 // Materials by number; each strip and each lantern has its own, because each has its own brightness.
 enum HallPart {
     kFloor,
-    kPlaster,
+    kWall,
     kWarm,
     kShaft,
     kBlock,
@@ -18,6 +18,7 @@ enum HallPart {
     kLantern,
     kStrip = kLantern + kLanterns
 };
+static_assert(kStrip + kStrips == kHallMaterials);
 
 inline constexpr float kLanternRadius = 0.15f;
 

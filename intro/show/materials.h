@@ -5,20 +5,16 @@
 
 namespace odraz {
 
-Material darkMarble();                    // black stone with pale veins, polished
-Material slate();                         // dark and dull
+extern const Material kDarkMarble; // black stone with pale veins, polished
+extern const Material kSlate;      // dark and dull
+extern const Material kBoards;     // a checker of stone and wood
+extern const Material kLimestone;  // columns of the hall
+extern const Material kHallFloor;  // a checker of two stones, polished
+extern const Material kPlaster, kWarmPlaster;
+extern const Material kBeamAlong, kBeamAcross; // oak that runs along world z, or x
+extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
+
 Material pearl(bool warm, float reflect); // silver, or copper, and so much of a mirror
-Material boards();                        // a checker of stone and wood
-Material limestone();                     // columns of the hall
-Material hallFloor();                     // a checker of two stones, polished
-Material plaster(Rgb colour);
-Material beamAlong(); // oak that runs along world z, or x
-Material beamAcross();
-Material granite();
-Material oak();
-Material glass();
-Material mirror();
-Material copper();
-Material lamp(Rgb radiance); // a body that only glows
+Material lamp(const Rgb &radiance);       // a body that only glows
 
 } // namespace odraz

@@ -5,6 +5,7 @@
 // of the cue: no scene remembers anything.
 #pragma once
 
+#include "show/events.h"
 #include "show/hall.h"
 #include "timeline/shot.h"
 #include "trace/picture/frame.h"
@@ -25,8 +26,6 @@ struct Cue {
     Hall *hall;       // null where no scene needs it
     Facts facts;
 };
-
-enum SceneId { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kSceneCount };
 
 struct SceneEntry {
     const char *name;

@@ -18,7 +18,8 @@ void open(int argc, char **argv) {
     if (!cpuSuffices()) return;
     Options o;
     Message wrong;
-    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump)
+    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump ||
+        o.wav)
         return;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
         endProcess(refuse(line));

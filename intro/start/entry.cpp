@@ -2,12 +2,13 @@
 // now, because the program has an interpreter, so malloc and threads of the libraries work.
 #include "host/process.h"
 
-// At entry rsp is 16-aligned and points to argc; a plain call gives the alignment that a function expects.
+// At entry rsp points to argc. Functions expect it 32-aligned where they are called.
 __asm__(".globl _start\n"
         ".type _start, @function\n"
         "_start:\n"
         "    xor %ebp, %ebp\n"
         "    mov %rsp, %rdi\n"
+        "    and $-32, %rsp\n"
         "    call odrazStart\n");
 
 int odrazMain(int argc, char **argv);

@@ -141,7 +141,7 @@ bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Worker
     p.weights = arena.take<float>((size_t)p.rows * (size_t)p.dimensions);
     p.members = arena.take<int>((size_t)p.rows);
     p.first = arena.take<int>((size_t)p.clusters + 1);
-    if (!p.axes || !p.weights || !p.members || !p.first) return false;
+    if (arena.full) return false;
     Clustering work = {p, settings};
     // At first any weights will do
     for (int i = 0; i < p.rows * p.dimensions; ++i) p.weights[i] = unitFloat(pcg((uint32_t)i)) - 0.5f;
@@ -149,9 +149,8 @@ bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Worker
         work.sortMembers();
         parallelFor(workers, p.clusters, [&](int c, int) { work.sharpen(c); });
         if (round == settings.rounds) return true;
-        static constexpr int kPiece = 64;
-        parallelFor(workers, (p.rows + kPiece - 1) / kPiece, [&](int piece, int) {
-            for (int r = piece * kPiece; r < min(piece * kPiece + kPiece, p.rows); ++r) work.assign(r);
+        parallelRanges(workers, p.rows, 64, [&](int first, int end, int) {
+            for (int r = first; r < end; ++r) work.assign(r);
         });
     }
 }

@@ -78,8 +78,7 @@ void findMatrix(const Model &m, const Radiosity &r, int patch, float *matrix) {
 bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const float *importance,
                 const GlossySettings &settings, Arena &arena, Workers &workers) {
     const Chart &c = m.charts[chart];
-    int patchesAcross = c.patchesAcross(), patchesDown = c.patchesDown(),
-        patches = patchesAcross * patchesDown;
+    int patchesAcross = c.patchesAcross, patchesDown = c.patchesDown, patches = patchesAcross * patchesDown;
     g.chart = &c;
     g.bases = r.lights.bases();
     g.across = (patchesAcross + 1) / 2, g.down = (patchesDown + 1) / 2;
@@ -89,9 +88,8 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
           *inverse = arena.take<float>(width);
     g.matrices = arena.take<float>((size_t)count * width);
     g.pca.cluster = arena.take<int>((size_t)count);
-    if (!each || !scale || !inverse || !g.matrices || !g.pca.cluster) return false;
-    for (float *&plane : g.plane)
-        if (!(plane = arena.take<float>((size_t)count))) return false;
+    for (float *&plane : g.plane) plane = arena.take<float>((size_t)count);
+    if (arena.full) return false;
 
     // Charts that are lamps shine in their own basis
     for (int k = 0; k < r.lights.lampCount; ++k)
@@ -155,7 +153,8 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
     return true;
 }
 
-void relightGlossy(const Glossy &g, const LightVector &light, Vec3 eye, float reflect, float strength) {
+void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, float reflect,
+                   float strength) {
     const ClusteredPca &pca = g.pca;
     const Chart &chart = *g.chart;
     // As much of each entry

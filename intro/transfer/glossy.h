@@ -39,6 +39,6 @@ bool findGlossy(Glossy &g, const Model &model, const Radiosity &r, int chart, co
 
 // Fills the planes with the radiance towards an eye of a mirror blurred by the lobe, times `strength`; its
 // reflectance rises from `reflect` at normal incidence to 1 (Schlick).
-void relightGlossy(const Glossy &g, const LightVector &light, Vec3 eye, float reflect, float strength);
+void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, float reflect, float strength);
 
 } // namespace odraz

@@ -11,9 +11,9 @@ bool followBounces(Room &room, const LightVector &followed, Arena &arena, Worker
     size_t patches = (size_t)m.patchCount, columns = (size_t)r.system.columns;
     float *radiosity = arena.take<float>(patches * kSolveBlock),
           *gathered = arena.take<float>(patches * kSolveBlock);
-    if (!radiosity || !gathered) return false;
+    for (Rgb *&bounce : room.bounce) bounce = arena.take<Rgb>(patches);
+    if (arena.full) return false;
     for (int b = 0; b <= kBounces; ++b) {
-        if (!(room.bounce[b] = arena.take<Rgb>(patches))) return false;
         if (b > 0) gather(r.factors, m.patchCount, kSolveBlock, radiosity, gathered, workers);
         for (size_t i = 0; i < patches; ++i) {
             Rgb light = {};
@@ -31,7 +31,7 @@ bool followBounces(Room &room, const LightVector &followed, Arena &arena, Worker
 }
 
 // Finds the patch nearest to a place, and keeps what it sees.
-bool visit(Room &room, Vec3 place, const Gl &gl, Arena &arena) {
+bool visit(Room &room, const Vec3 &place, const Gl &gl, Arena &arena) {
     const Model &m = room.model;
     float least = kInfinity;
     for (int i = 0; i < m.patchCount; ++i) {
@@ -42,7 +42,7 @@ bool visit(Room &room, Vec3 place, const Gl &gl, Arena &arena) {
     }
     Hemicubes h;
     room.seen = arena.take<uint32_t>((size_t)(3 * kSeen * kSeen));
-    if (!room.seen || !openHemicubes(h, gl, arena, kSeen)) return false;
+    if (arena.full || !openHemicubes(h, gl, arena, kSeen)) return false;
     Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
     drawHemicubes(h, m, &eye, 1);
     for (int i = 0; i < 3 * kSeen * kSeen; ++i)
@@ -57,7 +57,6 @@ bool wire(Room &room, Arena &arena) {
     for (int k = 0; k < 3; ++k) {
         room.light[k] = arena.take<float>((size_t)m.texelCount + 8);
         room.mosaic[k] = arena.take<float>((size_t)m.patchCount);
-        if (!room.light[k] || !room.mosaic[k]) return false;
         room.map.plane[k] = room.light[k];
         room.map.patch[k] = room.mosaic[k];
         room.map.gloss[k] = room.gloss.plane[k];
@@ -67,7 +66,7 @@ bool wire(Room &room, Arena &arena) {
     room.map.glossAcross = room.gloss.across;
     room.map.glossDown = room.gloss.down;
     room.map.cells = m.cells;
-    return true;
+    return !arena.full;
 }
 
 } // namespace

@@ -22,8 +22,6 @@ struct RoomSettings {
 };
 
 struct Room {
-    Model model;
-    Radiosity radiosity;
     Glossy gloss;
     Lightmap map;            // what the tracer reads: the planes below and those of gloss
     float *light[3];         // planes of texels, of the picture at hand: irradiance / pi
@@ -34,6 +32,8 @@ struct Room {
     // The visited patch and what it sees: a hemicube, 3 kSeen rows of kSeen as hemicube.h lays them out
     int visited;
     uint32_t *seen;
+    Radiosity radiosity;
+    Model model;
 };
 
 // Arena that solving takes: for a room of 12,000 texels, 3,500 patches and 64 bases, with a tenth to spare.
@@ -52,7 +52,8 @@ inline void poseRoom(Room &room, Scene &scene) {
 }
 
 // Lights it: texels, and gloss for an eye; `reflect` and `strength` as relightGlossy() has them.
-inline void relightRoom(Room &room, const LightVector &light, Vec3 eye, float reflect, float strength) {
+inline void relightRoom(Room &room, const LightVector &light, const Vec3 &eye, float reflect,
+                        float strength) {
     relight(room.radiosity, room.model, light, room.light);
     relightGlossy(room.gloss, light, eye, reflect, strength);
 }

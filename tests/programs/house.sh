@@ -25,11 +25,21 @@ intro.h         base timeline trace/quality.h base
 inside.h        base timeline trace sound radiosity transfer show intro.h
 intro.cpp       base timeline trace sound radiosity transfer show intro.h inside.h
 play.h          base host intro.h options.h
-play.cpp        base host intro.h options.h play.h
+play.cpp        base host intro.h options.h play.h music.h
+samples.h       base intro.h
+samples.cpp     base intro.h samples.h
+film_clock.h    base
+film_clock.cpp  base film_clock.h
+playback.h      base host intro.h film_clock.h
+playback.cpp    base host intro.h film_clock.h playback.h
+music.h         base host intro.h playback.h
+music.cpp       base host intro.h playback.h samples.h music.h
 dump.h          base host intro.h options.h
 dump.cpp        base host intro.h options.h dump.h
-main.cpp        base host start intro.h options.h play.h dump.h version.h
-main_debug.cpp  base host timeline intro.h options.h
+wav.h           base host intro.h options.h
+wav.cpp         base host intro.h options.h dump.h wav.h samples.h
+main.cpp        base host start intro.h options.h play.h dump.h wav.h version.h
+main_debug.cpp  base host timeline intro.h options.h music.h
 END
 # ... and of the system's headers
 cat >"$WORK/system" <<'END'

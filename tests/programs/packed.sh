@@ -10,11 +10,11 @@ says() { # says STATUS TEXT COMMAND...: exit status and standard output
 }
 check "it runs" says 7 "hello, 1 words, 42" "$hello"
 check "it gets its arguments" says 7 "hello, 3 words, 42" "$hello" a b
-check "it costs its payload and 2,560 bytes" prints '\(2560 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
+check "it costs its payload and 2,634 bytes" prints '\(2634 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
 check "without randomised addresses" says 7 "hello, 1 words, 42" setarch -R "$hello"
 check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
-check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 90000; exec '$hello'"
+check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
 check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
 
 check "--test says that it is whole" prints ': whole; ' "$pack" --test "$hello"

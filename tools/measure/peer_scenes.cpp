@@ -26,9 +26,7 @@ Texture cloud(Rgb low, Rgb high, float scale) {
 }
 
 // As bright as one of this colour that does not fade, seen from the middle.
-Light light(Vec3 at, Rgb colour, Vec3 middle) {
-    return pointLight(at, colour * dot(at - middle, at - middle));
-}
+Light light(Vec3 at, Rgb colour, Vec3 middle) { return Light{at, colour * dot(at - middle, at - middle)}; }
 
 } // namespace
 

@@ -49,16 +49,16 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
     double settle = sweep.quick ? 0 : 10;
     for (uint32_t n : {4u, 8u, 12u, 16u, 20u, 24u})
         if (!sweep.quick || n % 8 == 0)
-            settings.push_back({std::to_string(n) + " contexts", kContexts, n, 22,
+            settings.push_back({std::to_string(n) + " contexts", kContexts, n, ships.slotBits,
                                 n == ships.contexts ? 0 : settle, n == ships.contexts});
-    for (uint32_t bits : {16u, 18u, 19u, 20u, 21u, 23u})
-        if (!sweep.quick || bits == 18)
+    for (uint32_t bits : {16u, 18u, 20u, 21u, 22u, 23u})
+        if (bits != ships.slotBits && (!sweep.quick || bits == 18))
             settings.push_back(
                 {"2^" + std::to_string(bits) + " slots", kMemory, ships.contexts, bits, 0, false});
     if (!sweep.quick)
         for (double effort : {0., 5., 20., 60.})
-            settings.push_back(
-                {std::to_string((int)effort) + " s of search", kSearch, ships.contexts, 22, effort, false});
+            settings.push_back({std::to_string((int)effort) + " s of search", kSearch, ships.contexts,
+                                ships.slotBits, effort, false});
 
     std::string name = film.substr(film.rfind('/') + 1);
     Table table("file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb",

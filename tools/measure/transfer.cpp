@@ -107,8 +107,7 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
 
 PcaSettings uncompressedFloor(const Hall &hall) {
     const Chart &c = hall.model.charts[hall.floor];
-    return {
-        .clusters = (c.patchesAcross() + 1) / 2 * ((c.patchesDown() + 1) / 2), .dimensions = 0, .rounds = 0};
+    return {.clusters = (c.patchesAcross + 1) / 2 * ((c.patchesDown + 1) / 2), .dimensions = 0, .rounds = 0};
 }
 
 void relightRows(const ClusteredPca &p, const float *light, float *const plane[3]) {

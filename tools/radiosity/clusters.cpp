@@ -45,7 +45,7 @@ Clusters::Clusters(Model &m, double patch, const std::function<int(int)> &group,
     int patches = 0;
     for (int i = 0; i < m.chartCount; ++i) {
         const Chart &c = m.charts[i];
-        int own = c.patchesAcross() * c.patchesDown();
+        int own = c.patchesAcross * c.patchesDown;
         if ((double)c.width * (double)c.height >= patch / 2 || own > 1) {
             patches += own;
             continue;
@@ -68,7 +68,7 @@ Clusters::Clusters(Model &m, double patch, const std::function<int(int)> &group,
     std::vector<int> shift((size_t)m.chartCount);
     for (int i = 0; i < m.chartCount; ++i) {
         Chart &c = m.charts[i];
-        int own = c.patchesAcross() * c.patchesDown(), first = c.firstPatch;
+        int own = c.patchesAcross * c.patchesDown, first = c.firstPatch;
         c.firstPatch = clusterOf[(size_t)i] < 0 ? next : firstPatch + clusterOf[(size_t)i];
         shift[(size_t)i] = c.firstPatch - first;
         if (clusterOf[(size_t)i] < 0)

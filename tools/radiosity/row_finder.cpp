@@ -31,9 +31,9 @@ uint32_t patchAt(const Model &m, int chart, Vec3 at) {
     auto block = [](float x, float size, int count) {
         return std::clamp((int)(x / size * (float)count), 0, count - 1);
     };
-    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross()),
-        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown());
-    return (uint32_t)(c.firstPatch + y * c.patchesAcross() + x);
+    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross),
+        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown);
+    return (uint32_t)(c.firstPatch + y * c.patchesAcross + x);
 }
 
 namespace {

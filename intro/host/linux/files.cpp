@@ -50,11 +50,17 @@ const char *writeFile(const char *path, const void *data, size_t size) {
         part[length] = path[length];
     }
     __builtin_memcpy(part + length, ".part", 6);
-    long fd = sys::call(sys::kOpen, (long)part, 0x80241 /* write, create, truncate, cloexec */, 0666);
+    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    struct stat s;
+    bool stays =
+        sys::call(sys::kStat, (long)path, (long)&s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
+    long fd = sys::call(sys::kOpen, (long)(stays ? path : part),
+                        0x80241 /* write, create, truncate, cloexec */, 0666);
     if (fd < 0) return reason(fd);
     const char *wrong = writeAll((int)fd, data, size);
     long closed = sys::call(sys::kClose, fd);
     if (!wrong && closed < 0) wrong = reason(closed);
+    if (stays) return wrong;
     long renamed = wrong ? 0 : sys::call(sys::kRename, (long)part, (long)path);
     if (renamed < 0) wrong = reason(renamed);
     if (wrong) sys::call(sys::kUnlink, (long)part);

@@ -14,6 +14,7 @@ enum Number : long {
     kWrite = 1,
     kOpen = 2,
     kClose = 3,
+    kStat = 4,
     kFstat = 5,
     kPoll = 7,
     kMmap = 9,

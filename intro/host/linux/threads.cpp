@@ -21,27 +21,28 @@ const char *loadPthread(Pthread &p) {
 }
 
 struct Pool {
-    void (*body)(void *, int, int);
-    void *context;
-    int pieces;
-    int next;   // the first piece that nobody has taken
-    int busy;   // threads not yet done with this round
-    int round;  // counts rounds; threads sleep on it
-    int idNext; // hands out worker numbers
+    void (*body)(const void *, int, int, int);
+    const void *context;
+    const int *abort;
+    int count, size; // of all that is to be done, and of a piece
+    int next;        // the first that nobody has taken
+    int busy;        // threads not yet done with this round
+    int round;       // counts rounds; threads sleep on it
+    int idNext;      // hands out worker numbers
 };
 
 void sleepWhile(int *word, int value) { sys::call(sys::kFutex, (long)word, 128 /* WAIT | PRIVATE */, value); }
 void wake(int *word, int count) { sys::call(sys::kFutex, (long)word, 129 /* WAKE | PRIVATE */, count); }
 
 void work(Pool &pool, int worker) {
-    for (;;) {
-        int piece = __atomic_fetch_add(&pool.next, 1, __ATOMIC_RELAXED);
-        if (piece >= pool.pieces) return;
-        pool.body(pool.context, piece, worker);
+    while (!__atomic_load_n(pool.abort, __ATOMIC_RELAXED)) {
+        int first = __atomic_fetch_add(&pool.next, pool.size, __ATOMIC_RELAXED), end = first + pool.size;
+        if (first >= pool.count) return;
+        pool.body(pool.context, first, end < pool.count ? end : pool.count, worker);
     }
 }
 
-void *threadMain(void *context) {
+[[gnu::force_align_arg_pointer]] void *threadMain(void *context) {
     Pool &pool = *(Pool *)context;
     int worker = __atomic_add_fetch(&pool.idNext, 1, __ATOMIC_RELAXED);
     for (int seen = 0;;) {
@@ -54,11 +55,14 @@ void *threadMain(void *context) {
     }
 }
 
-void run(Workers &workers, int pieces, void (*body)(void *, int, int), void *context) {
+void run(Workers &workers, int count, int size, void (*body)(const void *, int, int, int),
+         const void *context) {
     Pool &pool = *(Pool *)workers.host;
     pool.body = body;
     pool.context = context;
-    pool.pieces = pieces;
+    pool.abort = workers.abort;
+    pool.count = count;
+    pool.size = size;
     pool.next = 0;
     pool.busy = workers.count - 1;
     __atomic_add_fetch(&pool.round, 1, __ATOMIC_RELEASE);

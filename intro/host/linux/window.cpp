@@ -54,12 +54,7 @@ bool isLeaving(WindowState &w, XEvent &event) {
     return key == XK_Escape || (key == XK_F4 && (event.xkey.state & Mod1Mask));
 }
 
-void pause(long milliseconds) {
-    long time[2] = {milliseconds / 1000, milliseconds % 1000 * 1000000};
-    sys::call(sys::kNanosleep, (long)time, 0);
-}
-
-void *listen(void *context) {
+[[gnu::force_align_arg_pointer]] void *listen(void *context) {
     WindowState &w = *(WindowState *)context;
     // Wait for events, waking now and then to hold off the screen saver
     for (;;) {
@@ -73,7 +68,7 @@ void *listen(void *context) {
             if (isLeaving(w, event)) {
                 __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
                 // The film ends by itself where it can; a driver that is slow to answer must not hold it up
-                pause(80);
+                sleepFor(80000000);
                 sys::exit(0);
             }
         }

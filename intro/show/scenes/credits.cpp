@@ -8,12 +8,18 @@ namespace odraz {
 
 using enum Interpolation;
 
+enum { kMarble, kSilver };
+static constexpr const Material *kMaterials[] = {&kDarkMarble, &kMirror};
+static constexpr Light kLights[] = {
+    {{-1.6f, 2.4f, 1.4f}, {9.5f, 7.6f, 5.4f}},
+    {{2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}},
+};
+
 void poseCredits(const Cue &, Scene &scene) {
-    int marble = scene.add(darkMarble()), silver = scene.add(mirror());
-    scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
-    scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, silver));
-    scene.add(pointLight({-1.6f, 2.4f, 1.4f}, {9.5f, 7.6f, 5.4f}));
-    scene.add(pointLight({2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}));
+    scene.addAll(kMaterials);
+    scene.addAll(kLights);
+    scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
+    scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, kSilver));
     scene.contact = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
@@ -22,9 +28,9 @@ void poseCredits(const Cue &, Scene &scene) {
     scene.exposure = 1.3f;
 }
 
-static constexpr Key kLine1[] = {{4, 0, Smooth}, {14, 1, Linear}};
-static constexpr Key kLine2[] = {{12, 0, Smooth}, {22, 1, Linear}};
-static constexpr Key kLine3[] = {{20, 0, Smooth}, {30, 1, Linear}};
+static constexpr Key kFade1[] = {{rowOf(kLine1), 0, Smooth}, {rowOf(kLine1) + 10, 1, Linear}};
+static constexpr Key kFade2[] = {{rowOf(kLine2), 0, Smooth}, {rowOf(kLine2) + 10, 1, Linear}};
+static constexpr Key kFade3[] = {{rowOf(kLine3), 0, Smooth}, {rowOf(kLine3) + 10, 1, Linear}};
 
 void letterCredits(const Cue &cue, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
@@ -33,19 +39,19 @@ void letterCredits(const Cue &cue, const View &, Frame &frame) {
                  value(fade, cue.row));
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f}, grey = {0.36f, 0.36f, 0.38f};
-    line("odraz", 0.17f, 0.055f, track(kLine1), pale);
-    line("a film of reflections, traced ray by ray while you watched", 0.245f, 0.023f, track(kLine2), grey);
+    line("odraz", 0.17f, 0.055f, track(kFade1), pale);
+    line("a film of reflections, traced ray by ray while you watched", 0.245f, 0.023f, track(kFade2), grey);
     Text<80> size;
     if (cue.facts.bytes)
         size << cue.facts.bytes << " bytes";
     else
         size << "in less than 65537 bytes";
-    line(size.data, 0.325f, 0.031f, track(kLine3), accent);
+    line(size.data, 0.325f, 0.031f, track(kFade3), accent);
     Text<80> machine;
     machine << "on "
             << (cue.facts.machine && *cue.facts.machine ? cue.facts.machine
                                                         : "a processor, and nothing else");
-    line(machine.data, 0.385f, 0.023f, track(kLine3), grey);
+    line(machine.data, 0.385f, 0.023f, track(kFade3), grey);
 }
 
 } // namespace odraz

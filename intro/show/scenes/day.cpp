@@ -5,12 +5,20 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kHour[] = {{0, 0, Linear}, {20, 0.2f, Linear}, {168, 6, Linear}, {200, 7, Linear}};
-static constexpr Key kLantern1[] = {{148, 0, Smooth}, {156, 1, Linear}, {224, 1, Smooth}, {244, 0, Linear}};
-static constexpr Key kLantern2[] = {
-    {164, 0, Smooth}, {172, 0.8f, Linear}, {220, 0.8f, Smooth}, {240, 0, Linear}};
-static constexpr Key kLantern3[] = {
-    {180, 0, Smooth}, {188, 0.6f, Linear}, {216, 0.6f, Smooth}, {236, 0, Linear}};
+static constexpr Key kHour[] = {
+    {0, 0, Linear}, {rowOf(kSunMoves), 0.2f, Linear}, {168, 6, Linear}, {200, 7, Linear}};
+static constexpr Key kLantern1[] = {{rowOf(kLamp1), 0, Smooth},
+                                    {rowOf(kLamp1) + 8, 1, Linear},
+                                    {rowOf(kLamp1Dies), 1, Smooth},
+                                    {rowOf(kLamp1Dies) + 20, 0, Linear}};
+static constexpr Key kLantern2[] = {{rowOf(kLamp2), 0, Smooth},
+                                    {rowOf(kLamp2) + 8, 0.8f, Linear},
+                                    {rowOf(kLamp2Dies), 0.8f, Smooth},
+                                    {rowOf(kLamp2Dies) + 20, 0, Linear}};
+static constexpr Key kLantern3[] = {{rowOf(kLamp3), 0, Smooth},
+                                    {rowOf(kLamp3) + 8, 0.6f, Linear},
+                                    {rowOf(kLamp3Dies), 0.6f, Smooth},
+                                    {rowOf(kLamp3Dies) + 20, 0, Linear}};
 static constexpr Key kExposure[] = {
     {0, 2.3f, Smooth}, {60, 2.0f, Linear}, {130, 2.0f, Smooth}, {180, 2.1f, Linear}};
 
@@ -21,9 +29,11 @@ void poseDay(const Cue &cue, Scene &scene) {
     light.lanterns[1] = value(track(kLantern2), cue.row);
     light.lanterns[0] = value(track(kLantern3), cue.row);
     light.sun = 1;
-    // The strips rise in turn, one every half bar
+    // The strips rise in turn
     static constexpr Key kRise[] = {{0, 0, Smooth}, {7, 1, Linear}};
-    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - 226 - 5 * i);
+    static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
+                                             rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
+    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - kRows[i]);
     poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
     scene.exposure = value(track(kExposure), cue.row);
 }

@@ -15,9 +15,9 @@ constexpr int kShades = 6;
 // Detail is that of a picture of so many lines, whatever its size and the lens: pixels of what is a unit away
 constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
 // When each generation grows out of the one before
-constexpr Key kGrow[kLevels][2] = {{{10, 0, Smooth}, {42, 1, Linear}},
-                                   {{40, 0, Smooth}, {76, 1, Linear}},
-                                   {{72, 0, Smooth}, {112, 1, Linear}}};
+constexpr Key kGrow[kLevels][2] = {{{rowOf(kGeneration1), 0, Smooth}, {rowOf(kGeneration1) + 32, 1, Linear}},
+                                   {{rowOf(kGeneration2), 0, Smooth}, {rowOf(kGeneration2) + 36, 1, Linear}},
+                                   {{rowOf(kGeneration3), 0, Smooth}, {rowOf(kGeneration3) + 40, 1, Linear}}};
 
 struct Flake {
     Scene &scene;
@@ -27,7 +27,7 @@ struct Flake {
     int pearls[2][kShades]; // by how much of a mirror they are
 
     // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
-    void add(int level, Vec3 centre, float radius, const Mat3 &frame) {
+    void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
         // Detail by projected size: a ball of a few pixels mirrors nothing, and one of two grows nothing
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
@@ -52,16 +52,16 @@ struct Flake {
 void poseFlake(const Cue &cue, Scene &scene) {
     Flake flake = {scene, cue.camera, {}, (float)cue.row * 0.004f, 0, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), cue.row);
-    flake.silver = scene.add(mirror());
+    flake.silver = scene.add(kMirror);
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
             flake.pearls[warm][i] = scene.add(pearl(warm, 0.3f * (float)i / (kShades - 1)));
-    scene.add(plane({0, 0, 0}, scene.add(slate())));
+    scene.add(plane({0, 0, 0}, scene.add(kSlate)));
     flake.add(0, {0, 1, 0}, 1, kIdentity);
 
     // Behind us, to one side
     Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
-    scene.add(pointLight(eye + back * 1.2f + Vec3{back.z, 0.9f, -back.x} * 1.5f, {7.5f, 6.6f, 5.6f}));
+    scene.add(Light{eye + back * 1.2f + Vec3{back.z, 0.9f, -back.x} * 1.5f, {7.5f, 6.6f, 5.6f}});
     scene.ambientLow = {0.05f, 0.045f, 0.045f};
     scene.ambientHigh = {0.10f, 0.12f, 0.17f};
     scene.sky = plainSky({0.46f, 0.27f, 0.17f}, {0.02f, 0.045f, 0.12f});

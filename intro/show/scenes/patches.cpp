@@ -11,16 +11,22 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr float kGrey = 0.6f; // albedo of everything, at first
-static constexpr float kWave = 84;   // row at which the colours begin to spread from the visited patch
-static constexpr Key kOpen[] = {{34, 0, Smooth}, {46, 1, Linear}, {76, 1, Smooth}, {82, 0, Linear}};
-static constexpr Key kTaken[] = {{66, 0, Smooth}, {72, 1, Linear}};
-static constexpr Key kBounce[] = {{100, 0, Smooth},    {101.5f, 1, Linear}, {108, 1, Smooth},
-                                  {109.5f, 2, Linear}, {116, 2, Smooth},    {117.5f, 3, Linear},
-                                  {122, 3, Smooth},    {124, 4, Linear}};
-static constexpr Key kExposure[] = {
-    {84, 1.5f, Smooth}, {100, 1.9f, Linear}, {140, 1.9f, Smooth}, {180, 1.7f, Linear}};
-static constexpr Key kMelt[] = {{134, 0, Smooth}, {166, 1, Linear}};
-static constexpr Key kReal[] = {{140, 0, Smooth}, {172, 1, Linear}};
+static constexpr Key kOpen[] = {{rowOf(kHalfCubeOpens), 0, Smooth},
+                                {rowOf(kHalfCubeOpens) + 12, 1, Linear},
+                                {rowOf(kHalfCubeCloses), 1, Smooth},
+                                {rowOf(kHalfCubeCloses) + 6, 0, Linear}};
+static constexpr Key kTaken[] = {{rowOf(kPatchTakesColour), 0, Smooth},
+                                 {rowOf(kPatchTakesColour) + 6, 1, Linear}};
+static constexpr Key kBounce[] = {{rowOf(kBounce1), 0, Smooth}, {rowOf(kBounce1) + 1.5f, 1, Linear},
+                                  {rowOf(kBounce2), 1, Smooth}, {rowOf(kBounce2) + 1.5f, 2, Linear},
+                                  {rowOf(kBounce3), 2, Smooth}, {rowOf(kBounce3) + 1.5f, 3, Linear},
+                                  {rowOf(kBounce4), 3, Smooth}, {rowOf(kBounce4) + 2, 4, Linear}};
+static constexpr Key kExposure[] = {{rowOf(kColoursSpread), 1.5f, Smooth},
+                                    {rowOf(kBounce1), 1.9f, Linear},
+                                    {140, 1.9f, Smooth},
+                                    {180, 1.7f, Linear}};
+static constexpr Key kMelt[] = {{rowOf(kPatchesMelt), 0, Smooth}, {rowOf(kPatchesMelt) + 32, 1, Linear}};
+static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 6, 0, Smooth}, {rowOf(kPatchesMelt) + 38, 1, Linear}};
 
 // What a patch shows: grey by the way it faces, in the end its light after so many bounces.
 static Rgb patchLight(const Hall &hall, int i, float bounces, float lit) {
@@ -50,7 +56,7 @@ void posePatches(const Cue &cue, Scene &scene) {
     // The patches' light, as it has spread from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
-    float reach = ((float)row - kWave) * 1.25f;
+    float reach = ((float)row - rowOf(kColoursSpread)) * 1.25f;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -59,9 +65,10 @@ void posePatches(const Cue &cue, Scene &scene) {
         Rgb own = patchLight(*hall, i, i == hall->visited ? max(bounces, 1.f) : bounces, lit);
         // What its own reflectance makes of the light, until surfaces have that themselves
         own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
-        if (i == hall->visited && row > 26 && row < 74) {
-            float pulse = 0.5f - 0.5f * cos(((float)row - 26) * (kPi / 4));
-            own = lerp(own, Rgb{1.3f, 0.55f, 0.26f}, row < 34 ? pulse : 1 - value(track(kTaken), row));
+        if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kHalfCubeCloses) - 2) {
+            float pulse = 0.5f - 0.5f * cos(((float)row - rowOf(kPatchIsVisited)) * (kPi / 4));
+            own = lerp(own, Rgb{1.3f, 0.55f, 0.26f},
+                       row < rowOf(kHalfCubeOpens) ? pulse : 1 - value(track(kTaken), row));
         }
         hall->mosaic[0][i] = own.x, hall->mosaic[1][i] = own.y, hall->mosaic[2][i] = own.z;
     }

@@ -8,27 +8,34 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kKeyLight[] = {
-    {4, 0, Smooth}, {12, 0.035f, Smooth}, {20, 0.02f, Smooth}, {56, 1, Linear}};
-static constexpr Key kRimLight[] = {{48, 0, Smooth}, {96, 1, Linear}};
-static constexpr Key kMirrorAt[] = {{40, 2.9f, Smooth}, {96, 0.92f, Linear}}; // its x as it rolls in
+static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
+                                    {rowOf(kLightIsBorn) + 8, 0.035f, Smooth},
+                                    {rowOf(kLightGrows), 0.02f, Smooth},
+                                    {rowOf(kLightGrows) + 36, 1, Linear}};
+static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
+                                    {rowOf(kRimLightWakes) + 48, 1, Linear}};
+static constexpr Key kMirrorAt[] = {{rowOf(kMirrorRollsIn), 2.9f, Smooth},
+                                    {rowOf(kMirrorRollsIn) + 56, 0.92f, Linear}}; // its x as it rolls in
+
+enum { kMarble, kClear, kSilver };
+static constexpr const Material *kMaterials[] = {&kDarkMarble, &kGlass, &kMirror};
 
 void posePoint(const Cue &cue, Scene &scene) {
     float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row);
-    int marble = scene.add(darkMarble()), clear = scene.add(glass()), silver = scene.add(mirror());
+    scene.addAll(kMaterials);
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (0.05f + key)));
 
-    scene.add(plane({0, 0, 0}, marble))->textureShift = {3.1f, 0.37f, 1.9f};
-    scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, clear));
+    scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
+    scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, kClear));
     float x = value(track(kMirrorAt), cue.row);
-    Shape *ball = scene.add(sphere({x, 0.36f, -0.42f}, 0.36f, silver));
+    Shape *ball = scene.add(sphere({x, 0.36f, -0.42f}, 0.36f, kSilver));
     float turn = x / 0.36f;
     ball->frame = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
 
     Vec3 point = {-1.12f, 1.22f, 0.3f};
     if (key > 0) scene.add(sphere(point, 0.022f, glow));
-    scene.add(pointLight(point, Rgb{8.2f, 6.5f, 4.6f} * key));
-    scene.add(pointLight({2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim));
+    scene.add(Light{point, Rgb{8.2f, 6.5f, 4.6f} * key});
+    scene.add(Light{{2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim});
     scene.contact = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
@@ -37,7 +44,10 @@ void posePoint(const Cue &cue, Scene &scene) {
     scene.exposure = 1.5f;
 }
 
-static constexpr Key kTitle[] = {{72, 0, Smooth}, {92, 1, Linear}, {122, 1, Smooth}, {138, 0, Linear}};
+static constexpr Key kTitle[] = {{rowOf(kWordComes), 0, Smooth},
+                                 {rowOf(kWordComes) + 20, 1, Linear},
+                                 {rowOf(kWordGoes), 1, Smooth},
+                                 {rowOf(kWordGoes) + 16, 0, Linear}};
 
 void letterPoint(const Cue &cue, const View &, Frame &frame) {
     float h = (float)frame.height;

@@ -5,8 +5,52 @@
 
 namespace odraz {
 
+namespace {
+
+enum { kBoard, kEdge, kGround, kClear, kSilver, kRed, kStone };
+constexpr const Material *kMaterials[] = {
+    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kGranite,  [kClear] = &kGlass,
+    [kSilver] = &kMirror, [kRed] = &kCopper, [kStone] = &kDarkMarble};
+
+// One of the four that frame the table: mitred enough for the eye, the grain along each side.
+constexpr Shape side(int i) {
+    float at = i & 1 ? -3.11f : 3.11f;
+    bool alongX = i < 2;
+    Shape s =
+        box(alongX ? Vec3{0, -0.09f, at} : Vec3{at, -0.09f, 0}, {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, kEdge);
+    if (alongX) s.frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
+    s.textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
+    return s;
+}
+// What stands: the table, the ground, and one great mirror in the middle.
+constexpr Shape kShapes[] = {
+    box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, kBoard),
+    side(0),
+    side(1),
+    side(2),
+    side(3),
+    cylinder({0, -1.2f, 0}, 0.8f, 1.05f, kEdge),
+    plane({0, -2.2f, 0}, kGround),
+    sphere({0, 0.8f, 0}, 0.8f, kSilver),
+};
+// Five that circle it, two that circle lower the other way, and one above.
+constexpr struct {
+    float angle, distance, radius, speed, lift;
+    int material;
+} kMovers[] = {
+    {0.3f, 1.75f, 0.46f, 1, 0, kClear}, {1.9f, 1.85f, 0.38f, 1, 0, kRed},
+    {3.2f, 1.8f, 0.42f, 1, 0, kStone},  {4.5f, 1.75f, 0.46f, 1, 0, kClear},
+    {5.5f, 1.9f, 0.28f, 1, 0, kSilver}, {0.9f, 2.55f, 0.2f, -1, 0, kSilver},
+    {4.0f, 2.55f, 0.2f, -1, 0, kEdge},  {2.4f, 0.95f, 0.24f, 2, 1.35f, kClear},
+};
+constexpr Light kLights[] = {
+    {{-4.5f, 5.5f, 3.5f}, {74, 56, 38}},
+    {{5.5f, 4.0f, 1.5f}, {10, 13, 19}},
+    {{1.0f, 3.5f, -5.5f}, {12, 10, 8}},
+};
+
 // A turn of the circle that rests on every beat's end and moves between: one step of an eighth a half bar.
-static float stepped(double row) {
+float stepped(double row) {
     double beat = row / 8;
     if (beat < 0) beat = 0;
     int whole = (int)beat;
@@ -14,37 +58,14 @@ static float stepped(double row) {
     return ((float)whole + 0.35f * part + 0.65f * smoothstep(0.f, 1.f, part)) * (kPi / 8);
 }
 
+} // namespace
+
 void poseTable(const Cue &cue, Scene &scene) {
-    int board = scene.add(boards()), edge = scene.add(oak()), ground = scene.add(granite());
-    int clear = scene.add(glass()), silver = scene.add(mirror()), red = scene.add(copper()),
-        stone = scene.add(darkMarble());
-
-    scene.add(box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, board));
-    for (int i = 0; i < 4; ++i) {
-        // The frame of the table: mitred enough for the eye, the grain along each side
-        float side = i & 1 ? -3.11f : 3.11f;
-        bool alongX = i < 2;
-        Shape *s = scene.add(box(alongX ? Vec3{0, -0.09f, side} : Vec3{side, -0.09f, 0},
-                                 {0.11f, 0.13f, alongX ? 3.22f : 3.0f}, edge));
-        if (alongX) s->frame = {{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}};
-        s->textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
-    }
-    scene.add(cylinder({0, -1.2f, 0}, 0.8f, 1.05f, edge))->frame = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    scene.add(plane({0, -2.2f, 0}, ground));
-
-    // One great mirror in the middle, five that circle it, two that circle lower the other way
-    scene.add(sphere({0, 0.8f, 0}, 0.8f, silver));
-    float turn = stepped(cue.row - 32);
-    struct Mover {
-        float angle, distance, radius, speed, lift;
-        int material;
-    } movers[] = {
-        {0.3f, 1.75f, 0.46f, 1, 0, clear}, {1.9f, 1.85f, 0.38f, 1, 0, red},
-        {3.2f, 1.8f, 0.42f, 1, 0, stone},  {4.5f, 1.75f, 0.46f, 1, 0, clear},
-        {5.5f, 1.9f, 0.28f, 1, 0, silver}, {0.9f, 2.55f, 0.2f, -1, 0, silver},
-        {4.0f, 2.55f, 0.2f, -1, 0, edge},  {2.4f, 0.95f, 0.24f, 2, 1.35f, clear},
-    };
-    for (const Mover &m : movers) {
+    scene.addAll(kMaterials);
+    scene.addAll(kShapes);
+    scene.addAll(kLights);
+    float turn = stepped(cue.row - rowOf(kBallsSetOff));
+    for (const auto &m : kMovers) {
         float angle = m.angle + turn * m.speed;
         Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
         Shape *s = scene.add(sphere(place, m.radius, m.material));
@@ -56,9 +77,6 @@ void poseTable(const Cue &cue, Scene &scene) {
         s->textureShift = {m.angle, m.distance, 0.5f};
     }
 
-    scene.add(pointLight({-4.5f, 5.5f, 3.5f}, {74, 56, 38}));
-    scene.add(pointLight({5.5f, 4.0f, 1.5f}, {10, 13, 19}));
-    scene.add(pointLight({1.0f, 3.5f, -5.5f}, {12, 10, 8}));
     scene.contact = true;
     scene.ambientLow = {0.075f, 0.065f, 0.055f};
     scene.ambientHigh = {0.11f, 0.135f, 0.18f};

@@ -12,16 +12,13 @@ namespace {
 constexpr float kFilter = 0.5f;
 
 void want(TileScratch &s, int x, int y) {
-    uint32_t i = (uint32_t)(y * kPlaces + x);
+    uint32_t i = placeAt(x, y);
     if (s.traced[i] == s.stamp) return;
     s.traced[i] = s.stamp;
     s.wanted[s.wantedCount++] = i;
 }
 void wantCorners(TileScratch &s, Square q, int size) {
-    want(s, q.x, q.y);
-    want(s, q.x + size, q.y);
-    want(s, q.x, q.y + size);
-    want(s, q.x + size, q.y + size);
+    for (int k = 0; k < 4; ++k) want(s, q.x + (k & 1) * size, q.y + (k >> 1) * size);
 }
 // The corners of a square's quarters that are not its own.
 void wantMiddles(TileScratch &s, Square q, int size) {
@@ -46,7 +43,7 @@ void traceWanted(Tile &t, float size) {
             int px = (int)s.wanted[first + i] % kPlaces, py = (int)s.wanted[first + i] / kPlaces;
             x[i] = (float)t.x0 + (float)px * 0.25f;
             y[i] = (float)t.y0 + (float)py * 0.25f;
-            index[i] = (uint32_t)(corners ? (py >> 2) * kCorners + (px >> 2) : i);
+            index[i] = corners ? cornerAt(px, py) : (uint32_t)i;
         }
         traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, x, y, index,
                      corners ? s.corners : s.samples);
@@ -78,7 +75,7 @@ int splitSquares(Tile &t, int count) {
         };
         for (int i = 0; i < count; ++i) {
             Square a = squares[i];
-            int c[4];
+            uint32_t c[4];
             cornersOf(a, size, c);
             int shape = onSilhouette(s, c) || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
             if (size > 4) {

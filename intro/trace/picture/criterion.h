@@ -27,7 +27,7 @@ ODRAZ_INLINE float range(const __m128 (&v)[4]) {
 }
 
 // (Out of line: each is asked in several places of one large function.)
-[[gnu::noinline]] inline float rangeOf(const TileScratch &s, const int *c) {
+[[gnu::noinline]] inline float rangeOf(const TileScratch &s, const uint32_t *c) {
     return range({s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]});
 }
 [[gnu::noinline]] inline float rangeOf(const Tile &t, const __m128 (&v)[4]) {
@@ -51,7 +51,7 @@ inline bool sameMarks(const Sample &a, const Sample &b) {
 // Whether a square of more than a pixel splits, by its corners c, which all show `shape` (-1: the sky, or not
 // the same). Where a mirror or glass shows a texture, the corners of a larger square cannot tell what lies
 // between.
-inline bool splitsSquare(const Tile &t, Square a, int size, const int *c, int shape) {
+inline bool splitsSquare(const Tile &t, Square a, int size, const uint32_t *c, int shape) {
     const TileScratch &s = t.s;
     const Sample *k[4] = {&s.corners[c[0]], &s.corners[c[1]], &s.corners[c[2]], &s.corners[c[3]]};
     bool marks = !(sameMarks(*k[0], *k[1]) && sameMarks(*k[0], *k[2]) && sameMarks(*k[0], *k[3]));
@@ -67,11 +67,11 @@ inline bool splitsSquare(const Tile &t, Square a, int size, const int *c, int sh
 inline bool splitsBySides(const TileScratch &s, Square a, int size, float mild) {
     const int half = size / 2, x[4] = {a.x + half, a.x, a.x + size, a.x + half},
               y[4] = {a.y, a.y + half, a.y + half, a.y + size};
-    int corner = (a.y >> 2) * kCorners + (a.x >> 2);
+    uint32_t corner = cornerAt(a.x, a.y);
     const Sample &c = s.corners[corner];
     for (int i = 0; i < 4; ++i) {
-        if (s.traced[y[i] * kPlaces + x[i]] != s.stamp) continue;
-        int middle = (y[i] >> 2) * kCorners + (x[i] >> 2);
+        if (s.traced[placeAt(x[i], y[i])] != s.stamp) continue;
+        uint32_t middle = cornerAt(x[i], y[i]);
         if (sameMarks(s.corners[middle], c)) continue;
         if (size > 8 || range({s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]}) > mild)
             return true;
@@ -81,7 +81,7 @@ inline bool splitsBySides(const TileScratch &s, Square a, int size, float mild) 
 
 // Whether a pixel splits. Only what is seen decides; where nothing but the texture differs its own filter
 // serves.
-inline bool splitsPixel(const Tile &t, Square a, const int *c, int shape) {
+inline bool splitsPixel(const Tile &t, Square a, const uint32_t *c, int shape) {
     bool calm = shape >= 0 && rangeOf(t.s, c) <= t.quality.edge;
     if (!calm) {
         __m128 v[4];

@@ -15,10 +15,8 @@ Float8 encodeSrgb(Float8 x) {
 }
 
 void develop(Frame &frame, Workers &workers, float exposure) {
-    static constexpr int kRows = 16;
-    parallelFor(workers, (frame.height + kRows - 1) / kRows, [&](int strip, int) {
-        int end = min(strip * kRows + kRows, frame.height);
-        for (int y = strip * kRows; y < end; ++y) {
+    parallelRanges(workers, frame.height, 16, [&](int first, int end, int) {
+        for (int y = first; y < end; ++y) {
             uint8_t *out = frame.rgba + (size_t)y * (size_t)frame.width * 4;
             for (int x = 0; x < frame.width; x += 8) {
                 Uint8 place = (Uint8)(kLanes + (x + y * kMaxWidth));

@@ -29,7 +29,8 @@ static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
 
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
-    int c[4], x0 = q.x >> 2, y0 = q.y >> 2, at = y0 * kTile + x0;
+    uint32_t c[4];
+    int x0 = q.x >> 2, y0 = q.y >> 2, at = y0 * kTile + x0;
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
     bool same = !onSilhouette(s, c);

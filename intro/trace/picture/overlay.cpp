@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance,
+void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, const Rgb &radiance,
                  float opacity) {
     // Bound the figure
     float lo[2] = {kInfinity, kInfinity}, hi[2] = {-kInfinity, -kInfinity};

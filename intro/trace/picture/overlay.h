@@ -13,7 +13,7 @@ struct Stroke {
 
 // Lays strokes of the given half width (pixels) over the frame as one figure: overlaps do not add up. Edges
 // are anti-aliased; opacity 0 .. 1 mixes `radiance` with what is there.
-void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, Rgb radiance,
+void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth, const Rgb &radiance,
                  float opacity);
 
 } // namespace odraz

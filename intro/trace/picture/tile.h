@@ -39,16 +39,17 @@ struct Grain {
 };
 
 struct TileScratch {
-    TraceScratch trace;
+    int64_t sampleCount;
+    int wantedCount, grainCount;
+    uint8_t stamp;
     Candidates among; // what the tile's primary rays may meet
+    Grain grains[kGrains];
     Sample corners[kCorners * kCorners];
     __m128 shown[kCorners * kCorners]; // intensities there as the eye weighs them, texture left out
     __m128 fine[kPlaces * kPlaces];    // radiance at places between
     uint8_t traced[kPlaces * kPlaces]; // equal to `stamp` where it is
-    uint8_t stamp;
     // Places wanted next
     uint32_t wanted[kPlaces * kPlaces];
-    int wantedCount;
     // Places that are being traced, pixels of the picture, and the samples that they go to. Read by eight:
     // behind the last one stands what was there before
     float x[kChunk], y[kChunk];
@@ -59,9 +60,7 @@ struct TileScratch {
     uint16_t owner[kTile * kTile + 8];
     Sample samples[kChunk];
     Discs discs;
-    Grain grains[kGrains];
-    int grainCount;
-    int64_t sampleCount;
+    TraceScratch trace;
 };
 
 struct Tile {
@@ -73,25 +72,30 @@ struct Tile {
     int x0, y0, width, height; // the part of the frame that it covers, in pixels
 };
 
+// The index of a place, and of a corner that stands at a place.
+ODRAZ_INLINE uint32_t placeAt(int x, int y) { return (uint32_t)(y * kPlaces + x); }
+ODRAZ_INLINE uint32_t cornerAt(int x, int y) { return (uint32_t)((y >> 2) * kCorners + (x >> 2)); }
+
 // Indices of the corners of a square that is some whole pixels wide: upper left, upper right, lower left,
 // lower right.
-ODRAZ_INLINE void cornersOf(Square q, int size, int *c) {
-    c[0] = (q.y >> 2) * kCorners + (q.x >> 2);
-    c[1] = c[0] + (size >> 2);
-    c[2] = c[0] + (size >> 2) * kCorners;
-    c[3] = c[2] + (size >> 2);
+ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
+    uint32_t pixels = (uint32_t)size >> 2;
+    c[0] = cornerAt(q.x, q.y);
+    c[1] = c[0] + pixels;
+    c[2] = c[0] + pixels * kCorners;
+    c[3] = c[2] + pixels;
 }
 
 // Whether a square's corners show different things: the first of the thesis's four tests.
-ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const int *c) {
+ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const uint32_t *c) {
     uint32_t id = s.corners[c[0]].id;
     return s.corners[c[1]].id != id || s.corners[c[2]].id != id || s.corners[c[3]].id != id;
 }
 
 // Radiance at a place that is traced, and at the corners of a square below a pixel.
 inline __m128 radianceAt(const TileScratch &s, int x, int y) {
-    if ((x | y) & 3) return s.fine[y * kPlaces + x];
-    return radianceOf(s.corners[(y >> 2) * kCorners + (x >> 2)]);
+    if ((x | y) & 3) return s.fine[placeAt(x, y)];
+    return radianceOf(s.corners[cornerAt(x, y)]);
 }
 inline void radianceAt(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
     for (int i = 0; i < 4; ++i) v[i] = radianceAt(s, q.x + (i & 1) * size, q.y + (i >> 1) * size);

@@ -48,9 +48,8 @@ const size_t kTileScratchBytes = sizeof(TileScratch) + 64;
 bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
     if (workers > kMaxWorkers) return false;
     tracer.workers = workers;
-    for (int i = 0; i < tracer.workers; ++i)
-        if (!(tracer.scratch[i] = arena.take<TileScratch>(1))) return false;
-    return true;
+    for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i] = arena.take<TileScratch>(1);
+    return !arena.full;
 }
 
 void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,

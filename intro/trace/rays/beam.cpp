@@ -2,13 +2,13 @@
 
 namespace odraz {
 
-Beam beamThrough(Vec3 origin, const Vec3 (&corner)[4]) {
+Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]) {
     Beam b = {origin, {}, {0, 0, 0, 0, -kInfinity}};
     for (int i = 0; i < 4; ++i) b.n[i] = normalize(cross(corner[i], corner[(i + 1) & 3]));
     return b;
 }
 
-Spread::Spread(Vec3 o, Vec3 towards) : origin(o) {
+Spread::Spread(const Vec3 &o, const Vec3 &towards) : origin(o) {
     Vec3 w = normalize(towards), u = normalize(abs(w.y) < 0.9f ? Vec3{w.z, 0, -w.x} : Vec3{0, -w.z, w.y});
     frame = {u, cross(w, u), w};
     low[0] = low[1] = ahead = broadcast(kInfinity);
@@ -44,8 +44,7 @@ namespace {
 ODRAZ_INLINE Float8 distanceFrom(const Scene &scene, const Candidates &among, int i, Vec3 origin, Vec3x8 d,
                                  Flat flat) {
     const Shape &s = scene.shapes[among.shape[i]];
-    return s.kind == ShapeKind::Sphere ? among.ball[i].hit(d)
-                                       : distance(scene, s, {broadcast(origin), d}, flat);
+    return s.kind == ShapeKind::Sphere ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}, flat);
 }
 
 } // namespace
@@ -107,7 +106,8 @@ void gather(const Scene &scene, const Beam &beam, Candidates &found) {
     }
 }
 
-Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Int8 active) {
+Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
+               Int8 active) {
     if (among.count < 0) return intersect(scene, {broadcast(origin), d}, active);
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i)
@@ -115,8 +115,8 @@ Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, const V
     return hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Float8 tMax,
-                   Int8 active, Int8 own) {
+Rgb8 transmittance(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
+                   Float8 tMax, Int8 active, Int8 own) {
     if (among.count < 0) return transmittance(scene, {broadcast(origin), d}, tMax, active, own);
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     for (int i = 0; i < among.count && any(active); ++i) {

@@ -17,12 +17,12 @@ struct Beam {
 };
 
 // The beam between four directions, in order around it, seen from within clockwise.
-Beam beamThrough(Vec3 origin, const Vec3 (&corner)[4]);
+Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]);
 
 // The beam from an origin to points that are added packet by packet. Wider than some 80 degrees it is none.
 class Spread {
 public:
-    Spread(Vec3 origin, Vec3 towards);
+    Spread(const Vec3 &origin, const Vec3 &towards);
     void add(const Vec3x8 &fromOrigin);
     bool narrow() const;
     Beam beam() const;
@@ -56,8 +56,8 @@ void gather(const Scene &scene, const Beam &beam, Candidates &found);
 
 // As intersect() and transmittance(), for rays from one origin: among the candidates of their beam, or where
 // these were too many, through the tree.
-Hit8 intersect(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Int8 active);
-Rgb8 transmittance(const Scene &scene, const Candidates &among, Vec3 origin, const Vec3x8 &d, Float8 tMax,
-                   Int8 active, Int8 own);
+Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
+Rgb8 transmittance(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
+                   Float8 tMax, Int8 active, Int8 own);
 
 } // namespace odraz

@@ -59,7 +59,7 @@ struct Stack {
 template <bool kSorted, class Meet>
 void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int8 &active, Meet &&meet) {
     for (int i = 0; i < scene.unboundedCount; ++i)
-        meet(scene.unbounded[i], distance(scene, scene.shapes[scene.unbounded[i]], ray, flat));
+        meet(scene.unbounded[i], distance(scene.shapes[scene.unbounded[i]], ray, flat));
     if (!scene.nodeCount || !any(active)) return;
     Slabs slabs = Slabs::from(ray);
     Stack stack;
@@ -83,7 +83,7 @@ void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int
                     stack.push(base, n.child[i], kSorted ? least(enter) : 0);
                     continue;
                 }
-                t = distance(scene, scene.shapes[~n.child[i]], ray, flat);
+                t = distance(scene.shapes[~n.child[i]], ray, flat);
             }
             if (!any(t <= reach)) continue;
             meet(~n.child[i], t);
@@ -124,7 +124,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
             if (n.child[i] >= 0)
                 stack.push(base, n.child[i], enter[i]);
             else
-                take(~n.child[i], distanceTo(scene, scene.shapes[~n.child[i]], ray)[0]);
+                take(~n.child[i], distanceTo(scene.shapes[~n.child[i]], ray)[0]);
         }
     }
 }
@@ -144,7 +144,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     if (diverge(scene, ray, active)) {
         for (int i = 0; i < scene.unboundedCount; ++i)
-            takeNearer(hit, distance(scene, scene.shapes[scene.unbounded[i]], ray), scene.unbounded[i]);
+            takeNearer(hit, distance(scene.shapes[scene.unbounded[i]], ray), scene.unbounded[i]);
         float t[8];
         int shape[8];
         store(t, hit.t), store(shape, hit.shape);
@@ -157,8 +157,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         return {load(t), loadInts(shape)};
     }
     if (scene.shapeCount <= 12) {
-        for (int i = 0; i < scene.shapeCount; ++i)
-            takeNearer(hit, distanceTo(scene, scene.shapes[i], ray), i);
+        for (int i = 0; i < scene.shapeCount; ++i) takeNearer(hit, distanceTo(scene.shapes[i], ray), i);
         return hit;
     }
     traverse<true>(scene, ray, Flat::Seen, hit.t, active,

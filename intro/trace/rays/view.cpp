@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-View lookAt(Vec3 eye, Vec3 target, float roll, float fov, int width, int height) {
+View lookAt(const Vec3 &eye, const Vec3 &target, float roll, float fov, int width, int height) {
     View view = {};
     view.eye = eye;
     view.width = (float)width;

@@ -23,8 +23,8 @@ struct View {
 
     // How far ahead of the eye a point lies, and where it stands in the picture, which only what is ahead
     // does.
-    float ahead(Vec3 p) const { return dot(p - eye, forward); }
-    void project(Vec3 p, float &x, float &y) const {
+    float ahead(const Vec3 &p) const { return dot(p - eye, forward); }
+    void project(const Vec3 &p, float &x, float &y) const {
         Vec3 to = p - eye;
         float inverse = 1 / ahead(p);
         x = fmadd(dot(to, right) * inverse, width / dot(right, right), width * 0.5f);
@@ -34,6 +34,6 @@ struct View {
 
 // Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the
 // eye looks along -z, a view straight up or down takes -z or z as its upper edge: there is always a picture.
-View lookAt(Vec3 eye, Vec3 target, float roll, float fov, int width, int height);
+View lookAt(const Vec3 &eye, const Vec3 &target, float roll, float fov, int width, int height);
 
 } // namespace odraz

@@ -56,7 +56,7 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
     if (map.mosaic > 0) {
         const float *const plane[3] = {map.patch[0] + c.firstPatch, map.patch[1] + c.firstPatch,
                                        map.patch[2] + c.firstPatch};
-        light = light + (mosaicAt(plane, c.patchesAcross(), c.patchesDown(), map.sharpness, c, q) - light) *
+        light = light + (mosaicAt(plane, c.patchesAcross, c.patchesDown, map.sharpness, c, q) - light) *
                             broadcast(map.mosaic);
     }
     return light;
@@ -68,7 +68,7 @@ Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p) {
 
 Int8 patchAt(const Chart &c, const Vec3x8 &p, Float8 width, Float8 &clear) {
     Vec3x8 q = p - c.corner;
-    float perU = (float)c.patchesAcross() / c.width, perV = (float)c.patchesDown() / c.height;
+    float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);
     // A line is a fixed width, or what a sample sees of it
     static constexpr float kHalf = 0.008f;
@@ -79,9 +79,9 @@ Int8 patchAt(const Chart &c, const Vec3x8 &p, Float8 width, Float8 &clear) {
         return 1.f - cover;
     };
     clear = off(x, perU) * off(y, perV);
-    Int8 i = toInt(clamp(x, 0.f, (float)c.patchesAcross() - 0.5f)),
-         j = toInt(clamp(y, 0.f, (float)c.patchesDown() - 0.5f));
-    return j * c.patchesAcross() + i + c.firstPatch;
+    Int8 i = toInt(clamp(x, 0.f, (float)c.patchesAcross - 0.5f)),
+         j = toInt(clamp(y, 0.f, (float)c.patchesDown - 0.5f));
+    return j * c.patchesAcross + i + c.firstPatch;
 }
 
 } // namespace odraz

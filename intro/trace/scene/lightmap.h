@@ -15,11 +15,11 @@ inline constexpr int kFinest = 3; // how often a cell may be divided
 inline constexpr int kSteps = 1 << kFinest;
 
 struct Chart {
-    Vec3 corner;                    // world; where u = v = 0
-    Vec3 u, v, n;                   // unit and orthogonal; n points to the side that is lit and seen
-    float width, height;            // world units along u and v
-    int16_t across, down;           // cells along u and v, 1 ..
-    int16_t patchAcross, patchDown; // cells of a patch along u and v
+    Vec3 corner;                        // world; where u = v = 0
+    Vec3 u, v, n;                       // unit and orthogonal; n points to the side that is lit and seen
+    float width, height;                // world units along u and v
+    int16_t across, down;               // cells along u and v, 1 ..
+    int16_t patchesAcross, patchesDown; // whole cells each
     uint16_t material;
     bool open;                   // a window: seen by the hemicubes, passed by rays
     int firstCell;               // rows of `across`
@@ -29,8 +29,8 @@ struct Chart {
 
     int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
     int texels() const { return (across + 1) * (down + 1); }
-    int patchesAcross() const { return across / patchAcross; }
-    int patchesDown() const { return down / patchDown; }
+    int patchAcross() const { return across / patchesAcross; } // cells of a patch along u and v
+    int patchDown() const { return down / patchesDown; }
     // How far off the plane points lie surely on its side
     float off() const { return (sumAbs(corner) + width + height) * 2e-6f; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units

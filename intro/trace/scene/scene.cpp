@@ -5,7 +5,7 @@
 namespace odraz {
 
 void Scene::clear() {
-    shapeCount = materialCount = lightCount = outlineCount = 0;
+    shapeCount = materialCount = lightCount = 0;
     sky = {};
     ambientLow = ambientHigh = {};
     fog = lines = 0;
@@ -36,21 +36,6 @@ Shape *Scene::add(const Shape &s) {
 
 void Scene::add(const Light &l) { lights[next(lightCount, kMaxLights, "kMaxLights")] = l; }
 
-Shape *Scene::addPolygon(Vec3 centre, const Mat3 &frame, const float *points, int count, int material) {
-    Shape s = {.kind = ShapeKind::Polygon,
-               .material = (uint8_t)material,
-               .firstVertex = (uint16_t)outlineCount,
-               .vertexCount = (uint16_t)count,
-               .centre = centre,
-               .frame = frame};
-    for (int i = 0; i < 2 * count; i += 2) {
-        float *to = outline + 2 * next(outlineCount, kMaxOutline, "kMaxOutline");
-        to[0] = points[i], to[1] = points[i + 1];
-    }
-    s.vertexCount = (uint16_t)(outlineCount - s.firstVertex);
-    return add(s);
-}
-
 void Scene::finish() {
     int bounded = 0;
     unboundedCount = occluderCount = 0;
@@ -61,7 +46,7 @@ void Scene::finish() {
             unbounded[next(unboundedCount, kMaxUnbounded, "kMaxUnbounded")] = (uint16_t)i;
             continue;
         }
-        box[i] = boundsOf(*this, s);
+        box[i] = boundsOf(s);
         order[bounded++] = (uint16_t)i;
         if (contact && s.kind == ShapeKind::Sphere && maxComponent(materials[s.material].emit) == 0) {
             int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-Shape triangle(Vec3 corner, Vec3 u, Vec3 v, Vec3 n) {
+Shape triangle(const Vec3 &corner, const Vec3 &u, const Vec3 &v, const Vec3 &n) {
     Shape s = {.kind = ShapeKind::Triangle, .centre = corner};
     // Rows that give 1 at the end of one side and 0 along the other
     Vec3 a = cross(v, n), b = cross(n, u);

@@ -4,7 +4,6 @@
 //   Plane     the local plane y = 0; unbounded
 //   Box       |x| <= half.x, |y| <= half.y, |z| <= half.z
 //   Cylinder  x^2 + z^2 <= half.x^2, |y| <= half.y, capped at both ends
-//   Polygon   in the local plane y = 0, bounded by a simple closed outline of (x, z) points, convex or not
 //   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z
 //   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew
 //
@@ -19,7 +18,7 @@ namespace odraz {
 
 inline constexpr float kFar = 1e9f;
 
-enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Polygon, Rect, Triangle, Count };
+enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Triangle, Count };
 
 // What others ask of a kind.
 struct ShapeTraits {
@@ -37,7 +36,6 @@ inline constexpr ShapeTraits kShapeTraits[] = {
     {.kind = ShapeKind::Plane},
     {.kind = ShapeKind::Box, .bounded = true, .solid = true, .extents = true},
     {.kind = ShapeKind::Cylinder, .bounded = true, .solid = true, .extents = true},
-    {.kind = ShapeKind::Polygon, .bounded = true},
     {.kind = ShapeKind::Rect, .bounded = true, .oneSided = true, .extents = true, .joins = true},
     {.kind = ShapeKind::Triangle, .bounded = true, .oneSided = true, .askew = true, .joins = true},
 };
@@ -45,11 +43,9 @@ static_assert(inOrder(kShapeTraits, &ShapeTraits::kind), "a row for every kind, 
 
 struct Shape {
     ShapeKind kind = ShapeKind::Sphere;
-    uint8_t material = 0;     // index into Scene::materials
-    uint16_t firstVertex = 0; // polygons: the outline in Scene::outline, two floats a point
-    uint16_t vertexCount = 0; //
-    Vec3 centre = {};         // world
-    Vec3 half = {};           // see above; positive
+    uint8_t material = 0; // index into Scene::materials
+    Vec3 centre = {};     // world
+    Vec3 half = {};       // see above; positive
     Mat3 frame = kIdentity;
     bool aligned = true;    // the frame is the world's; Scene::finish() sees to it
     Vec3 textureShift = {}; // added to local coordinates before texturing: no two balls cut from one place
@@ -58,27 +54,28 @@ struct Shape {
     const ShapeTraits &traits() const { return kShapeTraits[(int)kind]; }
 };
 
-inline Shape sphere(Vec3 centre, float radius, int material) {
+// (Expanded nowhere: what they make is large.)
+[[gnu::noinline]] constexpr Shape sphere(const Vec3 &centre, float radius, int material) {
     return {.kind = ShapeKind::Sphere,
             .material = (uint8_t)material,
             .centre = centre,
             .half = {radius, radius, radius}};
 }
 // Through `point`, facing up.
-inline Shape plane(Vec3 point, int material) {
+[[gnu::noinline]] constexpr Shape plane(const Vec3 &point, int material) {
     return {.kind = ShapeKind::Plane, .material = (uint8_t)material, .centre = point};
 }
-inline Shape box(Vec3 centre, Vec3 half, int material) {
+[[gnu::noinline]] constexpr Shape box(const Vec3 &centre, const Vec3 &half, int material) {
     return {.kind = ShapeKind::Box, .material = (uint8_t)material, .centre = centre, .half = half};
 }
 // Upright, about its middle.
-inline Shape cylinder(Vec3 middle, float radius, float halfHeight, int material) {
+[[gnu::noinline]] constexpr Shape cylinder(const Vec3 &middle, float radius, float halfHeight, int material) {
     return {.kind = ShapeKind::Cylinder,
             .material = (uint8_t)material,
             .centre = middle,
             .half = {radius, halfHeight, radius}};
 }
 // With sides u and v from one corner, facing u x v; n is that direction.
-Shape triangle(Vec3 corner, Vec3 u, Vec3 v, Vec3 n);
+Shape triangle(const Vec3 &corner, const Vec3 &u, const Vec3 &v, const Vec3 &n);
 
 } // namespace odraz

@@ -5,6 +5,10 @@
 
 namespace odraz {
 
+Sky plainSky(const Rgb &low, const Rgb &high) {
+    return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0};
+}
+
 Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
     Float8 y = max(d.y, sky.least);
     Rgb8 light = fmadd(fmadd(broadcast(sky.curve), y, broadcast(sky.slope)), y, broadcast(sky.low));

@@ -20,9 +20,7 @@ struct Sky {
 };
 
 // From the horizon's colour to the zenith's; the horizon's goes on below it.
-inline Sky plainSky(Rgb low, Rgb high) {
-    return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0};
-}
+Sky plainSky(const Rgb &low, const Rgb &high);
 
 // Irradiance / pi of the near glow on what faces it: as if the sun were that much stronger.
 inline constexpr float kNearGlow = 2 / 66.f;

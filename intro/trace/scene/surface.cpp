@@ -1,7 +1,5 @@
 #include "trace/scene/surface.h"
 
-#include "trace/scene/scene.h"
-
 #include <initializer_list>
 
 namespace odraz {
@@ -66,20 +64,7 @@ static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
     return select(discriminant >= 0.f, t, kInfinity);
 }
 
-// Whether points of the polygon's plane lie within its outline: an odd number of edges to one side.
-static Int8 inOutline(const Scene &scene, const Shape &s, Float8 x, Float8 z) {
-    const float *v = scene.outline + 2 * s.firstVertex;
-    Int8 odd = {};
-    for (int i = 0, j = s.vertexCount - 1; i < s.vertexCount; j = i++) {
-        float ax = v[2 * j], az = v[2 * j + 1], bx = v[2 * i], bz = v[2 * i + 1];
-        if (az == bz) continue;
-        Int8 spans = (z < az) ^ (z < bz);
-        odd ^= spans & (x < fmadd((z - az) * (1.f / (bz - az)), bx - ax, broadcast(ax)));
-    }
-    return odd;
-}
-
-Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) {
+Float8 distance(const Shape &s, const Ray8 &ray, Flat flat) {
     if (s.kind == ShapeKind::Sphere) return hitSphere(s, ray);
     Vec3x8 toOrigin = ray.o - s.centre;
     Vec3x8 o = s.aligned ? toOrigin : s.frame * toOrigin, d = s.aligned ? ray.d : s.frame * ray.d;
@@ -96,14 +81,6 @@ Float8 distance(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat) 
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
     case ShapeKind::Triangle:
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
-    case ShapeKind::Polygon: {
-        Float8 t = hitPlane(o.y, d.y);
-        Int8 hit = t < kInfinity;
-        if (flat == Flat::Whole || !any(hit)) return t;
-        Float8 finite = select(hit, t, 0.f);
-        return select(hit & inOutline(scene, s, fmadd(finite, d.x, o.x), fmadd(finite, d.z, o.z)), t,
-                      kInfinity);
-    }
     case ShapeKind::Sphere:
     case ShapeKind::Count:
         break;
@@ -147,7 +124,6 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         break;
     }
     case ShapeKind::Plane:
-    case ShapeKind::Polygon:
     case ShapeKind::Rect:
         n.y = broadcast(1.f);
         q.y = Float8{};
@@ -160,18 +136,9 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
 }
 
 // Once a picture and shape: small code will do.
-[[gnu::cold]] Bounds boundsOf(const Scene &scene, const Shape &s) {
+[[gnu::cold]] Bounds boundsOf(const Shape &s) {
     Vec3 r = s.half;
     switch (s.kind) {
-    case ShapeKind::Polygon: {
-        Bounds b = kNoBounds;
-        for (int i = 0; i < s.vertexCount; ++i) {
-            const float *v = scene.outline + 2 * (s.firstVertex + i);
-            Vec3 p = s.centre + transposeTimes(s.frame, Vec3{v[0], 0, v[1]});
-            include(b, {p, p});
-        }
-        return b;
-    }
     case ShapeKind::Triangle: {
         // Its sides, from the rows that measure along them
         Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);

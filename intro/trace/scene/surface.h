@@ -13,8 +13,6 @@
 
 namespace odraz {
 
-struct Scene;
-
 struct Ray8 {
     Vec3x8 o, d;
 };
@@ -24,7 +22,7 @@ struct Ray8 {
 enum class Flat : uint8_t { Seen, Whole, BothSides };
 
 // Distance to one shape, kInfinity where it is missed.
-Float8 distance(const Scene &scene, const Shape &shape, const Ray8 &ray, Flat flat = Flat::Seen);
+Float8 distance(const Shape &shape, const Ray8 &ray, Flat flat = Flat::Seen);
 
 // ... to a ball of the given radius, whose centre lies at -f from the ray's origin.
 template <class F, class R> ODRAZ_INLINE Float8 hitBall(Vec3T<F> f, R radius, Vec3x8 d) {
@@ -40,8 +38,8 @@ ODRAZ_INLINE Float8 hitSphere(const Shape &s, const Ray8 &ray) {
     return hitBall(ray.o - s.centre, s.half.x, ray.d);
 }
 // Most shapes are balls: their test is worth having in a loop.
-ODRAZ_INLINE Float8 distanceTo(const Scene &scene, const Shape &s, const Ray8 &ray, Flat flat = Flat::Seen) {
-    return s.kind == ShapeKind::Sphere ? hitSphere(s, ray) : distance(scene, s, ray, flat);
+ODRAZ_INLINE Float8 distanceTo(const Shape &s, const Ray8 &ray, Flat flat = Flat::Seen) {
+    return s.kind == ShapeKind::Sphere ? hitSphere(s, ray) : distance(s, ray, flat);
 }
 
 // The place that a ray meets.
@@ -53,7 +51,7 @@ struct Surface8 {
 Surface8 surfaceAt(const Shape &shape, const Ray8 &ray, Float8 t);
 
 // The box around a bounded shape.
-Bounds boundsOf(const Scene &scene, const Shape &shape);
+Bounds boundsOf(const Shape &shape);
 
 // How far off the surface a point must be put to lie surely on its side: a few roundings of every magnitude
 // that entered it.

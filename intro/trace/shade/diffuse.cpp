@@ -41,7 +41,7 @@ Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8
         p.y = broadcast(shape.centre.y);
         return diffuseColour(scene, shape, p, ray.d, min(abs(ray.d.y), 1.f), t * (view.spread * size), cell);
     }
-    Float8 t = distance(scene, shape, ray, Flat::Whole);
+    Float8 t = distance(shape, ray, Flat::Whole);
     Surface8 at = surfaceAt(shape, ray, t);
     Float8 cosine = min(abs(dot(at.n, ray.d)), 1.f);
     return diffuseColour(scene, shape, at.p, ray.d, cosine, t * (view.spread * size), cell);

@@ -101,14 +101,12 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
         Candidates among;
         bool aimed = false;
         for (int i = 0; i < run.count; i += 8) {
-            // Cut lanes that face away or stand outside the spot
+            // Cut lanes that face away
             Vec3x8 n = load(run.n, i), p = fmadd(n, load(run.error + i), load(run.p, i));
             Vec3x8 to = light.position - p;
             Float8 square = max(dot(to, to), 1e-8f), far = sqrt(square), inverse = 1.f / far;
             Vec3x8 l = to * inverse;
             Float8 cosine = dot(n, l), strength = inverse * inverse;
-            if (light.cosOuter > -1.5f)
-                strength *= smoothstep(light.cosOuter, light.cosInner, -dot(light.direction, l));
             // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100
             // cycles each
             Float8 lobe = {};

@@ -17,7 +17,8 @@ struct Emitter {
         int lanes = laneBits(active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff));
         if (!lanes) return;
         Int8 order = packedOrder(lanes);
-        auto append = [&](auto *to, auto v) { store(to + out.count, permute(v, order)); };
+        size_t end = (size_t)out.count; // read once: stores of eight might change it, for all GCC knows
+        auto append = [&](auto *to, auto v) { store(to + end, permute(v, order)); };
         auto append3 = [&](float(&to)[3][kStream], Vec3x8 v) {
             append(to[0], v.x), append(to[1], v.y), append(to[2], v.z);
         };

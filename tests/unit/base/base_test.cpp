@@ -70,7 +70,9 @@ TEST(Arena, AlignsAndRefusesWhatDoesNotFit) {
     auto *a = arena.take<char>(3), *b = arena.take<char>(1);
     EXPECT_EQ((char *)block, a);
     EXPECT_EQ((char *)block + 64, b);
+    EXPECT_FALSE(arena.full);
     EXPECT_EQ(arena.take<double>(17), nullptr);
+    EXPECT_TRUE(arena.full);
     EXPECT_NE(arena.take<double>(16), nullptr);
     EXPECT_EQ(arena.take<char>(1), nullptr);
     EXPECT_EQ(arena.take<char>(std::numeric_limits<size_t>::max()), nullptr);

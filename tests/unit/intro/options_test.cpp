@@ -52,9 +52,14 @@ TEST(Options, ReadsEveryOption) {
     EXPECT_EQ(o.quality, QualityName::Reference);
     EXPECT_EQ(o.threads, 64);
     EXPECT_TRUE(good({"--window", "--stats"}).window);
+    EXPECT_STREQ(good({"--wav", "film.wav", "--from", "2"}).wav, "film.wav");
+    EXPECT_STREQ(good({"--wav", "-", "--dump", "frames"}).wav, "-");
 }
 
 TEST(Options, RefusesWithALineThatHelps) {
+    EXPECT_NE(bad({"--wav"}).find("--wav needs a file"), std::string::npos);
+    EXPECT_NE(bad({"--wav", "-", "--dump", "-"}).find("name a file"), std::string::npos);
+    EXPECT_NE(bad({"--wav", "x", "--window"}).find("--window is for playing"), std::string::npos);
     EXPECT_NE(bad({"--frames"}).find("--frames"), std::string::npos);
     EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film or reference, not 'best'"),
               std::string::npos);

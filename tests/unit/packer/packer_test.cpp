@@ -1,4 +1,5 @@
 #include "elf_writer.h"
+#include "estimate.h"
 #include "search.h"
 #include "shape.h"
 
@@ -198,7 +199,7 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
 TEST(Coder, ThousandsOfSmallImages) {
     Shape shape = smallShape(12);
     shape.contexts = 4;
-    for (unsigned seed = 0; seed < 1500; ++seed) {
+    for (unsigned seed = 0; seed < 1000; ++seed) {
         Bytes b =
             seed % 2 ? structured(seed, seed % 40) : randomBytes(seed % 40, seed, 1 + (int)(seed % 256));
         Encoded e = encode(b, allCode(b), shape, workspace);
@@ -281,6 +282,36 @@ TEST(Shapes, ArePrintedAndParsed) {
     EXPECT_NE(parseShape(text, shape), "");
 }
 
+// Of programs of code, of data and of both, with any number of contexts.
+TEST(Estimates, AreNearTheTruth) {
+    Bytes b = realCode(16000);
+    uint32_t size = (uint32_t)b.size();
+    for (Layout layout : {Layout{size, 0, size}, Layout{size, 3000, 10000}, Layout{size, 0, 0}})
+        for (uint32_t contexts : {4u, 16u, 20u}) {
+            Bytes filtered = filter(b, layout);
+            Shape shape = smallShape(20);
+            shape.contexts = contexts;
+            for (int type = 0; type < 2; ++type)
+                for (uint32_t i = 16; i < shape.hashes(); ++i) shape.masks[type][i] = (uint16_t)(7 << i % 14);
+            Estimator estimator(filtered, layout);
+            Estimate first = estimator(shape);
+            double truth = measure(filtered, layout, shape, workspace);
+            EXPECT_NEAR(first.bytes, truth, truth * 0.01) << contexts;
+
+            // What is the same is taken from another estimate, to the same end
+            for (uint32_t i : {1u, contexts, contexts + 3}) {
+                Shape other = shape;
+                other.masks[0][i] ^= 0x11;
+                other.masks[1][i] ^= 0x11;
+                Estimate from = estimator(other, &first), anew = estimator(other);
+                EXPECT_DOUBLE_EQ(from.bytes, anew.bytes);
+                truth = measure(filtered, layout, other, workspace);
+                EXPECT_NEAR(from.bytes, truth, truth * 0.01) << contexts << " " << i;
+                EXPECT_EQ(estimator(other, &first, -1e9).bytes, kTooMany);
+            }
+        }
+}
+
 TEST(Search, KeepsTheBest) {
     Bytes b = realCode(3000);
     Layout layout = allCode(b);
@@ -300,6 +331,8 @@ TEST(Search, KeepsTheBest) {
     EXPECT_LT(after, before);
     EXPECT_DOUBLE_EQ(after, told);
     EXPECT_GE(tried, 100);
+    Shape again;
+    EXPECT_EQ(parseShape(printShape(found), again), "");
     EXPECT_EQ(printShape(search({}, {0, 0, 0}, poor, 1, [](const Progress &) { return true; })),
               printShape(poor));
     // It can be stopped

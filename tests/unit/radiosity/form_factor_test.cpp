@@ -43,7 +43,7 @@ struct Bench {
 double between(Bench &b, int turn) {
     const Model &m = *b.model;
     const Chart &from = m.charts[0], &to = m.charts[1];
-    int all = from.patchesAcross() * from.patchesDown();
+    int all = from.patchesAcross * from.patchesDown;
     double sum = 0;
     for (int first = 0; first < all; first += b.hemicubes().batch) {
         Eye eyes[kHemicubeBatch];
@@ -54,7 +54,7 @@ double between(Bench &b, int turn) {
         drawHemicubes(b.hemicubes(), m, eyes, count);
         for (int i = 0; i < count; ++i) {
             std::vector<float> row = b.lens->row(m, i);
-            for (int k = 0; k < to.patchesAcross() * to.patchesDown(); ++k)
+            for (int k = 0; k < to.patchesAcross * to.patchesDown; ++k)
                 sum += (double)row[(size_t)(to.firstPatch + k)];
         }
     }
@@ -235,7 +235,7 @@ TEST(FormFactor, OneSided) {
     const Chart &above = b.model->charts[1];
     double dark;
     auto row = b.row(hemicubeEye({0.5f, 0, 0.5f}, {0, 1, 0}, 1), &dark);
-    for (int i = 0; i < above.patchesAcross() * above.patchesDown(); ++i)
+    for (int i = 0; i < above.patchesAcross * above.patchesDown; ++i)
         EXPECT_EQ(row[(size_t)(above.firstPatch + i)], 0);
     EXPECT_GT(dark, 0.2); // the back hides what is behind it
     // From its own place the upper square sees the ceiling, and never itself or the lower one
@@ -286,9 +286,9 @@ TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
                     ASSERT_LE(id, (uint32_t)inside) << d << " scale " << scale;
                     // The floor's own patches lie in the hemicube's plane
                     const Chart &floor = b.model->charts[0];
-                    ASSERT_FALSE(
-                        id > (uint32_t)floor.firstPatch &&
-                        id <= (uint32_t)(floor.firstPatch + floor.patchesAcross() * floor.patchesDown()));
+                    ASSERT_FALSE(id > (uint32_t)floor.firstPatch &&
+                                 id <=
+                                     (uint32_t)(floor.firstPatch + floor.patchesAcross * floor.patchesDown));
                 }
             }
     }
@@ -311,7 +311,7 @@ TEST(Depth, TellsNearFromFarAtADistance) {
     b.open(64, 1);
     const Chart &far = b.model->charts[2];
     auto row = b.row(hemicubeEye({0.5f, 0, 0.5f}, {0, 1, 0}, 3));
-    for (int i = 0; i < far.patchesAcross() * far.patchesDown(); ++i)
+    for (int i = 0; i < far.patchesAcross * far.patchesDown; ++i)
         EXPECT_EQ(row[(size_t)(far.firstPatch + i)], 0);
 }
 

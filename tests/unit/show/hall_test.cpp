@@ -286,7 +286,7 @@ TEST(Hall, ABallDarkensWhatItStandsOn) {
     auto lightAround = [&](bool ball) {
         scene->clear();
         poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, kEye, *scene);
-        if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(mirror())));
+        if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(kMirror)));
         scene->finish();
         std::vector<float> x(16), y(16, 32);
         std::vector<uint32_t> index(16);

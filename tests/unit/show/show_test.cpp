@@ -103,8 +103,7 @@ TEST(Film, BallsDoNotRollThroughThings) {
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
-                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane || b.kind == ShapeKind::Polygon)
-                    continue;
+                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane) continue;
                 Vec3 q = b.frame * (a.centre - b.centre);
                 float gap;
                 if (b.kind == ShapeKind::Sphere)

@@ -25,12 +25,14 @@ struct Threads {
     int abort = 0;
     explicit Threads(int count) {
         workers = {count,
-                   [](Workers &w, int pieces, void (*body)(void *, int, int), void *context) {
+                   [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
+                      const void *context) {
                        std::atomic<int> next{0};
                        std::vector<std::thread> all;
                        for (int t = 0; t < w.count; ++t)
                            all.emplace_back([&, t] {
-                               for (int i; (i = next++) < pieces;) body(context, i, t);
+                               for (int i; (i = next.fetch_add(size)) < count && !w.aborted();)
+                                   body(context, i, min(i + size, count), t);
                            });
                        for (std::thread &t : all) t.join();
                    },

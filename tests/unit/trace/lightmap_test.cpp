@@ -1,7 +1,7 @@
 // Light kept on surfaces, the form factor of a ball, and the sky.
-#include "trace/shade/ball.h"
 #include "trace/scene/lightmap.h"
 #include "trace/scene/sky.h"
+#include "trace/shade/ball.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Sheet {
         chart.u = {0, 0, 1}, chart.v = {0, 1, 0}, chart.n = {-1, 0, 0};
         chart.width = 3, chart.height = 1;
         chart.across = 6, chart.down = 4;
-        chart.patchAcross = 3, chart.patchDown = 2;
+        chart.patchesAcross = 2, chart.patchesDown = 2;
         chart.firstTexel = 5;
         chart.firstCell = 7;
         chart.firstPatch = 100;

@@ -18,14 +18,12 @@ std::unique_ptr<Scene> cleared() {
 
 // One shape of a kind, about a centre; its frame is the world's.
 const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
-    static const float square[] = {-1, -1, 1, -1, 1, 1, -1, 1};
-    if (kind == ShapeKind::Polygon) return *scene.addPolygon(centre, kIdentity, square, 4, 0);
     if (kind == ShapeKind::Triangle) return *scene.add(triangle(centre, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}));
     return *scene.add(Shape{.kind = kind, .centre = centre, .half = {1, 1, 1}});
 }
 
-float meet(const Scene &scene, const Shape &s, Vec3 o, Vec3 d) {
-    return distance(scene, s, {broadcast(o), broadcast(normalize(d))})[0];
+float meet(const Shape &s, Vec3 o, Vec3 d) {
+    return distance(s, {broadcast(o), broadcast(normalize(d))})[0];
 }
 
 } // namespace
@@ -43,9 +41,9 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
         EXPECT_EQ(s.aligned, !traits.askew);
 
         // Solid ones are met from the inside, others are flat; from above all of them
-        EXPECT_LT(meet(*scene, s, in + Vec3{0, 9, 0}, {0, -1, 0}), kInfinity);
-        EXPECT_EQ(meet(*scene, s, in + Vec3{0, 0.1f, 0}, {0, 1, 0}) < kInfinity, traits.solid);
-        EXPECT_EQ(meet(*scene, s, in - Vec3{0, 9, 0}, {0, 1, 0}) < kInfinity, !traits.oneSided);
+        EXPECT_LT(meet(s, in + Vec3{0, 9, 0}, {0, -1, 0}), kInfinity);
+        EXPECT_EQ(meet(s, in + Vec3{0, 0.1f, 0}, {0, 1, 0}) < kInfinity, traits.solid);
+        EXPECT_EQ(meet(s, in - Vec3{0, 9, 0}, {0, 1, 0}) < kInfinity, !traits.oneSided);
 
         // The box holds every place that is met, and is the extents where these are known
         if (traits.bounded) {
@@ -53,7 +51,7 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
             for (float x = -1.4f; x < 1.5f; x += 0.1f)
                 for (float z = -1.4f; z < 1.5f; z += 0.1f) {
                     Vec3 o = centre + Vec3{x, 9, z};
-                    float t = meet(*scene, s, o, {0, -1, 0});
+                    float t = meet(s, o, {0, -1, 0});
                     if (t == kInfinity) continue;
                     constexpr float kSlack = 1e-4f;
                     EXPECT_TRUE(o.x > b.lo.x - kSlack && o.x < b.hi.x + kSlack && o.z > b.lo.z - kSlack &&
@@ -102,11 +100,9 @@ TEST(Scene, TellsWhatItHasTooMuchOf) {
         EXPECT_EQ(std::string(scene->overflow), limit);
     };
     fills("kMaxMaterials", kMaxMaterials, [&] { scene->add(Material{}); });
-    fills("kMaxLights", kMaxLights, [&] { scene->add(pointLight({}, {1, 1, 1})); });
+    fills("kMaxLights", kMaxLights, [&] { scene->add(Light{{}, {1, 1, 1}}); });
     fills("kMaxShapes", kMaxShapes, [&] { scene->add(sphere({}, 1, 0)); });
     fills("kMaxUnbounded", kMaxUnbounded, [&] { scene->add(plane({}, 0)); });
-    const float points[] = {0, 0, 1, 0, 1, 1, 0, 1};
-    fills("kMaxOutline", kMaxOutline / 4, [&] { scene->addPolygon({}, kIdentity, points, 4, 0); });
     fills("kMaxOccluders", kMaxOccluders, [&] {
         scene->contact = true;
         scene->add(sphere({}, 1, 0));

@@ -138,7 +138,7 @@ TEST(Checker, IsFilteredLikeManySamples) {
 
 TEST(Materials, AreColoursEverywhere) {
     for (const Material &m :
-         {darkMarble(), boards(), pearl(true, 0.4f), slate(), granite(), oak(), glass(), mirror(), copper()})
+         {kDarkMarble, kBoards, pearl(true, 0.4f), kSlate, kGranite, kOak, kGlass, kMirror, kCopper})
         for (float far : {0.f, 3.3f, 1e3f, 1e9f})
             for (float width : {0.f, 1e-3f, 1.f, 1e6f})
                 for (float cosine : {0.f, 1e-4f, 1.f}) {
@@ -179,7 +179,7 @@ TEST(Material, MeanAlbedoIsTheMean) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place(-40, 40);
     for (const Material &m :
-         {darkMarble(), slate(), granite(), oak(), limestone(), beamAcross(), boards(), hallFloor()}) {
+         {kDarkMarble, kSlate, kGranite, kOak, kLimestone, kBeamAcross, kBoards, kHallFloor}) {
         double sum[3] = {};
         constexpr int kPackets = 20000;
         for (int i = 0; i < kPackets; ++i) {

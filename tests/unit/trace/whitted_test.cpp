@@ -24,7 +24,7 @@ Material clearGlass(float ior) {
 TEST(Phong, LightsAPlaneByDistanceAndAngle) {
     Stage g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({0.5f, 0.5f, 0.5f}))));
-    g.scene->add(pointLight({3, 4, 0}, {50, 100, 150}));
+    g.scene->add(Light{{3, 4, 0}, {50, 100, 150}});
     Rgb c = g.look({0, 2, 2}, {0, 0, 0}).radiance();
     double expected = 0.5 * 50 / 25 * 0.8; // albedo * I / r^2 * cos
     EXPECT_NEAR(c.x, expected, 1e-4);
@@ -38,7 +38,7 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     m.specular = 0.7f;
     m.exponent = 30;
     g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
-    g.scene->add(pointLight({0, 4, -3}, {25, 25, 25}));
+    g.scene->add(Light{{0, 4, -3}, {25, 25, 25}});
     Vec3 mirrored = normalize(Vec3{0, 4, -3});
     Vec3 eye = {0.4f, 3, 2.5f}, towards = normalize(eye);
     Vec3 reflected = {-towards.x, towards.y, -towards.z};
@@ -54,7 +54,7 @@ TEST(Phong, DarkSideStaysDarkWithoutNaN) {
     m.specular = 1;
     m.exponent = 7.5f;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
-    g.scene->add(pointLight({0, 0, -10}, {100, 100, 100}));
+    g.scene->add(Light{{0, 0, -10}, {100, 100, 100}});
     Sample s = g.look({0, 0, 5}, {0, 0, 0});
     EXPECT_EQ(s.radiance().x, 0);
     EXPECT_EQ(s.lights, 0u);
@@ -63,7 +63,7 @@ TEST(Phong, DarkSideStaysDarkWithoutNaN) {
 TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     Stage g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
-    g.scene->add(pointLight({0, 10, 0}, {100, 100, 100}));
+    g.scene->add(Light{{0, 10, 0}, {100, 100, 100}});
     float open = g.look({0, 1, 3}, {0, 0, 0}).light.x;
     EXPECT_NEAR(open, 1, 1e-4);
     Material glass = clearGlass(1.5f);
@@ -75,19 +75,6 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     EXPECT_EQ(through.lights, 3u);
     g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
     EXPECT_EQ(g.look({0, 1, 3}, {0, 0, 0}).light.x, 0);
-}
-
-TEST(Spot, FadesBetweenItsCones) {
-    Stage g;
-    g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
-    g.scene->add(Light{{0, 10, 0}, {100, 100, 100}, {0, -1, 0}, 0.9f, 0.95f});
-    auto light = [&](double cosine) {
-        float x = (float)(10 * std::tan(std::acos(cosine)));
-        return g.look({x, 1, 3}, {x, 0, 0}).light.x / std::pow((float)cosine, 3.f); // 1/r^2 and the angle
-    };
-    EXPECT_NEAR(light(0.96), 1, 1e-3);
-    EXPECT_NEAR(light(0.925), 0.5, 2e-2);
-    EXPECT_EQ(light(0.89), 0);
 }
 
 TEST(Mirror, ShowsWhatIsBehindTheViewer) {
@@ -207,8 +194,8 @@ TEST(Extremes, GiveNoNaN) {
             g.scene->add(sphere({0, scale, 0}, scale * 0.999999f, a));          // nested, nearly touching
             g.scene->add(box({2 * scale, scale, 0}, {scale, scale, scale}, a)); // touching the ball
             g.scene->add(cylinder({-2 * scale, scale, 0}, scale, scale, b));
-            g.scene->add(pointLight({0, 2 * scale, 0}, {1, 1, 1})); // on a surface
-            g.scene->add(pointLight({0, 0, 0}, {1, 1, 1}));         // on the floor
+            g.scene->add(Light{{0, 2 * scale, 0}, {1, 1, 1}}); // on a surface
+            g.scene->add(Light{{0, 0, 0}, {1, 1, 1}});         // on the floor
             g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
             g.scene->finish();
             Vec3 eyes[6] = {{0, scale, 5 * scale},    {0, scale, 0},

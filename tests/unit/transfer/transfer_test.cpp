@@ -74,10 +74,9 @@ TEST(Gloss, IsWhatRaysBring) {
             int x = square % g.across, y = square / g.across;
             double coefficients[kSh] = {};
             int patches = 0;
-            for (int v = y * c.patchesDown() / g.down; v < (y + 1) * c.patchesDown() / g.down; ++v)
-                for (int u = x * c.patchesAcross() / g.across; u < (x + 1) * c.patchesAcross() / g.across;
-                     ++u) {
-                    int from = c.firstPatch + v * c.patchesAcross() + u;
+            for (int v = y * c.patchesDown / g.down; v < (y + 1) * c.patchesDown / g.down; ++v)
+                for (int u = x * c.patchesAcross / g.across; u < (x + 1) * c.patchesAcross / g.across; ++u) {
+                    int from = c.firstPatch + v * c.patchesAcross + u;
                     if (!hall.radiosity.factors.rows[from].known) continue;
                     ++patches;
                     castFan(*solved().scene, c, m.patches[from].p, 48, (uint32_t)from,
@@ -92,12 +91,12 @@ TEST(Gloss, IsWhatRaysBring) {
                                     const Chart &met = m.charts[chart];
                                     Vec3 q = p - met.corner;
                                     int i = std::clamp(
-                                            (int)(dot(q, met.u) / met.width * (float)met.patchesAcross()), 0,
-                                            met.patchesAcross() - 1),
+                                            (int)(dot(q, met.u) / met.width * (float)met.patchesAcross), 0,
+                                            met.patchesAcross - 1),
                                         j = std::clamp(
-                                            (int)(dot(q, met.v) / met.height * (float)met.patchesDown()), 0,
-                                            met.patchesDown() - 1);
-                                    int patch = met.firstPatch + j * met.patchesAcross() + i;
+                                            (int)(dot(q, met.v) / met.height * (float)met.patchesDown), 0,
+                                            met.patchesDown - 1);
+                                    int patch = met.firstPatch + j * met.patchesAcross + i;
                                     for (int k = 0; k < hall.radiosity.lights.bases(); ++k)
                                         radiance += (double)(light.bounced[k].y *
                                                              s.radiosity[patch * s.columns + 3 * k + 1]);

@@ -1,0 +1,107 @@
+// What happens in the film, and when: a table of rows that scenes, score and tests read, so that each stands
+// once.
+//
+// Rows count from the start of the scene's story, as its cameras' keys do (8 a second, 16 a bar): a scene
+// that moves takes its events with it. What is marked as heard has a sound in score.cpp, which begins on that
+// very row.
+#pragma once
+
+#include <stdint.h>
+
+namespace odraz {
+
+enum SceneId : uint8_t { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredits, kSceneCount };
+
+// clang-format off
+enum EventId : uint8_t {
+    kLightIsBorn, kLightGrows, kMirrorRollsIn, kRimLightWakes, kWordComes, kWordGoes,
+    kBallsSetOff,
+    kGeneration1, kGeneration2, kGeneration3,
+    kPatchIsVisited, kHalfCubeOpens, kPatchTakesColour, kHalfCubeCloses, kColoursSpread,
+    kBounce1, kBounce2, kBounce3, kBounce4, kPatchesMelt,
+    kSunMoves, kLamp1, kLamp2, kLamp3, kLamp3Dies, kLamp2Dies, kLamp1Dies,
+    kStrip1, kStrip2, kStrip3, kStrip4, kStrip5, kStrip6, kStrip7, kStrip8,
+    kLampLights, kBall1, kBall2, kBall3, kBall4, kBall5, kDoorDies,
+    kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves,
+    kLine1, kLine2, kLine3,
+    kEventCount
+};
+
+struct Event {
+    EventId id;
+    SceneId scene;
+    int16_t row;
+    bool heard;
+};
+
+inline constexpr Event kEvents[] = {
+    {kLightIsBorn,      kPoint,     4, true},
+    {kLightGrows,       kPoint,    20, true},
+    {kMirrorRollsIn,    kPoint,    40, true},
+    {kRimLightWakes,    kPoint,    48, false},
+    {kWordComes,        kPoint,    72, true},
+    {kWordGoes,         kPoint,   122, false},
+
+    {kBallsSetOff,      kTable,    32, true}, // and from then on they turn by a step every half bar
+
+    {kGeneration1,      kFlake,    10, true},
+    {kGeneration2,      kFlake,    40, true},
+    {kGeneration3,      kFlake,    72, true},
+
+    {kPatchIsVisited,   kPatches,  26, true},
+    {kHalfCubeOpens,    kPatches,  34, true},
+    {kPatchTakesColour, kPatches,  66, true},
+    {kHalfCubeCloses,   kPatches,  76, false},
+    {kColoursSpread,    kPatches,  84, true},
+    {kBounce1,          kPatches, 100, true},
+    {kBounce2,          kPatches, 108, true},
+    {kBounce3,          kPatches, 116, true},
+    {kBounce4,          kPatches, 122, true},
+    {kPatchesMelt,      kPatches, 134, false},
+
+    {kSunMoves,         kHall,     20, false},
+    {kLamp1,            kHall,    148, true},
+    {kLamp2,            kHall,    164, true},
+    {kLamp3,            kHall,    180, true},
+    {kLamp3Dies,        kHall,    216, false},
+    {kLamp2Dies,        kHall,    220, false},
+    {kLamp1Dies,        kHall,    224, false},
+    {kStrip1,           kHall,    226, true},
+    {kStrip2,           kHall,    231, true},
+    {kStrip3,           kHall,    236, true},
+    {kStrip4,           kHall,    241, true},
+    {kStrip5,           kHall,    246, true},
+    {kStrip6,           kHall,    251, true},
+    {kStrip7,           kHall,    256, true},
+    {kStrip8,           kHall,    261, true},
+
+    {kLampLights,       kOdraz,     4, false},
+    {kBall1,            kOdraz,     0, true},
+    {kBall2,            kOdraz,     2, true},
+    {kBall3,            kOdraz,     8, true},
+    {kBall4,            kOdraz,    16, true},
+    {kBall5,            kOdraz,    22, true},
+    {kDoorDies,         kOdraz,    96, true},
+    {kBall5Leaves,      kOdraz,    98, false},
+    {kOuterLampsDie,    kOdraz,   100, true},
+    {kBall4Leaves,      kOdraz,   102, false},
+    {kBall3Leaves,      kOdraz,   112, true},
+    {kBall1Leaves,      kOdraz,   116, true},
+
+    {kLine1,            kCredits,   4, true},
+    {kLine2,            kCredits,  12, true},
+    {kLine3,            kCredits,  20, true},
+};
+// clang-format on
+static_assert(
+    [] {
+        for (int i = 0; i < kEventCount; ++i)
+            if (kEvents[i].id != i) return false;
+        return sizeof kEvents / sizeof *kEvents == kEventCount;
+    }(),
+    "a row for every event, in the order of EventId");
+
+// The row of an event, for keys.
+consteval float rowOf(EventId event) { return kEvents[event].row; }
+
+} // namespace odraz

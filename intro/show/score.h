@@ -1,0 +1,49 @@
+// The film's music, as data: chords by the bar, parts that play them, and the sounds of events.
+//
+// Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is five
+// tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A part plays k strokes
+// spread evenly over n rows (Toussaint, "The Euclidean algorithm generates traditional musical rhythms",
+// Bridges 2005), and takes the tones of its line one after the other.
+#pragma once
+
+#include "show/events.h"
+#include "sound/mixer.h"
+
+namespace odraz {
+
+enum InstrumentId : uint8_t { kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kAir, kInstrumentCount };
+extern const Instrument kInstruments[kInstrumentCount];
+
+// How something is played.
+struct Stroke8 {
+    InstrumentId instrument;
+    int8_t octave; // 4 begins at d' = 293 Hz
+    uint8_t stack; // so many tones at once, each a third above the one before, every other an octave higher
+    uint8_t room;  // per cent of the instrument's send
+};
+
+struct Part {
+    SceneId scene;
+    uint8_t from, to; // bars: [from, to)
+    Stroke8 how;
+    uint8_t strokes, rows; // so many strokes in so many rows
+    uint8_t soft, loud;    // velocity at its begin and at its end, per cent
+    char line[17];         // 0 .. 9: a tone of the chord; A .. G, a .. g: one of the scale; . is a rest
+};
+
+// The sound of an event.
+struct Heard {
+    SceneId scene;
+    uint8_t loud; // velocity, per cent
+    int16_t row;
+    Stroke8 how;
+    char tone; // as in a part's line
+
+    consteval Heard(EventId event, Stroke8 how, uint8_t loud, char tone)
+        : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), how(how), tone(tone) {}
+};
+
+// Plays what begins on a row of the film, any from 0 on: a Player.
+void playRow(Mixer &mixer, int row);
+
+} // namespace odraz

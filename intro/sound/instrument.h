@@ -1,0 +1,36 @@
+// An instrument: a row of figures from which all of a note's partials follow.
+//
+// Partial k = 1, 2, ... sounds at k^stretch times the note's pitch: 1 is a string or a pipe, 1.4 to 1.8 are
+// glass, bars and bells, whose partials stand wider apart. Its amplitude is k^-tilt, and it dies k^damp times
+// as fast as the first. Risset and Mathews, "Analysis of musical-instrument tones", Physics Today 22(2),
+// 1969.
+#pragma once
+
+namespace odraz {
+
+inline constexpr int kSampleRate = 48000; // Hz
+inline constexpr int kBlock = 240;        // samples that are rendered at a time: 5 ms
+
+struct Instrument {
+    int partials = 4;  // 4 .. 32, a multiple of 4; those above kHighest Hz are left out
+    float level = 1;   // amplitude of the first partial at velocity 1; 1 is full scale
+    float stretch = 1; // exponent
+    float scatter = 0; // each partial is off by up to so many times the pitch: 0 tones .. 1 noise and more
+    float tilt = 0;    // exponent, at velocity 1 ...
+    float softer = 0;  // ... and so much more at velocity 0: what is played softly is dark
+    float decay = 1;   // seconds until the first partial has fallen by 60 dB
+    float damp = 0;    // exponent
+    float attack = 0.005f; // seconds, at least kBlock samples
+    float release = 1;     // seconds from the note's end to silence
+    float detune = 0;      // the left copy of a partial is sharp, the right one flat, by so many parts of it
+    float spread = 0;      // how far their phases are apart at the start, turns: 0 a point .. 1 all around
+    float bend = 0;        // a drum: it begins at 1 + bend times its pitch,
+    float bendTime = 1;    // and half of that is gone after so many seconds
+    float room = 0;        // sent to the room, as a share of what is heard dry
+    float ducks = 0;       // how far it pushes down those that can be ducked: 0 .. 1
+    float ducked = 0;      // how far it lets itself be pushed: 0 .. 1
+};
+
+inline constexpr float kHighest = 20000; // Hz: no partial is above, so nothing aliases
+
+} // namespace odraz

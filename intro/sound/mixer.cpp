@@ -1,0 +1,82 @@
+#include "sound/mixer.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr float kLoud = 1.7f; // of all, before it is clipped softly
+constexpr float kRoomLevel = 0.42f;
+constexpr float kCross = 0.12f;      // of each side is heard on the other
+constexpr float kPeak = 0.84f;       // the loudest that comes out: room for what lies between samples
+constexpr int kSeekBlocks = 8 * 200; // rendered before a time that is sought: the room is full then
+
+} // namespace
+
+void playNote(Mixer &m, const Note &note) {
+    if (!(note.key > 0 && note.velocity > 0 && note.room >= 0) || m.voiceCount == kVoices) return;
+    beginVoice(m.voices[m.voiceCount++], note, m.block);
+    m.ducked = max(m.ducked, note.instrument->ducks);
+}
+
+void renderBlock(Mixer &m, float *stereo) {
+    // Denormal numbers are slow: they count as zeros, here and nowhere else
+    unsigned control = _mm_getcsr();
+    _mm_setcsr(control | 0x8040);
+    float ducked = m.ducked;
+    if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
+
+    // Where voices are many the quietest one goes, within this block: by the next row there is place again
+    int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
+    float least = kInfinity;
+    int left = 0;
+    for (int i = 0; i < m.voiceCount; ++i) {
+        Voice &v = m.voices[i];
+        const Instrument &kind = *v.note.instrument;
+        int time = (m.block - v.start) * kBlock;
+        if (stereo) {
+            renderVoice(v, time, 1 - ducked * kind.ducked, i == stolen ? 0 : 1 - m.ducked * kind.ducked,
+                        m.voice);
+            float send = kind.room * v.note.room * kRoomLevel;
+            for (int n = 0; n < kBlock; ++n) {
+                m.dry[n] += m.voice[n];
+                m.wet[n] = fmadd(m.voice[n], send, m.wet[n]);
+                m.voice[n] = Float8{};
+            }
+        }
+        // Those that are over, a block from now, make place
+        float loudness = v.loudness((float)(time + kBlock));
+        if (i == stolen || !(loudness > kInaudible)) continue;
+        if (loudness < least) least = loudness, m.quietest = left;
+        m.voices[left++] = v;
+    }
+    m.voiceCount = left;
+
+    if (stereo) {
+        renderEcho(m.echo, m.block, m.wet);
+        renderReverb(m.reverb, m.block, m.wet, m.dry);
+        for (int n = 0; n < kBlock; ++n) {
+            Float8 x = m.dry[n];
+            m.dry[n] = m.wet[n] = Float8{};
+            x = (Float8)_mm256_hadd_ps(x, x);
+            x = (Float8)_mm256_hadd_ps(x, x);
+            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1), kCross * kLoud, x * kLoud);
+            // Clip softly: by a cubic that is flat at 1.5
+            x = clamp(x, -1.5f, 1.5f);
+            x = (x - x * x * x * (4.f / 27)) * kPeak;
+            stereo[2 * n] = x[0], stereo[2 * n + 1] = x[4];
+        }
+    }
+    ++m.block;
+    m.ducked *= 0.93f;
+    _mm_setcsr(control);
+}
+
+void seekBlock(Mixer &m, int block) {
+    Player player = m.player;
+    __builtin_memset(&m, 0, sizeof m);
+    m.player = player;
+    float unheard[2 * kBlock];
+    while (m.block < block) renderBlock(m, m.block < block - kSeekBlocks ? nullptr : unheard);
+}
+
+} // namespace odraz

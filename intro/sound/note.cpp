@@ -1,0 +1,103 @@
+#include "sound/note.h"
+
+#include "base/maths.h"
+#include "base/random.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr float kTurn = 4294967296.f; // 2^32
+
+struct Phasor {
+    Float8 cos, sin;
+};
+
+// Not inlined: it stands at two places.
+[[gnu::noinline]] Phasor phasor(Uint8 phase, Float8 amplitude) {
+    Float8 angle = toFloat((Int8)phase) * (2 * kPi / kTurn);
+    return {cos(angle) * amplitude, sin(angle) * amplitude};
+}
+
+// Turns as a phase: whole ones do not matter.
+Uint8 phaseOf(Float8 turns) { return (Uint8)toInt((turns - round(turns)) * kTurn); }
+
+// How much of a bend is over.
+float bent(const Instrument &i, int time) {
+    return 1 - exp2((float)time * (-1.f / kSampleRate) / i.bendTime);
+}
+
+Float8 randomLanes(uint32_t seed) {
+    return toFloat((Int8)(pcg((Uint8)kLanes + seed * 8) >> 8)) * (1.f / 16777216);
+}
+
+} // namespace
+
+float Voice::envelope(float time) const {
+    const Instrument &i = *note.instrument;
+    time *= 1.f / kSampleRate;
+    float held = 1 - (time - note.length) / i.release;
+    return clamp(min(time / i.attack, held), 0.f, 1.f);
+}
+
+float Voice::loudness(float time) const {
+    return envelope(time) * group[0].amplitude[0] * exp2(group[0].fall[0] * time);
+}
+
+void beginVoice(Voice &v, const Note &note, int block) {
+    const Instrument &i = *note.instrument;
+    v.note = note;
+    v.start = block;
+    v.groups = i.partials / 4;
+    float frequency = exp2((note.key - 69) * (1.f / 12)) * 440;
+    float tilt = i.tilt + i.softer * (1 - note.velocity);
+    for (int g = 0; g < v.groups; ++g) {
+        Voice::Group &group = v.group[g];
+        Int8 left = kLanes & 3;
+        Float8 k = log2(toFloat(left + 4 * g + 1));
+        uint32_t seed = (uint32_t)(block * 32 + g) * 3 + (uint32_t)(int)note.key * 1664525u;
+        // Both sides share what is random about a partial, but for a part of its phase: so no two notes are
+        // alike
+        Float8 mine = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(mine, mine, 0);
+        Float8 side = select(kLanes < 4, 1.f, -1.f);
+        Float8 ratio = exp2(k * i.stretch);
+        ratio += (shared - 0.5f) * 2.f * i.scatter;
+        ratio = abs(ratio) * (1.f + side * i.detune);
+        Float8 hertz = ratio * frequency;
+        group.turn = (Uint8)toInt(min(hertz, kHighest) * (kTurn / kSampleRate));
+        group.phase = phaseOf(shared + mine * i.spread);
+        group.bend = hertz * (i.bend * i.bendTime * 1.442695f);
+        group.amplitude =
+            select(hertz * (1 + i.bend) < kHighest,
+                   exp2(k * -tilt) * fmadd(shared, 0.4f, 0.8f) * (i.level * note.velocity), 0.f);
+        group.fall = exp2(k * i.damp) * (-9.96578f / kSampleRate / i.decay);
+    }
+}
+
+void renderVoice(const Voice &v, int time, float gain0, float gain1, Float8 *out) {
+    const Instrument &i = *v.note.instrument;
+    gain0 *= v.envelope((float)time);
+    gain1 *= v.envelope((float)(time + kBlock));
+    float step = (gain1 - gain0) * (1.f / kBlock);
+    float bend0 = bent(i, time), bend1 = bent(i, time + kBlock);
+    for (int g = 0; g < v.groups; ++g) {
+        const Voice::Group &group = v.group[g];
+        Float8 amplitude = group.amplitude * exp2(group.fall * (float)time);
+        if (!any(amplitude > kInaudible)) continue;
+        // Where the block begins, and how far a sample turns in it: straight between what the bend is at its
+        // ends
+        Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.bend * bend0);
+        Uint8 turn = group.turn + (Uint8)toInt(group.bend * (bend1 - bend0) * (kTurn / kBlock));
+        Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));
+        float gain = gain0;
+        for (int n = 0; n < kBlock; ++n) {
+            out[n] = fmadd(p.sin, gain, out[n]);
+            Float8 turned = fmadd(p.cos, by.cos, -(p.sin * by.sin));
+            p.sin = fmadd(p.sin, by.cos, p.cos * by.sin);
+            p.cos = turned;
+            gain += step;
+        }
+    }
+}
+
+} // namespace odraz

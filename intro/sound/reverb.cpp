@@ -1,0 +1,55 @@
+#include "sound/reverb.h"
+
+#include "base/maths.h"
+
+namespace odraz {
+
+// Samples. Neither equal nor in small ratios, so that the lines' echoes seldom fall together; left and right
+// in turn.
+static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
+
+// Where the ends of the lines are at the beginning of a block: they go to and fro, each in a time of its own,
+// of some 20 seconds, and evenly, so that all that sounds is out of tune by the same.
+static Float8 drifted(int block) {
+    Float8 turned = fmadd(toFloat(kLanes), 0.00002f, 0.0002f) * (float)block;
+    return fmadd(abs(turned - round(turned)), 4 * kDrift, kLengths);
+}
+
+void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out) {
+    // A line of n samples loses 60 n / decay dB; a one-pole low-pass makes that more for high frequencies
+    constexpr float kRatio = kDecay / kDecayHigh;
+    Float8 powers = kLengths * (-9.96578f / kSampleRate / kDecay); // log2 of the gain
+    Float8 pole = powers * (0.173287f * (1 - kRatio * kRatio));
+    // The Hadamard matrix makes everything sqrt(8) times as large
+    Float8 gain = exp2(powers) * (1.f - pole) * 0.353553391f;
+
+    Float8 delay = drifted(block), step = (drifted(block + 1) - delay) * (1.f / kBlock);
+    const float *lines = (const float *)reverb.lines;
+    for (int n = 0; n < kBlock; ++n) {
+        Int8 whole = toInt(delay);
+        Int8 at = reverb.at - whole;
+        auto read = [&](Int8 at) { return gather(lines, (at & (Reverb::kLength - 1)) * 8 + kLanes); };
+        Float8 x = read(at);
+        x = fmadd(read(at - 1) - x, delay - toFloat(whole), x);
+        delay += step;
+        Float8 y = reverb.low = fmadd(reverb.low, pole, x * gain);
+        out[n] += y;
+        for (int stage = 0; stage < 3; ++stage) {
+            y = (Float8)_mm256_addsub_ps((Float8)_mm256_permute_ps(y, 0xb1), y);
+            y = (Float8)_mm256_permutevar8x32_ps(y, (__m256i)Int8{0, 2, 4, 6, 1, 3, 5, 7});
+        }
+        reverb.lines[reverb.at] = y + in[n];
+        reverb.at = (reverb.at + 1) & (Reverb::kLength - 1);
+    }
+}
+
+void renderEcho(Echo &echo, int block, Float8 *inOut) {
+    Float8 *line = echo.line + block % Echo::kBlocks * kBlock;
+    for (int n = 0; n < kBlock; ++n) {
+        Float8 late = line[n];
+        line[n] = fmadd((Float8)_mm256_permute2f128_ps(late, late, 1), 0.4f, inOut[n] * 0.3f);
+        inOut[n] += late;
+    }
+}
+
+} // namespace odraz

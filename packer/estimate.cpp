@@ -1,0 +1,288 @@
+#include "estimate.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+
+namespace pack {
+
+namespace {
+
+typedef float Float8 __attribute__((vector_size(32)));
+typedef int32_t Int8 __attribute__((vector_size(32)));
+typedef int16_t Short8 __attribute__((vector_size(16)));
+
+constexpr uint32_t kLanes = 4; // of a context: its inputs and a zero
+constexpr uint32_t kMost8 = kMostContexts * kLanes / 8;
+constexpr uint32_t kStretch = 2048; // bytes between two looks at how it goes
+constexpr float kUnit = 1 << 13;    // of inputs, in units of a float's last bit: logarithms end at 24 << 23
+constexpr float kRate = kLearning * kUnit, kFinalRate = kFinalLearning * kUnit;
+
+// What is known about every byte, whatever the shape.
+struct Place {
+    uint32_t fields[kFields];
+    uint8_t byte, type;
+};
+
+// The mixer, and what it has come to.
+struct Mixer {
+    Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
+    Float8 finalWeights[kPhases], weights[kSets][kRows][kMost8];
+    double bits;
+};
+
+// The contexts' inputs and the selectors' hashes of all bytes.
+struct Sources {
+    const int16_t *inputs[kMostContexts];
+    const uint32_t *selectors[kSets - 1];
+    uint32_t contexts;
+};
+
+// Every bit is known, so that what the next one needs can be fetched ahead: all this waits for is memory.
+struct Rows {
+    Float8 *weights[kSets];
+    Counter *corrections;
+
+    [[gnu::always_inline]] Rows(Mixer &m, const Sources &from, const Place *places, uint32_t at,
+                                uint32_t bits, uint32_t count) {
+        uint32_t phase = phaseOf(places[at].fields);
+        for (uint32_t s = 0; s < kSets; ++s) {
+            weights[s] = m.weights[s][rowOf(s, s ? from.selectors[s - 1][at] : 0, phase, bits)];
+            for (uint32_t i = 0; i < count; i += 2) __builtin_prefetch(weights[s] + i, 1);
+        }
+        corrections = m.corrections[mixIn(from.selectors[0][at], bits) >> (32 - kCorrectionRowBits)];
+        __builtin_prefetch(corrections, 1);
+        __builtin_prefetch(corrections + 16, 1);
+    }
+};
+
+[[gnu::always_inline]] inline float sumOf(const Float8 &v) {
+    return ((v[0] + v[4]) + (v[1] + v[5])) + ((v[2] + v[6]) + (v[3] + v[7]));
+}
+
+// predict() and learn() for the bytes from `at` to `end`; `count` vectors of inputs.
+[[gnu::always_inline]] inline void mixBytes(Mixer &m, const Sources &from, const Place *places, uint32_t at,
+                                            uint32_t end, uint32_t count) {
+    constexpr float kMost = kMostSum / kUnit;
+    Rows next(m, from, places, at, 1, count);
+    for (; at < end; ++at) {
+        uint32_t bits = 1;
+        double likely = 1;
+        Float8 &last = m.finalWeights[phaseOf(places[at].fields)];
+        for (int shift = 7; shift >= 0; --shift) {
+            uint32_t bit = places[at].byte >> shift & 1;
+            Rows rows = next;
+            if (shift)
+                next = Rows(m, from, places, at, bits * 2 + bit, count);
+            else if (at + 1 < end)
+                next = Rows(m, from, places, at + 1, 1, count);
+            Float8 x[kMost8] = {}, results;
+            size_t offset = (size_t)at * (8 * kLanes) + (7 - (size_t)shift) * kLanes;
+#pragma GCC unroll 8
+            for (uint32_t i = 0; i < count; ++i) {
+                union {
+                    int64_t pair[2];
+                    Short8 all;
+                } in;
+                std::memcpy(&in.pair[0], from.inputs[2 * i] + offset, 8);
+                std::memcpy(&in.pair[1], from.inputs[2 * i + 1] + offset, 8);
+                x[i] = __builtin_convertvector(__builtin_convertvector(in.all, Int8), Float8);
+            }
+#pragma GCC unroll 8
+            for (uint32_t s = 0; s < kSets; ++s) {
+                const Float8 *w = rows.weights[s];
+                Float8 sum = w[0] * x[0], sum2 = w[1] * x[1];
+#pragma GCC unroll 8
+                for (uint32_t i = 2; i < count; i += 2) {
+                    sum += w[i] * x[i];
+                    sum2 += w[i + 1] * x[i + 1];
+                }
+                results[s] = sumOf(sum + sum2);
+            }
+            results = results > kMost ? kMost : results;
+            results = results < -kMost ? -kMost : results;
+            float sum = std::clamp(sumOf(last * results), -kMost, kMost), mixed = squash(sum * kUnit);
+
+            // Correct
+            Counter &correction = rows.corrections[(int32_t)(sum * (kSteepness * kUnit) + kMiddle)];
+            int32_t p = (int32_t)(mixed * (1 << kProbabilityBits));
+            if (!correction) correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
+            float one = (float)((((int32_t)correction >> kSeenBits) + kHalf + p) | 1) *
+                        (0.5f / (1 << kProbabilityBits));
+            likely *= bit ? one : 1 - one;
+            adapt(correction, bit, kSettled[0]);
+
+            // Learn
+            float y = (float)(int32_t)bit;
+            Int8 odds = __builtin_convertvector(results * kUnit, Int8) + std::bit_cast<int32_t>(1.0f);
+            Float8 squashed = (Float8)odds / ((Float8)odds + 1), by = (y - squashed) * kRate;
+#pragma GCC unroll 8
+            for (uint32_t s = 0; s < kSets; ++s)
+#pragma GCC unroll 8
+                for (uint32_t i = 0; i < count; ++i) rows.weights[s][i] += x[i] * by[s];
+            last += results * ((y - mixed) * kFinalRate);
+            bits = bits * 2 + bit;
+        }
+        m.bits -= std::log2(likely);
+    }
+}
+
+[[gnu::always_inline]] inline void mixAny(Mixer &m, const Sources &from, const Place *places, uint32_t at,
+                                          uint32_t end) {
+    if (from.contexts == 16)
+        mixBytes(m, from, places, at, end, 8); // the usual number, all loops unrolled
+    else
+        mixBytes(m, from, places, at, end, from.contexts * kLanes / 8);
+}
+void mixPlain(Mixer &m, const Sources &from, const Place *places, uint32_t at, uint32_t end) {
+    mixAny(m, from, places, at, end);
+}
+__attribute__((target("avx2,fma"))) void mixAvx2(Mixer &m, const Sources &from, const Place *places,
+                                                 uint32_t at, uint32_t end) {
+    mixAny(m, from, places, at, end);
+}
+const auto mix8 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? mixAvx2 : mixPlain;
+
+struct Free {
+    void operator()(void *memory) const { std::free(memory); }
+};
+template <class T> using Zeroed = std::unique_ptr<T, Free>;
+
+template <class T> Zeroed<T> zeroed(size_t count = 1) {
+    void *memory = std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64);
+    if (!memory) throw std::bad_alloc();
+    std::memset(memory, 0, count * sizeof(T));
+    return Zeroed<T>((T *)memory);
+}
+
+} // namespace
+
+struct Estimator::Work {
+    Layout layout;
+    std::vector<Place> places;
+    Zeroed<Mixer> mixer = zeroed<Mixer>();
+    Zeroed<Context> context = zeroed<Context>();
+    std::vector<Slot> slots;
+    std::vector<int16_t> nothing;
+
+    // A context's inputs for the bytes from `at` to `end`.
+    void computeInputs(const Shape &shape, uint32_t i, uint32_t slotBits, uint32_t at, uint32_t end,
+                       int16_t *to) {
+        if (at == 0) {
+            slots.assign(1u << slotBits, Slot{});
+            std::memset((void *)context.get(), 0, sizeof *context);
+        }
+        // The next byte's slots are fetched ahead
+        auto next = [&](const Place &place) {
+            uint32_t hash = hashOf(shape, place.type, i, place.fields);
+            for (uint32_t start : {1u, 16u + (place.byte >> 4)}) {
+                Slot *first = &slots[mixIn(hash, start) >> (32 - slotBits) & ~(kNibbleSlots - 1)];
+                __builtin_prefetch(first, 1);
+                __builtin_prefetch(first + kNibbleSlots / 2, 1);
+            }
+            return hash;
+        };
+        Context &c = *context;
+        to += (size_t)at * (8 * kLanes);
+        uint32_t coming = next(places[at]);
+        for (; at < end; ++at) {
+            const Place &place = places[at];
+            uint32_t hash = coming, phase = phaseOf(place.fields), bits = 1;
+            if (at + 1 < end) coming = next(places[at + 1]);
+            for (int shift = 7; shift >= 0; --shift, to += kLanes) {
+                uint32_t bit = place.byte >> shift & 1;
+                find(c, slots.data(), slotBits, hash, phase, bits);
+                for (uint32_t k = 0; k < kContextInputs; ++k)
+                    to[k] = (int16_t)(stretch(*c.counter[k]) * (1 / kUnit));
+                learn(c, bit);
+                bits = bits * 2 + bit;
+            }
+            c.byteSlot->lastByte = place.byte;
+        }
+    }
+};
+
+Estimator::Estimator(const std::vector<uint8_t> &filtered, const Layout &layout) : work(new Work) {
+    work->layout = layout;
+    work->places.resize(filtered.size());
+    Parser parser = {};
+    Place place = {};
+    uint8_t opcodes[kOpcodes];
+    expandOpcodes(opcodes);
+    for (uint32_t i = 0; i < filtered.size(); ++i) {
+        for (uint32_t k = kByte1; k <= kByte5; ++k) place.fields[k] = i < k ? 0 : filtered[i - k];
+        place.fields[kWhere] = parser.left << kPhaseBits | parser.phase;
+        place.fields[kColumn] = i % kColumns;
+        place.type = i - layout.codeBegin >= layout.codeSize;
+        place.byte = filtered[i];
+        work->places[i] = place;
+        if (!place.type && parser.step(place.fields, filtered[i], opcodes)) {
+            std::memcpy(&place.fields[kTarget], &filtered[i - 3], 4);
+            place.fields[kTarget] = __builtin_bswap32(place.fields[kTarget]);
+        }
+    }
+}
+
+Estimator::~Estimator() = default;
+
+Estimate Estimator::operator()(const Shape &shape, const Estimate *like, double slack) {
+    Work &w = *work;
+    uint32_t size = (uint32_t)w.places.size();
+    Estimate e;
+    e.shape = shape;
+    auto same = [&](uint32_t i) {
+        return like && shape.contexts == like->shape.contexts &&
+               shape.masks[0][i] == like->shape.masks[0][i] && shape.masks[1][i] == like->shape.masks[1][i];
+    };
+
+    // Each context has its share of the slots
+    uint32_t slotBits = shape.slotBits - (uint32_t)std::bit_width(shape.contexts - 1);
+    Sources from = {{}, {}, shape.contexts};
+    std::vector<int16_t> *late = nullptr; // inputs that are computed as far as they are needed
+    uint32_t lateContext = 0;
+    for (uint32_t i = 0; i < shape.contexts; ++i) {
+        if (same(i))
+            e.inputs.push_back(like->inputs[i]);
+        else {
+            if (late) w.computeInputs(shape, lateContext, slotBits, 0, size, late->data());
+            auto inputs = std::make_shared<std::vector<int16_t>>((size_t)size * (8 * kLanes));
+            late = inputs.get();
+            lateContext = i;
+            e.inputs.push_back(inputs);
+        }
+        from.inputs[i] = e.inputs[i]->data();
+    }
+    for (uint32_t i = 0; i < kSets - 1; ++i) {
+        if (same(shape.contexts + i))
+            e.selectors.push_back(like->selectors[i]);
+        else {
+            auto hashes = std::make_shared<std::vector<uint32_t>>(size);
+            for (uint32_t at = 0; at < size; ++at)
+                (*hashes)[at] = hashOf(shape, w.places[at].type, shape.contexts + i, w.places[at].fields);
+            e.selectors.push_back(hashes);
+        }
+        from.selectors[i] = e.selectors[i]->data();
+    }
+
+    Mixer &m = *w.mixer;
+    std::memset((void *)m.corrections, 0, sizeof m.corrections);
+    float *weights = (float *)m.finalWeights;
+    std::fill(weights, weights + (sizeof m.finalWeights + sizeof m.weights) / sizeof(float), kFirstWeight);
+    m.bits = 0;
+    for (uint32_t at = 0; at < size; at += kStretch) {
+        uint32_t end = std::min(size, at + kStretch);
+        if (late) w.computeInputs(shape, lateContext, slotBits, at, end, late->data());
+        mix8(m, from, w.places.data(), at, end);
+        e.curve.push_back((float)(m.bits / 8));
+        if (like && slack < kTooMany && e.curve.back() > like->curve[e.curve.size() - 1] + slack) {
+            e.bytes = kTooMany;
+            return e;
+        }
+    }
+    e.bytes = m.bits / 8;
+    return e;
+}
+
+} // namespace pack

@@ -1,0 +1,116 @@
+# The film's music as it is played: into ALSA's file device, into a PulseAudio that stops and dies, and into nothing.
+. "$(dirname "$0")/display.sh"
+[ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
+odraz=$BUILD/odraz-safe # the packed film is the same program and takes seconds more to start
+start_display 640x400
+unset PULSE_SERVER
+export HOME=$WORK XDG_RUNTIME_DIR=$WORK/run XDG_CONFIG_HOME=$WORK/config
+mkdir -m 700 "$XDG_RUNTIME_DIR"
+device() { printf '%s\n' "$@" >"$WORK/alsa.conf"; export ALSA_CONFIG_PATH=$WORK/alsa.conf; }
+play() { "$odraz" --window --size 160x90 "$@" >"$WORK/out" 2>"$WORK/err"; }
+says_nothing() { [ ! -s "$WORK/err" ]; }
+frames() { echo $(($(stat -c %s "$1") / 4)); }
+loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
+is_music() { # is_music RECORDING SECONDS MOST: from its first loud frame on it is the film's music, so long, sample for sample
+    paste -d' ' <(loud_from "$1") <(loud_from "$WORK/film") | head -n $(($2 * 48000)) | awk -v most="$3" -v wanted=$(($2 * 48000)) '
+        NF == 4 { ++n; for (i = 1; i <= 2; ++i) { d = $i - $(i + 2); if (d < 0) d = -d; if (d > off) off = d } }
+        END { print "    " n + 0 " frames, off by at most " off + 0; exit !(n == wanted && off <= most) }'
+}
+is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = 1 ]; }
+
+"$odraz" --wav - --to 12 | tail -c +45 >"$WORK/film"
+device 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
+# What a busy machine was too late for is left out, rightly: then again
+into_file() { for _ in 1 2 3; do rm -f "$WORK/played"; play --to 4 && is_music "$WORK/played" 2 0 && return 0; done; return 1; }
+check "plays with sound: the device gets what --wav writes, sample for sample" into_file
+check "... and says nothing" says_nothing
+check "... no faster than it is played" test "$(frames "$WORK/played")" -lt $((5 * 48000))
+rm "$WORK/played"
+check "--mute plays" play --mute --to 1
+check "... in silence" test ! -e "$WORK/played"
+check "plays from the middle" play --from 50 --to 51.5
+check "... with its sound" is_loud "$WORK/played"
+check "is for playing alone" refuses 2 "--mute is for playing" "$odraz" --mute --wav "$WORK/none"
+device 'pcm.!default { type hw card 31 }'
+check "plays without a device" play --to 1
+check "... and says nothing" says_nothing
+export ALSA_CONFIG_PATH=$WORK/none.conf
+check "plays where ALSA is broken" play --to 1
+check "... and says nothing" says_nothing
+
+# The film stopped for three seconds goes on where it stopped
+device 'pcm.!default { type null }'
+freezes() { # prints the whole seconds that it took
+    local began=$SECONDS
+    play --to 5 &
+    local film=$!
+    await seen || return 1
+    sleep 2
+    kill -STOP "$(pgrep -P $film -x odraz-safe || echo $film)"
+    sleep 3
+    kill -CONT "$(pgrep -P $film -x odraz-safe || echo $film)"
+    wait $film && echo $((SECONDS - began))
+}
+check "a film stopped for 3 of its 5 seconds takes 8" test "$(freezes)" -ge 7
+
+if ! command -v pulseaudio >/dev/null || ! command -v parec >/dev/null || ! ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1; then
+    echo "    PulseAudio is not installed: not tried"
+    finish
+fi
+device 'pcm.!default { type pulse }'
+serve() { # starts the server, sets server
+    pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &
+    server=$!
+    PIDS+=($server)
+    await pactl info >/dev/null 2>&1
+}
+record() { # record FILE: sets recorder
+    parec --device=null.monitor --format=s16le --rate=48000 --channels=2 --latency-msec=20 >"$1" 2>/dev/null &
+    recorder=$!
+    PIDS+=($recorder)
+    await test -s "$1"
+}
+check "a server starts" serve
+into_server() {
+    for _ in 1 2 3; do
+        record "$WORK/heard"
+        play --to 5 || return 1
+        kill $recorder
+        is_music "$WORK/heard" 2 1 && return 0
+    done
+    return 1
+}
+check "plays to a server what --wav writes, to the last bit" into_server
+check "... and says nothing" says_nothing
+
+stops() {
+    play --to 9 &
+    local film=$!
+    await seen
+    sleep 3
+    kill -STOP $server
+    sleep 2
+    kill -CONT $server
+    record "$WORK/after"
+    wait $film || return 1
+    kill $recorder
+}
+check "plays while the server stops for two seconds" stops
+check "... and is heard again" is_loud "$WORK/after"
+check "... and says nothing" says_nothing
+dies() {
+    play --to 12 &
+    local film=$!
+    await seen
+    sleep 2
+    { kill -KILL $server; wait $server; } 2>/dev/null
+    sleep 1
+    serve
+    record "$WORK/again"
+    wait $film || return 1
+    kill $recorder
+}
+check "plays on when the server is killed" dies
+check "... and is heard by the next one" is_loud "$WORK/again"
+check "... and says nothing" says_nothing
+finish

@@ -1,0 +1,84 @@
+# The film's music as the packed film writes it: whole, in parts, and as it must sound.
+. "$(dirname "$0")/common.sh"
+skip_unless ffmpeg sha256sum
+needs_built listen
+unset DISPLAY
+packed=$BUILD/odraz
+odraz=$BUILD/odraz-safe # the same program, as is checked: it need not be unpacked first
+wav=$WORK/film.wav
+
+check "the whole music is written" "$packed" --wav "$wav"
+check "... 162 seconds of it" test "$(stat -c %s "$wav")" = $((162 * 48000 * 4 + 44))
+check "... and nothing else" test "$(ls "$WORK"/*.part 2>/dev/null | wc -l)" = 0
+check "it is the golden one" "$SOURCE/tools/golden" hear "$BUILD"
+check "... whatever the number of threads" cmp "$wav" <("$packed" --wav - --threads 5)
+check "odraz-safe writes the same" cmp "$wav" <("$BUILD/odraz-safe" --wav -)
+said() { ffprobe -v error -show_entries stream=codec_name,sample_rate,channels,duration -of csv=p=0 "$1"; }
+check "it is a WAV of 48 kHz, 16 bits, stereo" test "$(said "$wav")" = pcm_s16le,48000,2,162.000000
+
+# A part is a slice of the whole: samples at or after a time belong to it
+body() { tail -c +45 "$1"; }
+slice() { tail -c +$((45 + 4 * $1)) "$wav" | head -c $((4 * ($2 - $1))); }
+shard() { "$odraz" --wav "$WORK/shard.wav" --from "$1" --to "$2" && [ "$(said "$WORK/shard.wav")" = "pcm_s16le,48000,2,$5" ] && cmp <(body "$WORK/shard.wav") <(slice "$3" "$4"); }
+check "a part is its slice" shard 60 61.5 2880000 2952000 1.500000
+check "... to the sample" shard 71.123456 71.2 3413926 3417600 0.076542
+check "... at the end" shard 161.5 162 7752000 7776000 0.500000
+"$odraz" --wav "$WORK/none.wav" --from 3 --to 3
+check "a part of nothing is a header" test "$(stat -c %s "$WORK/none.wav")" = 44
+check "a pipe gets the same" cmp "$WORK/shard.wav" <("$odraz" --wav - --from 161.5 | cat)
+mkfifo "$WORK/fifo"
+cat "$WORK/fifo" >"$WORK/piped" &
+PIDS+=($!)
+check "a named pipe stays one" "$odraz" --wav "$WORK/fifo" --from 161.5
+check "... and gets the same" eval 'await cmp -s "$WORK/shard.wav" "$WORK/piped" && [ -p "$WORK/fifo" ]'
+check "pictures and sound come together" "$odraz" --dump "$WORK/frames" --wav "$WORK/both.wav" --from 8 --to 8.2 --size 64x36
+check "... five of them" test "$(ls "$WORK/frames" | wc -l)" = 5
+check "... and two tenths of a second" test "$(stat -c %s "$WORK/both.wav")" = $((9600 * 4 + 44))
+
+# What is wrong is told in one line, and nothing is left half-written
+check "it writes to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --wav - --to 1 >/dev/full"
+check "... into a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --wav - --to 9 | head -c 99 >/dev/null"
+check "... to a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --wav - >&-"
+check "... below nowhere" refuses 1 "no such directory" "$odraz" --wav "$WORK/no/where.wav" --to 1
+check "... in a directory's place" refuses 1 "it is a directory" bash -c "mkdir '$WORK/taken' && exec '$odraz' --wav '$WORK/taken' --to 1"
+check "... leaving nothing" test ! -e "$WORK/taken.part"
+check "... together with pictures, to one pipe" refuses 2 "cannot both be -" "$odraz" --wav - --dump -
+check "... and while it plays in a window" refuses 2 "--window is for playing" "$odraz" --wav "$WORK/x" --window
+
+# Loudness, after EBU R 128 and ITU-R BS.1770
+ffmpeg -hide_banner -nostats -i "$wav" -af ebur128=peak=true:framelog=verbose -f null - 2>"$WORK/ebu"
+told() { sed -n "/Summary/,\$ s/^ *$1: *\(-*[0-9.]*\) .*/\1/p" "$WORK/ebu" | head -n 1; }
+echo "loudness $(told I) LUFS, range $(told LRA) LU, true peak $(told Peak) dBTP"
+check "it is as loud as others: -16 LUFS" eval 'less -17 "$(told I)" && less "$(told I)" -15'
+check "... with a range of 8 to 18 LU" eval 'less 8 "$(told LRA)" && less "$(told LRA)" 18'
+check "... and a true peak below -1 dB" less "$(told Peak)" -1
+
+"$BUILD/listen" "$wav" >"$WORK/heard"
+grep -v '^onset' "$WORK/heard"
+heard() { awk -F, -v seen=0 "\$1 == \"$1\" { ++seen; if (!($2)) { print > \"/dev/stderr\"; bad = 1 } } END { exit bad || !seen }" "$WORK/${3-heard}"; }
+check "it has no direct current" heard all '$2 < 1e-4'
+check "... no clipped sample" heard all '$3 == 0'
+check "... and ends in silence: -60 dB" heard all '$5 <= -60'
+check "no step stands out" heard step '$2 < 12'
+check "left and right belong together, and are not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
+most='most = 0; for (i = 5; i <= NF; ++i) if ($i > most) most = $i;'
+octaves() { awk -F, "\$1 == \"scene\" { ++seen; $most if (most > 0.5) bad = 1 } END { exit bad || seen < 7 }" "$WORK/heard"; }
+check "no octave has more than half of a scene" octaves
+onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
+check "every cut and every event that is heard is heard, within 20 ms" heard onset "$onset"
+check "... 47 of them" test "$(grep -c '^onset' "$WORK/heard")" -ge 40
+# The test would hear it if they were a row late
+(head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c -24000) >"$WORK/late.wav"
+"$BUILD/listen" "$WORK/late.wav" >"$WORK/late"
+late() { [ "$(awk -F, "/^onset/ && !($onset)" "$WORK/late" | wc -l)" -ge 15 ]; }
+check "(of a music that is a row late many are missed)" late
+# ... and a click
+(head -c 4000044 "$wav"; printf '\377\077\377\077'; tail -c +4000049 "$wav") >"$WORK/click.wav"
+"$BUILD/listen" "$WORK/click.wav" >"$WORK/click"
+check "(a click would be found)" eval '! heard step "\$2 < 12" click 2>/dev/null'
+
+# How much it costs
+began=$(date +%s%N)
+"$BUILD/odraz-safe" --wav - >/dev/null
+echo "a second of music in $((($(date +%s%N) - began) / 162000)) us"
+finish

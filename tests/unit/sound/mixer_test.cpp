@@ -1,0 +1,181 @@
+// The mixer: notes that are refused, voices that are stolen, silence that costs nothing, times that are
+// sought.
+#include "sound/mixer.h"
+
+#include "show/score.h"
+
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr Instrument kString = {
+    .partials = 8, .level = 0.01f, .tilt = 1, .decay = 20, .release = 2, .room = 0.5f};
+
+std::unique_ptr<Mixer> mixer(Player player) {
+    auto m = std::make_unique<Mixer>();
+    m->player = player;
+    return m;
+}
+
+void nothing(Mixer &, int) {}
+
+// A note on the first row.
+void once(Mixer &m, int row) {
+    if (row == 0) playNote(m, {&kString, 60, 1, 1, 1});
+}
+
+// A cluster that grows by 16 notes a row.
+void crowd(Mixer &m, int row) {
+    for (int i = 0; i < kVoicesAtOnce; ++i)
+        playNote(m, {&kString, (float)(30 + (row * kVoicesAtOnce + i) % 60), 1 - 0.01f * (float)i, 100, 1});
+}
+
+std::vector<float> rendered(Mixer &m, int blocks) {
+    std::vector<float> out((size_t)blocks * 2 * kBlock);
+    for (int i = 0; i < blocks; ++i) renderBlock(m, &out[(size_t)i * 2 * kBlock]);
+    return out;
+}
+
+// Numbers in a struct that are not zero and smaller than normal ones.
+int denormals(const void *from, size_t bytes) {
+    const float *x = (const float *)from;
+    int count = 0;
+    for (size_t i = 0; i < bytes / sizeof *x; ++i) count += std::fpclassify(x[i]) == FP_SUBNORMAL;
+    return count;
+}
+
+// Of the processor, spent by this thread.
+double ownMilliseconds() {
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec * 1e3 + (double)t.tv_nsec * 1e-6;
+}
+
+} // namespace
+
+TEST(Mixer, IsSilentWithoutVoices) {
+    auto m = mixer(nothing);
+    for (float x : rendered(*m, 400)) ASSERT_EQ(x, 0);
+}
+
+TEST(Mixer, RefusesWhatIsNoNote) {
+    float nan = std::nanf("");
+    auto m = mixer(nothing);
+    for (Note bad : {Note{&kString, nan, 1, 1, 1}, Note{&kString, 0, 1, 1, 1}, Note{&kString, 60, nan, 1, 1},
+                     Note{&kString, 60, 1, 1, nan}, Note{&kString, 60, 0, 1, 1}, Note{&kString, 60, -1, 1, 1},
+                     Note{&kString, 60, 1, 1, -1}})
+        playNote(*m, bad);
+    EXPECT_EQ(m->voiceCount, 0);
+    // These are not heard
+    for (Note mute :
+         {Note{&kString, 60, 1, nan, 1}, Note{&kString, 140, 1, 1, 1}, Note{&kString, kInfinity, 1, 1, 1}})
+        playNote(*m, mute);
+    for (float x : rendered(*m, 50)) ASSERT_EQ(x, 0);
+    EXPECT_EQ(m->voiceCount, 0);
+    for (float key : {15.5f, 60.f, 135.f}) playNote(*m, {&kString, key, 1, 1, 1}); // 20 Hz to 19.9 kHz
+    EXPECT_EQ(m->voiceCount, 3);
+    for (float x : rendered(*m, 50)) ASSERT_TRUE(std::fabs(x) < 0.2f);
+}
+
+TEST(Mixer, HoldsAllVoicesAndStealsTheQuietestWithoutAStep) {
+    auto m = mixer(crowd);
+    std::vector<float> out;
+    int most = 0;
+    for (int block = 0; block < 30 * kBlocksPerRow; ++block) {
+        float stereo[2 * kBlock];
+        renderBlock(*m, stereo);
+        out.insert(out.end(), stereo, stereo + 2 * kBlock);
+        most = std::max(most, m->voiceCount);
+        ASSERT_LE(m->voiceCount, kVoices);
+    }
+    EXPECT_GT(most, kVoices - kVoicesAtOnce);
+    // With the last row's notes in, and before the next one's, there is place again
+    EXPECT_EQ(m->voiceCount, kVoices - kVoicesAtOnce);
+    // Steps: second differences while voices are stolen, against those before that was needed
+    double before = 0, after = 0;
+    size_t full = (size_t)(kVoices / kVoicesAtOnce) * kBlocksPerRow * 2 * kBlock;
+    for (size_t i = 4; i + 4 < out.size(); ++i) {
+        double bend = std::fabs((double)out[i - 2] - 2 * (double)out[i] + (double)out[i + 2]);
+        (i < full ? before : after) = std::max(i < full ? before : after, bend);
+    }
+    std::printf("second differences up to %.4f, while voices are stolen %.4f\n", before, after);
+    EXPECT_LT(after, before * 1.5);
+}
+
+TEST(Mixer, LeavesNoDenormalsAndLetsOthersHaveThem) {
+    unsigned control = _mm_getcsr();
+    auto m = mixer(once);
+    std::vector<float> out = rendered(*m, 40 * 200);
+    EXPECT_EQ(_mm_getcsr() & 0x8040, control & 0x8040);
+    EXPECT_EQ(m->voiceCount, 0);
+    EXPECT_EQ(denormals(m->reverb.lines, sizeof m->reverb.lines), 0);
+    EXPECT_EQ(denormals(&m->reverb.low, sizeof m->reverb.low), 0);
+    EXPECT_EQ(denormals(&m->echo, sizeof m->echo), 0);
+    for (size_t i = out.size() - 1000; i < out.size(); ++i) EXPECT_LT(std::fabs(out[i]), 1e-9f);
+}
+
+TEST(Mixer, StaysWithinItsPeak) {
+    static constexpr Instrument kLoudest = {.partials = 8, .level = 100, .decay = 20, .room = 1};
+    auto m = mixer([](Mixer &m, int row) {
+        if (row % 4 == 0) playNote(m, {&kLoudest, (float)(20 + row), 1, 0.4f, 1});
+    });
+    std::vector<float> out = rendered(*m, 4000);
+    float most = 0;
+    for (float x : out) most = std::max(most, std::fabs(x));
+    EXPECT_NEAR(most, 0.84f, 1e-4f) << "-1.5 dB";
+}
+
+// Sought, the music has the same voices as played; the room and the echo agree but for what they have
+// forgotten.
+TEST(Mixer, SeeksToWhatWouldBePlayed) {
+    for (int second : {3, 47, 121}) {
+        auto played = mixer(playRow), sought = mixer(playRow);
+        for (int i = 0; i < second * 200; ++i) {
+            float unheard[2 * kBlock];
+            renderBlock(*played, unheard);
+        }
+        rendered(*sought, 100);
+        seekBlock(*sought, second * 200);
+        ASSERT_EQ(played->block, sought->block);
+        ASSERT_EQ(played->voiceCount, sought->voiceCount);
+        EXPECT_EQ(played->ducked, sought->ducked);
+        for (int i = 0; i < played->voiceCount; ++i)
+            EXPECT_EQ(std::memcmp(&played->voices[i].note, &sought->voices[i].note, sizeof(Note)), 0) << i;
+        std::vector<float> a = rendered(*played, 100), b = rendered(*sought, 100);
+        double error = 0, power = 0;
+        for (size_t i = 0; i < a.size(); ++i) {
+            error += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]);
+            power += (double)a[i] * (double)a[i];
+        }
+        std::printf("%d s: off by %.0f dB\n", second, 10 * std::log10(error / power + 1e-20));
+        EXPECT_LT(error / power, 1e-5);
+    }
+}
+
+TEST(Mixer, HasVoicesEnoughForTheFilm) {
+    auto m = mixer(playRow);
+    int most = 0, groups = 0;
+    double all = 0, worst = 0;
+    constexpr int kBlocks = 162 * 200;
+    for (int block = 0; block < kBlocks; ++block) {
+        float stereo[2 * kBlock];
+        double began = ownMilliseconds();
+        renderBlock(*m, stereo);
+        double took = ownMilliseconds() - began;
+        all += took, worst = std::max(worst, took);
+        int now = 0;
+        for (int i = 0; i < m->voiceCount; ++i) now += m->voices[i].groups;
+        most = std::max(most, m->voiceCount), groups = std::max(groups, now);
+    }
+    std::printf("at most %d voices of %d groups of partials; a second of music in %.1f ms, a block at most "
+                "in %.2f ms\n",
+                most, groups, all / 162, worst);
+    EXPECT_LE(most, kVoices - kVoicesAtOnce) << "nothing is stolen in the film";
+}

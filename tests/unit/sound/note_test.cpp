@@ -1,0 +1,167 @@
+// Notes: in tune, free of aliases and clicks, the same from wherever they are joined.
+#include "sound/note.h"
+
+#include "show/score.h"
+#include "tools/measure/recording.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+// The left side of a note, from its start.
+std::vector<double> render(const Instrument &kind, float key, double seconds, float velocity = 1,
+                           float length = 100) {
+    auto voice = std::make_unique<Voice>();
+    beginVoice(*voice, {&kind, key, velocity, length, 0}, 7);
+    std::vector<double> out;
+    for (int time = 0; time < (int)(seconds * kSampleRate); time += kBlock) {
+        Float8 block[kBlock] = {};
+        renderVoice(*voice, time, 1, 1, block);
+        for (Float8 x : block) out.push_back((double)x[0] + (double)x[1] + (double)x[2] + (double)x[3]);
+    }
+    return out;
+}
+
+// The phase of a frequency about a time, in turns.
+double phaseAt(const std::vector<double> &x, size_t from, size_t size, double hertz) {
+    std::complex<double> sum = 0;
+    for (size_t i = 0; i < size; ++i) {
+        double window = 0.5 - 0.5 * std::cos(2 * M_PI * (double)i / (double)size);
+        sum += x[from + i] * window * std::polar(1., -2 * M_PI * hertz * (double)(from + i) / kSampleRate);
+    }
+    return std::arg(sum) / (2 * M_PI);
+}
+
+constexpr Instrument kSine = {.partials = 4, .tilt = 60, .decay = 1000};
+
+double db(double ratio) { return 10 * std::log10(ratio + 1e-30); }
+
+} // namespace
+
+TEST(Note, IsInTuneOverEightOctaves) {
+    double worst = 0;
+    for (int key = 24; key <= 120; ++key) {
+        double wanted = 440 * std::exp2((key - 69) / 12.);
+        std::vector<double> x = render(kSine, (float)key, 2);
+        // How far the phase drifts from the wanted frequency's in a second
+        double drift = phaseAt(x, 72000, 16384, wanted) - phaseAt(x, 24000, 16384, wanted);
+        drift -= std::round(drift);
+        worst = std::max(worst, std::fabs(drift / wanted * 1200 / std::log(2)));
+    }
+    std::printf("off by at most %.5f cents\n", worst);
+    EXPECT_LT(worst, 0.5);
+}
+
+TEST(Note, HasPartialsWhereItsInstrumentSays) {
+    Instrument bell = {.partials = 4, .stretch = 1.5f, .decay = 1000};
+    std::vector<double> x = render(bell, 69, 1.5);
+    for (int k = 1; k <= 4; ++k) {
+        double wanted = 440 * std::pow(k, 1.5);
+        double drift = phaseAt(x, 36000, 16384, wanted) - phaseAt(x, 24000, 16384, wanted);
+        drift -= std::round(drift);
+        EXPECT_LT(std::fabs(drift * 4 / wanted * 1731), 0.5) << k;
+    }
+    // Left and right are out of tune by the same
+    bell.detune = 0.001f;
+    auto voice = std::make_unique<Voice>();
+    beginVoice(*voice, {&bell, 69, 1, 1, 0}, 0);
+    for (int lane = 0; lane < 4; ++lane)
+        EXPECT_NEAR((double)voice->group[0].turn[lane] / (double)voice->group[0].turn[lane + 4],
+                    1.001 / 0.999, 1e-6);
+}
+
+// Everything that does not belong to a partial is below -80 dB: harmonics up to 20 kHz, under a window whose
+// sides are lower than that.
+TEST(Note, DoesNotAlias) {
+    Instrument full = {.partials = 32, .decay = 1000};
+    for (float key : {57.f, 81.f, 93.f, 105.f, 117.f}) {
+        double pitch = 440 * std::exp2(((double)key - 69) / 12);
+        std::vector<double> x = render(full, key, 2);
+        constexpr size_t kSize = 65536;
+        std::vector<std::complex<double>> f(kSize);
+        for (size_t i = 0; i < kSize; ++i) {
+            double t = 2 * M_PI * (double)i / kSize; // Blackman and Harris: sides at -92 dB
+            f[i] = x[20000 + i] *
+                   (0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t));
+        }
+        fourier(f);
+        double own = 0, other = 0;
+        for (size_t i = 0; i < kSize / 2; ++i) {
+            double hertz = (double)i * kSampleRate / kSize, k = std::round(hertz / pitch);
+            bool partial = k >= 1 && k <= 32 && k * pitch < kHighest && std::fabs(hertz - k * pitch) < 6;
+            (partial ? own : other) = std::max(partial ? own : other, std::norm(f[i]));
+        }
+        std::printf("key %g: what is no partial is at %.1f dB\n", (double)key, db(other / own));
+        EXPECT_LT(db(other / own), -80);
+    }
+}
+
+// Nor does a drum, whose partials come down from above.
+TEST(Note, BendsWithoutAliasing) {
+    Instrument drum = {.partials = 32, .stretch = 1.4f, .decay = 1000, .bend = 2, .bendTime = 0.1f};
+    std::vector<double> x = render(drum, 81, 1);
+    constexpr size_t kSize = 16384;
+    std::vector<std::complex<double>> f(kSize);
+    double inside = 0, above = 0;
+    for (size_t i = 0; i < kSize; ++i)
+        f[i] = x[960 + i] * (0.5 - 0.5 * std::cos(2 * M_PI * (double)i / kSize));
+    fourier(f);
+    for (size_t i = 0; i < kSize / 2; ++i)
+        ((double)i * kSampleRate / kSize < (double)kHighest + 1500 ? inside : above) += std::norm(f[i]);
+    std::printf("above 21.5 kHz: %.1f dB\n", db(above / inside));
+    EXPECT_LT(db(above / inside), -80);
+}
+
+TEST(Note, IsAFunctionOfTime) {
+    auto voice = std::make_unique<Voice>();
+    for (const Instrument &kind : kInstruments) {
+        beginVoice(*voice, {&kind, 57, 0.7f, 1, 1}, 1234);
+        Float8 all[10][kBlock] = {}, one[kBlock] = {};
+        for (int i = 0; i < 10; ++i) renderVoice(*voice, i * kBlock, 1, 1, all[i]);
+        renderVoice(*voice, 7 * kBlock, 1, 1, one);
+        EXPECT_EQ(std::memcmp(one, all[7], sizeof one), 0);
+    }
+}
+
+// Where blocks meet there is nothing to be heard: the second difference is not larger there than elsewhere.
+TEST(Note, JoinsItsBlocksWithoutAStep) {
+    for (const Instrument &kind : kInstruments) {
+        std::vector<double> x = render(kind, 50, 1.5, 1, 0.5f);
+        double at = 0, elsewhere = 0;
+        for (size_t i = 2 * kBlock; i + 1 < x.size(); ++i) {
+            double bend = std::fabs(x[i - 1] - 2 * x[i] + x[i + 1]);
+            (i % kBlock <= 1 ? at : elsewhere) = std::max(i % kBlock <= 1 ? at : elsewhere, bend);
+        }
+        EXPECT_LT(at, elsewhere * 1.2 + 1e-5) << &kind - kInstruments;
+    }
+}
+
+TEST(Note, BeginsAndEndsInSilence) {
+    for (const Instrument &kind : kInstruments) {
+        std::vector<double> x = render(kind, 60, 6, 1, 1);
+        EXPECT_LT(std::fabs(x[0]), 1e-6);
+        EXPECT_EQ(x[(size_t)((1 + kind.release) * kSampleRate) + kBlock], 0);
+        EXPECT_GE((int)(kind.attack * kSampleRate + 0.5f), kBlock) << "an attack is a block at least";
+    }
+}
+
+TEST(Note, StaysFiniteAtExtremes) {
+    for (float key : {-20.f, 15.5f, 60.f, 135.f, 135.1f, 200.f})
+        for (float level : {0.f, 1.f, 100.f}) {
+            Instrument kind = {.partials = 32,
+                               .level = level,
+                               .stretch = 1.9f,
+                               .scatter = 1,
+                               .decay = 0.01f,
+                               .damp = 2,
+                               .bend = 3};
+            for (double x : render(kind, key, 0.1)) {
+                ASSERT_TRUE(std::isfinite(x)) << key;
+                ASSERT_LE(std::fabs(x), (double)level * 32 * 1.2) << key;
+            }
+        }
+}

@@ -1,0 +1,106 @@
+// The room dies as it was designed to, and leaves nothing behind.
+#include "sound/reverb.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+// What the room makes of an impulse in one lane, all lanes added up.
+std::vector<double> impulse(Reverb &room, double seconds, int lane) {
+    std::vector<double> out;
+    for (int block = 0; block < (int)(seconds * kSampleRate / kBlock); ++block) {
+        Float8 in[kBlock] = {}, sum[kBlock] = {};
+        if (block == 0) in[0][lane] = 1;
+        renderReverb(room, block, in, sum);
+        for (Float8 x : sum) out.push_back((double)x[0] - (double)x[1] + (double)x[2] + (double)x[5]);
+    }
+    return out;
+}
+
+// A band about a frequency: a resonator, four times.
+std::vector<double> band(std::vector<double> x, double hertz) {
+    double r = 1 - M_PI * hertz / 3 / kSampleRate, c = 2 * r * std::cos(2 * M_PI * hertz / kSampleRate);
+    for (int pass = 0; pass < 4; ++pass) {
+        double a = 0, b = 0;
+        for (double &v : x) {
+            double y = v + c * a - r * r * b;
+            b = a, a = y, v = y;
+        }
+    }
+    return x;
+}
+
+// Seconds for 60 dB, from -5 to -35 dB of the energy that is still to come. Schroeder, 1965.
+double decayTime(const std::vector<double> &x) {
+    std::vector<double> rest(x.size() + 1);
+    for (size_t i = x.size(); i-- > 0;) rest[i] = rest[i + 1] + x[i] * x[i];
+    size_t a = 0, b = 0;
+    while (rest[a] > rest[0] * std::pow(10, -0.5)) ++a;
+    while (rest[b] > rest[0] * std::pow(10, -3.5)) ++b;
+    return (double)(b - a) * 2 / kSampleRate;
+}
+
+// What the design makes of a frequency: the loss of a mean line's low-pass, between the two times that are
+// given.
+double designed(double hertz) {
+    double length = 2650, log2gain = -9.96578 * length / kSampleRate / (double)kDecay,
+           ratio = (double)(kDecay / kDecayHigh), pole = log2gain * 0.173287 * (1 - ratio * ratio),
+           w = 2 * M_PI * hertz / kSampleRate,
+           filter = (1 - pole) / std::sqrt(1 - 2 * pole * std::cos(w) + pole * pole);
+    return -9.96578 * length / kSampleRate / (log2gain + std::log2(filter));
+}
+
+} // namespace
+
+TEST(Reverb, DecaysAsDesigned) {
+    auto room = std::make_unique<Reverb>();
+    std::vector<double> heard = impulse(*room, 6, 2);
+    for (double hertz : {125., 250., 500., 1000., 2000., 4000.}) {
+        double took = decayTime(band(heard, hertz));
+        std::printf("%5.0f Hz: %.2f s, designed %.2f s\n", hertz, took, designed(hertz));
+        EXPECT_NEAR(took / designed(hertz), 1, 0.15) << hertz;
+    }
+    // Reading between samples takes from the highest what the design leaves them
+    double high = decayTime(band(heard, 12000));
+    EXPECT_GT(high, 0.5 * (double)kDecayHigh);
+    EXPECT_LT(high, designed(12000) * 1.1);
+    EXPECT_NEAR(designed(1), (double)kDecay, 0.02);
+}
+
+TEST(Reverb, IsDenseAndOnBothSides) {
+    for (int lane : {0, 5}) {
+        auto room = std::make_unique<Reverb>();
+        double left = 0, right = 0;
+        int heard = 0;
+        for (int block = 0; block < 200; ++block) {
+            Float8 in[kBlock] = {}, out[kBlock] = {};
+            if (block == 0) in[0][lane] = 1;
+            renderReverb(*room, block, in, out);
+            for (Float8 x : out) {
+                for (int i = 0; i < 8; ++i)
+                    if (block > 50) (i < 4 ? left : right) += (double)x[i] * (double)x[i];
+                heard += block >= 120 && std::fabs(x[0]) > 1e-7f;
+            }
+        }
+        EXPECT_NEAR(std::log2(left / right), 0, 0.6) << lane;
+        EXPECT_GT(heard, 80 * kBlock / 2) << "half a second later it is a room and no echoes any more";
+    }
+}
+
+TEST(Echo, ComesBackOnTheOtherSideAfterThreeRows) {
+    auto echo = std::make_unique<Echo>();
+    for (int block = 0; block < 200; ++block) {
+        Float8 x[kBlock] = {};
+        if (block == 0) x[3][1] = 1;
+        renderEcho(*echo, block, x);
+        EXPECT_EQ(x[3][1] > 0, block == 0 || block == Echo::kBlocks) << block;
+        EXPECT_EQ(x[3][5] > 0, block == 2 * Echo::kBlocks) << block;
+        EXPECT_EQ(x[4][1], 0);
+    }
+    EXPECT_EQ(Echo::kBlocks * kBlock, kSampleRate * 3 / 8);
+}
