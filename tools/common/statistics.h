@@ -24,6 +24,27 @@ inline double psnr(double squares, size_t count) {
     return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
 }
 
+// The linear value, 0 .. 1, of an eight-bit one in sRGB (IEC 61966-2-1).
+inline double linearOfSrgb(uint8_t value) {
+    static const std::vector<double> all = [] {
+        std::vector<double> v(256);
+        for (int i = 0; i < 256; ++i)
+            v[(size_t)i] = i > 10 ? std::pow((i / 255. + 0.055) / 1.055, 2.4) : i / 255. / 12.92;
+        return v;
+    }();
+    return all[value];
+}
+
+// Of eight-bit sRGB in linear light, which weighs what is bright: as much in both.
+inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double squares = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        double d = (linearOfSrgb(a[i]) - linearOfSrgb(b[i])) * 255;
+        squares += d * d;
+    }
+    return psnr(squares, a.size());
+}
+
 // Of as many values in both.
 inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
