@@ -3,25 +3,41 @@
 needs_built tradeoff
 tradeoff=$BUILD/tradeoff
 check "the tracer's trade is measured" "$tradeoff" trace --quick --csv "$WORK/csv" --plot "$WORK/svg"
-check "... as a table" grep -qx "scene,setting,shipped,samples_per_pixel,cpu_ms,psnr_db" "$WORK/csv"
+check "... as a table, its measures named" grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db" "$WORK/csv"
 for scene in A B field point table flake patches hall odraz credits; do
-    check "... with four points of $scene that ship" table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$3 == 1" 'shipped == 4'
+    check "... with the points of $scene that ship" table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
 done
-# decibels SCENE SETTING
-decibels() { awk -F, -v s="$1" -v q="$2" '$1 == s && $2 == q { print $6 }' "$WORK/csv"; }
+# measured COLUMN SCENE SETTING
+measured() { awk -F, -v c="$1" -v s="$2" -v q="$3" '$1 == s && $3 == q { print $c }' "$WORK/csv"; }
 for scene in A B field table flake hall; do
-    check "... in which film is nearer than play in $scene" less "$(decibels $scene play)" "$(decibels $scene film)"
-    check "... and play than draft" less "$(decibels $scene draft)" "$(decibels $scene play)"
+    for pair in "draft play" "play film"; do
+        set -- $pair
+        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 7 $scene $2)" "$(measured 7 $scene $1)"
+        check "... in linear light" less "$(measured 8 $scene $1)" "$(measured 8 $scene $2)"
+        check "... and in sRGB" less "$(measured 9 $scene $1)" "$(measured 9 $scene $2)"
+    done
 done
 check "... and as a plot" grep -q '^<svg' "$WORK/svg"
 check "... of at least fifty" test "$(grep -c '<circle' "$WORK/svg")" -ge 50
-check "a scene alone" prints '^field,play,1,' "$tradeoff" trace --quick --scene field
+check "a scene alone" prints '^field,0,play,1,' "$tradeoff" trace --quick --scene field
+mkdir "$WORK/kept"
+again() { "$tradeoff" trace --quick --scene credits/1 --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-5,7-; }
+check "another camera, a setting of one's own, a reference to keep" prints '^credits,0,play grid=2 cutoff=1/64,0,4.000,' again
+check "... which is kept" test "$(stat -c %s "$WORK/kept"/*)" = $((256 * 144 * 3))
+cp "$WORK/printed" "$WORK/first"
+check "... and used again" cmp "$WORK/first" <(again)
+check "a camera that is not there" refuses 2 "cameras are 0 to 2" "$tradeoff" trace --scene A/3
+check "a knob that is not there" refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
+check "a value that is none" refuses 2 "'1/x' is no value of cutoff" "$tradeoff" trace --setting play,cutoff=1/x
+check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tradeoff" trace --setting fast
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/peer_povray" "$SOURCE/tools/measure/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
     check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"
     check "... of four kinds" test "$(grep -c items_per_second "$WORK/printed")" = 4
+    "$BUILD/bench_trace" --benchmark_filter='^picture/A/(posing|draft|development|all of play)/' --benchmark_min_time=0.01 >"$WORK/parts" 2>/dev/null
+    check "... and all parts of a picture" test "$(grep -cE '^picture/A/(posing|draft|development|all of play)/.* ms ' "$WORK/parts")" = 4
     check "bench_trace refuses options it does not know" refuses 2 "" "$BUILD/bench_trace" --slow
 else
     echo "skipped: bench_trace is not built"

@@ -1,7 +1,8 @@
 // bench_trace: how fast the tracer is, by kind of ray and by picture.
 //
 //   build/bench_trace --benchmark_filter='^ray'      rays and points a second
-//   build/bench_trace --benchmark_filter=picture     milliseconds of processor time a picture of 1280x720
+//   build/bench_trace --benchmark_filter=picture     milliseconds of processor time a picture of 1280x720:
+//                                                    posing it, tracing it, developing it, all of it
 #include "tools/measure/subject.h"
 
 #include "trace/shade/whitted.h"
@@ -18,9 +19,7 @@ namespace {
 Subject &subject(const std::string &name) {
     static std::map<std::string, std::unique_ptr<Subject>> all;
     auto &s = all[name];
-    if (!s)
-        for (const SubjectName &n : subjectNames())
-            if (name == n.name) s = std::make_unique<Subject>(n, 1280, 720);
+    if (!s) s = std::make_unique<Subject>(findSubject(name), 1280, 720);
     return *s;
 }
 
@@ -110,15 +109,24 @@ void registerPictures(const SubjectName &n) {
     std::vector<Named> qualities = {{"one sample", one}};
     for (const Quality &q : kQualities)
         if (q.grid == 0) qualities.push_back({q.name, q});
-    for (const Named &q : qualities)
-        benchmark::RegisterBenchmark((std::string("picture/") + n.name + "/" + q.name).c_str(),
+    auto part = [&](const std::string &what, auto &&work) {
+        benchmark::RegisterBenchmark(("picture/" + n.name + "/" + what).c_str(),
                                      [=](benchmark::State &state) {
                                          Subject &s = subject(n.name);
-                                         for (auto _ : state) s.trace(q.quality);
+                                         for (auto _ : state) work(s);
                                          state.counters["samples/pixel"] = s.samplesPerPixel();
                                      })
             ->Unit(benchmark::kMillisecond)
             ->MinTime(0.3);
+    };
+    part("posing", [](Subject &s) { s.pose(0); });
+    for (const Named &q : qualities) part(q.name, [=](Subject &s) { s.trace(q.quality); });
+    part("development", [](Subject &s) { s.develop(); });
+    part("all of play", [](Subject &s) {
+        s.pose(0);
+        s.trace(kQualities[(int)QualityName::Play]);
+        s.develop();
+    });
 }
 
 std::vector<Vec3x8> points() {

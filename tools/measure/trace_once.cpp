@@ -4,11 +4,14 @@
 // keeps the memory as it is, mapped at the same place: good for the very program that wrote it.
 #include "tools/common/arguments.h"
 #include "tools/common/machine.h"
+#include "tools/measure/setting.h"
 #include "tools/measure/subject.h"
+#include "trace/picture/development.h"
 
-#include <cstring>
+#include <cstdlib>
 #include <fcntl.h>
 #include <sys/mman.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 using namespace odraz;
@@ -16,60 +19,79 @@ using namespace odraz;
 namespace {
 
 constexpr char kUsage[] =
-    "usage: trace_once pose FILE SCENE       keeps a scene of `tradeoff trace` in FILE\n"
-    "       trace_once trace FILE QUALITY    traces what FILE keeps\n";
-constexpr IntroSettings kSettings = {1280, 720};
+    "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
+    "       trace_once finish FILE                       builds its tree anew, as every picture does\n"
+    "       trace_once trace FILE SETTING                traces what FILE keeps\n"
+    "       trace_once develop FILE                      develops what was never traced: a black picture\n"
+    "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
+    "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n";
 
 struct Kept {
     Intro *intro; // behind it
     View view;
+    IntroSettings settings;
 };
 
-Kept &map(const char *file, bool pose) {
-    size_t bytes = sizeof(Kept) + memoryNeeded(kSettings, 1, true);
+size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
+
+void *map(const std::string &file, size_t bytes, bool make) {
     void *place = (void *)0x200000000000;
-    int from = open(file, pose ? O_RDWR | O_CREAT | O_TRUNC : O_RDONLY, 0666);
-    if (from < 0 || (pose && ftruncate(from, (off_t)bytes)) ||
-        mmap(place, bytes, PROT_READ | PROT_WRITE, (pose ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE,
-             from, 0) != place)
-        throw Refused(std::string(file) + " cannot be " + (pose ? "written" : "read"));
+    int from = open(file.c_str(), make ? O_RDWR | O_CREAT | O_TRUNC : O_RDONLY, 0666);
+    struct stat is;
+    if (from < 0 || (make ? ftruncate(from, (off_t)bytes) : fstat(from, &is)) ||
+        mmap(place, make ? bytes : (size_t)is.st_size, PROT_READ | PROT_WRITE,
+             (make ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE, from, 0) != place)
+        throw Refused(file + " cannot be " + (make ? "written" : "read"));
     close(from);
-    return *(Kept *)place;
+    return place;
 }
 
-void pose(Kept &kept, const SubjectName &name) {
-    Arena arena = {(unsigned char *)&kept, sizeof(Kept) + memoryNeeded(kSettings, 1, true), sizeof(Kept)};
+void pose(const std::string &file, const std::string &scene, const IntroSettings &settings) {
+    auto [name, camera] = findPicture(scene);
+    size_t bytes = bytesFor(settings);
+    Kept &kept = *(Kept *)map(file, bytes, true);
+    Arena arena = {(unsigned char *)&kept, bytes, sizeof(Kept)};
     Workers workers = serialWorkers();
     Gl gl = name.hall ? openGl() : Gl{};
-    if (const char *missing = load(kept.intro, kSettings, arena, workers, name.hall ? &gl : nullptr))
+    kept.settings = settings;
+    if (const char *missing = load(kept.intro, settings, arena, workers, name.hall ? &gl : nullptr))
         throw std::runtime_error(missing);
-    kept.view = poseSubject(name, kSettings, kept.intro->film);
-}
-
-void trace(Kept &kept, const Quality &quality) {
-    Intro &intro = *kept.intro;
-    Workers workers = serialWorkers();
-    traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, quality, intro.frame);
+    kept.view = poseSubject(name, camera, settings, kept.intro->film);
 }
 
 int run(Arguments &words) {
-    const char *what = words.next(), *file = words.next(), *which = words.next();
-    if (!which) throw Refused("something to do, a file and a name are needed; see trace_once --help");
-    if (!std::strcmp(what, "pose")) {
-        for (const SubjectName &n : subjectNames())
-            if (!std::strcmp(which, n.name)) {
-                pose(map(file, true), n);
-                return 0;
-            }
-    } else if (!std::strcmp(what, "trace")) {
-        for (const Quality &q : kQualities)
-            if (!std::strcmp(which, q.name)) {
-                trace(map(file, false), q);
-                return 0;
-            }
-    } else
-        words.refuse(what);
-    words.refuse(which);
+    auto needed = [&] {
+        const char *word = words.next();
+        if (!word) throw Refused("something to do, a file and a name are needed; see trace_once --help");
+        return std::string(word);
+    };
+    std::string what = needed();
+    if (what != "pose" && what != "finish" && what != "trace" && what != "develop") words.refuse(what);
+    std::string file = needed();
+    if (what == "pose") {
+        std::string scene = needed();
+        IntroSettings settings = {1280, 720};
+        if (const char *width = words.next()) {
+            settings.width = std::atoi(width);
+            settings.height = std::atoi(needed().c_str());
+        }
+        if (settings.width < 16 || settings.width > kMaxWidth || settings.height < 16 ||
+            settings.height > kMaxHeight)
+            throw Refused("pictures are 16x16 to 7680x4320");
+        pose(file, scene, settings);
+        return 0;
+    }
+    Quality setting = what == "trace" ? settingOf(needed()) : kQualities[0];
+    Kept &kept = *(Kept *)map(file, 0, false);
+    Intro &intro = *kept.intro;
+    Workers workers = serialWorkers();
+    if (what == "trace")
+        traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, setting, intro.frame);
+    else if (what == "finish")
+        intro.film.scene->finish();
+    else
+        develop(intro.frame, workers, intro.film.scene->exposure);
+    return 0;
 }
 
 } // namespace

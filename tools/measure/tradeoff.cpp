@@ -32,13 +32,21 @@ void Table::save(const Sweep &sweep) const {
 using namespace odraz;
 
 static constexpr char kUsage[] =
-    "usage: tradeoff trace [--quick] [--named] [--scene NAME] [--csv FILE] [--plot FILE]\n"
+    "usage: tradeoff trace [--quick] [--named] [--scene NAME]... [--setting WORDS]... [--references FOLDER]\n"
+    "                      [--csv FILE] [--plot FILE]\n"
     "       tradeoff radiosity [--quick] [--csv FILE] [--plot FILE]\n"
     "       tradeoff transfer [--quick] [--csv FILE] [--plot FILE]\n"
     "       tradeoff pack [--quick] [--model FILE] [--csv FILE] [--plot FILE] [FILM]\n"
-    "trace: how near to 256 samples a pixel the tracer's settings come, against processor time;\n"
-    "       --quick leaves out most settings and traces small pictures; --scene: one alone, all its knobs;\n"
-    "       --named: the named qualities and plain grids alone\n"
+    "trace: how near to 256 samples a pixel the tracer's settings come, against processor time: mean FLIP, "
+    "and\n"
+    "       PSNR in linear light and in sRGB. --quick leaves out most settings, traces small pictures, and "
+    "of "
+    "each\n"
+    "       scene one; --scene: all cameras of one alone (A) or one picture (A/0), all knobs; --named: the "
+    "named\n"
+    "       qualities and plain grids alone; --setting: those given, as play or "
+    "draft,threshold=0.02,cutoff=1/64;\n"
+    "       --references: keeps what is compared with in a folder, for runs of one commit\n"
     "radiosity: how near to references by rays solutions come, against processor time\n"
     "transfer: how near the hall's transfer is when it is compressed, against the time of relighting: of "
     "rows of\n"
@@ -51,8 +59,8 @@ static constexpr char kUsage[] =
     "--csv and --plot write the table and a picture of it as SVG.\n";
 
 static int run(Arguments &words) {
-    Sweep sweep;
-    std::string what, film = "build/odraz-safe", model, scene;
+    TraceSweep sweep;
+    std::string what, film = "build/odraz-safe", model;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "--quick")
@@ -66,7 +74,11 @@ static int run(Arguments &words) {
         } else if (w == "--model" && what == "pack")
             model = words.value(w);
         else if (w == "--scene" && what == "trace")
-            scene = words.value(w);
+            sweep.pictures.push_back(words.value(w));
+        else if (w == "--setting" && what == "trace")
+            sweep.settings.push_back(words.value(w));
+        else if (w == "--references" && what == "trace")
+            sweep.references = words.value(w);
         else if (word[0] != '-' && what.empty())
             what = w;
         else if (word[0] != '-' && what == "pack")
@@ -75,7 +87,7 @@ static int run(Arguments &words) {
             words.refuse(w);
     }
     if (what == "trace")
-        tradeoffTrace(sweep, scene);
+        tradeoffTrace(sweep);
     else if (what == "radiosity")
         tradeoffRadiosity(sweep);
     else if (what == "transfer")

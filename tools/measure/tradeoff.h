@@ -4,11 +4,13 @@
 
 #include "tools/measure/plot.h"
 
+#include <vector>
+
 namespace odraz {
 
 struct Sweep {
     bool quick = false;
-    bool named = false; // trace: the named qualities and plain grids alone
+    bool named = false;    // trace: the named qualities and plain grids alone
     std::string csv, plot; // files to write; empty for none
 };
 
@@ -28,8 +30,13 @@ private:
     std::string csv;
 };
 
-// `scene`: one of subjectNames(); empty for all.
-void tradeoffTrace(const Sweep &sweep, const std::string &scene);
+struct TraceSweep : Sweep {
+    std::vector<std::string>
+        pictures; // names for findPicture(); a scene alone means all its cameras. Empty: all
+    std::vector<std::string> settings; // in words (setting.h), instead of all
+    std::string references;            // a folder that keeps them from run to run; empty: none does
+};
+void tradeoffTrace(const TraceSweep &sweep);
 
 // Solutions of generated models and of the film's hall, against references by rays.
 void tradeoffRadiosity(const Sweep &sweep);

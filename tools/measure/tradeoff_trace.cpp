@@ -1,10 +1,14 @@
 #include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/flip.h"
+#include "tools/measure/setting.h"
 #include "tools/measure/subject.h"
 #include "tools/measure/tradeoff.h"
 
 #include <algorithm>
 #include <cstdio>
+#include <unistd.h>
 
 using namespace odraz;
 
@@ -62,43 +66,105 @@ std::vector<Setting> settings(bool few) {
     return all;
 }
 
+// The settings that the sweep asks for
+std::vector<Setting> asked(const TraceSweep &sweep) {
+    if (sweep.settings.empty()) return settings(sweep.quick || sweep.named);
+    std::vector<Setting> all;
+    for (std::string words : sweep.settings) {
+        Quality q = settingOf(words);
+        std::replace(words.begin(), words.end(), ',', ' '); // a table's columns end with commas
+        all.push_back({words, 0, q, false});
+    }
+    return all;
+}
+
+// What is compared with, as kept in a folder or traced
+std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, std::string name) {
+    if (folder.empty()) return subject.reference();
+    std::replace(name.begin(), name.end(), '/', '-');
+    std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
+    if (access(file.c_str(), R_OK) == 0) {
+        std::string bytes = readWhole(file);
+        return {bytes.begin(), bytes.end()};
+    }
+    std::vector<uint8_t> traced = subject.reference();
+    writeWhole(file, {traced.begin(), traced.end()});
+    return traced;
+}
+
+// A setting on a picture
+struct Measured {
+    std::vector<double> times;
+    double samples, flip, linear, shown;
+};
+
+std::vector<Measured> measure(Subject &subject, const std::vector<Setting> &settings, int rounds,
+                              const std::vector<uint8_t> &reference) {
+    SeenPicture truth = see(reference, subject.width(), subject.height());
+    std::vector<Measured> all(settings.size());
+    // One after the other in every round, so that what disturbs the machine disturbs all of them
+    for (int round = 0; round < rounds; ++round)
+        for (size_t i = 0; i < settings.size(); ++i) {
+            Measured &m = all[i];
+            m.times.push_back(subject.trace(settings[i].quality));
+            if (round > 0) continue;
+            std::vector<uint8_t> picture = subject.picture();
+            m.samples = subject.samplesPerPixel();
+            m.flip = meanFlip(truth, see(picture, subject.width(), subject.height()));
+            m.linear = std::min(linearPsnr(picture, reference), 99.); // equal ones shall be drawn too
+            m.shown = std::min(psnr(picture, reference), 99.);
+        }
+    return all;
+}
+
 } // namespace
 
-void odraz::tradeoffTrace(const Sweep &sweep, const std::string &scene) {
+void odraz::tradeoffTrace(const TraceSweep &sweep) {
     std::vector<SubjectName> names;
-    std::string known;
-    for (const SubjectName &n : subjectNames()) {
-        if (scene.empty() || scene == n.name) names.push_back(n);
-        known += std::string(" ") + n.name;
+    if (sweep.pictures.empty()) names = subjectNames();
+    for (const std::string &picture : sweep.pictures) {
+        auto [name, camera] = findPicture(picture);
+        if (picture.find('/') != std::string::npos) name.cameras = {name.cameras[camera]};
+        names.push_back(name);
     }
-    if (names.empty()) throw Refused("there is no scene '" + scene + "'; there are:" + known);
+    std::vector<Setting> all = asked(sweep);
     // A small picture costs little, and shows the same order
     int width = sweep.quick ? 256 : 1280, height = width * 9 / 16;
-    Plot plot = {"trace: " + (scene.empty() ? "all scenes" : "scene " + scene) + ", " +
+    bool one = names.size() == 1;
+    Plot plot = {"trace: " + (one ? "scene " + names[0].name : "several scenes") + ", " +
                      std::to_string(width) + "x" + std::to_string(height),
                  "processor time of a picture, ms",
-                 "PSNR to 256 samples a pixel, dB",
-                 scene.empty() ? std::vector<std::string>{} : kSeries,
+                 "mean FLIP to 256 samples a pixel",
+                 one ? kSeries : std::vector<std::string>{},
                  {},
                  true,
-                 false,
                  true,
-                 false};
-    plot.frontOfEach = scene.empty();
-    Table table("scene,setting,shipped,samples_per_pixel,cpu_ms,psnr_db", plot);
-    for (size_t i = 0; i < names.size(); ++i) {
-        Subject subject(names[i], width, height);
-        if (scene.empty()) table.plot.series.push_back(names[i].name);
-        for (const Setting &s : settings(sweep.quick || sweep.named)) {
-            std::vector<double> times;
-            for (int round = 0; round < (sweep.quick ? 3 : 7); ++round)
-                times.push_back(subject.trace(s.quality));
-            double ms = median(times), samples = subject.samplesPerPixel();
-            std::vector<uint8_t> picture = subject.picture(); // before the reference, once, replaces it
-            double db = std::min(psnr(picture, subject.reference()), 99.); // equal ones shall be drawn too
-            table.row("%s,%s,%d,%.3f,%.1f,%.2f", names[i].name, s.name.c_str(), s.shipped, samples, ms, db);
-            table.plot.points.push_back({ms, db, scene.empty() ? names[i].name + (" " + s.name) : s.name,
-                                         s.shipped, scene.empty() ? (int)i : s.series});
+                 true,
+                 true};
+    plot.frontOfEach = !one;
+    Table table("scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db",
+                plot);
+    for (size_t n = 0; n < names.size(); ++n) {
+        const SubjectName &name = names[n];
+        Subject subject(name, width, height);
+        if (!one) table.plot.series.push_back(name.name);
+        size_t cameras = sweep.quick ? 1 : name.cameras.size();
+        for (size_t camera = 0; camera < cameras; ++camera) {
+            subject.pose(camera);
+            std::vector<uint8_t> reference =
+                referenceOf(subject, sweep.references, name.name + "/" + std::to_string(camera));
+            std::vector<Measured> found = measure(subject, all, sweep.quick ? 3 : 5, reference);
+            for (size_t i = 0; i < all.size(); ++i) {
+                const Setting &s = all[i];
+                const Measured &m = found[i];
+                double ms = median(m.times);
+                table.row("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f", name.name.c_str(), camera, s.name.c_str(),
+                          s.shipped, m.samples, ms, m.flip, m.linear, m.shown);
+                if (camera == 0)
+                    table.plot.points.push_back({ms, std::max(m.flip, 1e-4),
+                                                 one ? s.name : name.name + " " + s.name, s.shipped,
+                                                 one ? s.series : (int)n});
+            }
         }
     }
     table.save(sweep);
