@@ -32,6 +32,7 @@ check "a value that is none" refuses 2 "'1/x' is no value of cutoff" "$tradeoff"
 check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tradeoff" trace --setting fast
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
+check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/instructions" "$SOURCE/tools/measure/instructions" --fast
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/peer_povray" "$SOURCE/tools/measure/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
     check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"

@@ -8,6 +8,7 @@
 #include "tools/measure/subject.h"
 #include "trace/picture/development.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -20,7 +21,7 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
-    "       trace_once finish FILE                       builds its tree anew, as every picture does\n"
+    "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
     "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
@@ -30,6 +31,7 @@ struct Kept {
     Intro *intro; // behind it
     View view;
     IntroSettings settings;
+    char scene[64];
 };
 
 size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
@@ -54,6 +56,7 @@ void pose(const std::string &file, const std::string &scene, const IntroSettings
     Workers workers = serialWorkers();
     Gl gl = name.hall ? openGl() : Gl{};
     kept.settings = settings;
+    std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
     if (const char *missing = load(kept.intro, settings, arena, workers, name.hall ? &gl : nullptr))
         throw std::runtime_error(missing);
     kept.view = poseSubject(name, camera, settings, kept.intro->film);
@@ -66,7 +69,7 @@ int run(Arguments &words) {
         return std::string(word);
     };
     std::string what = needed();
-    if (what != "pose" && what != "finish" && what != "trace" && what != "develop") words.refuse(what);
+    if (what != "pose" && what != "again" && what != "trace" && what != "develop") words.refuse(what);
     std::string file = needed();
     if (what == "pose") {
         std::string scene = needed();
@@ -87,9 +90,10 @@ int run(Arguments &words) {
     Workers workers = serialWorkers();
     if (what == "trace")
         traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, setting, intro.frame);
-    else if (what == "finish")
-        intro.film.scene->finish();
-    else
+    else if (what == "again") {
+        auto [name, camera] = findPicture(kept.scene);
+        poseSubject(name, camera, kept.settings, intro.film);
+    } else
         develop(intro.frame, workers, intro.film.scene->exposure);
     return 0;
 }
