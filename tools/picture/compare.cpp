@@ -1,6 +1,7 @@
 // compare: how far two pictures are apart.
 #include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
+#include "tools/measure/flip.h"
 #include "tools/picture/picture.h"
 
 #include <algorithm>
@@ -10,13 +11,18 @@
 using namespace odraz;
 
 static constexpr char kUsage[] =
-    "usage: compare A B [--max N=0] [--psnr DB] [--diff OUT.png]\n"
+    "usage: compare A B [--max N=0] [--psnr DB] [--diff OUT.png] [--seen]\n"
     "       compare --png IN OUT.png\n"
+    "       compare --linear IN OUT.png [--by N=1]\n"
     "A and B are PNG or PPM. Prints the PSNR, the largest difference of a channel (0..255) and the number of "
     "pixels\n"
     "that differ. Exit 1 when the largest difference is over --max and the PSNR is under --psnr (if given); "
     "--diff\n"
-    "writes the differences, eight times enlarged. --png writes the picture IN as PNG.\n";
+    "writes the differences, eight times enlarged. --seen tells how B differs from A to the eye: mean FLIP "
+    "at 67\n"
+    "pixels per degree, PSNR in linear light and in sRGB. --png writes the picture IN as PNG; --linear does "
+    "so with\n"
+    "one of 16 bits that are linear, averaging N x N pixels.\n";
 
 static Picture read(const std::string &path) {
     Picture p;
@@ -55,7 +61,8 @@ static Difference between(const Picture &a, const Picture &b) {
 static int run(Arguments &words) {
     std::vector<std::string> paths;
     std::string diff;
-    bool convert = false;
+    bool convert = false, linear = false, seen = false;
+    int by = 1;
     double most = 0, leastPsnr = HUGE_VAL;
     while (const char *word = words.next()) {
         std::string w = word;
@@ -67,14 +74,24 @@ static int run(Arguments &words) {
             diff = words.value(w);
         else if (w == "--png")
             convert = true;
+        else if (w == "--linear")
+            linear = true;
+        else if (w == "--by")
+            by = words.whole(w, 1, 16);
+        else if (w == "--seen")
+            seen = true;
         else if (word[0] != '-' && paths.size() < 2)
             paths.push_back(w);
         else
             words.refuse(w);
     }
     if (paths.size() < 2) throw Refused("two pictures are needed; see compare --help");
-    Picture a = read(paths[0]);
-    if (convert) {
+    Picture a;
+    if (!linear)
+        a = read(paths[0]);
+    else if (!readLinear(paths[0], by, a))
+        throw Refused("cannot read a picture that " + std::to_string(by) + " divides from " + paths[0]);
+    if (convert || linear) {
         write(paths[1], a);
         return 0;
     }
@@ -86,6 +103,10 @@ static int run(Arguments &words) {
     double db = psnr(d.squares, a.rgb.size());
     std::printf("psnr %.2f dB, largest difference %d, %zu of %zu pixels differ\n", db, d.largest, d.pixels,
                 a.rgb.size() / 3);
+    if (seen)
+        std::printf("mean flip %.4f, psnr in linear light %.2f dB, in sRGB %.2f dB\n",
+                    meanFlip(see(a.rgb, a.width, a.height), see(b.rgb, b.width, b.height)),
+                    linearPsnr(a.rgb, b.rgb), db);
     if (!diff.empty()) write(diff, d.enlarged);
     bool differ = d.largest > most, far = leastPsnr == HUGE_VAL || db < leastPsnr;
     return differ && far ? 1 : 0;

@@ -1,6 +1,7 @@
 #include "tools/picture/picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <unistd.h>
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -20,6 +21,27 @@ bool readPicture(const std::string &path, Picture &p) {
     p.rgb.assign(data, data + (size_t)p.width * (size_t)p.height * 3);
     stbi_image_free(data);
     return true;
+}
+
+bool readLinear(const std::string &path, int by, Picture &p) {
+    int width, height, channels;
+    uint16_t *data = stbi_load_16(path.c_str(), &width, &height, &channels, 3);
+    if (!data) return false;
+    bool divides = width % by == 0 && height % by == 0;
+    p.width = width / by;
+    p.height = height / by;
+    p.rgb.assign((size_t)p.width * (size_t)p.height * 3, 0);
+    for (size_t i = 0; divides && i < p.rgb.size(); ++i) {
+        size_t c = i % 3, x = i / 3 % (size_t)p.width * (size_t)by, y = i / 3 / (size_t)p.width * (size_t)by;
+        double sum = 0;
+        for (size_t v = y; v < y + (size_t)by; ++v)
+            for (size_t u = x; u < x + (size_t)by; ++u) sum += data[(v * (size_t)width + u) * 3 + c];
+        double linear = sum / (65535. * by * by);
+        double shown = linear > 0.0031308 ? 1.055 * std::pow(linear, 1 / 2.4) - 0.055 : 12.92 * linear;
+        p.rgb[i] = (uint8_t)(shown * 255 + 0.5);
+    }
+    stbi_image_free(data);
+    return divides;
 }
 
 bool readPpm(std::FILE *stream, Picture &p) {

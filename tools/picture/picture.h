@@ -14,6 +14,10 @@ struct Picture {
 // Reads PNG, PPM and what else stb_image knows; false when it is not a picture.
 bool readPicture(const std::string &path, Picture &picture);
 
+// Reads a PNG of 16 bits that are linear (other tracers write those), averages squares of `by` x `by` of its
+// pixels, and encodes sRGB rounded to the nearest; false when it is not a picture that can be so divided.
+bool readLinear(const std::string &path, int by, Picture &picture);
+
 // Reads one binary PPM from a stream; false at its end or when it is damaged.
 bool readPpm(std::FILE *stream, Picture &picture);
 
