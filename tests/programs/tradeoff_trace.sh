@@ -33,6 +33,7 @@ check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tra
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
 check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/instructions" "$SOURCE/tools/measure/instructions" --fast
+check "qualities refuses words it does not know" refuses 2 "usage: tools/measure/qualities" "$SOURCE/tools/measure/qualities" --fast
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/peer_povray" "$SOURCE/tools/measure/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
     check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"

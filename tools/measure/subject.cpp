@@ -1,5 +1,6 @@
 #include "tools/measure/subject.h"
 
+#include "host/threads.h"
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
 #include "tools/common/machine.h"
@@ -82,9 +83,11 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
     return viewOf(*by.camera, settings);
 }
 
-Subject::Subject(const SubjectName &what, int width, int height)
-    : settings{width, height}, memory(memoryNeeded(settings, 1, what.hall)), workers(serialWorkers()),
+Subject::Subject(const SubjectName &what, int width, int height, int threads)
+    : settings{width, height}, memory(memoryNeeded(settings, threads, what.hall)), workers(serialWorkers()),
       name(what) {
+    if (const char *missing = threads > 1 ? startWorkers(workers, threads, &kNever) : nullptr)
+        throw std::runtime_error(missing);
     Gl gl = name.hall ? openGl() : Gl{};
     if (const char *missing = load(intro, settings, memory.arena, workers, name.hall ? &gl : nullptr))
         throw std::runtime_error(name.name + ": " + missing);

@@ -39,7 +39,7 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
 // A scene, posed, with all that tracing it needs. Throws std::runtime_error with a line that tells why not.
 class Subject {
 public:
-    Subject(const SubjectName &name, int width, int height);
+    Subject(const SubjectName &name, int width, int height, int threads = 1);
 
     // These return the processor time that they took, in milliseconds of one thread. At first all is as
     // camera 0 has it.
