@@ -39,16 +39,6 @@ Beam Spread::beam() const {
             {0, 0, 0, 0, least(-far) * (1 + kSlack)}};
 }
 
-namespace {
-
-ODRAZ_INLINE Float8 distanceFrom(const Scene &scene, const Candidates &among, int i, Vec3 origin, Vec3x8 d,
-                                 Flat flat) {
-    const Shape &s = scene.shapes[among.shape[i]];
-    return s.kind == ShapeKind::Sphere ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}, flat);
-}
-
-} // namespace
-
 void gather(const Scene &scene, const Beam &beam, Candidates &found) {
     found.count = 0;
     auto add = [&](int shape, float near) {
@@ -110,20 +100,27 @@ Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, 
                Int8 active) {
     if (among.count < 0) return intersect(scene, {broadcast(origin), d}, active);
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
-    for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i)
-        takeNearer(hit, distanceFrom(scene, among, i, origin, d, Flat::Seen), among.shape[i]);
+    for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i) {
+        const Shape &s = scene.shapes[among.shape[i]];
+        takeNearer(hit,
+                   s.kind == ShapeKind::Sphere ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}),
+                   among.shape[i]);
+    }
     return hit;
 }
 
-Rgb8 transmittance(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
-                   Float8 tMax, Int8 active, Int8 own) {
-    if (among.count < 0) return transmittance(scene, {broadcast(origin), d}, tMax, active, own);
+Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
+                   Int8 own) {
+    if (among.count < 0) return transmittance(scene, ray, far, active, own);
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     for (int i = 0; i < among.count && any(active); ++i) {
         Int8 open = active & (own != among.shape[i]);
         if (!any(open)) continue;
-        Int8 hit = open & (distanceFrom(scene, among, i, origin, d, Flat::BothSides) < tMax);
-        if (any(hit)) pass(scene, scene.shapes[among.shape[i]], hit, share, active);
+        const Shape &s = scene.shapes[among.shape[i]];
+        Float8 t =
+            s.kind == ShapeKind::Sphere ? among.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
+        Int8 hit = open & (t < far);
+        if (any(hit)) pass(scene, s, hit, share, active);
     }
     return share;
 }

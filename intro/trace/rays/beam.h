@@ -54,10 +54,11 @@ struct Candidates {
 };
 void gather(const Scene &scene, const Beam &beam, Candidates &found);
 
-// As intersect() and transmittance(), for rays from one origin: among the candidates of their beam, or where
-// these were too many, through the tree.
+// As intersect() and transmittance(), for rays from or to one origin: among the candidates of their beam, or
+// where these were too many, through the tree. Rays to a light begin at what it shines on, where all is exact
+// that stands near: seen from the light, which may be far, a wall and its foot lie within a rounding.
 Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
-Rgb8 transmittance(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d,
-                   Float8 tMax, Int8 active, Int8 own);
+Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
+                   Int8 own);
 
 } // namespace odraz

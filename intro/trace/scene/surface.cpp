@@ -29,13 +29,15 @@ static Float8 hitPlane(Float8 height, Float8 slope) {
     return select((t > 0.f) & (t < kFar), t, kInfinity);
 }
 
-// Within a rectangle widened by more than the rounding of the point: neighbours overlap, and no ray passes
-// between them.
+// How far a rectangle is widened: by more than the rounding of a point on it. Neighbours overlap, and no ray
+// passes between them.
+static float slackOf(const Shape &s) { return (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f; }
+
 static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
     Float8 t = hitPlane(o.y, d.y);
     if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
     Float8 finite = select(t < kInfinity, t, 0.f);
-    float slack = (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f;
+    float slack = slackOf(s);
     Int8 inside = (abs(fmadd(finite, d.x, o.x)) <= s.half.x + slack) &
                   (abs(fmadd(finite, d.z, o.z)) <= s.half.z + slack);
     return select(inside, t, kInfinity);
@@ -123,8 +125,13 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         face = cap & (1 + ((up < 0.f) & 1));
         break;
     }
+    case ShapeKind::Rect: {
+        // Surely within its outline: where it joins a wall, rays go on from the wall's front
+        float slack = 2 * slackOf(s), x = max(s.half.x - slack, 0.f), z = max(s.half.z - slack, 0.f);
+        q.x = clamp(q.x, -x, x), q.z = clamp(q.z, -z, z);
+        [[fallthrough]];
+    }
     case ShapeKind::Plane:
-    case ShapeKind::Rect:
         n.y = broadcast(1.f);
         q.y = Float8{};
         break;

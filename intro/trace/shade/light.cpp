@@ -128,8 +128,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             if (!aimed) aim(scene, run, light.position, among);
             aimed = true;
             Int8 own = select(side > 0.f, ((loadInts(run.id + i) - 1) >> 3), broadcast(-1));
-            Float8 end = fmadd(far, 1.f - 3e-7f, -load(run.error + i));
-            Rgb8 through = transmittance(scene, among, light.position, -l, end, lit, own);
+            Rgb8 through = transmittance(scene, among, {p, l}, far, lit, own);
             lit &= maxComponent(through) > 0.f;
             if (!any(lit)) continue;
             Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;

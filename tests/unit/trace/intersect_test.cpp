@@ -252,8 +252,10 @@ TEST(Tree, FindsWhatBruteForceFinds) {
             Candidates among;
             Beam beam = spread.beam();
             gather(*scene, beam, among);
-            Rgb8 shared =
-                transmittance(*scene, among, common, r.d, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            // Towards the light
+            Ray8 back = {fmadd(r.d, broadcast(25.f), r.o), -r.d};
+            light = transmittance(*scene, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
+            Rgb8 shared = transmittance(*scene, among, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
             beam.limit[4] = -kInfinity; // for primary rays, that have no end
             gather(*scene, beam, among);
             Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);

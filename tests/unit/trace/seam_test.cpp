@@ -1,0 +1,94 @@
+// Where rectangles join: no light comes between them, neither straight nor by a mirror, and none is lost.
+#include "tests/support/random.h"
+#include "tests/support/stage.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+Shape rect(Vec3 centre, Vec3 u, Vec3 v, float halfU, float halfV, int material) {
+    return {.kind = ShapeKind::Rect,
+            .material = (uint8_t)material,
+            .centre = centre,
+            .half = {halfU, 0, halfV},
+            .frame = {u, cross(u, v), v}};
+}
+
+// How large and where a room is, how far its light, and how high: tangent of its height over what it grazes.
+struct Pose {
+    float size, away, far, height;
+};
+constexpr Pose kPoses[] = {
+    {1, 1, 300, 1},       {1, 1, 300, 0.1f},    {1, 1, 20, 1},
+    {1, 100, 3000, 0.3f}, {1e-3f, 1e-3f, 1, 1}, {1e3f, 1e3f, 1e5f, 1},
+};
+
+// Steps of any size to both sides, from a ten-millionth to a hundredth.
+struct Near {
+    Random random;
+    float operator()() {
+        float step = std::pow(10.f, -2 - 5 * random.next());
+        return random.next() < 0.5f ? step : -step;
+    }
+};
+
+// Looks at places about the joint of two rectangles at x, from above and right of it, and returns how many
+// samples are as `which` says.
+template <class Which> int count(Stage &g, const Pose &p, Which &&which) {
+    Near near = {{5}};
+    int count = 0;
+    float x = -4.5f * p.away / p.size;
+    for (int i = 0; i < 3000; ++i) {
+        Vec3 at = {(x + near()) * p.size, near() * p.size, (near.random.next() - 0.5f) * p.size};
+        Vec3 eye = {(x + 3) * p.size, 2 * p.size, (near.random.next() - 0.5f) * p.size};
+        count += which(g.look(eye, at));
+    }
+    return count;
+}
+
+} // namespace
+
+// A floor and a wall at its end with the sun and a bright sky behind it.
+TEST(Seam, OfFloorAndWallLetsNoLightIn) {
+    for (const Pose &p : kPoses)
+        for (float mirror : {0.f, 0.5f}) {
+            Stage g;
+            Material m = matte({0.5f, 0.5f, 0.5f});
+            m.reflect = mirror;
+            g.scene->add(m);
+            g.scene->add(matte({0.5f, 0.5f, 0.5f}));
+            float s = p.size, x = -4.5f * p.away;
+            g.scene->add(rect({x + 4.5f * s, 0, 0}, {0, 0, 1}, {1, 0, 0}, 9 * s, 4.5f * s, 0));
+            g.scene->add(rect({x, 3 * s, 0}, {0, 1, 0}, {0, 0, 1}, 3 * s, 9 * s, 1));
+            ASSERT_GT(g.scene->shapes[0].frame.v.y, 0);
+            ASSERT_GT(g.scene->shapes[1].frame.v.x, 0);
+            // Over a high wall nothing comes from so low
+            Vec3 sun = normalize(Vec3{-1, p.height, 0.2f}) * p.far;
+            g.scene->add(Light{sun + Vec3{x, 0, 0}, Rgb{1, 1, 1} * (p.far * p.far)});
+            g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+            EXPECT_EQ(count(g, p, [](const Sample &s) { return maxComponent(s.radiance()) > 0.01f; }), 0)
+                << p.size << " " << p.far << " " << mirror;
+        }
+}
+
+// The top and a side of a box made of rectangles, with the sun on both: nothing is darker at their edge.
+TEST(Seam, OfTopAndSideCastsNoShadow) {
+    for (const Pose &p : kPoses) {
+        Stage g;
+        g.scene->add(matte({1, 1, 1}));
+        float s = p.size, x = -4.5f * p.away;
+        g.scene->add(rect({x + 4.5f * s, 0, 0}, {0, 0, 1}, {1, 0, 0}, 9 * s, 4.5f * s, 0));
+        g.scene->add(rect({x, -3 * s, 0}, {0, 1, 0}, {0, 0, -1}, 3 * s, 9 * s, 0));
+        ASSERT_LT(g.scene->shapes[1].frame.v.x, 0);
+        for (float side : {-1.f, 1.f}) {
+            Vec3 sun = normalize(Vec3{side, p.height, 0.2f});
+            g.scene->lightCount = 0;
+            g.scene->add(Light{sun * p.far + Vec3{x, 0, 0}, Rgb{1, 1, 1} * (p.far * p.far)});
+            auto dark = [&](const Sample &s) { return s.id == 1 && s.radiance().x < 0.8f * sun.y; };
+            EXPECT_EQ(count(g, p, dark), 0) << p.size << " " << p.far << " " << side;
+        }
+    }
+}
