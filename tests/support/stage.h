@@ -27,14 +27,15 @@ struct Stage {
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
     Stage() { scene->clear(); }
 
-    // The ray from eye to target.
-    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact) {
+    // The ray from eye to target, for a sample `size` pixels wide of a picture that is one pixel: some 40
+    // degrees.
+    Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact, float size = 1e-4f) {
         scene->finish();
         View view = lookAt(eye, target, 0, 40, 1, 1);
         float half[8] = {0.5f};
         uint32_t zero[8] = {};
         Sample s;
-        traceSamples(*scene, view, quality, *scratch, kAll, 1, 1, half, half, zero, &s);
+        traceSamples(*scene, view, quality, *scratch, kAll, size, 1, half, half, zero, &s);
         return s;
     }
 };

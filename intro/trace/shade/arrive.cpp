@@ -14,7 +14,7 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
     Float8 t = pick(in.t);
     Vec3x8 p, n;
     Int8 id;
-    Float8 size;
+    Float8 size, width = fmadd(pick(in.spread), t, pick(in.width)), curve = {};
     if (run.balls) {
         // Each lane has a ball of its own
         Int8 index = pick(in.shape);
@@ -30,11 +30,13 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
         n = normalize(fmadd(ray.d, t, ray.o - centre));
         p = fmadd(n, radius, centre);
         size = sumAbs(centre) + radius;
+        curve = width / radius;
         id = index * 8 + 1;
     } else {
         Surface8 at = surfaceAt(shape, ray, t);
         p = at.p, n = at.n;
         size = broadcast(magnitude(shape));
+        if (shape.kind == ShapeKind::Sphere) curve = width * (1 / shape.half.x);
         id = at.face + (run.shape * 8 + 1);
     }
     // Turn the normal to the side that the ray came from
@@ -45,7 +47,8 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
     store(run.side + i, side);
     store(run.error + i, errorBound(p, size));
     store(run.cosine + i, clamp(-dot(n, ray.d), 0.f, 1.f));
-    store(run.width + i, fmadd(pick(in.spread), t, pick(in.width)));
+    store(run.width + i, width);
+    store(run.curve + i, curve);
     store(run.id + i, id);
 
     // Weaken by what was passed: fog on the way, glass if the ray comes from inside

@@ -108,13 +108,22 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Vec3x8 l = to * inverse;
             Float8 cosine = dot(n, l), strength = inverse * inverse;
             // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100
-            // cycles each
+            // cycles each. What a sample covers of a ball blurs them: with variances, that of a lobe being
+            // 1 / exponent, lobes and samples are added (Kaplanyan et al., "Filtering Distributions of
+            // Normals", 2016)
             Float8 lobe = {};
             if (m.specular > 0) {
-                Vec3x8 d = Eight(run.ray + i)(in.d);
+                Eight pick(run.ray + i);
+                Vec3x8 d = pick(in.d);
                 Float8 towards = fmadd(dot(n, d) * -2.f, cosine, dot(d, l));
-                if (any(towards > lobeEnd))
-                    lobe = select(towards > lobeEnd, pow(min(towards, 1.f), m.exponent) * m.specular, 0.f);
+                Float8 spread = min(fmadd(load(run.curve + i), 2.f, pick(in.spread)), 1.f),
+                       variance = spread * spread * (1 / 3.f);
+                Int8 near = towards > fmadd(variance, -14.f, lobeEnd);
+                if (any(near)) {
+                    Float8 wider = 1.f / fmadd(variance, m.exponent, 1.f);
+                    lobe = exp2(log2(clamp(towards, 0.01f, 1.f)) * wider * m.exponent) * wider;
+                    lobe = select(near, lobe * m.specular, 0.f);
+                }
             }
             Float8 share = maxComponent(load(run.weight, i));
             Float8 promised =

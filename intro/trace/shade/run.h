@@ -19,6 +19,7 @@ struct Run {
     float side[kRun];             // +1: the ray comes from outside, -1: from inside
     float error[kRun];            // see errorBound()
     float cosine[kRun], width[kRun], clear[kRun];
+    float curve[kRun];     // of a ball: by how much the normal turns within the width
     int32_t id[kRun];      // as Sample::id
     float weight[3][kRun]; // what is left of the ray's by fog and glass
     // The light that arrives there (light.h)

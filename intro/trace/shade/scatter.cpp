@@ -35,18 +35,13 @@ struct Emitter {
 
 // Eight rays of a run.
 void scatterEight(const Context &c, const RayStream &in, const Run &run, RayStream &out, int i) {
-    const Shape &shape = c.scene.shapes[run.shape];
-    const Material &m = c.scene.materials[shape.material];
+    const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};
     Vec3x8 p = load(run.p, i), n = load(run.n, i), d = emit.pick(in.d);
     Rgb8 weight = load(run.weight, i);
     Float8 cosine = load(run.cosine + i), width = load(run.width + i), spread = emit.pick(in.spread);
     // A curved mirror widens what it throws back
-    Float8 curve = {};
-    if (shape.kind == ShapeKind::Sphere) curve = width / length(p - shape.centre);
-    if (run.balls)
-        for (int k = 0; k < 8; ++k) curve[k] = width[k] / c.scene.shapes[in.shape[run.ray[i + k]]].half.x;
-    Float8 mirrorSpread = min(fmadd(curve, 2.f, spread), 1.f);
+    Float8 curve = load(run.curve + i), mirrorSpread = min(fmadd(curve, 2.f, spread), 1.f);
     Vec3x8 mirrored = normalize(fmadd(n, cosine * 2.f, d));
     Vec3x8 offset = n * load(run.error + i), outside = p + offset;
     if (m.ior > 0) {

@@ -48,6 +48,34 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     EXPECT_EQ(s.lights, 2u);
 }
 
+// A highlight smaller than what a sample covers of its ball is wider and paler, so that it does not blink
+// when the ball moves; together it is as bright.
+TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
+    Stage g;
+    Material m = matte({0, 0, 0});
+    m.specular = 0.8f;
+    m.exponent = 300;
+    g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
+    g.scene->add(Light{{300, 300, 600}, {1e5f, 1e5f, 1e5f}});
+    auto look = [&](float size, double &sum, double &most) {
+        sum = most = 0;
+        for (int i = -50; i <= 50; ++i)
+            for (int j = -50; j <= 50; ++j) {
+                float x = (float)i * 0.02f, y = (float)j * 0.02f, up = 1 - x * x - y * y;
+                if (up <= 0) continue;
+                // The same step everywhere across the view
+                double v = (double)g.look({x, y, 500}, {x, y, std::sqrt(up)}, kExact, size).radiance().x;
+                sum += v, most = std::max(most, v);
+            }
+    };
+    double sum, most, widerSum, widerMost;
+    float tenth = 0.1f / 500 / 0.728f; // pixels, of an ell at the ball
+    look(1e-6f, sum, most);
+    look(tenth, widerSum, widerMost);
+    EXPECT_LT(widerMost, most * 0.25);
+    EXPECT_NEAR(widerSum, sum, sum * 0.15);
+}
+
 TEST(Phong, DarkSideStaysDarkWithoutNaN) {
     Stage g;
     Material m = matte({1, 1, 1});
@@ -89,6 +117,24 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     EXPECT_NEAR(c.x, 0.8f, 1e-5);
     EXPECT_NEAR(c.y, 0.4f, 1e-5);
     EXPECT_NEAR(c.z, 0.2f, 1e-5);
+}
+
+// A lamp in a small mirrored ball, smaller there than half of what a sample covers, would blink as samples
+// hit and miss it.
+TEST(Mirror, LosesLampsThatNoSampleIsSureToMeet) {
+    Stage g;
+    Material m = matte({0, 0, 0}), glow = m;
+    m.diffuse = 0, m.reflect = 1;
+    glow.diffuse = 0, glow.emit = {60, 60, 60};
+    g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
+    g.scene->add(sphere({0, 0, 20}, 1, g.scene->add(glow)));
+    Vec3 eye = {0, 8, 8}, place = {0, 0.4f, 0.9f};
+    // Where it is: half-way between eye and lamp, as seen from the ball's face
+    for (int i = 0; i < 20; ++i)
+        place = normalize(normalize(eye - place) + normalize(Vec3{0, 0, 20} - place));
+    EXPECT_NEAR(g.look(eye, place).radiance().x, 60, 0.1);
+    EXPECT_NEAR(g.look(eye, place, kExact, 1e-4f).radiance().x, 60, 0.1);
+    EXPECT_EQ(g.look(eye, place, kExact, 0.01f).radiance().x, 0);
 }
 
 // Two facing mirrors: the path ends at the depth, and the geometric series is what remains.
