@@ -6,6 +6,7 @@
 #include "show/score.h"
 #include "show/show.h"
 #include "sound/mixer.h"
+#include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
 namespace odraz {
@@ -15,6 +16,7 @@ struct Intro {
     Film film;
     Tracer tracer;
     Frame frame;
+    Curve curve;
 };
 
 struct Sound {

@@ -1,7 +1,6 @@
 #include "intro.h"
 
 #include "inside.h"
-#include "trace/picture/development.h"
 
 namespace odraz {
 
@@ -32,6 +31,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
+    makeCurve(intro->curve);
     intro->workers = &workers;
     intro->film = {scene, hall, {s.bytes, s.machine}};
     if (!gl) return nullptr;
@@ -57,8 +57,10 @@ Picture picture(Intro &intro, double seconds, const Quality &quality, const Came
     View view = now.view(frame.width, frame.height);
     traceFrame(intro.tracer, *intro.workers, scene, view, quality, frame);
     if (now.entry->letter) now.entry->letter(now.cue, view, frame);
-    // Squared, a fade looks even: the eye is quick to see the first light
-    develop(frame, *intro.workers, scene.exposure * now.fade * now.fade);
+    // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
+    // would be seen as a veil
+    develop(intro.curve, frame, *intro.workers, scene.exposure * now.fade * now.fade,
+            (uint32_t)(seconds * 240));
     return {frame.width, frame.height, frame.rgba};
 }
 

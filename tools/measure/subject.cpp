@@ -108,7 +108,7 @@ double Subject::trace(const Quality &quality) {
 
 double Subject::develop() {
     double began = threadSeconds();
-    odraz::develop(intro->frame, workers, scene().exposure);
+    odraz::develop(intro->curve, intro->frame, workers, scene().exposure, 0);
     return (threadSeconds() - began) * 1e3;
 }
 

@@ -94,7 +94,7 @@ int run(Arguments &words) {
         auto [name, camera] = findPicture(kept.scene);
         poseSubject(name, camera, kept.settings, intro.film);
     } else
-        develop(intro.frame, workers, intro.film.scene->exposure);
+        develop(intro.curve, intro.frame, workers, intro.film.scene->exposure, 0);
     return 0;
 }
 

@@ -71,7 +71,11 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
     float low = std::log(std::max(quantile(all, 0.01), 1e-30f)),
           high = std::log(std::max(quantile(all, 0.998), 1e-30f));
-    if (!s.logarithmic) develop(frame, workers, scene->exposure);
+    if (!s.logarithmic) {
+        Curve curve;
+        makeCurve(curve);
+        develop(curve, frame, workers, scene->exposure, 0);
+    }
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {
             size_t at = (size_t)y * (size_t)frame.stride + (size_t)x,

@@ -13,8 +13,18 @@ Float8 filmic(Float8 x);
 // Encodes [0, 1] after IEC 61966-2-1.
 Float8 encodeSrgb(Float8 x);
 
-// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Half a bit of fixed noise hides the
-// steps.
-void develop(Frame &frame, Workers &workers, float exposure);
+// Both in one table, linear between its places: within 1/40 of a step of the 255. Places lie evenly in the
+// logarithm of x + kFoot, 32 to a doubling, so that 0 has one too; from kHead on all is white.
+struct Curve {
+    static constexpr float kFoot = 1.f / 32, kHead = 32768;
+    static constexpr int kShift = 18; // of the bits of x + kFoot, to the number of a place
+    // At each place the value, in 1/128 of a step, and below it the way to the next one's
+    int32_t place[20 << (23 - kShift) | 1];
+};
+void makeCurve(Curve &curve);
+
+// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Noise of one step, another one for
+// each colour and seed, hides the steps.
+void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed);
 
 } // namespace odraz

@@ -69,7 +69,9 @@ Picture traced(Scene &posed, const CameraKey &camera, const Quality &quality, in
     View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
     traceFrame(tracer, pool.workers, posed, view, quality, p.frame);
     p.samples = tracedSamples(tracer);
-    develop(p.frame, pool.workers, posed.exposure);
+    Curve curve;
+    makeCurve(curve);
+    develop(curve, p.frame, pool.workers, posed.exposure, 0);
     return p;
 }
 

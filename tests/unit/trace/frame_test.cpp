@@ -1,3 +1,4 @@
+#include "inside.h"
 #include "show/font.h"
 #include "tools/common/heap_arena.h"
 #include "trace/picture/development.h"
@@ -50,26 +51,155 @@ TEST(Srgb, FollowsTheStandard) {
     }
 }
 
-TEST(Develop, WritesEveryPixelOfOddSizesAndDithersByHalfABit) {
+namespace {
+
+// What is shown of some radiances, one to a row, each of which is told in every pixel of that.
+struct Developed {
+    static constexpr int kWidth = 512;
+    Canvas canvas;
+    Curve curve;
+
+    explicit Developed(const std::vector<float> &radiances, float exposure = 1, uint32_t seed = 0)
+        : canvas(kWidth, (int)radiances.size()) {
+        makeCurve(curve);
+        for (float *plane : canvas.frame.plane)
+            for (size_t y = 0; y < radiances.size(); ++y)
+                std::fill_n(plane + y * kWidth, (size_t)kWidth, radiances[y]);
+        Workers workers = serialWorkers();
+        develop(curve, canvas.frame, workers, exposure, seed);
+    }
+    int at(int x, int y, int c) const { return canvas.frame.rgba[(y * kWidth + x) * 4 + c]; }
+    double mean(int y, int c = 0) const {
+        double sum = 0;
+        for (int x = 0; x < kWidth; ++x) sum += at(x, y, c);
+        return sum / kWidth;
+    }
+};
+
+// As the definition has it.
+double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
+
+// A flat picture's noise: what is shown, less its mean, of `seed` and colour `c`.
+std::vector<double> noiseOf(uint32_t seed, int c) {
+    Developed d(std::vector<float>(256, 0.2f), 1, seed);
+    std::vector<double> noise;
+    double mean = 0;
+    for (int y = 0; y < 256; ++y)
+        for (int x = 0; x < Developed::kWidth; ++x) noise.push_back(d.at(x, y, c)), mean += noise.back();
+    for (double &v : noise) v -= mean / (double)noise.size();
+    return noise;
+}
+
+double correlation(const std::vector<double> &a, const std::vector<double> &b) {
+    double ab = 0, aa = 0, bb = 0;
+    for (size_t i = 0; i < a.size(); ++i) ab += a[i] * b[i], aa += a[i] * a[i], bb += b[i] * b[i];
+    return ab / std::sqrt(aa * bb);
+}
+
+} // namespace
+
+TEST(Develop, WritesEveryPixelOfOddSizes) {
     Canvas c(13, 5);
     for (float *plane : c.frame.plane) std::fill_n(plane, (size_t)c.frame.stride * 5, 0.2f);
     Workers workers = serialWorkers();
-    develop(c.frame, workers, 1);
-    double mean = 0, exact = 255 * (double)encodeSrgb(filmic(broadcast(0.2f)))[0];
+    Curve curve;
+    makeCurve(curve);
+    develop(curve, c.frame, workers, 1, 0);
     for (int i = 0; i < 13 * 5; ++i) {
         EXPECT_EQ(c.frame.rgba[4 * i + 3], 255);
-        EXPECT_NEAR(c.frame.rgba[4 * i], exact, 1.01);
-        mean += c.frame.rgba[4 * i] / 65.;
+        for (int k = 0; k < 3; ++k) EXPECT_NEAR(c.frame.rgba[4 * i + k], exact(0.2f), 1.01);
     }
-    EXPECT_NEAR(mean, exact, 0.3);
 }
 
-TEST(Develop, BlackIsBlack) {
-    Canvas c(16, 16);
+// Noise makes the mean of many pixels what the eight bits of one cannot say: what the table has there,
+// without a step. Its 512 pixels are good for 1/40.
+TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
+    std::vector<float> radiances;
+    for (float x = 1e-6f; x < 1e5f; x *= 1.013f) radiances.push_back(x);
+    for (float exposure : {1.f, 0.37f}) {
+        Developed d(radiances, exposure);
+        double squares = 0;
+        for (size_t i = 0; i < radiances.size(); ++i) {
+            double off = d.mean((int)i) - exact(radiances[i] * exposure);
+            squares += off * off;
+            EXPECT_LT(std::fabs(off), 0.1) << radiances[i];
+            for (int x = 0; x < Developed::kWidth; ++x)
+                EXPECT_NEAR(d.at(x, (int)i, 1), exact(radiances[i] * exposure), 1.03) << radiances[i];
+        }
+        EXPECT_LT(std::sqrt(squares / (double)radiances.size()), 0.025);
+    }
+}
+
+// The table itself, without noise, at every float of a few places and at many others.
+TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
+    Curve curve;
+    makeCurve(curve);
+    double worst = 0;
+    for (uint32_t b = 0; b < 0x7f800000; b += 997) {
+        float radiance = fromBits((int32_t)b);
+        float v = clamp(radiance + Curve::kFoot, Curve::kFoot, Curve::kHead);
+        int at = bits(v) - bits(Curve::kFoot), place = curve.place[at >> Curve::kShift];
+        double share = (at & ((1 << Curve::kShift) - 1)) / (double)(1 << Curve::kShift);
+        double shown = ((place >> 16) + (int16_t)place * share) / 128;
+        worst = std::max(worst, std::fabs(shown - exact(radiance)));
+    }
+    EXPECT_LT(worst, 0.025);
+}
+
+TEST(Develop, ExtremesAreBlackOrWhite) {
+    Developed d({0.f, -0.f, 1e-45f, 1e-39f, -1.f, -kInfinity, NAN, -NAN, 1e30f, 3e38f, kInfinity});
+    for (int c = 0; c < 3; ++c) {
+        for (int y = 0; y < 8; ++y) EXPECT_EQ(d.mean(y, c), 0) << y;
+        for (int y = 8; y < 11; ++y) EXPECT_EQ(d.mean(y, c), 255) << y;
+    }
+    EXPECT_EQ(Developed({kInfinity}, 0).mean(0), 0); // the dark end of a fade
+}
+
+TEST(Develop, ColoursHaveNoiseOfTheirOwn) {
+    std::vector<double> noise[3];
+    for (int c = 0; c < 3; ++c) noise[c] = noiseOf(0, c);
+    EXPECT_LT(std::fabs(correlation(noise[0], noise[1])), 0.01); // of 131,072 pixels: 0.0028 is usual
+    EXPECT_LT(std::fabs(correlation(noise[1], noise[2])), 0.01);
+    EXPECT_LT(std::fabs(correlation(noise[2], noise[0])), 0.01);
+}
+
+TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
+    std::vector<double> first = noiseOf(0, 0);
+    for (uint32_t seed : {1u, 4u, 10u, 1000u})
+        EXPECT_LT(std::fabs(correlation(first, noiseOf(seed, 0))), 0.01);
+    EXPECT_EQ(first, noiseOf(0, 0));
+}
+
+// Where hardly anything moves in the film, its noise does; the same time has the same.
+TEST(Develop, NoiseMovesWithTheFilm) {
+    IntroSettings settings = {320, 180};
+    HeapArena memory(memoryNeeded(settings, 1, false));
     Workers workers = serialWorkers();
-    develop(c.frame, workers, 1);
-    for (int i = 0; i < 256; ++i)
-        EXPECT_EQ(c.frame.rgba[4 * i] + c.frame.rgba[4 * i + 1] + c.frame.rgba[4 * i + 2], 0);
+    Intro *intro = nullptr;
+    ASSERT_EQ(load(intro, settings, memory.arena, workers), nullptr);
+    const Frame &frame = intro->frame;
+    constexpr size_t kPixels = 320 * 180;
+    struct Shown {
+        std::vector<double> light; // red, in steps of 255
+        std::vector<uint8_t> rgba;
+    } shown[3];
+    const double times[3] = {15.5, 15.5, 15.5 + 1 / 60.};
+    for (int k = 0; k < 3; ++k) {
+        picture(*intro, times[k], kQualities[(int)QualityName::Draft]);
+        shown[k].rgba.assign(frame.rgba, frame.rgba + 4 * kPixels);
+        for (size_t i = 0; i < kPixels; ++i)
+            shown[k].light.push_back(exact(frame.plane[0][i] * intro->film.scene->exposure));
+    }
+    EXPECT_EQ(shown[0].rgba, shown[1].rgba);
+    int still = 0, moved = 0;
+    for (size_t i = 0; i < kPixels; ++i) {
+        double light = shown[1].light[i];
+        if (light < 1 || light > 254 || std::fabs(shown[2].light[i] - light) > 0.02) continue;
+        ++still;
+        moved += shown[1].rgba[4 * i] != shown[2].rgba[4 * i];
+    }
+    EXPECT_GT(still, 3000);
+    EXPECT_GT(moved, still / 4); // without: one in a hundred
 }
 
 TEST(Strokes, CoverTheirArea) {
