@@ -17,28 +17,35 @@ void aimTile(Tile &t) {
            t.s.among);
 }
 
-// The same number of samples in every pixel.
+// The same number of samples in every pixel: as many rows as a chunk holds, once for each place in a pixel.
 void traceGrid(Tile &t) {
     TileScratch &s = t.s;
-    int side = t.quality.grid, perPixel = side * side, batch = kChunk / perPixel;
+    int side = t.quality.grid, perPixel = side * side, wide = (t.width + 7) & ~7, rows = kChunk / wide;
     for (uint32_t i = 0; i < kChunk; ++i) s.index[i] = i;
-    for (int first = 0; first < t.width * t.height; first += batch) {
-        int pixels = min(batch, t.width * t.height - first), count = 0;
-        for (int p = first; p < first + pixels; ++p)
-            for (int k = 0; k < perPixel; ++k) {
-                s.x[count] = (float)(t.x0 + p % t.width) + ((float)(k % side) + 0.5f) / (float)side;
-                s.y[count++] = (float)(t.y0 + p / t.width) + ((float)(k / side) + 0.5f) / (float)side;
+    for (int y = t.y0, end = t.y0 + t.height; y < end; y += rows) {
+        int count = min(rows, end - y) * wide;
+        for (int k = 0; k < perPixel; ++k) {
+            float dx = ((float)(k % side) + 0.5f) / (float)side,
+                  dy = ((float)(k / side) + 0.5f) / (float)side;
+            for (int i = 0; i < count; i += 8) {
+                store(s.x + i, toFloat(kLanes + (t.x0 + i % wide)) + dx);
+                store(s.y + i, broadcast((float)(y + i / wide) + dy));
             }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y, s.index,
-                     s.samples);
-        s.sampleCount += count;
-        for (int p = 0, i = 0; p < pixels; ++p) {
-            __m128 sum = _mm_setzero_ps();
-            for (int k = 0; k < perPixel; ++k) sum += radianceOf(s.samples[i++]);
-            int px = t.x0 + (first + p) % t.width, py = t.y0 + (first + p) / t.width;
-            for (int k = 0; k < 3; ++k) t.frame.plane[k][py * t.frame.stride + px] = sum[k] / (float)perPixel;
+            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y,
+                         s.index, s.samples);
+            for (int i = 0; i < count; i += 8) {
+                Rgb8 sum = radianceOfEight(s.samples + i);
+                size_t at = (size_t)(y + i / wide) * (size_t)t.frame.stride + (size_t)(t.x0 + i % wide);
+                for (int c = 0; c < 3; ++c) {
+                    float *out = t.frame.plane[c] + at;
+                    Float8 v = c == 0 ? sum.x : c == 1 ? sum.y : sum.z;
+                    if (k > 0) v += load(out);
+                    store(out, k + 1 < perPixel ? v : v / broadcast((float)perPixel));
+                }
+            }
         }
     }
+    s.sampleCount += t.width * t.height * perPixel;
 }
 
 } // namespace

@@ -24,6 +24,14 @@ ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
     return fourOf(s.albedo) * fourOf(s.light) + fourOf(s.rest);
 }
 
+inline Rgb8 radianceOfEight(const Sample *s) {
+    auto both = [&](int k) { return _mm256_set_m128(radianceOf(s[k + 4]), radianceOf(s[k])); };
+    __m256 a = both(0), b = both(1), c = both(2), d = both(3);
+    __m256 abLow = _mm256_unpacklo_ps(a, b), cdLow = _mm256_unpacklo_ps(c, d);
+    return {_mm256_shuffle_ps(abLow, cdLow, 0x44), _mm256_shuffle_ps(abLow, cdLow, 0xee),
+            _mm256_shuffle_ps(_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d), 0x44)};
+}
+
 // In Sample::lights: the states, from kCellShift on what tells patches apart (up to 2^15 of them) where a
 // scene shows them, and whether a secondary ray of weight met a texture, whose detail corners cannot tell.
 inline constexpr int kCellShift = 16;
