@@ -11,47 +11,62 @@ namespace {
 // pixel only. By PSNR 1 is 0.9 dB worse; less shimmers.
 constexpr float kFilter = 0.5f;
 
-void want(TileScratch &s, int x, int y) {
-    uint32_t i = placeAt(x, y);
-    if (s.traced[i] == s.stamp) return;
-    s.traced[i] = s.stamp;
-    s.wanted[s.wantedCount++] = i;
+ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
+    s.wanted[s.wantedCount] = place;
+    s.wantedCount += s.traced[place] != s.stamp;
+    s.traced[place] = s.stamp;
 }
 void wantCorners(TileScratch &s, Square q, int size) {
-    for (int k = 0; k < 4; ++k) want(s, q.x + (k & 1) * size, q.y + (k >> 1) * size);
+    for (int k = 0; k < 4; ++k) want(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
 }
-// The corners of a square's quarters that are not its own.
-void wantMiddles(TileScratch &s, Square q, int size) {
-    int half = size / 2;
-    want(s, q.x + half, q.y);
-    want(s, q.x, q.y + half);
-    want(s, q.x + half, q.y + half);
-    want(s, q.x + size, q.y + half);
-    want(s, q.x + half, q.y + size);
+// The corners of a square's quarters, `half` wide, that are not its own.
+ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
+    uint32_t across = (uint32_t)half, down = across << kPlaceShift,
+             middle = placeAt(q.x, q.y) + across + down;
+    want(s, middle - down), want(s, middle - across), want(s, middle), want(s, middle + across);
+    want(s, middle + down);
+}
+
+// Appends a square's quarters, those that lie in the tile, and wants their corners. Returns how many these
+// are; writes one more.
+[[gnu::noinline]] int quarter(Tile &t, Square a, int half, Square *to) {
+    bool right = a.x + half < 4 * t.width, below = a.y + half < 4 * t.height;
+    uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
+    int count = 1;
+    to[0] = a;
+    to[count] = {x, a.y}, count += right;
+    to[count] = {a.x, y}, count += below;
+    to[count] = {x, y}, count += right & below;
+    wantMiddles(t.s, a, half);
+    return count;
 }
 
 // Traces what is wanted: whole samples for the corners of pixels; radiance for places between, as samples of
 // a size below 1.
 void traceWanted(Tile &t, float size) {
     TileScratch &s = t.s;
-    float *x = s.x, *y = s.y;
-    uint32_t *index = s.index;
     bool corners = size == 1;
     for (int first = 0; first < s.wantedCount; first += kChunk) {
         int count = min(s.wantedCount - first, kChunk);
-        for (int i = 0; i < count; ++i) {
-            int px = (int)s.wanted[first + i] % kPlaces, py = (int)s.wanted[first + i] / kPlaces;
-            x[i] = (float)t.x0 + (float)px * 0.25f;
-            y[i] = (float)t.y0 + (float)py * 0.25f;
-            index[i] = corners ? cornerAt(px, py) : (uint32_t)i;
+        for (int i = 0; i < count; i += 8) {
+            Int8 place = loadInts((const int32_t *)s.wanted + first + i);
+            Int8 x = place & ((1 << kPlaceShift) - 1), y = place >> kPlaceShift;
+            store(s.x + i, fmadd(toFloat(x), 0.25f, (float)t.x0));
+            store(s.y + i, fmadd(toFloat(y), 0.25f, (float)t.y0));
+            store((int32_t *)s.index + i, corners ? (y >> 2) * kCorners + (x >> 2) : kLanes + i);
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, x, y, index,
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, s.x, s.y, s.index,
                      corners ? s.corners : s.samples);
         for (int i = 0; i < count; ++i)
-            if (corners)
-                s.shown[index[i]] = intensityOf(t.scene, s.corners[index[i]]);
-            else
-                s.fine[s.wanted[first + i]] = radianceOf(s.samples[i]);
+            if (corners) {
+                uint32_t at = s.index[i];
+                s.shown[at] = intensityOf(t.scene, s.corners[at]);
+                s.marks[at] = marksOf(s.corners[at]);
+            } else {
+                uint32_t place = s.wanted[first + i];
+                s.fine[(place >> kPlaceShift) * kPlaces + (place & ((1 << kPlaceShift) - 1))] =
+                    radianceOf(s.samples[i]);
+            }
     }
     s.sampleCount += s.wantedCount;
     s.wantedCount = 0;
@@ -66,26 +81,18 @@ int splitSquares(Tile &t, int count) {
     int rough = 0;
     for (int size = q.coarse; count; size /= 2) {
         int splits = 0, half = size / 2, left = 0;
-        auto split = [&](Square a) {
-            for (int k = 0; k < 4; ++k) {
-                Square child = {(uint8_t)(a.x + half * (k & 1)), (uint8_t)(a.y + half * (k >> 1))};
-                if (child.x < 4 * t.width && child.y < 4 * t.height) next[splits++] = child;
-            }
-            wantMiddles(s, a, size);
-        };
         for (int i = 0; i < count; ++i) {
             Square a = squares[i];
             uint32_t c[4];
             cornersOf(a, size, c);
-            int shape = onSilhouette(s, c) || !s.corners[c[0]].id ? -1 : (int)s.corners[c[0]].shape();
             if (size > 4) {
-                if (size > q.fine && splitsSquare(t, a, size, c, shape))
-                    split(a);
+                if (size > q.fine && splitsSquare(t, a, size, c))
+                    splits += quarter(t, a, half, next + splits);
                 else
                     squares[left++] = a;
                 continue;
             }
-            if (q.fine < 4 && splitsPixel(t, a, c, shape))
+            if (q.fine < 4 && splitsPixel(t, a, c))
                 s.squares[2][rough++] = a;
             else
                 squares[left++] = a;
@@ -103,7 +110,7 @@ int splitSquares(Tile &t, int count) {
                 else
                     squares[kept++] = squares[i];
             left = kept;
-            for (int i = 0; i < found; ++i) split(more[i]);
+            for (int i = 0; i < found; ++i) splits += quarter(t, more[i], half, next + splits);
         }
         for (int i = 0; i < left; ++i) fill(t, squares[i], size);
         Square *done = squares;
@@ -126,19 +133,19 @@ void splitPixels(Tile &t, int count) {
     }
     float edge = q.edge * 2;
     for (int size = 4; count; size /= 2, edge *= 2) {
-        for (int i = 0; i < count; ++i) wantMiddles(s, squares[i], size);
-        traceWanted(t, (float)size * 0.125f);
         int half = size / 2, splits = 0;
+        for (int i = 0; i < count; ++i) wantMiddles(s, squares[i], half);
+        traceWanted(t, (float)size * 0.125f);
         float weight = (float)(half * half) * (1.f / 64);
         for (int i = 0; i < 4 * count; ++i) {
             Square a = squares[i >> 2];
             a = {(uint8_t)(a.x + half * (i & 1)), (uint8_t)(a.y + half * (i >> 1 & 1))};
-            __m128 v[4];
-            radianceAt(s, a, half, v);
-            if (half > q.fine && splitsPart(t, a, half, v, edge)) {
+            if (half > q.fine && splitsPart(t, a, half, edge)) {
                 next[splits++] = a;
                 continue;
             }
+            __m128 v[4];
+            radianceAt(s, a, half, v);
             __m128 sum = (v[0] + v[1] + v[2] + v[3]) * weight;
             int p = (a.y >> 2) * kTile + (a.x >> 2);
             for (int k = 0; k < 3; ++k) s.rest[k][p] += sum[k];

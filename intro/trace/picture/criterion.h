@@ -5,7 +5,7 @@
 // intensities. (a) to (c) are marks, kept in every Sample; below a pixel (d) alone decides. Beyond it a
 // square splits where a shape may show in it that shows at no corner (hidden.h), and where a corner that a
 // neighbour traced on its side tells of something new. Thresholds are the Quality's. A new criterion is asked
-// in splitsSquare() and splitsPixel(); one of marks belongs in sameMarks().
+// in splitsSquare() and splitsPixel(); one of marks belongs in marksOf().
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -18,20 +18,22 @@ ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
     return _mm_sqrt_ps(v / (v + 0.7f));
 }
 
-// The largest difference between four colours in one channel.
-ODRAZ_INLINE float range(const __m128 (&v)[4]) {
-    __m128 lo = _mm_min_ps(_mm_min_ps(v[0], v[1]), _mm_min_ps(v[2], v[3]));
-    __m128 hi = _mm_max_ps(_mm_max_ps(v[0], v[1]), _mm_max_ps(v[2], v[3]));
-    __m128 d = hi - lo;
-    return max(d[0], max(d[1], d[2]));
+// By how much four colours differ, channel by channel.
+ODRAZ_INLINE __m128 range(__m128 a, __m128 b, __m128 c, __m128 d) {
+    return _mm_max_ps(_mm_max_ps(a, b), _mm_max_ps(c, d)) - _mm_min_ps(_mm_min_ps(a, b), _mm_min_ps(c, d));
 }
-
-// (Out of line: each is asked in several places of one large function.)
-[[gnu::noinline]] inline float rangeOf(const TileScratch &s, const uint32_t *c) {
-    return range({s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]});
+ODRAZ_INLINE bool exceeds(__m128 difference, float threshold) {
+    return _mm_movemask_ps(_mm_cmpgt_ps(difference, _mm_set1_ps(threshold)));
 }
-[[gnu::noinline]] inline float rangeOf(const Tile &t, const __m128 (&v)[4]) {
-    return range({shown(t.scene, v[0]), shown(t.scene, v[1]), shown(t.scene, v[2]), shown(t.scene, v[3])});
+ODRAZ_INLINE __m128 rangeOf(const TileScratch &s, const uint32_t *c) {
+    return range(s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]);
+}
+// The same of what is seen, whether it differs by more than a threshold. (Out of line: it is large.)
+[[gnu::noinline]] inline bool seenExceeds(const Tile &t, Square a, int size, float threshold) {
+    __m128 v[4];
+    radianceAt(t.s, a, size, v);
+    for (__m128 &k : v) k = shown(t.scene, k);
+    return exceeds(range(v[0], v[1], v[2], v[3]), threshold);
 }
 
 // The intensities by which a corner is compared, its texture left out: where nothing else differs, that has a
@@ -42,58 +44,63 @@ ODRAZ_INLINE __m128 intensityOf(const Scene &scene, const Sample &c) {
     return shown(scene, lit + fourOf(c.rest));
 }
 
-// Whether two samples show the same thing, lit and mirroring alike: the first three of the thesis's four
-// tests.
-inline bool sameMarks(const Sample &a, const Sample &b) {
-    return a.id == b.id && !((a.lights ^ b.lights) & ~kTextured) && a.secondary == b.secondary;
+// What tells a corner from another: what it shows, lit and mirroring alike, the first three of the thesis's
+// four tests; and, no mark of difference, whether a texture is mirrored there.
+ODRAZ_INLINE __m128i marksOf(const Sample &c) {
+    return _mm_setr_epi32((int)c.id, (int)(c.lights & ~kTextured), (int)c.secondary,
+                          (int)(c.lights & kTextured));
 }
 
-// Whether a square of more than a pixel splits, by its corners c, which all show `shape` (-1: the sky, or not
-// the same). Where a mirror or glass shows a texture, the corners of a larger square cannot tell what lies
-// between.
-inline bool splitsSquare(const Tile &t, Square a, int size, const uint32_t *c, int shape) {
+// Which shape all corners of a square show; -1: the sky, or not the same.
+ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
+    const Sample &c = s.corners[corner];
+    return (same & kSameId) && c.id ? (int)c.shape() : -1;
+}
+
+// Whether a square of more than a pixel splits, by its corners c. Where a mirror or glass shows a texture,
+// the corners of a larger square cannot tell what lies between.
+ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
     const TileScratch &s = t.s;
-    const Sample *k[4] = {&s.corners[c[0]], &s.corners[c[1]], &s.corners[c[2]], &s.corners[c[3]]};
-    bool marks = !(sameMarks(*k[0], *k[1]) && sameMarks(*k[0], *k[2]) && sameMarks(*k[0], *k[3]));
-    bool textured = (k[0]->lights | k[1]->lights | k[2]->lights | k[3]->lights) & kTextured;
-    if ((marks || textured) && size > 8) return true;
-    float difference = rangeOf(s, c);
-    return difference > t.quality.threshold || (marks && difference > t.quality.mild) ||
-           mayHide(t, a, size, shape);
+    int same = alike(s, c);
+    bool marks = same != kSameMarks;
+    if (size > 8) {
+        __m128i all = _mm_or_si128(_mm_or_si128(s.marks[c[0]], s.marks[c[1]]),
+                                   _mm_or_si128(s.marks[c[2]], s.marks[c[3]]));
+        bool textured = _mm_movemask_ps(_mm_castsi128_ps(all)) & 8;
+        if (marks || textured) return true;
+    }
+    __m128 difference = rangeOf(s, c);
+    return exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.mild)) ||
+           mayHide(t, a, size, shapeOf(s, c[0], same));
 }
 
 // Whether a sample in the middle of one of a square's sides, traced because a neighbour split, differs from
 // the corners, all alike, that let the square be.
-inline bool splitsBySides(const TileScratch &s, Square a, int size, float mild) {
-    const int half = size / 2, x[4] = {a.x + half, a.x, a.x + size, a.x + half},
-              y[4] = {a.y, a.y + half, a.y + half, a.y + size};
-    uint32_t corner = cornerAt(a.x, a.y);
-    const Sample &c = s.corners[corner];
-    for (int i = 0; i < 4; ++i) {
-        if (s.traced[placeAt(x[i], y[i])] != s.stamp) continue;
-        uint32_t middle = cornerAt(x[i], y[i]);
-        if (sameMarks(s.corners[middle], c)) continue;
-        if (size > 8 || range({s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]}) > mild)
-            return true;
-    }
-    return false;
+ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float mild) {
+    const uint32_t half = (uint32_t)size / 2, pixels = half >> 2, place = placeAt(a.x, a.y),
+                   corner = cornerAt(a.x, a.y);
+    auto tells = [&](uint32_t x, uint32_t y) { // in halves of the square
+        if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
+        uint32_t middle = corner + y * pixels * kCorners + x * pixels;
+        if (alike(s, middle, corner) == kSameMarks) return false;
+        return size > 8 ||
+               exceeds(range(s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]), mild);
+    };
+    return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
 }
 
 // Whether a pixel splits. Only what is seen decides; where nothing but the texture differs its own filter
 // serves.
-inline bool splitsPixel(const Tile &t, Square a, const uint32_t *c, int shape) {
-    bool calm = shape >= 0 && rangeOf(t.s, c) <= t.quality.edge;
-    if (!calm) {
-        __m128 v[4];
-        for (int i = 0; i < 4; ++i) v[i] = radianceOf(t.s.corners[c[i]]);
-        if (rangeOf(t, v) > t.quality.edge) return true;
-    }
-    return mayHide(t, a, 4, shape);
+ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
+    const TileScratch &s = t.s;
+    int shape = shapeOf(s, c[0], alike(s, c));
+    bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
+    return (!calm && seenExceeds(t, a, 4, t.quality.edge)) || mayHide(t, a, 4, shape);
 }
 
 // Whether a part of a pixel splits, by the radiance at its corners; `edge` is the quality's, doubled a level.
-inline bool splitsPart(const Tile &t, Square a, int size, const __m128 (&v)[4], float edge) {
-    return rangeOf(t, v) > edge || mayHide(t, a, size, -1);
+inline bool splitsPart(const Tile &t, Square a, int size, float edge) {
+    return seenExceeds(t, a, size, edge) || mayHide(t, a, size, -1);
 }
 
 } // namespace odraz

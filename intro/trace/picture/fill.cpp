@@ -33,7 +33,7 @@ void fill(Tile &t, Square q, int size) {
     int x0 = q.x >> 2, y0 = q.y >> 2, at = y0 * kTile + x0;
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
-    bool same = !onSilhouette(s, c);
+    bool same = alike(s, c) & kSameId;
     uint16_t owner = !same ? kMixed : first.id ? (uint16_t)first.shape() : kSky;
     __m128 light[4], rest[4];
     for (int i = 0; i < 4; ++i) {

@@ -13,6 +13,7 @@ namespace odraz {
 inline constexpr int kTile = 64;                   // pixels along a side
 inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
 inline constexpr int kPlaces = 4 * kTile + 1;      // of quarters
+inline constexpr int kPlaceShift = 9;              // rows of them are apart by a power of two
 inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile watches for at most
 // Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
@@ -45,11 +46,12 @@ struct TileScratch {
     Candidates among; // what the tile's primary rays may meet
     Grain grains[kGrains];
     Sample corners[kCorners * kCorners];
-    __m128 shown[kCorners * kCorners]; // intensities there as the eye weighs them, texture left out
-    __m128 fine[kPlaces * kPlaces];    // radiance at places between
-    uint8_t traced[kPlaces * kPlaces]; // equal to `stamp` where it is
-    // Places wanted next
-    uint32_t wanted[kPlaces * kPlaces];
+    __m128 shown[kCorners * kCorners];      // intensities there as the eye weighs them, texture left out
+    __m128i marks[kCorners * kCorners];     // what tells one from another: id, lights, secondary; kTextured
+    __m128 fine[kPlaces * kPlaces];         // radiance at places between
+    uint8_t traced[kPlaces << kPlaceShift]; // equal to `stamp` where it is
+    // Places wanted next; room for one that is not
+    uint32_t wanted[kPlaces * kPlaces + 1];
     // Places that are being traced, pixels of the picture, and the samples that they go to. Read by eight:
     // behind the last one stands what was there before
     float x[kChunk], y[kChunk];
@@ -72,8 +74,9 @@ struct Tile {
     int x0, y0, width, height; // the part of the frame that it covers, in pixels
 };
 
-// The index of a place, and of a corner that stands at a place.
-ODRAZ_INLINE uint32_t placeAt(int x, int y) { return (uint32_t)(y * kPlaces + x); }
+// A place by one number, and the indices of what is kept for it, or for a corner that stands there.
+ODRAZ_INLINE uint32_t placeAt(int x, int y) { return (uint32_t)(y << kPlaceShift | x); }
+ODRAZ_INLINE uint32_t fineAt(int x, int y) { return (uint32_t)(y * kPlaces + x); }
 ODRAZ_INLINE uint32_t cornerAt(int x, int y) { return (uint32_t)((y >> 2) * kCorners + (x >> 2)); }
 
 // Indices of the corners of a square that is some whole pixels wide: upper left, upper right, lower left,
@@ -86,15 +89,20 @@ ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
     c[3] = c[2] + pixels;
 }
 
-// Whether a square's corners show different things: the first of the thesis's four tests.
-ODRAZ_INLINE bool onSilhouette(const TileScratch &s, const uint32_t *c) {
-    uint32_t id = s.corners[c[0]].id;
-    return s.corners[c[1]].id != id || s.corners[c[2]].id != id || s.corners[c[3]].id != id;
+// In which of their marks two corners are alike, a bit for each: kSameId, and kSameMarks for all.
+inline constexpr int kSameId = 1, kSameMarks = 7;
+ODRAZ_INLINE int alike(const TileScratch &s, uint32_t a, uint32_t b) {
+    return _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(s.marks[a], s.marks[b]))) & kSameMarks;
+}
+ODRAZ_INLINE int alike(const TileScratch &s, const uint32_t *c) {
+    auto same = [&](int k) { return _mm_cmpeq_epi32(s.marks[c[0]], s.marks[c[k]]); };
+    __m128i all = _mm_and_si128(same(1), _mm_and_si128(same(2), same(3)));
+    return _mm_movemask_ps(_mm_castsi128_ps(all)) & kSameMarks;
 }
 
 // Radiance at a place that is traced, and at the corners of a square below a pixel.
-inline __m128 radianceAt(const TileScratch &s, int x, int y) {
-    if ((x | y) & 3) return s.fine[placeAt(x, y)];
+ODRAZ_INLINE __m128 radianceAt(const TileScratch &s, int x, int y) {
+    if ((x | y) & 3) return s.fine[fineAt(x, y)];
     return radianceOf(s.corners[cornerAt(x, y)]);
 }
 inline void radianceAt(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
