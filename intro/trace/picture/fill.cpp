@@ -5,12 +5,12 @@
 namespace odraz {
 
 // Eight pixels of a row into the frame.
-static void put(const Tile &t, int x, int y, const Rgb8 &v, Int8 owner) {
+static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
     size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
     store(t.frame.plane[0] + out, v.x);
     store(t.frame.plane[1] + out, v.y);
     store(t.frame.plane[2] + out, v.z);
-    for (int k = 0; t.frame.shapes && k < 8; ++k) t.frame.shapes[out + (size_t)k] = (uint16_t)owner[k];
+    if (t.frame.shapes) _mm_storeu_si128((__m128i *)(t.frame.shapes + out), owner);
 }
 
 // The albedo that eight pixels show. Noise of several octaves fades a little too early or too late; two by
@@ -18,6 +18,7 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, Int8 owner) {
 static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     const Shape &shape = t.scene.shapes[owner];
     const Material &m = t.scene.materials[shape.material];
+    if (onePlainColour(t.scene, m)) return broadcast(m.texture.palette[0] * m.diffuse);
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
     if (t.quality.texels == 1 || !m.rough()) return albedoSeen(t.scene, t.view, shape, px, py, 1);
     Rgb8 sum = {};
@@ -27,6 +28,20 @@ static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     return sum * broadcast(0.25f);
 }
 
+// Values at the corners of a square, along whose rows and sides everything is linear.
+struct Bilinear {
+    __m128 left, right, down, downRight;
+
+    explicit Bilinear(const __m128 (&k)[4])
+        : left(k[0]), right(k[1]), down(k[2] - k[0]), downRight(k[3] - k[1]) {}
+    // In a row, at places 0 .. 1 of it.
+    ODRAZ_INLINE Rgb8 row(__m128 v, Float8 u) const {
+        __m128 first = left + down * v, step = right + downRight * v - first;
+        return {fmadd(u, step[0], broadcast(first[0])), fmadd(u, step[1], broadcast(first[1])),
+                fmadd(u, step[2], broadcast(first[2]))};
+    }
+};
+
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     uint32_t c[4];
@@ -35,11 +50,12 @@ void fill(Tile &t, Square q, int size) {
     const Sample &first = s.corners[c[0]];
     bool same = alike(s, c) & kSameId;
     uint16_t owner = !same ? kMixed : first.id ? (uint16_t)first.shape() : kSky;
+    bool lit = owner < kDone;
     __m128 light[4], rest[4];
     for (int i = 0; i < 4; ++i) {
         const Sample &k = s.corners[c[i]];
-        light[i] = same ? fourOf(k.light) : _mm_setzero_ps();
-        rest[i] = same ? fourOf(k.rest) : radianceOf(k);
+        light[i] = fourOf(k.light);
+        rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
     if (size == 4) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
@@ -48,31 +64,35 @@ void fill(Tile &t, Square q, int size) {
         s.owner[at] = owner;
         return;
     }
-    // A row of the square is one packet; along it and down the sides everything is linear
+    // A row of the square is one packet
     int pixels = size >> 2;
+    float step = 1.f / (float)pixels;
     Int8 inside = kLanes < pixels;
-    Float8 u = (toFloat(kLanes) + 0.5f) * (1.f / (float)pixels);
+    Float8 u = (toFloat(kLanes) + 0.5f) * step;
+    Bilinear lights(light), rests(rest);
+    __m128i owners = _mm_set1_epi16((short)owner);
     for (int y = 0; y < pixels && y0 + y < t.height; ++y) {
-        float v = ((float)y + 0.5f) / (float)pixels;
-        auto row = [&](const __m128(&k)[4]) {
-            __m128 left = k[0] + (k[2] - k[0]) * v, step = k[1] + (k[3] - k[1]) * v - left;
-            return Rgb8{fmadd(u, step[0], broadcast(left[0])), fmadd(u, step[1], broadcast(left[1])),
-                        fmadd(u, step[2], broadcast(left[2]))};
-        };
-        Rgb8 l = row(light), r = row(rest);
+        __m128 v = _mm_set1_ps(((float)y + 0.5f) * step);
+        Rgb8 r = rests.row(v, u);
         int p = at + y * kTile;
         if (pixels == 8) {
             // Whole packets need not wait for their neighbours
-            if (owner < kDone) r += l * albedoOf(t, owner, x0, y0 + y);
-            put(t, x0, y0 + y, r, broadcast((int32_t)owner));
+            if (lit) r += lights.row(v, u) * albedoOf(t, owner, x0, y0 + y);
+            put(t, x0, y0 + y, r, owners);
             _mm_storeu_si128((__m128i *)(s.owner + p), _mm_set1_epi16((short)kDone));
             continue;
         }
-        for (int k = 0; k < 3; ++k) {
-            _mm256_maskstore_ps(s.light[k] + p, (__m256i)inside, (k == 0 ? l.x : k == 1 ? l.y : l.z));
-            _mm256_maskstore_ps(s.rest[k] + p, (__m256i)inside, (k == 0 ? r.x : k == 1 ? r.y : r.z));
-        }
-        for (int x = 0; x < pixels; ++x) s.owner[p + x] = owner;
+        auto keep = [&](float(&to)[3][kTile * kTile + 8], const Rgb8 &v) {
+            _mm256_maskstore_ps(to[0] + p, (__m256i)inside, v.x);
+            _mm256_maskstore_ps(to[1] + p, (__m256i)inside, v.y);
+            _mm256_maskstore_ps(to[2] + p, (__m256i)inside, v.z);
+        };
+        keep(s.rest, r);
+        if (lit) keep(s.light, lights.row(v, u));
+        if (pixels == 4)
+            _mm_storel_epi64((__m128i *)(s.owner + p), owners);
+        else
+            _mm_storeu_si32(s.owner + p, owners);
     }
 }
 
@@ -83,7 +103,8 @@ void finishTile(Tile &t) {
             const int p = y * kTile + x;
             Rgb8 sum = {load(s.rest[0] + p), load(s.rest[1] + p), load(s.rest[2] + p)};
             if (s.owner[p] == kDone) continue;
-            Int8 owner = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(s.owner + p)));
+            __m128i owners = _mm_loadu_si128((const __m128i *)(s.owner + p));
+            Int8 owner = (Int8)_mm256_cvtepu16_epi32(owners);
             int left = laneBits((owner < kDone) & (kLanes < t.width - x));
             if (left) {
                 Rgb8 light = {load(s.light[0] + p), load(s.light[1] + p), load(s.light[2] + p)};
@@ -95,7 +116,7 @@ void finishTile(Tile &t) {
                     left &= ~laneBits(mine);
                 }
             }
-            put(t, x, y, sum, owner);
+            put(t, x, y, sum, owners);
         }
 }
 

@@ -30,9 +30,6 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
 }
 
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
-    const Material &m = scene.materials[shape.material];
-    if (m.diffuse == 0) return broadcast(Rgb{});
-    if (m.plain() && scene.lines == 0) return broadcast(m.texture.palette[0] * m.diffuse);
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Int8 cell;
     if (shape.kind == ShapeKind::Plane && shape.aligned) { // most pixels of many scenes
