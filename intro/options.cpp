@@ -61,7 +61,7 @@ bool readCount(const char *&p, int limit, int &count) {
 
 bool readQuality(const char *p, QualityName &quality) {
     for (const Quality &q : kQualities)
-        if (!q.internal && same(p, q.name)) {
+        if (same(p, q.name)) {
             quality = q.id;
             return true;
         }

@@ -36,13 +36,12 @@ struct SceneStats {
     Histogram trace, present;
 };
 
-// Keeps up with the clock by moving between `film`, `play`, `draft` and what is left when that is too dear.
+// Keeps up with the clock by moving between `film`, `play` and `draft`, below which nothing is shown.
 // It moves a little every picture, by how far the last ones were from the time that they should take, so that
 // nobody sees a step.
 struct Governor {
     static constexpr float kWanted = 0.029f; // seconds a picture
-    static constexpr QualityName kWay[] = {QualityName::Film, QualityName::Play, QualityName::Draft,
-                                           QualityName::Least};
+    static constexpr QualityName kWay[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kWay / sizeof *kWay - 1;
     float level = 1;         // 0 .. kSteps along the way
     float average = kWanted; // of the last pictures, seconds

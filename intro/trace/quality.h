@@ -8,12 +8,11 @@
 
 namespace odraz {
 
-enum class QualityName { Draft, Play, Film, Reference, Least, Count };
+enum class QualityName { Draft, Play, Film, Reference, Count };
 
 struct Quality {
     QualityName id = QualityName::Count; // of a row; Count: somewhere between two
-    char name[12] = "";                  // no pointer: options are read before constants elsewhere are decoded
-    bool internal = false; // the governor's own: --quality does not know it
+    char name[12] = ""; // no pointer: options are read before constants elsewhere are decoded
 
     int grid = 0;        // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
     int coarse = 0;      // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
@@ -63,17 +62,6 @@ inline constexpr Quality kQualities[] = {
      .depth = 9,
      .cutoff = 1 / 128.f},
     {.id = QualityName::Reference, .name = "reference", .grid = 8, .depth = 12, .cutoff = 1 / 512.f},
-    {.id = QualityName::Least, // what is left where `draft` is too dear
-     .name = "least",
-     .internal = true,
-     .coarse = 32,
-     .fine = 4,
-     .threshold = 0.3f,
-     .mild = 0.6f,
-     .edge = 1,
-     .mark = 0.4f,
-     .depth = 3,
-     .cutoff = 1 / 8.f},
 };
 static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the enum's order");
 

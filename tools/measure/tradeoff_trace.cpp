@@ -50,8 +50,6 @@ std::vector<Setting> settings(bool few) {
     for (float share : {0.25f, 0.5f, 0.75f}) {
         all.push_back({text("to film", 1 - share), 0, between(named(QualityName::Film), play, share), false});
         all.push_back({text("to draft", share), 0, between(play, named(QualityName::Draft), share), false});
-        all.push_back({text("to least", share), 0,
-                       between(named(QualityName::Draft), named(QualityName::Least), share), false});
     }
     for (int fine : {8, 4, 1})
         with(2, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
