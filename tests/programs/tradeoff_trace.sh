@@ -22,7 +22,8 @@ check "... of at least fifty" test "$(grep -c '<circle' "$WORK/svg")" -ge 50
 check "a scene alone" prints '^field,0,play,1,' "$tradeoff" trace --quick --scene field
 mkdir "$WORK/kept"
 again() { "$tradeoff" trace --quick --scene credits/1 --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-5,7-; }
-check "another camera, a setting of one's own, a reference to keep" prints '^credits,0,play grid=2 cutoff=1/64,0,4.000,' again
+check "another camera, a setting of one's own, a reference to keep" prints '^credits,1,play grid=2 cutoff=1/64,0,4.000,' again
+check "... named after both" test -s "$WORK/kept/credits-1-256"
 check "... which is kept" test "$(stat -c %s "$WORK/kept"/*)" = $((256 * 144 * 3))
 cp "$WORK/printed" "$WORK/first"
 check "... and used again" cmp "$WORK/first" <(again)

@@ -3,7 +3,6 @@
 //   build/bench_trace --benchmark_filter='^ray'      rays and points a second
 //   build/bench_trace --benchmark_filter=picture     milliseconds of processor time a picture of 1280x720:
 //                                                    posing it, tracing it, developing it, all of it
-//   build/bench_trace --benchmark_filter=threads     A at play, by 1 to 16 threads
 #include "tools/measure/subject.h"
 
 #include "trace/shade/whitted.h"
@@ -130,20 +129,6 @@ void registerPictures(const SubjectName &n) {
     });
 }
 
-// By how much more threads are faster: pictures of A at play, the clock's and all threads' time.
-void registerThreads() {
-    for (int threads : {1, 2, 4, 8, 16})
-        benchmark::RegisterBenchmark(("threads/" + std::to_string(threads)).c_str(),
-                                     [=](benchmark::State &state) {
-                                         Subject s(findSubject("A"), 1280, 720, threads);
-                                         for (auto _ : state) s.trace(kQualities[(int)QualityName::Play]);
-                                     })
-            ->Unit(benchmark::kMillisecond)
-            ->MeasureProcessCPUTime()
-            ->UseRealTime()
-            ->MinTime(1);
-}
-
 std::vector<Vec3x8> points() {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> place(-9, 9);
@@ -175,7 +160,6 @@ int main(int argc, char **argv) {
     registerTextures();
     for (const char *name : {"A", "B", "table", "flake"}) registerRays(name);
     for (const SubjectName &n : subjectNames()) registerPictures(n);
-    registerThreads();
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

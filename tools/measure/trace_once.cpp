@@ -3,11 +3,14 @@
 // Under these, solving the hall takes half an hour. So one run poses, another traces, and in between a file
 // keeps the memory as it is, mapped at the same place: good for the very program that wrote it.
 #include "tools/common/arguments.h"
+#include "tools/common/clock.h"
 #include "tools/common/machine.h"
+#include "tools/common/statistics.h"
 #include "tools/measure/setting.h"
 #include "tools/measure/subject.h"
 #include "trace/picture/development.h"
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -24,6 +27,8 @@ constexpr char kUsage[] =
     "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
+    "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
+    "medians\n"
     "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
     "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n";
 
@@ -62,6 +67,23 @@ void pose(const std::string &file, const std::string &scene, const IntroSettings
     kept.view = poseSubject(name, camera, settings, kept.intro->film);
 }
 
+// One process has one set of threads: a run for every number of them.
+void time(const std::string &scene, const Quality &setting, int threads) {
+    auto [name, camera] = findPicture(scene);
+    Subject subject(name, 1280, 720, threads);
+    subject.pose(camera);
+    std::vector<double> clock, processors;
+    for (int round = 0; round < 16; ++round) {
+        auto began = std::chrono::steady_clock::now();
+        double before = processorSeconds();
+        subject.trace(setting);
+        processors.push_back((processorSeconds() - before) * 1e3);
+        clock.push_back(
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
+    }
+    std::printf("%.1f %.1f\n", median(clock), median(processors));
+}
+
 int run(Arguments &words) {
     auto needed = [&] {
         const char *word = words.next();
@@ -69,8 +91,14 @@ int run(Arguments &words) {
         return std::string(word);
     };
     std::string what = needed();
-    if (what != "pose" && what != "again" && what != "trace" && what != "develop") words.refuse(what);
+    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "time")
+        words.refuse(what);
     std::string file = needed();
+    if (what == "time") {
+        Quality setting = settingOf(needed());
+        time(file, setting, words.whole("time", 1, kMaxWorkers));
+        return 0;
+    }
     if (what == "pose") {
         std::string scene = needed();
         IntroSettings settings = {1280, 720};

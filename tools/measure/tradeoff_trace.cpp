@@ -118,18 +118,24 @@ std::vector<Measured> measure(Subject &subject, const std::vector<Setting> &sett
 } // namespace
 
 void odraz::tradeoffTrace(const TraceSweep &sweep) {
-    std::vector<SubjectName> names;
-    if (sweep.pictures.empty()) names = subjectNames();
+    struct Asked {
+        SubjectName name;
+        size_t first, end; // of its cameras
+    };
+    std::vector<Asked> names;
+    auto ask = [&](const SubjectName &n) { names.push_back({n, 0, sweep.quick ? 1 : n.cameras.size()}); };
+    if (sweep.pictures.empty())
+        for (const SubjectName &n : subjectNames()) ask(n);
     for (const std::string &picture : sweep.pictures) {
         auto [name, camera] = findPicture(picture);
-        if (picture.find('/') != std::string::npos) name.cameras = {name.cameras[camera]};
-        names.push_back(name);
+        ask(name);
+        if (picture.find('/') != std::string::npos) names.back() = {name, camera, camera + 1};
     }
     std::vector<Setting> all = asked(sweep);
     // A small picture costs little, and shows the same order
     int width = sweep.quick ? 256 : 1280, height = width * 9 / 16;
     bool one = names.size() == 1;
-    Plot plot = {"trace: " + (one ? "scene " + names[0].name : "several scenes") + ", " +
+    Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
                      std::to_string(width) + "x" + std::to_string(height),
                  "processor time of a picture, ms",
                  "mean FLIP to 256 samples a pixel",
@@ -143,11 +149,10 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
     Table table("scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db",
                 plot);
     for (size_t n = 0; n < names.size(); ++n) {
-        const SubjectName &name = names[n];
+        const auto &[name, first, end] = names[n];
         Subject subject(name, width, height);
         if (!one) table.plot.series.push_back(name.name);
-        size_t cameras = sweep.quick ? 1 : name.cameras.size();
-        for (size_t camera = 0; camera < cameras; ++camera) {
+        for (size_t camera = first; camera < end; ++camera) {
             subject.pose(camera);
             std::vector<uint8_t> reference =
                 referenceOf(subject, sweep.references, name.name + "/" + std::to_string(camera));
@@ -158,7 +163,7 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
                 double ms = median(m.times);
                 table.row("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f", name.name.c_str(), camera, s.name.c_str(),
                           s.shipped, m.samples, ms, m.flip, m.linear, m.shown);
-                if (camera == 0)
+                if (camera == first)
                     table.plot.points.push_back({ms, std::max(m.flip, 1e-4),
                                                  one ? s.name : name.name + " " + s.name, s.shipped,
                                                  one ? s.series : (int)n});
