@@ -1,7 +1,9 @@
 #include "tools/measure/screening.h"
 
 #include "tools/common/arguments.h"
+#include "trace/picture/development.h"
 
+#include <algorithm>
 #include <cstdio>
 
 namespace odraz {
@@ -12,6 +14,22 @@ Screening::Screening(IntroSettings settings, double from, double to)
     Gl gl = hall ? openGl() : Gl{};
     if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
         throw std::runtime_error(wrong);
+}
+
+std::vector<float> Screening::shown(double seconds, const Quality &quality) {
+    picture(seconds, quality);
+    const Frame &f = intro->frame;
+    float fade = momentAt(kFilm, seconds * kRowsPerSecond).fade,
+          exposure = intro->film.scene->exposure * fade * fade;
+    std::vector<float> levels;
+    levels.reserve((size_t)f.width * (size_t)f.height * 3);
+    for (int y = 0; y < f.height; ++y)
+        for (int c = 0; c < 3; ++c)
+            for (int x = 0; x < f.width; x += 8) {
+                Float8 v = encodeSrgb(filmic(load(f.plane[c] + (size_t)y * (size_t)f.stride + x) * exposure));
+                for (int k = 0; k < std::min(8, f.width - x); ++k) levels.push_back(v[k] * 255);
+            }
+    return levels;
 }
 
 IntroSettings sizeFrom(const std::string &words) {

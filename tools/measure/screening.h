@@ -5,6 +5,8 @@
 #include "tools/common/heap_arena.h"
 #include "tools/common/machine.h"
 
+#include <vector>
+
 namespace odraz {
 
 class Screening {
@@ -16,6 +18,9 @@ public:
     Picture picture(double seconds, const Quality &quality) {
         return odraz::picture(*intro, seconds, quality);
     }
+    // The same as it is shown, in levels of 255, neither dithered nor rounded: all red ones of a
+    // row, then green, then blue.
+    std::vector<float> shown(double seconds, const Quality &quality);
 
 private:
     Workers workers;
