@@ -26,6 +26,8 @@ static void addDisc(Tile &t, int index) {
         return;
     d.alongX[i] = (turned ? x / away : 1) / longer;
     d.alongY[i] = (turned ? y / away : 0) / longer;
+    d.acrossX[i] = d.alongX[i] * longer / shorter;
+    d.acrossY[i] = d.alongY[i] * longer / shorter;
     d.perHalf[i] = 1 / shorter;
     d.near[i] = sqrt(square) - r;
     d.shape[i] = index;
@@ -90,30 +92,28 @@ void watch(Tile &t) {
 
 static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) {
     const Discs &d = t.s.discs;
-    if (!d.count) return false;
-    // How far away what the corners show can be at most: a ball to its horizon
-    float far = kInfinity;
-    if (shape >= 0 && t.scene.shapes[shape].kind == ShapeKind::Sphere) {
-        const Shape &s = t.scene.shapes[shape];
-        Vec3 to = s.centre - t.view.eye;
-        far = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
-    }
     for (int i = 0; i < d.count; i += 8) {
-        Float8 dx = x - load(d.x + i), dy = y - load(d.y + i), ax = load(d.alongX + i),
-               ay = load(d.alongY + i), perHalf = load(d.perHalf + i);
-        // Across the axis, over the shorter half: alongX and alongY have the longer one in them
-        Float8 along = fmadd(dx, ax, dy * ay), longer = 1.f / sqrt(fmadd(ax, ax, ay * ay));
-        Float8 across = (dx * ay - dy * ax) * longer * perHalf;
+        Float8 dx = x - load(d.x + i), dy = y - load(d.y + i), perHalf = load(d.perHalf + i);
+        Float8 along = fmadd(dx, load(d.alongX + i), dy * load(d.alongY + i));
+        Float8 across = fmadd(dy, load(d.acrossX + i), -dx * load(d.acrossY + i));
         Float8 square = fmadd(along, along, across * across), reach = perHalf * (half * 1.4143f);
         Float8 outer = reach + 1.f, inner = max(1.f - reach, 0.f);
         Int8 crosses = (square <= outer * outer) & (square >= inner * inner);
-        crosses &= (load(d.near + i) <= far) & (loadInts(d.shape + i) != shape) & (kLanes < d.count - i);
-        if (any(crosses)) return true;
+        crosses &= (loadInts(d.shape + i) != shape) & (kLanes < d.count - i);
+        if (!any(crosses)) continue;
+        // How far away what the corners show can be at most: a ball to its horizon
+        float far = kInfinity;
+        if (shape >= 0 && t.scene.shapes[shape].kind == ShapeKind::Sphere) {
+            const Shape &s = t.scene.shapes[shape];
+            Vec3 to = s.centre - t.view.eye;
+            far = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
+        }
+        if (any(crosses & (load(d.near + i) <= far))) return true;
     }
     return false;
 }
 
-bool mayHide(const Tile &t, Square q, int size, int shape) {
+bool mayHideSome(const Tile &t, Square q, int size, int shape) {
     const TileScratch &s = t.s;
     float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
     if (mayHideBall(t, x, y, half, shape)) return true;

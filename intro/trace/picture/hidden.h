@@ -11,6 +11,9 @@ void watch(Tile &t);
 
 // Whether a shape may show in a square without showing at its corners, which all show `shape` (-1: the sky,
 // or not the same).
-bool mayHide(const Tile &t, Square q, int size, int shape);
+bool mayHideSome(const Tile &t, Square q, int size, int shape);
+ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
+    return (t.s.discs.count | t.s.grainCount) && mayHideSome(t, q, size, shape);
+}
 
 } // namespace odraz

@@ -27,10 +27,11 @@ struct Square {
 // Balls as the picture shows them: ellipses that point to its middle. Structure of arrays, for eight at once.
 struct Discs {
     int count;
-    float x[kDiscs + 8], y[kDiscs + 8];           // middle, quarters of a pixel
-    float alongX[kDiscs + 8], alongY[kDiscs + 8]; // axis, unit, over its half length
-    float perHalf[kDiscs + 8];                    // 1 / the shorter half axis
-    float near[kDiscs + 8];                       // world distance
+    float x[kDiscs + 8], y[kDiscs + 8];             // middle, quarters of a pixel
+    float alongX[kDiscs + 8], alongY[kDiscs + 8];   // axis, unit, over its half length
+    float acrossX[kDiscs + 8], acrossY[kDiscs + 8]; // the same over that of the other
+    float perHalf[kDiscs + 8];                      // 1 / the shorter half axis
+    float near[kDiscs + 8];                         // world distance
     int32_t shape[kDiscs + 8];
 };
 
