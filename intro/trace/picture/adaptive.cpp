@@ -53,20 +53,15 @@ void traceWanted(Tile &t, float size) {
             Int8 x = place & ((1 << kPlaceShift) - 1), y = place >> kPlaceShift;
             store(s.x + i, fmadd(toFloat(x), 0.25f, (float)t.x0));
             store(s.y + i, fmadd(toFloat(y), 0.25f, (float)t.y0));
-            store((int32_t *)s.index + i, corners ? (y >> 2) * kCorners + (x >> 2) : kLanes + i);
+            store((int32_t *)s.index + i, corners ? (y >> 2) * kCorners + (x >> 2) : y * kPlaces + x);
         }
         traceSamples(t.scene, t.view, t.quality, s.trace, s.among, size * kFilter, count, s.x, s.y, s.index,
-                     corners ? s.corners : s.samples);
-        for (int i = 0; i < count; ++i)
-            if (corners) {
-                uint32_t at = s.index[i];
-                s.shown[at] = intensityOf(t.scene, s.corners[at]);
-                s.marks[at] = marksOf(s.corners[at]);
-            } else {
-                uint32_t place = s.wanted[first + i];
-                s.fine[(place >> kPlaceShift) * kPlaces + (place & ((1 << kPlaceShift) - 1))] =
-                    radianceOf(s.samples[i]);
-            }
+                     corners ? Samples(s.corners) : Samples(s.fine));
+        for (int i = 0; corners && i < count; ++i) {
+            uint32_t at = s.index[i];
+            s.shown[at] = intensityOf(t.scene, s.corners[at]);
+            s.marks[at] = marksOf(s.corners[at]);
+        }
     }
     s.sampleCount += s.wantedCount;
     s.wantedCount = 0;

@@ -61,7 +61,6 @@ struct TileScratch {
     // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile + 8];
-    Sample samples[kChunk];
     Discs discs;
     TraceScratch trace;
 };

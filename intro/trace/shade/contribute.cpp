@@ -29,7 +29,7 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
              Int8 marks) {
     Rows rows(light, marks);
     for (int k = 0; k < count; ++k) {
-        float *rest = &c.samples[in.sample[ray[k]]].rest.x;
+        float *rest = c.samples.restOf(in.sample[ray[k]]);
         __m128 was = _mm_load_ps(rest), more = rows.row[k], none = _mm_setzero_ps();
         __m128i marks = _mm_add_epi32(_mm_castps_si128(was), _mm_castps_si128(more));
         __m128 sum = _mm_blend_ps(was, none, 8) + _mm_blend_ps(more, none, 8);
@@ -40,9 +40,15 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
 // Begins the samples of eight primary rays.
 void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
            const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
-    Rows first(albedo, id), second(light, lights), third(rest, Int8{});
+    Rgb8 added = c.samples.whole ? rest : rest + albedo * light;
+    Rows third(added, Int8{});
+    if (!c.samples.whole) {
+        for (int k = 0; k < count; ++k) _mm_store_ps(c.samples.restOf(in.sample[ray[k]]), third.row[k]);
+        return;
+    }
+    Rows first(albedo, id), second(light, lights);
     for (int k = 0; k < count; ++k) {
-        Sample &s = c.samples[in.sample[ray[k]]];
+        Sample &s = c.samples.whole[in.sample[ray[k]]];
         _mm_store_ps(&s.albedo.x, first.row[k]);
         _mm_store_ps(&s.light.x, second.row[k]);
         _mm_store_ps(&s.rest.x, third.row[k]);
@@ -79,13 +85,17 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
         begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
         return;
     }
+    if (!c.samples.whole) {
+        addRest(c, in, run.ray + i, count, rest + albedo * light, Int8{});
+        return;
+    }
     // What counts in the picture is a mark of the sample, told apart by the way there
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.mark;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, rest + albedo * light, mark);
     if (m.diffuse > 0 && m.texture.pattern != Pattern::Plain)
         for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
-            c.samples[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
+            c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
 }
 
 } // namespace

@@ -31,7 +31,7 @@ struct Run {
 struct Context {
     const Scene &scene;
     const Quality &quality;
-    Sample *samples;
+    Samples samples;
     int bounces; // so far, of the rays that are being shaded
 };
 

@@ -24,8 +24,19 @@ ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
     return fourOf(s.albedo) * fourOf(s.light) + fourOf(s.rest);
 }
 
-inline Rgb8 radianceOfEight(const Sample *s) {
-    auto both = [&](int k) { return _mm256_set_m128(radianceOf(s[k + 4]), radianceOf(s[k])); };
+// Where samples go: as they are, or their radiance alone, which takes less work, the fourth float 0.
+struct Samples {
+    Sample *whole; // null: radiance alone
+    float *rest;   // the first one's, or its radiance; how many floats the next one is apart
+    int apart;
+
+    Samples(Sample *s) : whole(s), rest(&s->rest.x), apart(sizeof(Sample) / sizeof(float)) {}
+    Samples(__m128 *radiance) : whole(nullptr), rest((float *)radiance), apart(4) {}
+    ODRAZ_INLINE float *restOf(int32_t i) const { return rest + (ptrdiff_t)i * apart; }
+};
+
+inline Rgb8 eightColours(const __m128 *v) {
+    auto both = [&](int k) { return _mm256_set_m128(v[k + 4], v[k]); };
     __m256 a = both(0), b = both(1), c = both(2), d = both(3);
     __m256 abLow = _mm256_unpacklo_ps(a, b), cdLow = _mm256_unpacklo_ps(c, d);
     return {_mm256_shuffle_ps(abLow, cdLow, 0x44), _mm256_shuffle_ps(abLow, cdLow, 0xee),

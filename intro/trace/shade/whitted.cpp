@@ -56,7 +56,7 @@ void traceStream(Context &c, TraceScratch &scratch, int level) {
 
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
                   const Candidates &among, float size, int count, const float *x, const float *y,
-                  const uint32_t *index, Sample *samples) {
+                  const uint32_t *index, const Samples &samples) {
     Context c = {scene, quality, samples, 0};
     RayStream &stream = scratch.streams[0];
     for (int first = 0; first < count; first += kChunk) {

@@ -21,11 +21,11 @@ struct TraceScratch {
     HitCounts counts;
 };
 
-// Traces count rays through the picture points (x, y), pixels from the top left, into samples[index]. The
-// arrays can be read up to the next multiple of eight. `size`: the side of what a sample stands for, in
-// pixels. `among`: candidates of a beam from the eye in which all these points lie.
+// Traces count rays through the picture points (x, y), pixels from the top left, each into the sample of its
+// index. The arrays can be read up to the next multiple of eight. `size`: the side of what a sample stands
+// for, in pixels. `among`: candidates of a beam from the eye in which all these points lie.
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
                   const Candidates &among, float size, int count, const float *x, const float *y,
-                  const uint32_t *index, Sample *samples);
+                  const uint32_t *index, const Samples &samples);
 
 } // namespace odraz
