@@ -1,6 +1,7 @@
 // flicker: by how much the error of a quality changes from picture to picture.
 #include "show/show.h"
 #include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
 #include "tools/measure/screening.h"
 
 #include <cmath>
@@ -9,7 +10,7 @@ using namespace odraz;
 
 static constexpr char kUsage[] =
     "usage: flicker [--scene NAME]... [--quality NAME=play]... [--windows N=3] [--pairs N=1] [--rate N=60]\n"
-    "               [--size WxH=1280x720] [--grid N=8]\n"
+    "               [--size WxH=1280x720] [--grid N=8] [--keep DIR]\n"
     "For every scene and window the pictures of --pairs neighbours, 1/rate s apart, evenly over a second: "
     "the error\n"
     "against `reference` (grid x grid samples a pixel) as it is shown, but not rounded to levels, and the "
@@ -17,7 +18,8 @@ static constexpr char kUsage[] =
     "square of its change, in levels of 255. Windows stand evenly in the scene. A reference takes seconds: "
     "more "
     "pairs\n"
-    "are nearer to the truth, 60 is all of it. Writes a CSV to stdout.\n";
+    "are nearer to the truth, 60 is all of it. Writes a CSV to stdout; --keep writes where it changes, eight "
+    "times enlarged, as PGM.\n";
 
 namespace {
 
@@ -25,7 +27,7 @@ struct Wishes {
     std::vector<std::string> scenes, qualities;
     int windows = 3, pairs = 1, grid = 8;
     double rate = 60;
-    std::string size = "1280x720";
+    std::string size = "1280x720", keep;
 };
 
 // From when to when a scene plays, seconds; false where it does not.
@@ -44,8 +46,22 @@ struct Meter {
     const Wishes &wishes;
     Quality reference = kQualities[(int)QualityName::Reference];
 
+    // The largest change of a channel, eight times enlarged.
+    void keep(double seconds, const Quality &q, const std::vector<float> &change) const {
+        IntroSettings s = sizeFrom(wishes.size);
+        std::string path = wishes.keep + "/" + std::to_string(seconds) + "-" + q.name + ".pgm",
+                    file = "P5\n" + std::to_string(s.width) + " " + std::to_string(s.height) + "\n255\n";
+        for (size_t i = 0; i < change.size(); i += (size_t)s.width * 3)
+            for (size_t x = i; x < i + (size_t)s.width; ++x) {
+                float most = 0;
+                for (size_t c = 0; c < 3; ++c)
+                    most = std::max(most, std::fabs(change[x + c * (size_t)s.width]));
+                file += (char)(uint8_t)std::min(8 * most, 255.f);
+            }
+        writeWhole(path, file);
+    }
     // The sum of squares over a pair of pictures, for every quality.
-    void add(double seconds, std::vector<double> &sums) {
+    void add(double seconds, std::vector<double> &sums) const {
         double next = seconds + 1 / wishes.rate;
         std::vector<float> truth = screening.shown(next, reference),
                            before = screening.shown(seconds, reference);
@@ -54,9 +70,10 @@ struct Meter {
             const Quality &q = qualityFrom(wishes.qualities[k]);
             std::vector<float> a = screening.shown(seconds, q), b = screening.shown(next, q);
             for (size_t i = 0; i < truth.size(); ++i) {
-                double change = (double)(b[i] - a[i] - truth[i]);
-                sums[k] += change * change / (double)truth.size();
+                b[i] -= a[i] + truth[i];
+                sums[k] += (double)(b[i] * b[i]) / (double)truth.size();
             }
+            if (!wishes.keep.empty()) keep(seconds, q, b);
         }
     }
 };
@@ -77,6 +94,8 @@ int run(Arguments &words) {
             w.rate = words.number(o, 1, 1000);
         else if (o == "--grid")
             w.grid = words.whole(o, 1, 16);
+        else if (o == "--keep")
+            w.keep = words.value(o);
         else if (o == "--size")
             w.size = words.value(o);
         else
