@@ -31,9 +31,19 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
     const Quality &quality = o.qualityOr(QualityName::Film);
+    // As it is played, frames of even numbers are traced, and the others made from the two beside them
+    int64_t traced = -1;
+    Picture later = {};
+    auto trace = [&](int64_t n) {
+        if (traced != n) later = picture(intro, frameTime(n, o.fps), quality);
+        traced = n;
+    };
 
     for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
-        Picture p = picture(intro, frameTime(n, o.fps), quality);
+        bool between = o.live && n & 1;
+        if (between) trace(n - 1);
+        trace(n + between);
+        Picture p = between ? pictureBetween(intro) : later;
         if (const char *limit = outgrown(intro))
             return cannotWrite("a scene that outgrew a limit; raise in scene.h", limit);
         // Pack it in place as a PPM: the header in front, three bytes of every four behind it

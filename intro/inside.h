@@ -6,8 +6,9 @@
 #include "show/score.h"
 #include "show/show.h"
 #include "sound/mixer.h"
+#include "timeline/shot.h"
+#include "trace/picture/between.h"
 #include "trace/picture/development.h"
-#include "trace/picture/tracer.h"
 
 namespace odraz {
 
@@ -17,6 +18,13 @@ struct Intro {
     Tracer tracer;
     Frame frame;
     Curve curve;
+    // Where pictures between others are made: the last two traced, the later one second, and their moments
+    bool pairs;
+    Between between;
+    Traced sides[2];
+    const Shot *shots[2];
+    double seconds[2];
+    Quality quality; // of the later one
 };
 
 struct Sound {

@@ -18,8 +18,9 @@ bool needsHall(double from, double to) {
 }
 
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
-    size_t pixels = ((size_t)s.width + 7) * (size_t)s.height;
-    return pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
+    size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
+    if (s.pairs) bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 18) + 4096;
+    return bytes + pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
 }
 
@@ -28,6 +29,14 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     intro = arena.take<Intro>(1);
     Scene *scene = arena.take<Scene>(1);
     Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
+    intro->pairs = s.pairs;
+    for (Traced &side : intro->sides) {
+        if (!s.pairs) break;
+        side.scene = arena.take<Scene>(1);
+        makeFrame(side.frame, arena, s.width, s.height);
+        side.frame.shapes = arena.take<uint16_t>((size_t)side.frame.stride * (size_t)s.height);
+    }
+    if (s.pairs) makeBetween(intro->between, arena, workers.count);
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
@@ -50,18 +59,58 @@ CameraKey cameraAt(double seconds) {
     return pose(m.shot->path, m.storyRow);
 }
 
-Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
-    Frame &frame = intro.frame;
-    const Scene &scene = *intro.film.scene;
-    Posed now = poseAt(intro.film, seconds, camera);
-    View view = now.view(frame.width, frame.height);
-    traceFrame(intro.tracer, *intro.workers, scene, view, quality, frame);
-    if (now.entry->letter) now.entry->letter(now.cue, view, frame);
+// Letters and development, of planes that may be written over; into `rgba`.
+static Picture finish(Intro &intro, const Posed &now, const View &view, double seconds, float exposure,
+                      const Frame &planes, uint8_t *rgba) {
+    Frame frame = planes;
+    if (now.entry->letter) {
+        // What is kept for pictures between stays as it is
+        frame = intro.frame;
+        size_t floats = (size_t)frame.stride * (size_t)frame.height;
+        for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
+            __builtin_memcpy(frame.plane[k], planes.plane[k], floats * sizeof(float));
+        now.entry->letter(now.cue, view, frame);
+    }
+    frame.rgba = rgba;
     // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
     // would be seen as a veil
-    develop(intro.curve, frame, *intro.workers, scene.exposure * now.fade * now.fade,
-            (uint32_t)(seconds * 240));
-    return {frame.width, frame.height, frame.rgba};
+    develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240));
+    return {frame.width, frame.height, rgba};
+}
+
+Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
+    Traced now = {intro.frame, intro.film.scene, {}};
+    if (intro.pairs) {
+        now = intro.sides[0];
+        intro.sides[0] = intro.sides[1];
+        intro.shots[0] = intro.shots[1];
+        intro.seconds[0] = intro.seconds[1];
+    }
+    Film film = intro.film;
+    film.scene = now.scene;
+    Posed posed = poseAt(film, seconds, camera);
+    now.view = posed.view(now.frame.width, now.frame.height);
+    traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, now.frame);
+    if (intro.pairs) {
+        intro.sides[1] = now;
+        intro.shots[1] = momentAt(kFilm, seconds * kRowsPerSecond).shot;
+        intro.seconds[1] = seconds;
+        intro.quality = quality;
+    }
+    return finish(intro, posed, now.view, seconds, now.scene->exposure, now.frame, now.frame.rgba);
+}
+
+Picture pictureBetween(Intro &intro) {
+    Frame &frame = intro.frame;
+    Traced now = {frame, intro.film.scene, {}};
+    double seconds = (intro.seconds[0] + intro.seconds[1]) * 0.5;
+    Posed posed = poseAt(intro.film, seconds);
+    now.view = posed.view(frame.width, frame.height);
+    if (intro.shots[0] == intro.shots[1] && min(frame.width, frame.height) > 1)
+        traceBetween(intro.between, intro.tracer, *intro.workers, intro.sides, intro.quality, now);
+    else
+        traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, intro.quality, frame);
+    return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, frame.rgba);
 }
 
 int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }
@@ -78,6 +127,10 @@ void seekSound(Sound &s, int block) { seekBlock(s.mixer, block); }
 
 void soundBlock(Sound &s, float *stereo) { renderBlock(s.mixer, stereo); }
 
-const char *outgrown(const Intro &intro) { return intro.film.scene->overflow; }
+const char *outgrown(const Intro &intro) {
+    for (const Traced &side : intro.sides)
+        if (side.scene && side.scene->overflow) return side.scene->overflow;
+    return intro.film.scene->overflow;
+}
 
 } // namespace odraz

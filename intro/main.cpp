@@ -52,10 +52,13 @@ int run(int argc, char **argv, bool stdoutClosed) {
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
         return refuseOrComplain(m.data);
     }
-    bool hall = needsHall(seconds(o.from), seconds(o.to));
+    // Frames made from others want those beside the first and the last, too
+    double beside = o.live ? 1 / 60.0 : 0;
+    bool hall = needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
     char name[49];
     cpuName(name);
     IntroSettings settings = {o.width, o.height};
+    settings.pairs = o.live;
     if (!o.dump) settings.bytes = ownSize(), settings.machine = name;
     bool heard = !o.dump && !o.mute;
     size_t bytes = memoryNeeded(settings, workers.count, hall) + (heard ? soundMemory() : 0);

@@ -59,10 +59,13 @@ bool readCount(const char *&p, int limit, int &count) {
     return count > 0;
 }
 
-bool readQuality(const char *p, QualityName &quality) {
+bool readQuality(const char *p, Options &o) {
+    // As it is played: what is traced is so at `play`
+    o.live = same(p, "live");
+    if (o.live) p = "play";
     for (const Quality &q : kQualities)
         if (same(p, q.name)) {
-            quality = q.id;
+            o.quality = q.id;
             return true;
         }
     return false;
@@ -96,8 +99,10 @@ constexpr Option kOptions[] = {
      [](const char *p, Options &o) {
          return readCount(p, kMaxWidth, o.width) && *p++ == 'x' && readCount(p, kMaxHeight, o.height) && !*p;
      }},
-    {"--quality", "NAME", "draft, play, film or reference", " (default: what keeps up; film for dumps)",
-     [](const char *p, Options &o) { return readQuality(p, o.quality); }},
+    {"--quality", "NAME", "draft, play, film, reference or live",
+     " (default: what keeps up; film for dumps);\n                     live: 60 a second as played, every "
+     "other one made from its neighbours",
+     readQuality},
     {"--threads", "N", "1 to 64", " (default: as many as there are processors); pictures do not depend on it",
      [](const char *p, Options &o) { return readCount(p, kMaxWorkers, o.threads) && !*p; }},
     {"--version", "", "", "", [](const char *, Options &o) { return o.version = true; }},
@@ -148,6 +153,8 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
                   : o.mute ? "--mute"
                            : "--stats")
               << " is for playing, not for --dump or --wav";
+    else if (o.live && (!o.dump || o.fps.numerator != 60 * o.fps.denominator))
+        wrong << "--quality live is for --dump with --fps 60";
     else if (o.dump && o.wav && isStdout(o.dump) && isStdout(o.wav))
         wrong << "--dump and --wav cannot both be -: name a file";
     return wrong.size == 0;

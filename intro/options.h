@@ -25,6 +25,7 @@ struct Options {
     int width = 1280, height = 720;
     int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
+    bool live = false;                        // every other frame is made from those beside it
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
 

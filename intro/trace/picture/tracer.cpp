@@ -1,10 +1,9 @@
 #include "trace/picture/tracer.h"
 
 #include "trace/picture/adaptive.h"
+#include "trace/picture/tiles.h"
 
 namespace odraz {
-
-namespace {
 
 // Finds what the tile's primary rays may meet; a pixel around it keeps roundings out.
 void aimTile(Tile &t) {
@@ -16,6 +15,8 @@ void aimTile(Tile &t) {
                        {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1), v.direction(x0, y1)}),
            t.s.among);
 }
+
+namespace {
 
 // The same number of samples in every pixel: as many rows as a chunk holds, once for each place in a pixel.
 void traceGrid(Tile &t) {
@@ -61,14 +62,7 @@ bool makeTracer(Tracer &tracer, Arena &arena, int workers) {
 
 void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,
                 const Quality &quality, Frame &frame) {
-    for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
-    int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
-    parallelFor(workers, across * down, [&](int piece, int worker) {
-        int x = piece % across * kTile, y = piece / across * kTile;
-        Tile tile = {
-            *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
-            min(kTile, frame.height - y)};
-        aimTile(tile);
+    forTiles(tracer, workers, scene, view, quality, frame, [&](Tile &tile, int) {
         if (quality.grid > 0)
             traceGrid(tile);
         else

@@ -51,6 +51,9 @@ TEST(Options, ReadsEveryOption) {
     EXPECT_EQ(o.height, 4320);
     EXPECT_EQ(o.quality, QualityName::Reference);
     EXPECT_EQ(o.threads, 64);
+    EXPECT_TRUE(good({"--dump", "x", "--quality", "live", "--fps", "60"}).live);
+    EXPECT_TRUE(good({"--dump", "x", "--fps", "120/2", "--quality", "live"}).live);
+    EXPECT_FALSE(good({"--dump", "x", "--quality", "live", "--quality", "film"}).live);
     EXPECT_TRUE(good({"--window", "--stats"}).window);
     EXPECT_STREQ(good({"--wav", "film.wav", "--from", "2"}).wav, "film.wav");
     EXPECT_STREQ(good({"--wav", "-", "--dump", "frames"}).wav, "-");
@@ -60,8 +63,14 @@ TEST(Options, RefusesWithALineThatHelps) {
     EXPECT_NE(bad({"--wav"}).find("--wav needs a file"), std::string::npos);
     EXPECT_NE(bad({"--wav", "-", "--dump", "-"}).find("name a file"), std::string::npos);
     EXPECT_NE(bad({"--wav", "x", "--window"}).find("--window is for playing"), std::string::npos);
+    for (std::vector<const char *> args :
+         std::vector<std::vector<const char *>>{{"--quality", "live"},
+                                                {"--quality", "live", "--fps", "60"},
+                                                {"--dump", "x", "--quality", "live"},
+                                                {"--dump", "x", "--quality", "live", "--fps", "60000/1001"}})
+        EXPECT_NE(bad(args).find("--quality live is for --dump with --fps 60"), std::string::npos);
     EXPECT_NE(bad({"--frames"}).find("--frames"), std::string::npos);
-    EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film or reference, not 'best'"),
+    EXPECT_NE(bad({"--quality", "best"}).find("draft, play, film, reference or live, not 'best'"),
               std::string::npos);
     for (std::vector<const char *> args :
          std::vector<std::vector<const char *>>{{"film"},

@@ -1,0 +1,258 @@
+#include "trace/picture/between.h"
+
+#include "trace/picture/adaptive.h"
+#include "trace/picture/tiles.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and one around it, and room behind
+constexpr uint16_t kNone = 0xffff;
+constexpr float kAlike = 0.06f;              // difference of what is shown that counts as none
+constexpr float kGlare = 1.5f;               // times white
+constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
+
+} // namespace
+
+// How the pixel of a picture follows from one between: with s how far along direction(x, y) the shape is met,
+// homogeneous coordinates are s * (h[0] + h[1] x + h[2] y) + h[3].
+struct Carry {
+    float h[3][4];
+    uint16_t shape; // its number there; kNone: there is none
+};
+
+struct BetweenScratch {
+    int64_t anew;
+    // Pixels from the tile's upper left neighbour on: what is seen, and how far along direction()
+    int32_t shape[kRows * kRow];
+    float along[kRows * kRow];
+    uint16_t anewAt[kTile * kTile + 8];
+};
+
+namespace {
+
+// How all shapes of `now`, and behind the last of them the sky, come to another picture. That may have some
+// more and lack some others, in the same order; what is the same has hardly moved.
+void carryTo(const Traced &to, const Traced &now, Carry *carry) {
+    constexpr int kMostNew = 200;
+    const View &v = to.view, &w = now.view;
+    Vec3 rows[3] = {v.right * (v.width / dot(v.right, v.right)) + v.forward * (v.width * 0.5f),
+                    v.down * (v.height / dot(v.down, v.down)) + v.forward * (v.height * 0.5f), v.forward};
+    Vec3 from[3] = {w.direction(0.f, 0.f), w.right * (1 / w.width), w.down * (1 / w.height)};
+    int next = 0;
+    for (int i = 0; i <= now.scene->shapeCount; ++i) {
+        const Shape &a = now.scene->shapes[i];
+        Carry &c = carry[i];
+        bool sky = i == now.scene->shapeCount;
+        c.shape = sky ? kSkyShown : kNone;
+        for (int j = next; !sky && j < min(next + kMostNew, to.scene->shapeCount); ++j) {
+            Vec3 way = a.centre - to.scene->shapes[j].centre;
+            if (a.kind != to.scene->shapes[j].kind || dot(way, way) > a.half.x * a.half.x * 0.25f) continue;
+            c.shape = (uint16_t)j;
+            next = j + 1;
+            break;
+        }
+        if (c.shape == kNone) continue;
+        const Shape &b = to.scene->shapes[c.shape];
+        for (int k = 0; k < 3; ++k) {
+            Vec3 r = rows[k], turned = r;
+            c.h[k][3] = 0;
+            if (!sky) {
+                // What a mirror shows does not turn with it
+                if (a.traits().extents && now.scene->materials[a.material].diffuse > 0)
+                    turned = transposeTimes(a.frame, b.frame * r);
+                if (a.half.x > 0) turned *= Vec3{1, 1, 1} * (b.half.x / a.half.x);
+                c.h[k][3] = dot(turned, w.eye - a.centre) + dot(r, b.centre - v.eye);
+            }
+            for (int m = 0; m < 3; ++m) c.h[k][m] = dot(turned, from[m]);
+        }
+    }
+}
+
+// What a picture shows of eight places: radiance, and whether it is theirs: 0 no, 1 among others, 2 alone.
+struct Fetched {
+    Rgb8 radiance;
+    Int8 worth;
+};
+
+[[gnu::noinline]] Fetched fetch(const Frame &f, const Carry &c, Float8 px, float py, Float8 along) {
+    auto row = [&](const float(&h)[4]) {
+        return fmadd(along, fmadd(px, h[1], broadcast(fmadd(py, h[2], h[0]))), h[3]);
+    };
+    Float8 ahead = row(c.h[2]);
+    Int8 mine = ahead > 1e-6f;
+    Float8 inverse = 1.f / select(mine, ahead, 1.f);
+    Float8 x = fmadd(row(c.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1]), inverse, -0.5f);
+    float right = (float)(f.width - 1) - 0.001f, bottom = (float)(f.height - 1) - 0.001f;
+    Float8 inX = clamp(x, 0.f, right), inY = clamp(y, 0.f, bottom);
+    mine &= max(abs(x - inX), abs(y - inY)) < 0.5f;
+    Float8 left = floor(inX), top = floor(inY), u = inX - left, w = inY - top;
+    Int8 at = toInt(fmadd(top, (float)f.stride, left));
+    int first = at[0];
+    Int8 others = {};
+    Fetched found;
+    // Whose are the four pixels around, and what do they show?
+    auto look = [&](auto ids, auto values) {
+        auto take = [&](Int8 id) {
+            Int8 many = id == kManyShapes;
+            mine &= many | (id == c.shape);
+            others |= many;
+        };
+        take(ids(f.shapes)), take(ids(f.shapes + 1));
+        take(ids(f.shapes + f.stride)), take(ids(f.shapes + f.stride + 1));
+        auto mix = [&](const float *p) {
+            Float8 a = values(p), b = values(p + f.stride);
+            a = fmadd(u, values(p + 1) - a, a);
+            b = fmadd(u, values(p + f.stride + 1) - b, b);
+            return fmadd(w, b - a, a);
+        };
+        found.radiance = {mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])};
+    };
+    if (all(at == kLanes + first))
+        look(
+            [&](const uint16_t *p) {
+                return (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(p + first)));
+            },
+            [&](const float *p) { return load(p + first); });
+    else
+        look(
+            [&](const uint16_t *p) {
+                return (Int8)_mm256_i32gather_epi32((const int *)p, (__m256i)at, 2) & 0xffff;
+            },
+            [&](const float *p) { return gather(p, at); });
+    found.worth = mine & (2 + others);
+    if (c.shape == kNone) found.worth = Int8{};
+    return found;
+}
+
+// Traces pixels, four samples in each.
+void traceAnew(Tile &t, const uint16_t *pixels, int count) {
+    TileScratch &s = t.s;
+    for (uint32_t i = 0; i < kChunk; ++i) s.index[i] = i;
+    for (; count > 0; count -= kChunk, pixels += kChunk) {
+        int n = min(count, kChunk);
+        for (int k = 0; k < 4; ++k) {
+            for (int i = 0; i < n; ++i) {
+                s.x[i] = (float)(t.x0 + pixels[i] % kTile) + (k & 1 ? 0.75f : 0.25f);
+                s.y[i] = (float)(t.y0 + pixels[i] / kTile) + (k & 2 ? 0.75f : 0.25f);
+            }
+            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, n, s.x, s.y, s.index, s.fine);
+            for (int i = 0; i < n; ++i)
+                for (int c = 0; c < 3; ++c) {
+                    float &out = t.frame.plane[c][(t.y0 + pixels[i] / kTile) * t.frame.stride + t.x0 + pixels[i] % kTile];
+                    out = (k ? out : 0) + s.fine[i][c] * 0.25f;
+                }
+        }
+        s.sampleCount += 4 * n;
+    }
+}
+
+Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
+
+void makeTile(Between &between, const Traced (&sides)[2], Tile &t, BetweenScratch &b) {
+    // Find what every pixel shows
+    int sky = t.scene.shapeCount, count = 0;
+    for (int y = 0; y < kRows; ++y)
+        for (int x = 0; x < kTile + 2; x += 8) {
+            Vec3x8 d = t.view.direction(toFloat(kLanes) + ((float)(t.x0 + x) - 0.5f),
+                                        broadcast((float)(t.y0 + y) - 0.5f));
+            Float8 perLength = 1.f / length(d);
+            Hit8 hit = intersect(t.scene, t.s.among, t.view.eye, d * perLength, kLanes >= 0);
+            Int8 none = hit.shape < 0;
+            store(b.shape + y * kRow + x, select(none, broadcast(sky), hit.shape));
+            store(b.along + y * kRow + x, select(none, 1.f, hit.t * perLength));
+        }
+
+    for (int y = 0; y < t.height; ++y)
+        for (int x = 0; x < t.width; x += 8) {
+            const int at = (y + 1) * kRow + x + 1;
+            Int8 shape = loadInts(b.shape + at), front = shape, done = {};
+            Float8 along = load(b.along + at), nearest = select(shape == sky, kInfinity, along);
+            // Beside the outline of something nearer, its pixels may reach over: they go with it
+            static constexpr int kBeside[4] = {-1, 1, -kRow, kRow};
+            Int8 edge = {};
+            for (int step : kBeside) edge |= loadInts(b.shape + at + step) ^ shape;
+            for (int step : kBeside) {
+                if (!any(edge != 0)) break;
+                Int8 other = loadInts(b.shape + at + step);
+                Float8 way = load(b.along + at + step);
+                Int8 nearer = (other != shape) & (other != sky) & (way < nearest);
+                front = select(nearer, other, front);
+                nearest = select(nearer, way, nearest);
+            }
+            Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f);
+            float py = (float)(t.y0 + y) + 0.5f;
+            Rgb8 sum = {};
+            bool rim = any(front != shape);
+            Int8 whose = rim ? front : shape, lanes = rim ? front != shape : kLanes >= 0;
+            Float8 far = rim ? nearest : along;
+            for (;;) {
+                for (int left = laneBits(lanes); left;) {
+                    int id = whose[__builtin_ctz((unsigned)left)];
+                    Int8 mine = lanes & (whose == id);
+                    left &= ~laneBits(mine);
+                    Fetched v[2];
+                    for (int side = 0; side < 2; ++side)
+                        v[side] = fetch(sides[side].frame, between.carry[side][id], px, py, far);
+                    Int8 a = v[0].worth, e = v[1].worth;
+                    // Only what is joined to others can tell how far it reaches
+                    if (rim) a &= a == 1, e &= e == 1;
+                    Rgb8 more = v[0].radiance + v[1].radiance, off = v[0].radiance - v[1].radiance;
+                    // Alike, by about what it takes to be seen
+                    float exposure = t.scene.exposure;
+                    Float8 bright = brightest(more) * (0.5f * exposure);
+                    Int8 agree =
+                        (a > 0) & (e > 0) &
+                        (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
+                         fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
+                    more = select(agree, more * broadcast(0.5f), select(a > e, v[0].radiance, v[1].radiance));
+                    // A pixel that something many times white reaches into is white, however little that is:
+                    // interpolated, its outline would grow
+                    Int8 glare = ((a == 1) | (e == 1)) & (brightest(more) * exposure > kGlare);
+                    sum = select(mine, more, sum);
+                    done |= mine & (agree | (a != e)) & ~glare;
+                }
+                if (!rim) break;
+                rim = false;
+                whose = shape, lanes = ~done, far = along;
+            }
+            size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
+            const Float8 *channel[3] = {&sum.x, &sum.y, &sum.z};
+            for (int k = 0; k < 3; ++k) store(t.frame.plane[k] + out, *channel[k]);
+            for (int left = laneBits(~done & (kLanes < t.width - x)); left; left &= left - 1)
+                b.anewAt[count++] = (uint16_t)(y * kTile + x + __builtin_ctz((unsigned)left));
+        }
+    b.anew += count;
+    if (count > kMostAnew)
+        traceAdaptive(t);
+    else
+        traceAnew(t, b.anewAt, count);
+}
+
+} // namespace
+
+const size_t kBetweenBytes =
+    2 * (kMaxShapes + 1) * sizeof(Carry) + kMaxWorkers * (sizeof(BetweenScratch) + 64);
+
+bool makeBetween(Between &between, Arena &arena, int workers) {
+    between.workers = workers;
+    between.scratch = arena.take<BetweenScratch>((size_t)workers);
+    for (Carry *&carry : between.carry) carry = arena.take<Carry>(kMaxShapes + 1);
+    return !arena.full;
+}
+
+void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced (&sides)[2],
+                  const Quality &quality, Traced &now) {
+    for (int i = 0; i < 2; ++i) carryTo(sides[i], now, between.carry[i]);
+    forTiles(tracer, workers, *now.scene, now.view, quality, now.frame,
+             [&](Tile &tile, int worker) { makeTile(between, sides, tile, between.scratch[worker]); });
+}
+
+int64_t tracedAnew(Between &between) {
+    int64_t pixels = 0;
+    for (int i = 0; i < between.workers; ++i) pixels += between.scratch[i].anew, between.scratch[i].anew = 0;
+    return pixels;
+}
+
+} // namespace odraz
