@@ -58,7 +58,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     char name[49];
     cpuName(name);
     IntroSettings settings = {o.width, o.height};
-    settings.pairs = o.live;
+    settings.pairs = o.live || !o.dump;
     if (!o.dump) settings.bytes = ownSize(), settings.machine = name;
     bool heard = !o.dump && !o.mute;
     size_t bytes = memoryNeeded(settings, workers.count, hall) + (heard ? soundMemory() : 0);
