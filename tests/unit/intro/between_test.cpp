@@ -1,0 +1,134 @@
+// Pictures made between two others: near the truth, nearer than a cheap one traced, and the same for all
+// threads.
+#include "inside.h"
+#include "tests/support/headless_gl.h"
+
+#include <atomic>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <thread>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+constexpr double kStep = 1 / 60.0;
+
+struct Threads {
+    Workers workers;
+    int abort = 0;
+    explicit Threads(int count) {
+        workers = {count,
+                   [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
+                      const void *context) {
+                       std::atomic<int> next{0};
+                       std::vector<std::thread> all;
+                       for (int t = 0; t < w.count; ++t)
+                           all.emplace_back([&, t] {
+                               for (int i; (i = next.fetch_add(size)) < count;)
+                                   body(context, i, min(i + size, count), t);
+                           });
+                       for (std::thread &t : all) t.join();
+                   },
+                   &abort, nullptr};
+    }
+};
+
+struct Loaded {
+    Threads threads;
+    IntroSettings settings = {kWidth, kHeight};
+    HeapArena memory;
+    Intro *intro = nullptr;
+    explicit Loaded(int count, bool hall)
+        : threads(count), memory((settings.pairs = true, memoryNeeded(settings, count, hall))) {
+        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, hall ? &headlessGl() : nullptr),
+                     nullptr);
+    }
+};
+Intro &film() {
+    static Loaded loaded(2, true);
+    return *loaded.intro;
+}
+
+const Quality &named(QualityName name) { return kQualities[(int)name]; }
+
+std::vector<float> planes(const Frame &f) {
+    std::vector<float> all;
+    for (const float *p : f.plane)
+        for (int y = 0; y < f.height; ++y)
+            all.insert(all.end(), p + (size_t)y * (size_t)f.stride,
+                       p + (size_t)y * (size_t)f.stride + f.width);
+    return all;
+}
+
+// Radiance, before letters.
+std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) {
+    View view = poseAt(intro.film, seconds).view(kWidth, kHeight);
+    traceFrame(intro.tracer, *intro.workers, *intro.film.scene, view, quality, intro.frame);
+    return planes(intro.frame);
+}
+std::vector<float> made(Intro &intro, double seconds, double step = kStep) {
+    picture(intro, seconds - step, named(QualityName::Play));
+    picture(intro, seconds + step, named(QualityName::Play));
+    Traced now = {intro.frame, intro.film.scene, poseAt(intro.film, seconds).view(kWidth, kHeight)};
+    traceBetween(intro.between, intro.tracer, *intro.workers, intro.sides, named(QualityName::Play), now);
+    return planes(intro.frame);
+}
+
+// In linear light, exposed and clipped at white.
+double decibels(const Intro &intro, const std::vector<float> &a, const std::vector<float> &b) {
+    double squares = 0, exposure = intro.film.scene->exposure;
+    for (size_t i = 0; i < a.size(); ++i) {
+        double d = std::fmin(a[i] * exposure, 1) - std::fmin(b[i] * exposure, 1);
+        squares += d * d;
+    }
+    return -10 * std::log10(squares / (double)a.size() + 1e-12);
+}
+
+} // namespace
+
+TEST(Between, IsNearerToTheTruthThanADraft) {
+    for (double seconds : {9., 14., 22., 30., 44., 56., 64., 70.5, 93., 108., 138., 144., 156.}) {
+        auto truth = traced(film(), seconds, named(QualityName::Reference));
+        double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));
+        double between = decibels(film(), truth, made(film(), seconds));
+        double anew = (double)tracedAnew(film().between) / (kWidth * kHeight);
+        std::printf("%s at %g s: %.1f dB, draft %.1f, traced anew %.2f %%\n", sceneName(sceneAt(seconds)),
+                    seconds, between, draft, 100 * anew);
+        EXPECT_GT(between, draft + 0.7) << seconds;
+        EXPECT_LT(anew, 0.06) << seconds;
+    }
+}
+
+TEST(Between, OfTwoEqualPicturesIsThatPicture) {
+    for (double seconds : {14., 30., 64., 144.}) {
+        auto play = traced(film(), seconds, named(QualityName::Play));
+        EXPECT_GT(decibels(film(), play, made(film(), seconds, 0)), 38) << seconds;
+        EXPECT_LT((double)tracedAnew(film().between), 0.03 * kWidth * kHeight) << seconds;
+    }
+}
+
+TEST(Between, AcrossACutIsTraced) {
+    Intro &intro = film();
+    auto shows = [&](double seconds, double step) {
+        picture(intro, seconds - step, named(QualityName::Play));
+        picture(intro, seconds + step, named(QualityName::Play));
+        Picture p = pictureBetween(intro);
+        return std::vector<uint8_t>(p.rgba, p.rgba + kWidth * kHeight * 4);
+    };
+    auto straight = [&](double seconds) {
+        Picture p = picture(intro, seconds, named(QualityName::Play));
+        return std::vector<uint8_t>(p.rgba, p.rgba + kWidth * kHeight * 4);
+    };
+    double cut = kFilm.shots[4].row / kRowsPerSecond; // inside a scene
+    EXPECT_EQ(shows(cut - 0.01, 0.015), straight(cut - 0.01));
+    EXPECT_NE(shows(cut - 0.05, 0.015), straight(cut - 0.05));
+}
+
+TEST(Between, IsTheSameForAllThreads) {
+    Loaded one(1, false), five(5, false);
+    for (double seconds : {14., 30., 64.})
+        EXPECT_EQ(made(*one.intro, seconds), made(*five.intro, seconds)) << seconds;
+}
