@@ -125,6 +125,7 @@ void splitPixels(Tile &t, int count) {
         int p = (squares[i].y >> 2) * kTile + (squares[i].x >> 2);
         for (int k = 0; k < 3; ++k) s.rest[k][p] = 0;
         s.owner[p] = kMixed;
+        keepRadiance(s, squares[i]);
     }
     float edge = q.edge * 2;
     for (int size = 4; count; size /= 2, edge *= 2) {
@@ -132,18 +133,21 @@ void splitPixels(Tile &t, int count) {
         for (int i = 0; i < count; ++i) wantMiddles(s, squares[i], half);
         traceWanted(t, (float)size * 0.125f);
         float weight = (float)(half * half) * (1.f / 64);
-        for (int i = 0; i < 4 * count; ++i) {
-            Square a = squares[i >> 2];
-            a = {(uint8_t)(a.x + half * (i & 1)), (uint8_t)(a.y + half * (i >> 1 & 1))};
-            if (half > q.fine && splitsPart(t, a, half, edge)) {
-                next[splits++] = a;
-                continue;
+        for (int i = 0; i < count; ++i) {
+            int p = (squares[i].y >> 2) * kTile + (squares[i].x >> 2);
+            __m128 sum = {s.rest[0][p], s.rest[1][p], s.rest[2][p], 0};
+            for (int k = 0; k < 4; ++k) {
+                Square a = {(uint8_t)(squares[i].x + half * (k & 1)),
+                            (uint8_t)(squares[i].y + half * (k >> 1))};
+                if (half > q.fine && splitsPart(t, a, half, edge)) {
+                    next[splits++] = a;
+                    continue;
+                }
+                __m128 v[4];
+                radianceAt(s, a, half, v);
+                sum += (v[0] + v[1] + v[2] + v[3]) * weight;
             }
-            __m128 v[4];
-            radianceAt(s, a, half, v);
-            __m128 sum = (v[0] + v[1] + v[2] + v[3]) * weight;
-            int p = (a.y >> 2) * kTile + (a.x >> 2);
-            for (int k = 0; k < 3; ++k) s.rest[k][p] += sum[k];
+            for (int k = 0; k < 3; ++k) s.rest[k][p] = sum[k];
         }
         Square *done = squares;
         squares = next;

@@ -95,7 +95,11 @@ ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int shape = shapeOf(s, c[0], alike(s, c));
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
-    return (!calm && seenExceeds(t, a, 4, t.quality.edge)) || mayHide(t, a, 4, shape);
+    if (!calm) {
+        keepRadiance(t.s, a);
+        if (seenExceeds(t, a, 4, t.quality.edge)) return true;
+    }
+    return mayHide(t, a, 4, shape);
 }
 
 // Whether a part of a pixel splits, by the radiance at its corners; `edge` is the quality's, doubled a level.

@@ -49,7 +49,7 @@ struct TileScratch {
     Sample corners[kCorners * kCorners];
     __m128 shown[kCorners * kCorners];      // intensities there as the eye weighs them, texture left out
     __m128i marks[kCorners * kCorners];     // what tells one from another: id, lights, secondary; kTextured
-    __m128 fine[kPlaces * kPlaces];         // radiance at places between
+    __m128 fine[kPlaces * kPlaces];         // radiance at places between, and where needed there
     uint8_t traced[kPlaces << kPlaceShift]; // equal to `stamp` where it is
     // Places wanted next; room for one that is not
     uint32_t wanted[kPlaces * kPlaces + 1];
@@ -100,13 +100,16 @@ ODRAZ_INLINE int alike(const TileScratch &s, const uint32_t *c) {
     return _mm_movemask_ps(_mm_castsi128_ps(all)) & kSameMarks;
 }
 
-// Radiance at a place that is traced, and at the corners of a square below a pixel.
-ODRAZ_INLINE __m128 radianceAt(const TileScratch &s, int x, int y) {
-    if ((x | y) & 3) return s.fine[fineAt(x, y)];
-    return radianceOf(s.corners[cornerAt(x, y)]);
+// Radiance at the corners of a part of a pixel, and of a pixel once its own are kept there too.
+ODRAZ_INLINE void radianceAt(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
+    const __m128 *first = s.fine + fineAt(q.x, q.y), *second = first + size * kPlaces;
+    v[0] = first[0], v[1] = first[size], v[2] = second[0], v[3] = second[size];
 }
-inline void radianceAt(const TileScratch &s, Square q, int size, __m128 (&v)[4]) {
-    for (int i = 0; i < 4; ++i) v[i] = radianceAt(s, q.x + (i & 1) * size, q.y + (i >> 1) * size);
+inline void keepRadiance(TileScratch &s, Square pixel) {
+    uint32_t c[4], to = fineAt(pixel.x, pixel.y);
+    cornersOf(pixel, 4, c);
+    for (uint32_t k = 0; k < 4; ++k)
+        s.fine[to + (k & 1) * 4 + (k >> 1) * 4 * kPlaces] = radianceOf(s.corners[c[k]]);
 }
 
 } // namespace odraz
