@@ -2,14 +2,15 @@
 
 namespace odraz {
 
-// The average of a square wave (+1 on even cells, -1 on odd ones) over [x - w/2, x + w/2].
+// The average of a square wave (+1 on even cells, -1 on odd ones) over [x - w/2, x + w/2]. Stretched a
+// little, so that roundings leave the inside of a cell pure: the other one's texture need not be asked there.
 ODRAZ_INLINE static Float8 squareWave(Float8 x, Float8 w) {
     auto integral = [](Float8 x) {
         Float8 folded = x - floor(x * 0.5f) * 2.f;
         return 1.f - abs(folded - 1.f);
     };
     w = max(w, 1e-4f);
-    return clamp((integral(x + w * 0.5f) - integral(x - w * 0.5f)) / w, -1.f, 1.f);
+    return clamp((integral(x + w * 0.5f) - integral(x - w * 0.5f)) * 1.004f / w, -1.f, 1.f);
 }
 
 Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width, Int8 &cell) {
