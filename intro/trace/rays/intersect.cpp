@@ -157,8 +157,16 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         return {load(t), loadInts(shape)};
     }
     if (scene.shapeCount <= 12) {
-        for (int i = 0; i < scene.shapeCount; ++i) takeNearer(hit, distanceTo(scene.shapes[i], ray), i);
-        return hit;
+        Float8 nearest = hit.t;
+        Int8 which = hit.shape;
+        for (int i = 0; i < scene.shapeCount; ++i) {
+            Float8 t = distanceTo(scene.shapes[i], ray);
+            Int8 nearer = t < nearest; // of equals the first stays
+            if (!any(nearer)) continue;
+            nearest = min(t, nearest);
+            which = select(nearer, broadcast(i), which);
+        }
+        return {nearest, which};
     }
     traverse<true>(scene, ray, Flat::Seen, hit.t, active,
                    [&](int shape, Float8 t) { takeNearer(hit, t, shape); });
