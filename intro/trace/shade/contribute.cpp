@@ -24,7 +24,8 @@ struct Rows {
     }
 };
 
-// Adds light and marks to the samples of eight rays.
+} // namespace
+
 void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
              Int8 marks) {
     Rows rows(light, marks);
@@ -36,6 +37,8 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
         _mm_store_ps(rest, _mm_blend_ps(sum, _mm_castsi128_ps(marks), 8));
     }
 }
+
+namespace {
 
 // Begins the samples of eight primary rays.
 void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,

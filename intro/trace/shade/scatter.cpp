@@ -1,20 +1,30 @@
 #include "trace/shade/scatter.h"
 
+#include "trace/shade/contribute.h"
+
 namespace odraz {
 
 namespace {
 
-// Appends those of eight rays whose share counts to a stream.
+// Appends those of eight rays whose share counts to a stream. Those that end here would leave a darkness that
+// others, followed, do not have; and where the depth ends, black patches: they bring what light there is on
+// average.
 struct Emitter {
     const Context &c;
     const RayStream &in;
     RayStream &out;
     Eight pick;
     Int8 active;
+    Rgb8 ended = {};
 
     void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width, Float8 spread,
-                    int branch) const {
-        int lanes = laneBits(active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff));
+                    int branch) {
+        Int8 goes = active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff);
+        if (c.bounces >= c.quality.depth) goes = Int8{};
+        const Rgb low = c.scene.ambientLow, high = c.scene.ambientHigh;
+        Rgb8 light = broadcast(low) + (high - low) * fmadd(d.y, 0.5f, 0.5f);
+        ended += select(active & ~goes, weight * light, Rgb8{});
+        int lanes = laneBits(goes);
         if (!lanes) return;
         Int8 order = packedOrder(lanes);
         size_t end = (size_t)out.count; // read once: stores of eight might change it, for all GCC knows
@@ -67,6 +77,8 @@ void scatterEight(const Context &c, const RayStream &in, const Run &run, RayStre
         }
         emit(outside, mirrored, weight * reflected * m.tint, width, mirrorSpread, 0);
     }
+    if (any(maxComponent(emit.ended) * c.scene.exposure > 1e-4f))
+        addRest(c, in, run.ray + i, min(run.count - i, 8), emit.ended, Int8{});
 }
 
 } // namespace

@@ -15,7 +15,7 @@ void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
     arrive(c, in, run);
     if (m.diffuse > 0 || m.specular > 0) illuminate(c, in, run);
     addShown(c, in, run);
-    if (c.bounces < c.quality.depth && (m.ior > 0 || m.reflect > 0)) scatter(c, in, run, out);
+    if (m.ior > 0 || m.reflect > 0) scatter(c, in, run, out);
 }
 
 // Shades rays [begin, end) of a stream, which know what they hit.

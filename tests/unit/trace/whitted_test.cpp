@@ -156,6 +156,27 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25, 1e-5);
 }
 
+// A path that ends, at the depth or by its share, brings the light that is there on average, not darkness.
+TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
+    Stage g;
+    Material m = matte({0, 0, 0});
+    m.diffuse = 0;
+    m.reflect = 0.5f;
+    g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
+    g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
+    g.scene->ambientLow = {0.2f, 0.2f, 0.2f};
+    g.scene->ambientHigh = {0.8f, 0.6f, 0.4f};
+    Quality q = kExact;
+    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0}, q).radiance().y, 0.5, 1e-5);
+    q.depth = 0;
+    Rgb up = g.look({0, 2, 0}, {0, 0, 0}, q).radiance();
+    EXPECT_NEAR(up.x, 0.5 * 0.8, 1e-5);
+    EXPECT_NEAR(up.z, 0.5 * 0.4, 1e-5);
+    q.depth = 12;
+    q.cutoff = 0.6f;
+    EXPECT_NEAR(g.look({0, 2, 2}, {0, 0, 0}, q).radiance().x, 0.5 * (0.5 + 0.3 * std::sqrt(0.5)), 1e-4);
+}
+
 // A glass ball, met on its axis: Fresnel's R at both surfaces, all orders of inner reflection.
 TEST(Glass, KeepsEnergyOnTheAxis) {
     Stage g;
