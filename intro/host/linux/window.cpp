@@ -192,10 +192,13 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     WindowState &w = *window.state;
     const Gl &gl = window.gl;
     if (!w.picture) {
-        // A texture to fill and a framebuffer to read it through
+        // A texture to fill and a framebuffer to read it through. In the order of the window's own bytes,
+        // which only a format without a size leaves to the driver: what is as large as the window is copied
+        // then, not drawn (software OpenGL: 1.2 ms of processor time for 9.2)
         gl.glGenTextures(1, &w.picture);
         gl.glBindTexture(GL_TEXTURE_2D, w.picture);
-        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                        nullptr);
         gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
         gl.glGenFramebuffers(1, &w.framebuffer);
         gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, w.framebuffer);
@@ -211,7 +214,7 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
     int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
     int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;
-    gl.glClear(GL_COLOR_BUFFER_BIT);
+    if (w1 < toWidth || h1 < toHeight) gl.glClear(GL_COLOR_BUFFER_BIT);
     gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
                          w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
     w.glx.glXSwapBuffers(w.drawing, w.window);
