@@ -66,19 +66,20 @@ Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p) {
     return mosaicAt(map.gloss, map.glossAcross, map.glossDown, 1, *map.glossy, p - map.glossy->corner);
 }
 
-Int8 patchAt(const Chart &c, const Vec3x8 &p, Float8 width, Float8 &clear) {
+Int8 patchAt(const Chart &c, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Float8 width, Float8 &clear) {
     Vec3x8 q = p - c.corner;
     float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);
-    // A line is a fixed width, or what a sample sees of it
+    // What the sample's ellipse has of a line, along each axis: that is wide along the view alone
     static constexpr float kHalf = 0.008f;
-    auto off = [&](Float8 x, float perUnit) {
-        Float8 distance = abs(x - round(x)) * (1.f / perUnit);
-        Float8 wide = max(width, 2.f * kHalf);
-        Float8 cover = saturate((kHalf + wide * 0.5f - distance) / wide) * (2.f * kHalf / wide);
-        return 1.f - cover;
+    Float8 stretch = 1.f / max(cosine, 0.02f);
+    auto off = [&](Float8 x, float perUnit, Vec3 axis) {
+        Float8 distance = abs(x - round(x)) * (1.f / perUnit), slant = dot(d, axis) * stretch;
+        Float8 wide = max(width * sqrt(fmadd(slant, slant, 1.f)), 1e-4f);
+        Float8 cover = min((kHalf + wide * 0.5f - distance) / wide, min(2.f * kHalf / wide, 1.f));
+        return 1.f - max(cover, 0.f);
     };
-    clear = off(x, perU) * off(y, perV);
+    clear = off(x, perU, c.u) * off(y, perV, c.v);
     Int8 i = toInt(clamp(x, 0.f, (float)c.patchesAcross - 0.5f)),
          j = toInt(clamp(y, 0.f, (float)c.patchesDown - 0.5f));
     return j * c.patchesAcross + i + c.firstPatch;

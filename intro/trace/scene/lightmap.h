@@ -71,6 +71,7 @@ Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p);
 
 // Which patch points lie in, as a number for comparisons, and how much of a sample `width` wide lies clear of
 // the lines between patches: 1 .. 0.
-Int8 patchAt(const Chart &chart, const Vec3x8 &p, Float8 width, Float8 &clear);
+Int8 patchAt(const Chart &chart, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Float8 width,
+             Float8 &clear);
 
 } // namespace odraz

@@ -23,7 +23,7 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
     }
     if (scene.lines > 0 && shape.chart >= 0) {
         Float8 clear;
-        cell = patchAt(scene.lightmap->charts[shape.chart], p, width / sqrt(max(cosine, 0.02f)), clear);
+        cell = patchAt(scene.lightmap->charts[shape.chart], p, d, cosine, width, clear);
         colour = colour * fmadd(clear - 1.f, scene.lines, 1.f);
     }
     return colour;

@@ -117,7 +117,8 @@ TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {
     const Chart &c = sheet.chart;
     auto look = [&](float s, float t, float width, float &clear) {
         Float8 all;
-        int patch = patchAt(c, broadcast(c.at(s, t)), broadcast(width), all)[0];
+        int patch =
+            patchAt(c, broadcast(c.at(s, t)), broadcast(c.n), broadcast(1.f), broadcast(width), all)[0];
         clear = all[0];
         return patch;
     };
@@ -133,6 +134,30 @@ TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {
     look(1.5f, 0.25f, 0.5f, clear);
     EXPECT_GT(clear, 0.9f);
     EXPECT_LT(clear, 1);
+}
+
+// The lines between patches are seen as many samples see them, straight and aslant.
+TEST(Lightmap, LinesAreFilteredLikeManySamples) {
+    Sheet sheet([](int, int) { return 1.f; });
+    const Chart &c = sheet.chart;
+    auto clearAt = [&](float s, float t, Vec3 d, float cosine, float width) {
+        Float8 clear;
+        patchAt(c, broadcast(c.at(s, t)), broadcast(d), broadcast(cosine), broadcast(width), clear);
+        return (double)clear[0];
+    };
+    for (float cosine : {1.f, 0.5f, 0.1f})
+        for (float width : {0.004f, 0.02f, 0.05f})
+            for (float s : {1.3f, 1.45f, 1.49f, 1.5f, 1.52f}) {
+                // Along u it is as long as the slant makes it
+                Vec3 d = c.u * std::sqrt(1 - cosine * cosine) - c.n * cosine;
+                float wide = width / cosine;
+                double sum = 0;
+                constexpr int kSide = 200;
+                for (int i = 0; i < kSide; ++i)
+                    sum += clearAt(s + wide * (((float)i + 0.5f) / kSide - 0.5f), 0.25f, c.n, 1, 1e-4f);
+                EXPECT_NEAR(clearAt(s, 0.25f, d, cosine, width), sum / kSide, 0.02)
+                    << cosine << ' ' << width << ' ' << s;
+            }
 }
 
 // Against a sum over the cone that the ball fills.
