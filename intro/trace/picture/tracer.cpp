@@ -5,6 +5,19 @@
 
 namespace odraz {
 
+// Whether no sample should meet a rectangle: the eye sees its back, or its front so nearly from the side that
+// it is thinner than samples are apart. One here and one there would meet it: dashes, where it is bright.
+static bool edgeOn(const Tile &t, const Shape &s) {
+    if (s.kind != ShapeKind::Rect) return false;
+    Vec3 e = s.frame * (t.view.eye - s.centre);
+    if (e.y <= 0) return true;
+    float x = abs(e.x), z = abs(e.z), dx = max(x - s.half.x, 0.f), dz = max(z - s.half.z, 0.f),
+          square = fmadd(dx, dx, fmadd(dz, dz, e.y * e.y)), away = sqrt(fmadd(x, x, z * z));
+    // How long it is towards the eye
+    float chord = min(s.half.x * away / max(x, 1e-9f), s.half.z * away / max(z, 1e-9f)) * 2;
+    return e.y * e.y < square * 0.01f && chord * e.y < square * t.view.spread * 0.2f * (float)t.quality.fine;
+}
+
 // Finds what the tile's primary rays may meet; a pixel around it keeps roundings out.
 void aimTile(Tile &t) {
     float x0 = (float)t.x0 - 1, y0 = (float)t.y0 - 1, x1 = (float)(t.x0 + kTile + 1),
@@ -14,6 +27,13 @@ void aimTile(Tile &t) {
            beamThrough(v.eye,
                        {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1), v.direction(x0, y1)}),
            t.s.among);
+    Candidates &a = t.s.among;
+    int kept = 0;
+    for (int i = 0; i < a.count; ++i) {
+        if (edgeOn(t, t.scene.shapes[a.shape[i]])) continue;
+        a.near[kept] = a.near[i], a.shape[kept] = a.shape[i], a.ball[kept++] = a.ball[i];
+    }
+    if (a.count > 0) a.count = kept;
 }
 
 namespace {

@@ -328,3 +328,29 @@ TEST(Adaptive, AbortLeavesAtOnce) {
                frame);
     EXPECT_EQ(tracedSamples(tracer), 0);
 }
+
+// A bright face that is seen from the side, thinner than samples are apart, is not met here and there.
+TEST(Adaptive, ShowsNoDashesOfFacesSeenFromTheSide) {
+    auto face = [](float side, const Quality &quality) {
+        auto s = std::make_unique<Scene>();
+        s->clear();
+        Material bright = {};
+        bright.emit = {5, 5, 5};
+        s->add(bright);
+        s->add(Shape{.kind = ShapeKind::Rect,
+                     .centre = {side, 0, -10},
+                     .half = {0.25f, 0, 3},
+                     .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
+        s->finish();
+        Picture p = traced(*s, {0, {0, 0, 0}, {0.3f, 0, -10}, 5, 36}, quality, 320, 180);
+        int lit = 0;
+        for (int y = 0; y < 180; ++y)
+            for (int x = 0; x < 320; ++x) lit += p.at(x, y, 1) > 8;
+        return lit;
+    };
+    for (QualityName name : {QualityName::Draft, QualityName::Play}) {
+        EXPECT_EQ(face(0.11f, named(name)), 0); // 0.15 pixels
+        EXPECT_GT(face(1.5f, named(name)), 150);
+    }
+    EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
+}
