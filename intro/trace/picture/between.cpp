@@ -8,6 +8,8 @@ namespace odraz {
 namespace {
 
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and one around it, and room behind
+constexpr int kBeam = 16,
+              kBeams = kTile / kBeam + 1; // pixels; beams along a tile's side and what is around it
 constexpr uint16_t kNone = 0xffff;
 constexpr float kAlike = 0.06f;              // difference of what is shown that counts as none
 constexpr float kGlare = 1.5f;               // times white
@@ -88,40 +90,35 @@ struct Fetched {
     Float8 inX = clamp(x, 0.f, right), inY = clamp(y, 0.f, bottom);
     mine &= max(abs(x - inX), abs(y - inY)) < 0.5f;
     Float8 left = floor(inX), top = floor(inY), u = inX - left, w = inY - top;
-    Int8 at = toInt(fmadd(top, (float)f.stride, left));
-    int first = at[0];
-    Int8 others = {};
-    Fetched found;
-    // Whose are the four pixels around, and what do they show?
-    auto look = [&](auto ids, auto values) {
-        auto take = [&](Int8 id) {
+    // Neighbours mostly lie side by side there, too: loads serve, once for each step between them. (What
+    // lanes read beyond a plane belongs to the next one.)
+    Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes, others = {};
+    Fetched found = {Rgb8{}, Int8{}};
+    for (int rest = 255; rest;) {
+        ptrdiff_t first = step[__builtin_ctz((unsigned)rest)];
+        Int8 here = step == (int32_t)first;
+        rest &= ~laneBits(here);
+        // Whose are the four pixels around, and what do they show?
+        Int8 owned = here;
+        auto take = [&](const uint16_t *p) {
+            Int8 id = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(p + first)));
             Int8 many = id == kManyShapes;
-            mine &= many | (id == c.shape);
-            others |= many;
+            owned &= many | (id == c.shape);
+            others |= many & here;
         };
-        take(ids(f.shapes)), take(ids(f.shapes + 1));
-        take(ids(f.shapes + f.stride)), take(ids(f.shapes + f.stride + 1));
+        take(f.shapes), take(f.shapes + 1), take(f.shapes + f.stride), take(f.shapes + f.stride + 1);
         auto mix = [&](const float *p) {
-            Float8 a = values(p), b = values(p + f.stride);
-            a = fmadd(u, values(p + 1) - a, a);
-            b = fmadd(u, values(p + f.stride + 1) - b, b);
+            p += first;
+            Float8 a = load(p), b = load(p + f.stride);
+            a = fmadd(u, load(p + 1) - a, a);
+            b = fmadd(u, load(p + f.stride + 1) - b, b);
             return fmadd(w, b - a, a);
         };
-        found.radiance = {mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])};
-    };
-    if (all(at == kLanes + first))
-        look(
-            [&](const uint16_t *p) {
-                return (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(p + first)));
-            },
-            [&](const float *p) { return load(p + first); });
-    else
-        look(
-            [&](const uint16_t *p) {
-                return (Int8)_mm256_i32gather_epi32((const int *)p, (__m256i)at, 2) & 0xffff;
-            },
-            [&](const float *p) { return gather(p, at); });
-    found.worth = mine & (2 + others);
+        found.radiance =
+            select(here, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
+        found.worth |= owned;
+    }
+    found.worth &= mine & (2 + others);
     if (c.shape == kNone) found.worth = Int8{};
     return found;
 }
@@ -140,7 +137,9 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
             traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, n, s.x, s.y, s.index, s.fine);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < 3; ++c) {
-                    float &out = t.frame.plane[c][(t.y0 + pixels[i] / kTile) * t.frame.stride + t.x0 + pixels[i] % kTile];
+                    float &out =
+                        t.frame
+                            .plane[c][(t.y0 + pixels[i] / kTile) * t.frame.stride + t.x0 + pixels[i] % kTile];
                     out = (k ? out : 0) + s.fine[i][c] * 0.25f;
                 }
         }
@@ -151,18 +150,24 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
 Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
 
 void makeTile(Between &between, const Traced (&sides)[2], Tile &t, BetweenScratch &b) {
-    // Find what every pixel shows
     int sky = t.scene.shapeCount, count = 0;
-    for (int y = 0; y < kRows; ++y)
-        for (int x = 0; x < kTile + 2; x += 8) {
-            Vec3x8 d = t.view.direction(toFloat(kLanes) + ((float)(t.x0 + x) - 0.5f),
-                                        broadcast((float)(t.y0 + y) - 0.5f));
-            Float8 perLength = 1.f / length(d);
-            Hit8 hit = intersect(t.scene, t.s.among, t.view.eye, d * perLength, kLanes >= 0);
-            Int8 none = hit.shape < 0;
-            store(b.shape + y * kRow + x, select(none, broadcast(sky), hit.shape));
-            store(b.along + y * kRow + x, select(none, 1.f, hit.t * perLength));
-        }
+    // Find what every pixel shows, by beams so narrow that there is little to choose from
+    for (int i = 0; i < kBeams * kBeams; ++i) {
+        const View &v = t.view;
+        int left = i % kBeams * kBeam, top = i / kBeams * kBeam;
+        Candidates among;
+        aim(t, left - 1, top - 1, kBeam, among);
+        for (int y = top; y < min(top + kBeam, kRows); ++y)
+            for (int x = left; x < min(left + kBeam, kTile + 2); x += 8) {
+                Vec3x8 d = v.direction(toFloat(kLanes) + ((float)(t.x0 + x) - 0.5f),
+                                       broadcast((float)(t.y0 + y) - 0.5f));
+                Float8 perLength = 1.f / length(d);
+                Hit8 hit = intersect(t.scene, among, v.eye, d * perLength, kLanes >= 0);
+                Int8 none = hit.shape < 0;
+                store(b.shape + y * kRow + x, select(none, broadcast(sky), hit.shape));
+                store(b.along + y * kRow + x, select(none, 1.f, hit.t * perLength));
+            }
+    }
 
     for (int y = 0; y < t.height; ++y)
         for (int x = 0; x < t.width; x += 8) {

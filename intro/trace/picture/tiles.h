@@ -7,10 +7,10 @@
 
 namespace odraz {
 
-// Finds what the tile's primary rays may meet.
-void aimTile(Tile &tile);
+// Finds what primary rays through a square of a tile's pixels, from its pixel (x, y) on, may meet.
+void aim(const Tile &tile, int x, int y, int size, Candidates &found);
 
-// f(tile, worker) for every tile of a frame, aimed.
+// f(tile, worker) for every tile of a frame, aimed: it knows what its rays may meet.
 template <class F>
 void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
               Frame &frame, const F &f) {
@@ -21,7 +21,8 @@ void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
             min(kTile, frame.height - y)};
-        aimTile(tile);
+        // What its primary rays may meet; a pixel around it keeps roundings out
+        aim(tile, -1, -1, kTile + 2, tile.s.among);
         f(tile, worker);
     });
 }

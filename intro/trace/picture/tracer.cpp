@@ -18,22 +18,21 @@ static bool edgeOn(const Tile &t, const Shape &s) {
     return e.y * e.y < square * 0.01f && chord * e.y < square * t.view.spread * 0.2f * (float)t.quality.fine;
 }
 
-// Finds what the tile's primary rays may meet; a pixel around it keeps roundings out.
-void aimTile(Tile &t) {
-    float x0 = (float)t.x0 - 1, y0 = (float)t.y0 - 1, x1 = (float)(t.x0 + kTile + 1),
-          y1 = (float)(t.y0 + kTile + 1);
+void aim(const Tile &t, int x, int y, int size, Candidates &found) {
+    float x0 = (float)(t.x0 + x), y0 = (float)(t.y0 + y), x1 = x0 + (float)size, y1 = y0 + (float)size;
     const View &v = t.view;
     gather(t.scene,
            beamThrough(v.eye,
                        {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1), v.direction(x0, y1)}),
-           t.s.among);
-    Candidates &a = t.s.among;
+           found);
     int kept = 0;
-    for (int i = 0; i < a.count; ++i) {
-        if (edgeOn(t, t.scene.shapes[a.shape[i]])) continue;
-        a.near[kept] = a.near[i], a.shape[kept] = a.shape[i], a.ball[kept++] = a.ball[i];
+    for (int i = 0; i < found.count; ++i) {
+        if (edgeOn(t, t.scene.shapes[found.shape[i]])) continue;
+        found.near[kept] = found.near[i];
+        found.shape[kept] = found.shape[i];
+        found.ball[kept++] = found.ball[i];
     }
-    if (a.count > 0) a.count = kept;
+    if (found.count > 0) found.count = kept;
 }
 
 namespace {
