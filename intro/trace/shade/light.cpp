@@ -51,7 +51,7 @@ struct Occluders {
 // there are too many.
 void aim(const Scene &scene, const Run &run, const Bounds &box, Vec3 from, Candidates &found) {
     found.count = -1;
-    if (run.count <= 8) return;
+    if (run.count <= 16) return;
     Spread spread(from, (box.lo + box.hi) * 0.5f - from);
     Vec3x8 lo = broadcast(box.lo - from), hi = broadcast(box.hi - from);
     spread.add({select((kLanes & 1) != 0, lo.x, hi.x), select((kLanes & 2) != 0, lo.y, hi.y),
