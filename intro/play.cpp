@@ -41,26 +41,37 @@ struct SceneStats {
 
 // Moves between `film`, `play` and `draft`: a little every picture, by how far the last ones were from the
 // time that they should take, so that nobody sees a step. Sixty pictures a second are traced where they can
-// be so at `play`; else thirty, and one between any two is made of them. Where even that is too much, fewer.
+// be so at `play`; else thirty, and one between any two is made of them. Where even that is too much, fewer;
+// and none between, until the next scene, where these take nearly as long as what is traced.
 struct Governor {
     static constexpr QualityName kWay[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kWay / sizeof *kWay - 1;
-    float level = 1; // 0 .. kSteps along the way
-    bool pairs = true;
+    enum { kSixty, kPairs, kThirty } way = kPairs;
+    float level = 1;                          // 0 .. kSteps along kWay
     float average = 0.029f, tracing = 0.029f; // seconds that the last pictures took, and those traced alone
+    int scene = -1;
 
-    double step() const { return pairs ? 1 / 30.0 : 1 / 60.0; }
+    bool pairs() const { return way == kPairs; }
+    double step() const { return way == kSixty ? 1 / 60.0 : 1 / 30.0; }
     Quality quality() const {
         int from = min((int)level, kSteps - 1);
         return between(kQualities[(int)kWay[from]], kQualities[(int)kWay[from + 1]], level - (float)from);
     }
+    void enter(int next) {
+        if (scene != next && way == kThirty) way = kPairs;
+        scene = next;
+    }
     void spent(float trace, float make) {
-        float wanted = pairs ? 0.029f : 0.0145f;
+        float wanted = way == kSixty ? 0.0145f : 0.029f;
         tracing += (trace - tracing) * 0.25f;
         average += (trace + make - average) * 0.25f;
-        level = clamp(level + clamp(average / wanted - 1, -0.5f, 1.f) * 0.08f, 0.1f, (float)kSteps);
-        if (pairs ? level <= 1 && tracing < 0.014f : level > 1.05f) {
-            pairs = !pairs;
+        level = clamp(level + clamp(average / wanted - 1, -0.5f, 1.f) * 0.16f, 0.1f, (float)kSteps);
+        bool late = pairs() && level == kSteps && average > 1.1f * wanted && average > 1.8f * tracing;
+        if (pairs() ? level <= 1 && tracing < 0.014f : way == kSixty && level > 1.05f) {
+            way = pairs() ? kSixty : kPairs;
+            average = tracing;
+        } else if (late) {
+            way = kThirty;
             average = tracing;
         }
     }
@@ -120,7 +131,8 @@ Player thePlayer;
         int64_t traced = nanoseconds(), waited = traced, ended = traced;
         m.samples = (float)samplesTaken(*p.intro) / (float)(m.picture.width * m.picture.height);
         m.trace = (float)(traced - began) * 1e-9f;
-        if (n && governor.pairs) {
+        governor.enter(sceneAt(time));
+        if (n && governor.pairs()) {
             p.await(untilBetween);
             waited = nanoseconds();
             Made b = {};
@@ -138,7 +150,7 @@ Player thePlayer;
         last = time;
         time += governor.step();
         double soonest = theMusic.clock.started() ? theMusic.clock.at(ended) + governor.average +
-                                                        (governor.pairs ? 0.5 * governor.step() : 0)
+                                                        (governor.pairs() ? 0.5 * governor.step() : 0)
                                                   : 0;
         if (time < soonest - 0.004) time = soonest;
     }
