@@ -56,7 +56,7 @@ void carryTo(const Traced &to, const Traced &now, Carry *carry) {
             break;
         }
         if (c.shape == kNone) continue;
-        const Shape &b = to.scene->shapes[c.shape];
+        const Shape &b = to.scene->shapes[sky ? 0 : c.shape];
         for (int k = 0; k < 3; ++k) {
             Vec3 r = rows[k], turned = r;
             c.h[k][3] = 0;
