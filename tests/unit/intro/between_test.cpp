@@ -2,11 +2,10 @@
 // threads.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/threads.h"
 
-#include <atomic>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <thread>
 #include <vector>
 
 using namespace odraz;
@@ -15,26 +14,6 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 constexpr double kStep = 1 / 60.0;
-
-struct Threads {
-    Workers workers;
-    int abort = 0;
-    explicit Threads(int count) {
-        workers = {count,
-                   [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
-                      const void *context) {
-                       std::atomic<int> next{0};
-                       std::vector<std::thread> all;
-                       for (int t = 0; t < w.count; ++t)
-                           all.emplace_back([&, t] {
-                               for (int i; (i = next.fetch_add(size)) < count;)
-                                   body(context, i, min(i + size, count), t);
-                           });
-                       for (std::thread &t : all) t.join();
-                   },
-                   &abort, nullptr};
-    }
-};
 
 struct Loaded {
     Threads threads;

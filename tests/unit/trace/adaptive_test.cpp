@@ -1,5 +1,6 @@
 // The adaptive picture against the one traced in full, and its independence of everything but the scene.
 #include "show/show.h"
+#include "tests/support/threads.h"
 #include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
 #include "tools/measure/peer_scenes.h"
@@ -7,38 +8,15 @@
 #include "trace/picture/tracer.h"
 #include "trace/rays/beam.h"
 
-#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
-#include <thread>
 #include <vector>
 
 using namespace odraz;
 
 namespace {
-
-// Threads of the standard library: what the host's pool does, tested here without it.
-struct Threads {
-    Workers workers;
-    int abort = 0;
-    explicit Threads(int count) {
-        workers = {count,
-                   [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
-                      const void *context) {
-                       std::atomic<int> next{0};
-                       std::vector<std::thread> all;
-                       for (int t = 0; t < w.count; ++t)
-                           all.emplace_back([&, t] {
-                               for (int i; (i = next.fetch_add(size)) < count && !w.aborted();)
-                                   body(context, i, min(i + size, count), t);
-                           });
-                       for (std::thread &t : all) t.join();
-                   },
-                   &abort, nullptr};
-    }
-};
 
 constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
 const Quality &named(QualityName name) { return kQualities[(int)name]; }
