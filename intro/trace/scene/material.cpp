@@ -2,15 +2,10 @@
 
 namespace odraz {
 
-// The average of a square wave (+1 on even cells, -1 on odd ones) over [x - w/2, x + w/2]. Stretched a
-// little, so that roundings leave the inside of a cell pure: the other one's texture need not be asked there.
-ODRAZ_INLINE static Float8 squareWave(Float8 x, Float8 w) {
-    auto integral = [](Float8 x) {
-        Float8 folded = x - floor(x * 0.5f) * 2.f;
-        return 1.f - abs(folded - 1.f);
-    };
-    w = max(w, 1e-4f);
-    return clamp((integral(x + w * 0.5f) - integral(x - w * 0.5f)) * 1.004f / w, -1.f, 1.f);
+// The mean of a square wave (+1 in the first half of [0, 1), -1 in the other, and so on) over a width.
+ODRAZ_INLINE static Float8 squareWave(Float8 x, Float8 halfWidth, Float8 perWidth) {
+    auto integral = [](Float8 x) { return abs(x - round(x)); };
+    return (integral(x + halfWidth) - integral(x - halfWidth)) * perWidth;
 }
 
 Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width, Int8 &cell) {
@@ -19,14 +14,25 @@ Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, 
     cell = Int8{};
     if (m.cell == 0) return colour(m.texture, q, mean);
 
-    // The sample's footprint is an ellipse, long along the view: a circle across it, and its shadow along d
-    Float8 x = q.x * (1.f / m.cell), z = q.z * (1.f / m.cell), narrow = width * (1.f / m.cell);
+    // The sample's footprint is an ellipse, long along the view: a circle across it, and its shadow along d.
+    // There both waves turn together, and the mean of a product is not that of means: it is taken in parts
+    constexpr float kParts = 3;
+    stretch *= 1 / kParts;
+    const float perPair = 0.5f / m.cell;
+    Float8 x = q.x * perPair, z = q.z * perPair, narrow = width * perPair;
     Float8 alongX = d.x * stretch, alongZ = d.z * stretch;
-    Float8 wx = narrow * sqrt(fmadd(alongX, alongX, 1.f)), wz = narrow * sqrt(fmadd(alongZ, alongZ, 1.f));
-    Float8 even = fmadd(squareWave(x, wx) * squareWave(z, wz), 0.5f, 0.5f);
-    Int8 sharp = max(wx, wz) < 1.f;
-    cell =
-        (toInt(floor(clamp(x, -1e6f, 1e6f))) * 73 + toInt(floor(clamp(z, -1e6f, 1e6f))) * 1031 + 1) & sharp;
+    auto half = [&](Float8 along) { return max(narrow * sqrt(fmadd(along, along, 1.f)) * 0.5f, 2e-5f); };
+    Float8 halfX = half(alongX), halfZ = half(alongZ), perX = 0.5f / halfX, perZ = 0.5f / halfZ, sum = {};
+    alongX *= narrow, alongZ *= narrow;
+    for (float part = 0.5f - kParts * 0.5f; part < kParts * 0.5f; ++part)
+        sum +=
+            squareWave(fmadd(alongX, part, x), halfX, perX) * squareWave(fmadd(alongZ, part, z), halfZ, perZ);
+    // Stretched a little, so that roundings leave the inside of a cell pure: there the other one's texture
+    // need not be asked
+    Float8 even = saturate(fmadd(sum, 0.504f / kParts, 0.5f));
+    Int8 sharp = fmadd(max(abs(alongX), abs(alongZ)), kParts, narrow) < 0.5f;
+    auto number = [](Float8 x) { return toInt(floor(clamp(x * 2.f, -1e6f, 1e6f))); };
+    cell = (number(x) * 73 + number(z) * 1031 + 1) & sharp;
 
     Rgb8 result = {};
     if (any(even > 0.f)) result = colour(m.texture, q, mean) * even;

@@ -136,6 +136,38 @@ TEST(Checker, IsFilteredLikeManySamples) {
     }
 }
 
+// Seen along its diagonals the two waves of a checker turn together; the mean of each alone tells little
+// there.
+TEST(Checker, IsFilteredAlongASlantedView) {
+    Material m = {};
+    m.texture = {Pattern::Plain, 1, {{1, 1, 1}}};
+    m.other = {Pattern::Plain, 1, {{0, 0, 0}}};
+    m.cell = 1;
+    Int8 cell;
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> place(-3, 3), part(-0.5, 0.5);
+    for (double degrees : {0., 20., 45., 70.}) {
+        double cosine = 0.06, x = std::cos(degrees / 180 * M_PI), z = std::sin(degrees / 180 * M_PI);
+        double across = 0.1, along = across / cosine, squares = 0;
+        double level = std::sqrt(1 - cosine * cosine);
+        Vec3 d = {(float)(x * level), (float)-cosine, (float)(z * level)};
+        constexpr int kPlaces = 200, kRays = 4000;
+        for (int i = 0; i < kPlaces; ++i) {
+            double px = place(random), pz = place(random), sum = 0;
+            for (int k = 0; k < kRays; ++k) {
+                double a = part(random) * along, b = part(random) * across;
+                double u = px + a * x - b * z, v = pz + a * z + b * x;
+                sum += ((int)std::floor(u) + (int)std::floor(v)) & 1 ? 0 : 1;
+            }
+            float filtered = albedo(m, broadcast(Vec3{(float)px, 0, (float)pz}), broadcast(d),
+                                    broadcast((float)cosine), broadcast((float)across), cell)
+                                 .x[0];
+            squares += std::pow(filtered - sum / kRays, 2);
+        }
+        EXPECT_LT(std::sqrt(squares / kPlaces), 0.07) << degrees; // the product of means: 0.24 at 45 degrees
+    }
+}
+
 TEST(Materials, AreColoursEverywhere) {
     for (const Material &m :
          {kDarkMarble, kBoards, pearl(true, 0.4f), kSlate, kGranite, kOak, kGlass, kMirror, kCopper})
