@@ -16,7 +16,7 @@ struct Quality {
 
     int grid = 0;        // 1 .. 16: grid x grid samples in every pixel and nothing adaptive; 0: as below
     int coarse = 0;      // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
-    int fine = 0;        // ... of the smallest: 8, 4, 2 or 1
+    int fine = 0;        // ... of the smallest: 8 or 4; 2: pixels may take three samples more, 1: twelve
     int texels = 1;      // 1 or 2: per side of a pixel, of textures whose own filter is rough
     float threshold = 0; // difference of shown intensity (0 .. 1) that splits a square
     float mild = 0;      // squares of two pixels whose marks differ split only from this difference on

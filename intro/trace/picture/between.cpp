@@ -134,13 +134,13 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
                 s.x[i] = (float)(t.x0 + pixels[i] % kTile) + (k & 1 ? 0.75f : 0.25f);
                 s.y[i] = (float)(t.y0 + pixels[i] / kTile) + (k & 2 ? 0.75f : 0.25f);
             }
-            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, n, s.x, s.y, s.index, s.fine);
+            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, n, s.x, s.y, s.index, s.inside);
             for (int i = 0; i < n; ++i)
                 for (int c = 0; c < 3; ++c) {
                     float &out =
                         t.frame
                             .plane[c][(t.y0 + pixels[i] / kTile) * t.frame.stride + t.x0 + pixels[i] % kTile];
-                    out = (k ? out : 0) + s.fine[i][c] * 0.25f;
+                    out = (k ? out : 0) + s.inside[i][c] * 0.25f;
                 }
         }
         s.sampleCount += 4 * n;

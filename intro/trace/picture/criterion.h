@@ -2,10 +2,10 @@
 //
 // After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of any
 // light there, (c) what secondary rays hit, level by level, and the cell of a texture there, (d) the
-// intensities. (a) to (c) are marks, kept in every Sample; below a pixel (d) alone decides. Beyond it a
-// square splits where a shape may show in it that shows at no corner (hidden.h), and where a corner that a
-// neighbour traced on its side tells of something new. Thresholds are the Quality's. A new criterion is asked
-// in splitsSquare() and splitsPixel(); one of marks belongs in marksOf().
+// intensities. (a) to (c) are marks, kept in every Sample; whether a pixel gets samples inside, (d) alone
+// decides. Beyond it a square splits where a shape may show in it that shows at no corner (hidden.h), and
+// where a corner that a neighbour traced on its side tells of something new. Thresholds are the Quality's. A
+// new criterion is asked in splitsSquare() and splitsPixel(); one of marks belongs in marksOf().
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -29,10 +29,9 @@ ODRAZ_INLINE __m128 rangeOf(const TileScratch &s, const uint32_t *c) {
     return range(s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]);
 }
 // The same of what is seen, whether it differs by more than a threshold. (Out of line: it is large.)
-[[gnu::noinline]] inline bool seenExceeds(const Tile &t, Square a, int size, float threshold) {
+[[gnu::noinline]] inline bool seenExceeds(const Tile &t, const uint32_t *c, float threshold) {
     __m128 v[4];
-    radianceAt(t.s, a, size, v);
-    for (__m128 &k : v) k = shown(t.scene, k);
+    for (int k = 0; k < 4; ++k) v[k] = shown(t.scene, radianceOf(t.s.corners[c[k]]));
     return exceeds(range(v[0], v[1], v[2], v[3]), threshold);
 }
 
@@ -63,7 +62,7 @@ ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t
     const TileScratch &s = t.s;
     int same = alike(s, c);
     bool marks = same != kSameMarks;
-    if (size > 8) {
+    if (size > 2) {
         __m128i all = _mm_or_si128(_mm_or_si128(s.marks[c[0]], s.marks[c[1]]),
                                    _mm_or_si128(s.marks[c[2]], s.marks[c[3]]));
         bool textured = _mm_movemask_ps(_mm_castsi128_ps(all)) & 8;
@@ -77,13 +76,12 @@ ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t
 // Whether a sample in the middle of one of a square's sides, traced because a neighbour split, differs from
 // the corners, all alike, that let the square be.
 ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float mild) {
-    const uint32_t half = (uint32_t)size / 2, pixels = half >> 2, place = placeAt(a.x, a.y),
-                   corner = cornerAt(a.x, a.y);
+    const uint32_t half = (uint32_t)size / 2, place = placeAt(a.x, a.y), corner = cornerAt(a.x, a.y);
     auto tells = [&](uint32_t x, uint32_t y) { // in halves of the square
         if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
-        uint32_t middle = corner + y * pixels * kCorners + x * pixels;
+        uint32_t middle = corner + y * half * kCorners + x * half;
         if (alike(s, middle, corner) == kSameMarks) return false;
-        return size > 8 ||
+        return size > 2 ||
                exceeds(range(s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]), mild);
     };
     return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
@@ -95,16 +93,7 @@ ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int shape = shapeOf(s, c[0], alike(s, c));
     bool calm = shape >= 0 && !exceeds(rangeOf(s, c), t.quality.edge);
-    if (!calm) {
-        keepRadiance(t.s, a);
-        if (seenExceeds(t, a, 4, t.quality.edge)) return true;
-    }
-    return mayHide(t, a, 4, shape);
-}
-
-// Whether a part of a pixel splits, by the radiance at its corners; `edge` is the quality's, doubled a level.
-inline bool splitsPart(const Tile &t, Square a, int size, float edge) {
-    return seenExceeds(t, a, size, edge) || mayHide(t, a, size, -1);
+    return (!calm && seenExceeds(t, c, t.quality.edge)) || mayHide(t, a, 1, shape);
 }
 
 } // namespace odraz

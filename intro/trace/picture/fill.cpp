@@ -45,7 +45,7 @@ struct Bilinear {
 void fill(Tile &t, Square q, int size) {
     TileScratch &s = t.s;
     uint32_t c[4];
-    int x0 = q.x >> 2, y0 = q.y >> 2, at = y0 * kTile + x0;
+    int x0 = q.x, y0 = q.y, at = y0 * kTile + x0;
     cornersOf(q, size, c);
     const Sample &first = s.corners[c[0]];
     bool same = alike(s, c) & kSameId;
@@ -57,7 +57,7 @@ void fill(Tile &t, Square q, int size) {
         light[i] = fourOf(k.light);
         rest[i] = lit ? fourOf(k.rest) : radianceOf(k);
     }
-    if (size == 4) {
+    if (size == 1) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
         __m128 r = (rest[0] + rest[1] + rest[2] + rest[3]) * 0.25f;
         for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
@@ -65,17 +65,16 @@ void fill(Tile &t, Square q, int size) {
         return;
     }
     // A row of the square is one packet
-    int pixels = size >> 2;
-    float step = 1.f / (float)pixels;
-    Int8 inside = kLanes < pixels;
+    float step = 1.f / (float)size;
+    Int8 inside = kLanes < size;
     Float8 u = (toFloat(kLanes) + 0.5f) * step;
     Bilinear lights(light), rests(rest);
     __m128i owners = _mm_set1_epi16((short)owner);
-    for (int y = 0; y < pixels && y0 + y < t.height; ++y) {
+    for (int y = 0; y < size && y0 + y < t.height; ++y) {
         __m128 v = _mm_set1_ps(((float)y + 0.5f) * step);
         Rgb8 r = rests.row(v, u);
         int p = at + y * kTile;
-        if (pixels == 8) {
+        if (size == 8) {
             // Whole packets need not wait for their neighbours
             if (lit) r += lights.row(v, u) * albedoOf(t, owner, x0, y0 + y);
             put(t, x0, y0 + y, r, owners);
@@ -89,7 +88,7 @@ void fill(Tile &t, Square q, int size) {
         };
         keep(s.rest, r);
         if (lit) keep(s.light, lights.row(v, u));
-        if (pixels == 4)
+        if (size == 4)
             _mm_storel_epi64((__m128i *)(s.owner + p), owners);
         else
             _mm_storeu_si32(s.owner + p, owners);

@@ -15,14 +15,13 @@ static void addDisc(Tile &t, int index) {
     if (z <= 0 || !(below > r * r * 1e-3f) || d.count == kDiscs) return;
     float x = dot(to, v.right) * v.width / dot(v.right, v.right), // in pixels, at distance z
         y = dot(to, v.down) * v.height / dot(v.down, v.down), away = sqrt(x * x + y * y);
-    float pixel = 4 / v.spread, longer = r * sqrt(square - r * r) / below * pixel,
+    float pixel = 1 / v.spread, longer = r * sqrt(square - r * r) / below * pixel,
           shorter = r / sqrt(below) * pixel;
     bool turned = away > 1e-3f * abs(z);
     int i = d.count;
-    d.x[i] = 4 * fmadd(x, z / below, v.width * 0.5f - (float)t.x0);
-    d.y[i] = 4 * fmadd(y, z / below, v.height * 0.5f - (float)t.y0);
-    if (d.x[i] + longer < 0 || d.y[i] + longer < 0 || d.x[i] - longer > 4 * kTile ||
-        d.y[i] - longer > 4 * kTile)
+    d.x[i] = fmadd(x, z / below, v.width * 0.5f - (float)t.x0);
+    d.y[i] = fmadd(y, z / below, v.height * 0.5f - (float)t.y0);
+    if (d.x[i] + longer < 0 || d.y[i] + longer < 0 || d.x[i] - longer > kTile || d.y[i] - longer > kTile)
         return;
     d.alongX[i] = (turned ? x / away : 1) / longer;
     d.alongY[i] = (turned ? y / away : 0) / longer;
@@ -40,10 +39,10 @@ static void addGrain(Tile &t, int index) {
     const View &v = t.view;
     const Shape &shape = t.scene.shapes[index];
     if (s.grainCount == kGrains) return;
-    float widest = (float)t.quality.coarse * 1.5f, pixel = 4 / v.spread;
+    float widest = (float)t.quality.coarse * 0.375f, pixel = 1 / v.spread;
     auto place = [&](Vec3 p, float &x, float &y) {
         v.project(p, x, y);
-        x = 4 * (x - (float)t.x0), y = 4 * (y - (float)t.y0);
+        x -= (float)t.x0, y -= (float)t.y0;
     };
     const Bounds &b = t.scene.box[index];
     Vec3 middle = (b.lo + b.hi) * 0.5f;
@@ -68,8 +67,8 @@ static void addGrain(Tile &t, int index) {
         place(middle + axis, x, y);
     }
     g.alongX = x - g.x, g.alongY = y - g.y;
-    if (max(g.x, x) + g.radius < 0 || max(g.y, y) + g.radius < 0 || min(g.x, x) - g.radius > 4 * kTile ||
-        min(g.y, y) - g.radius > 4 * kTile)
+    if (max(g.x, x) + g.radius < 0 || max(g.y, y) + g.radius < 0 || min(g.x, x) - g.radius > kTile ||
+        min(g.y, y) - g.radius > kTile)
         return;
     s.grains[s.grainCount++] = g;
 }

@@ -52,9 +52,9 @@ void traceGrid(Tile &t) {
                 store(s.y + i, broadcast((float)(y + i / wide) + dy));
             }
             traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y,
-                         s.index, s.fine);
+                         s.index, s.inside);
             for (int i = 0; i < count; i += 8) {
-                Rgb8 sum = eightColours(s.fine + i);
+                Rgb8 sum = eightColours(s.inside + i);
                 size_t at = (size_t)(y + i / wide) * (size_t)t.frame.stride + (size_t)(t.x0 + i % wide);
                 for (int c = 0; c < 3; ++c) {
                     float *out = t.frame.plane[c] + at;

@@ -332,3 +332,36 @@ TEST(Adaptive, ShowsNoDashesOfFacesSeenFromTheSide) {
     }
     EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
 }
+
+// How much of a pixel lies beyond an edge shows whatever its slope: near the axes, too, where stairs are
+// long.
+TEST(Adaptive, SmoothsEdgesOfEverySlope) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material bright = {};
+    bright.emit = {1, 1, 1};
+    s->add(bright);
+    s->add(Shape{.kind = ShapeKind::Rect,
+                 .centre = {0, -100, -10},
+                 .half = {200, 0, 100},
+                 .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+    s->finish();
+    for (float degrees : {0.7f, 3.f, 10.f, 22.f, 41.f, 87.f}) {
+        CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, degrees, 36};
+        Picture truth = traced(*s, camera, named(QualityName::Reference), 320, 180);
+        auto off = [&](QualityName name) {
+            Picture p = traced(*s, camera, named(name), 320, 180);
+            double squares = 0;
+            int edges = 0;
+            for (int i = 0; i < p.frame.stride * 180; ++i) {
+                float v = truth.frame.plane[0][i];
+                if (v <= 0 || v >= 1) continue;
+                squares += std::pow(p.frame.plane[0][i] - v, 2);
+                ++edges;
+            }
+            return std::sqrt(squares / edges);
+        };
+        EXPECT_LT(off(QualityName::Play), 0.1) << degrees; // by three by three places up to 0.15
+        EXPECT_LT(off(QualityName::Film), 0.05) << degrees;
+    }
+}
