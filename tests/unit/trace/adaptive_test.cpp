@@ -91,7 +91,7 @@ TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     double play = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Play), 320, 180));
     double film = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Film), 320, 180));
     EXPECT_GT(draft, 30);
-    EXPECT_GT(play, draft + 3);
+    EXPECT_GT(play, draft + 2);
     EXPECT_GT(film, play + 2);
     EXPECT_GT(film, 40);
 }
