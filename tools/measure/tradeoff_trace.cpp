@@ -51,14 +51,15 @@ std::vector<Setting> settings(bool few) {
         all.push_back({text("to film", 1 - share), 0, between(named(QualityName::Film), play, share), false});
         all.push_back({text("to draft", share), 0, between(play, named(QualityName::Draft), share), false});
     }
-    for (int fine : {8, 4, 1})
+    for (int fine : {8, 4})
         with(2, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
-    for (int coarse : {4, 8, 16})
+    with(2, "twelve samples inside pixels", [&](Quality &q) { q.fine = 1; });
+    for (int coarse : {4, 8, 32})
         with(2, text("largest square", (float)coarse / 4), [&](Quality &q) { q.coarse = coarse; });
-    for (float v : {0.01f, 0.02f, 0.1f}) with(3, text("threshold", v), [&](Quality &q) { q.threshold = v; });
-    for (float v : {0.f, 0.01f, 0.04f, 0.08f}) with(3, text("mild", v), [&](Quality &q) { q.mild = v; });
+    for (float v : {0.01f, 0.02f, 0.08f}) with(3, text("threshold", v), [&](Quality &q) { q.threshold = v; });
+    for (float v : {0.f, 0.02f, 0.1f}) with(3, text("mild", v), [&](Quality &q) { q.mild = v; });
     for (float v : {0.03f, 0.06f, 0.2f, 0.4f}) with(4, text("edge", v), [&](Quality &q) { q.edge = v; });
-    for (float v : {0.03f, 0.06f, 0.25f}) with(5, text("mark", v), [&](Quality &q) { q.mark = v; });
+    for (float v : {0.05f, 0.1f, 0.4f}) with(5, text("mark", v), [&](Quality &q) { q.mark = v; });
     for (int v : {2, 3, 9}) with(5, text("bounces", (float)v), [&](Quality &q) { q.depth = v; });
     for (float v : {1 / 10.f, 1 / 160.f}) with(5, text("cutoff", v), [&](Quality &q) { q.cutoff = v; });
     return all;
