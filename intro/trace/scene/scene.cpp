@@ -38,7 +38,7 @@ void Scene::add(const Light &l) { lights[next(lightCount, kMaxLights, "kMaxLight
 
 void Scene::finish() {
     int bounded = 0;
-    unboundedCount = occluderCount = 0;
+    unboundedCount = occluderCount = lampCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
         Shape &s = shapes[i];
         s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && !s.traits().askew;
@@ -48,7 +48,11 @@ void Scene::finish() {
         }
         box[i] = boundsOf(s);
         order[bounded++] = (uint16_t)i;
-        if (contact && s.kind == ShapeKind::Sphere && maxComponent(materials[s.material].emit) == 0) {
+        if (s.kind != ShapeKind::Sphere) continue;
+        const Material &m = materials[s.material];
+        if (m.lamp()) {
+            lamp[next(lampCount, kMaxShining, "kMaxShining")] = (uint16_t)i;
+        } else if (contact) {
             int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
             occluder[k] = s.centre;
             occluderRadius[k] = s.half.x;

@@ -15,7 +15,7 @@
 namespace odraz {
 
 inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMaxUnbounded = 8,
-                     kMaxOccluders = 24;
+                     kMaxOccluders = 24, kMaxShining = 16;
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "numbers of them are kept in 16 and 8 bits");
 
 // A point that shines, with a hard shadow. Irradiance at distance r is intensity / r^2.
@@ -35,7 +35,7 @@ struct Scene {
     Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
     // What there was too much of, as the constant to raise; null: all fits. The picture is not what was meant
     const char *overflow;
-    int nodeCount, unboundedCount, occluderCount; // of what finish() makes
+    int nodeCount, unboundedCount, occluderCount, lampCount; // of what finish() makes
     Sky sky;
     Light lights[kMaxLights];
     Material materials[kMaxMaterials];
@@ -44,6 +44,7 @@ struct Scene {
     // Made by finish()
     Rgb mean[kMaxMaterials];           // each material's average diffuse reflectance
     uint16_t unbounded[kMaxUnbounded]; // the shapes that no box holds
+    uint16_t lamp[kMaxShining];          // the balls that shine, and do nothing else
     Vec3 occluder[kMaxOccluders];      // the balls of `contact`
     float occluderRadius[kMaxOccluders];
     Bounds box[kMaxShapes]; // of each bounded shape

@@ -68,9 +68,12 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     Eight pick(run.ray + i);
     int count = min(run.count - i, 8);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    // A lamp that hardly any sample meets would blink: in mirrors it fades before. Its highlight stays
-    if (c.bounces > 0 && shape.half.x > 0 && maxComponent(m.emit) > 0)
-        rest = rest * saturate(sqrt(shape.half.x * shape.half.z) / load(run.width + i) - 1.f);
+    // A lamp that hardly any sample meets would blink: in mirrors it fades before. A ball is added by the
+    // rays that pass it (lamps.h)
+    if (c.bounces > 0 && m.lamp())
+        rest = shape.kind == ShapeKind::Sphere
+                   ? Rgb8{}
+                   : rest * saturate(sqrt(shape.half.x * shape.half.z) / load(run.width + i) - 1.f);
     Int8 cell = {}, states = {};
     if (m.diffuse > 0 || m.specular > 0) {
         rest += weight * load(run.highlight, i);

@@ -107,7 +107,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
         Int8 states = {}, active = kLanes < run.count - i;
         if (m.ior > 0) active &= side > 0.f; // inside glass lights come by refraction
         Vec3x8 d = {};
-        Float8 dn = {}, wider = {}, nearest = {};
+        Float8 dn = {}, wider = {}, nearest = {}, reach = broadcast(2.f);
         if (m.specular > 0) {
             // What a sample covers of a ball blurs highlights: with variances, that of a lobe being 1 /
             // exponent, lobes and samples are added (Kaplanyan et al., "Filtering Distributions of Normals",
@@ -115,9 +115,13 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Eight pick(run.ray + i);
             d = pick(in.d);
             dn = dot(n, d) * -2.f;
-            Float8 spread = min(fmadd(load(run.curve + i), 2.f, pick(in.spread)), 1.f),
-                   variance = spread * spread * (1 / 3.f);
+            Float8 spread =
+                       min(fmadd(load(run.curve + i) / max(load(run.cosine + i), 0.1f), 2.f, pick(in.spread)),
+                           1.f),
+                   variance = spread * spread;
             nearest = fmadd(variance, -14.f, lobeEnd);
+            // As far as corners are apart it is looked for
+            reach = fmadd(variance, -16.f, 1.f);
             wider = 1.f / fmadd(variance, m.exponent, 1.f);
         }
         p = fmadd(n, error, p);
@@ -127,9 +131,9 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Vec3x8 to = light.position - p;
             Float8 square = max(dot(to, to), 1e-8f), far = sqrt(square), inverse = 1.f / far;
             Vec3x8 l = to * inverse;
-            Float8 cosine = dot(n, l), strength = inverse * inverse, lobe = {};
+            Float8 cosine = dot(n, l), strength = inverse * inverse, lobe = {}, towards = {};
             if (m.specular > 0) {
-                Float8 towards = fmadd(dn, cosine, dot(d, l));
+                towards = fmadd(dn, cosine, dot(d, l));
                 Int8 near = towards > nearest;
                 if (any(near)) {
                     lobe = exp2(log2(clamp(towards, 0.01f, 1.f)) * wider * m.exponent) * wider;
@@ -138,7 +142,8 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             }
             Float8 promised =
                 fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
-            Int8 lit = active & (cosine > 0.f) & (promised > leastShare);
+            Int8 close = towards > reach;
+            Int8 lit = active & (cosine > 0.f) & ((promised > leastShare) | close);
             if (!any(lit)) continue;
 
             // Add what comes through. A shape does not shade what faces the light on its own outside
@@ -152,7 +157,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             diffuse += arriving * cosine;
             highlight += arriving * lobe;
             Int8 state = select(through.x + through.y + through.z < 3.f, broadcast(3),
-                                select(lobe > 0.02f, broadcast(2), broadcast(1)));
+                                select((lobe > 0.02f) | close, broadcast(2), broadcast(1)));
             states |= (lit & state) << (2 * k);
         }
         store(run.diffuse, i, diffuse);

@@ -2,6 +2,7 @@
 
 #include "trace/shade/arrive.h"
 #include "trace/shade/contribute.h"
+#include "trace/shade/lamps.h"
 #include "trace/shade/light.h"
 #include "trace/shade/scatter.h"
 
@@ -44,6 +45,7 @@ void traceStream(Context &c, TraceScratch &scratch, int level) {
         store(in.t + i, hit.t);
         store(in.shape + i, hit.shape);
     }
+    if (level > 0) addLamps(c, in);
     for (int begin = 0; begin < in.count; begin += kChunk) {
         out.count = 0;
         c.bounces = level;
