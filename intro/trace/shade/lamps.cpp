@@ -10,6 +10,7 @@ static constexpr float kMost = 6;
 
 void addLamps(const Context &c, const RayStream &in) {
     const Scene &scene = c.scene;
+    const float bound = kMost / scene.exposure;
     for (int i = 0; i < in.count; i += 8) {
         Ray8 ray = {load(in.o, i), load(in.d, i)};
         Rgb8 light = {}, weight = load(in.weight, i);
@@ -20,8 +21,7 @@ void addLamps(const Context &c, const RayStream &in) {
             Vec3x8 to = s.centre - ray.o;
             Float8 far = dot(to, ray.d), off = dot(to, to) - far * far;
             // By the sample's half width there, the half axis of the widened picture
-            Float8 wide = fmadd(load(in.spread + i), far, load(in.width + i)) * 1.5f,
-                   square = max(wide * wide, 1e-12f);
+            Float8 wide = fmadd(load(in.spread + i), far, load(in.width + i)) * 1.5f, square = wide * wide;
             Float8 reach = fmadd(square, 4.f, r * r);
             Int8 near = (far > 0.f) & (far - r * 1.01f < load(in.t + i)) & (off < reach * 12.f);
             if (!any(near)) continue;
@@ -29,7 +29,7 @@ void addLamps(const Context &c, const RayStream &in) {
             Float8 cover = saturate((reach - off) / (wide * sqrt(reach) * 2.f));
             cover *= r * r / fmadd(square, 2.f, r * r);
             Rgb8 all = weight * scene.materials[s.material].emit;
-            Float8 most = fmadd(r * r / square, kMost, kMost) / broadcast(scene.exposure);
+            Float8 most = fmadd(r * r / square, bound, broadcast(bound));
             all = {min(all.x, most), min(all.y, most), min(all.z, most)};
             light += select(near, all * cover, Rgb8{});
             Int8 shows = near & (maxComponent(all) * scene.exposure > c.quality.mark);
