@@ -183,6 +183,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
     if (findGl(find, window.gl)) return kNoGl;
+    // A picture is shown when the display begins a new one: whole, and at its pace
+    if (auto every = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) every(1);
     if (startThread(listen, &w))
         return "no thread to listen for keys: raise the limit on processes (ulimit -u)";
     return nullptr;
