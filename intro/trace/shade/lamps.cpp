@@ -14,7 +14,8 @@ void addLamps(const Context &c, const RayStream &in) {
     for (int i = 0; i < in.count; i += 8) {
         Ray8 ray = {load(in.o, i), load(in.d, i)};
         Rgb8 light = {}, weight = load(in.weight, i);
-        Int8 marks = {}, found = {};
+        Int8 found = {};
+        Uint8 marks = {};
         for (int k = 0; k < scene.lampCount; ++k) {
             const Shape &s = scene.shapes[scene.lamp[k]];
             float r = s.half.x;
@@ -33,11 +34,11 @@ void addLamps(const Context &c, const RayStream &in) {
             all = {min(all.x, most), min(all.y, most), min(all.z, most)};
             light += select(near, all * cover, Rgb8{});
             Int8 shows = near & (maxComponent(all) * scene.exposure > c.quality.mark);
-            marks += shows & (Int8)((Uint8)loadInts(in.path + i) * 0x9e3779b1u + (uint32_t)k);
+            marks += (Uint8)shows & ((Uint8)loadInts(in.path + i) * 0x9e3779b1u + (uint32_t)k);
         }
         int32_t place[8];
         store(place, kLanes + i);
-        if (any(found)) addRest(c, in, place, min(in.count - i, 8), light, marks);
+        if (any(found)) addRest(c, in, place, min(in.count - i, 8), light, (Int8)marks);
     }
 }
 
