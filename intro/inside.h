@@ -18,6 +18,7 @@ struct Intro {
     Tracer tracer;
     Frame frame;
     Curve curve;
+    Air air;
     // Where pictures between others are made: the last two traced, the later one second, and their moments
     bool pairs;
     Between between;

@@ -20,6 +20,7 @@ bool needsHall(double from, double to) {
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs) bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 18) + 4096;
+    bytes += airBytes(s.width, s.height);
     return bytes + pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
 }
@@ -38,7 +39,8 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
-        !makeFrame(intro->frame, arena, s.width, s.height))
+        !makeFrame(intro->frame, arena, s.width, s.height) ||
+        !makeAir(intro->air, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
     makeCurve(intro->curve);
     intro->workers = &workers;
@@ -74,7 +76,9 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
     frame.rgba = rgba;
     // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
     // would be seen as a veil
-    develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240));
+    scatterLight(intro.air, frame, *intro.workers);
+    develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
+            &intro.air, kFilmAir);
     return {frame.width, frame.height, rgba};
 }
 

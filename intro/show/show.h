@@ -8,7 +8,7 @@
 #include "show/events.h"
 #include "show/hall.h"
 #include "timeline/shot.h"
-#include "trace/picture/frame.h"
+#include "trace/picture/air.h"
 #include "trace/rays/view.h"
 
 namespace odraz {
@@ -37,6 +37,7 @@ struct SceneEntry {
 
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
+inline constexpr AirLook kFilmAir = {.glare = 0.06f, .vignette = 0.25f, .grain = 48};
 
 // What the film is shown with: a scene that is posed anew for every picture, and what all of them share.
 struct Film {

@@ -38,26 +38,64 @@ void makeCurve(Curve &curve) {
     }
 }
 
-void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed) {
+namespace {
+
+// A quarter of a picture's pixels, in between: eight pixels of a row.
+struct Scattered {
+    const float *near[3], *far[3]; // rows
+    float share;                   // of the far one
+
+    Scattered(const Air::Level &l, int y) {
+        // Pixels' middles lie at odd eighths of a quarter's sides
+        int eighth = 2 * y - 3, row = eighth >> 3;
+        share = (float)(eighth & 7) * 0.125f;
+        ptrdiff_t a = (ptrdiff_t)max(row, 0) * l.stride, b = (ptrdiff_t)min(row + 1, l.height - 1) * l.stride;
+        for (int c = 0; c < 3; ++c) near[c] = l.plane[c] + a, far[c] = l.plane[c] + b;
+    }
+    ODRAZ_INLINE Float8 at(int c, int x) const {
+        const Float8 kWeight = {0.625f, 0.875f, 0.125f, 0.375f, 0.625f, 0.875f, 0.125f, 0.375f};
+        const Int8 kFirst = {0, 0, 1, 1, 1, 1, 2, 2};
+        Float8 v = load(near[c] + x / 4 - 1);
+        v = fmadd(load(far[c] + x / 4 - 1) - v, share, v);
+        Float8 first = _mm256_permutevar8x32_ps(v, (__m256i)kFirst),
+               second = _mm256_permutevar8x32_ps(v, (__m256i)(kFirst + 1));
+        return fmadd(second - first, kWeight, first);
+    }
+};
+
+} // namespace
+
+void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+             const Air *air, const AirLook &look) {
     uint32_t salt = pcg(seed);
+    const float midX = (float)frame.width * 0.5f, midY = (float)frame.height * 0.5f,
+                darker = look.vignette / fmadd(midX, midX, midY * midY);
     parallelRanges(workers, frame.height, 16, [&](int first, int end, int) {
         for (int y = first; y < end; ++y) {
             uint8_t *out = frame.rgba + (size_t)y * (size_t)frame.width * 4;
+            float below = (float)y + 0.5f - midY, rest = fmadd(below * below, -darker, 1.f) * exposure;
+            Scattered scattered(air ? air->level[1] : Air::Level{}, y);
             for (int x = 0; x < frame.width; x += 8) {
-                Uint8 noise = pcg((Uint8)(kLanes + (x + y * kMaxWidth)) ^ salt);
+                Uint8 noise = pcg((Uint8)(kLanes + (x + y * kMaxWidth)) ^ salt), grain = pcg(noise);
+                Int8 grains = ((Int8)((grain >> 16) + (grain & 0xffff)) - 0xffff) * look.grain;
                 Int8 pixels = broadcast((int32_t)0xff000000);
+                Float8 aside = toFloat(kLanes) + ((float)x + 0.5f - midX),
+                       gain = fmadd(aside * aside, -darker * exposure, rest);
                 for (int c = 0; c < 3; ++c) {
                     Float8 v = load(frame.plane[c] + (size_t)y * (size_t)frame.stride + x);
+                    if (air) v = fmadd(scattered.at(c, x) - v, look.glare, v);
                     // NaN becomes the first place
-                    v = clamp(fmadd(v, exposure, Curve::kFoot), Curve::kFoot, Curve::kHead);
+                    v = clamp(fmadd(v, gain, Curve::kFoot), Curve::kFoot, Curve::kHead);
                     Int8 at = bits(v) - bits(Curve::kFoot);
                     Int8 place = lookUp(curve.place, at >> Curve::kShift);
                     // The value times 2^14, and the way to the next times 14 bits of what is left of the
                     // place
                     Int8 share = (at >> (Curve::kShift - 14) & 0x3fff) | 1 << 30;
-                    Uint8 shown = (Uint8)_mm256_madd_epi16((__m256i)place, (__m256i)share);
+                    Int8 shown = (Int8)_mm256_madd_epi16((__m256i)place, (__m256i)share);
                     // Each colour has noise of its own, 10 bits that no other has
-                    pixels |= (Int8)((shown + (noise >> 11)) >> 21) << (8 * c);
+                    shown += (Int8)(noise >> 11);
+                    shown = (Int8)_mm256_max_epi32((__m256i)(shown + grains), __m256i{});
+                    pixels |= (Int8)_mm256_min_epi32((__m256i)(shown >> 21), (__m256i)broadcast(255)) << (8 * c);
                     noise <<= 10;
                 }
                 // A row's end may not run over the next one's start, which another worker writes

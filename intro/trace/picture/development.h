@@ -3,7 +3,7 @@
 
 #include "base/float8.h"
 #include "base/parallel.h"
-#include "trace/picture/frame.h"
+#include "trace/picture/air.h"
 
 namespace odraz {
 
@@ -23,8 +23,9 @@ struct Curve {
 };
 void makeCurve(Curve &curve);
 
-// Fills frame.rgba: radiance * exposure through the film curve to sRGB. Noise of one step, another one for
-// each colour and seed, hides the steps.
-void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed);
+// Fills frame.rgba: radiance * exposure, seen through air whose light is scattered (null: none), through the
+// film curve to sRGB. Noise of one step, another one for each colour and seed, hides the steps.
+void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+             const Air *air = nullptr, const AirLook &look = kNoAir);
 
 } // namespace odraz
