@@ -23,7 +23,7 @@ static constexpr const Material *kMaterials[] = {&kDarkMarble, &kGlass, &kMirror
 void posePoint(const Cue &cue, Scene &scene) {
     float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row);
     scene.addAll(kMaterials);
-    int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (0.05f + key)));
+    int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (40 * (0.05f + key))));
 
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, kClear));
@@ -34,8 +34,8 @@ void posePoint(const Cue &cue, Scene &scene) {
 
     Vec3 point = {-1.12f, 1.22f, 0.3f};
     if (key > 0) scene.add(sphere(point, 0.022f, glow));
-    scene.add(Light{point, Rgb{8.2f, 6.5f, 4.6f} * key});
-    scene.add(Light{{2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim});
+    scene.add(Light{point, Rgb{8.2f, 6.5f, 4.6f} * key, 0.06f});
+    scene.add(Light{{2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
     scene.contact = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;

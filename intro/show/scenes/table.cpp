@@ -44,9 +44,9 @@ constexpr struct {
     {4.0f, 2.55f, 0.2f, -1, 0, kEdge},  {2.4f, 0.95f, 0.24f, 2, 1.35f, kClear},
 };
 constexpr Light kLights[] = {
-    {{-4.5f, 5.5f, 3.5f}, {74, 56, 38}},
-    {{5.5f, 4.0f, 1.5f}, {10, 13, 19}},
-    {{1.0f, 3.5f, -5.5f}, {12, 10, 8}},
+    {{-4.5f, 5.5f, 3.5f}, {74, 56, 38}, 0.45f},
+    {{5.5f, 4.0f, 1.5f}, {10, 13, 19}, 0.8f},
+    {{1.0f, 3.5f, -5.5f}, {12, 10, 8}, 0.5f},
 };
 
 // A turn of the circle that rests on every beat's end and moves between: one step of an eighth a half bar.

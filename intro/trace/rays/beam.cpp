@@ -110,13 +110,14 @@ Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, 
 }
 
 Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
-                   Int8 own) {
-    if (among.count < 0) return transmittance(scene, ray, far, active, own);
+                   Int8 own, bool noBalls) {
+    if (among.count < 0) return transmittance(scene, ray, far, active, own, noBalls);
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     for (int i = 0; i < among.count && any(active); ++i) {
         Int8 open = active & (own != among.shape[i]);
         if (!any(open)) continue;
         const Shape &s = scene.shapes[among.shape[i]];
+        if (noBalls && s.kind == ShapeKind::Sphere) continue;
         Float8 t =
             s.kind == ShapeKind::Sphere ? among.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
         Int8 hit = open & (t < far);

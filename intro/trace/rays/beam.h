@@ -59,6 +59,6 @@ void gather(const Scene &scene, const Beam &beam, Candidates &found);
 // that stands near: seen from the light, which may be far, a wall and its foot lie within a rounding.
 Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
 Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
-                   Int8 own);
+                   Int8 own, bool noBalls = false);
 
 } // namespace odraz

@@ -35,7 +35,8 @@ ODRAZ_INLINE void pass(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &s
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
 
 // What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass. In
-// each lane `own` is left out, a shape that cannot stand in the way; -1: none.
-Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own);
+// each lane `own` is left out, a shape that cannot stand in the way; -1: none. So are balls, if asked for.
+Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own,
+                   bool noBalls = false);
 
 } // namespace odraz

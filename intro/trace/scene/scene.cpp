@@ -56,6 +56,7 @@ void Scene::finish() {
             int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
             occluder[k] = s.centre;
             occluderRadius[k] = s.half.x;
+            occluderShape[k] = (uint16_t)i;
         }
     }
     buildTree(*this, bounded);

@@ -18,10 +18,13 @@ inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMa
                      kMaxOccluders = 24, kMaxShining = 16;
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "numbers of them are kept in 16 and 8 bits");
 
-// A point that shines, with a hard shadow. Irradiance at distance r is intensity / r^2.
+// What shines: irradiance at distance r is intensity / r^2. A ball of light where it has a radius: highlights
+// are its image then, and the balls of `contact` have soft shadows, and caustics if they are of glass. All
+// else has hard ones, from its middle.
 struct Light {
     Vec3 position;
     Rgb intensity;
+    float radius = 0;
 };
 
 // (What is small stands first in this and other large structs: its offsets are short.)
@@ -47,6 +50,7 @@ struct Scene {
     uint16_t lamp[kMaxShining];          // the balls that shine, and do nothing else
     Vec3 occluder[kMaxOccluders];      // the balls of `contact`
     float occluderRadius[kMaxOccluders];
+    uint16_t occluderShape[kMaxOccluders];
     Bounds box[kMaxShapes]; // of each bounded shape
     uint16_t order[kMaxShapes];
     Node nodes[kMaxShapes];

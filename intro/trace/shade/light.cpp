@@ -3,6 +3,7 @@
 #include "base/maths.h"
 #include "trace/rays/beam.h"
 #include "trace/shade/ball.h"
+#include "trace/shade/screen.h"
 
 namespace odraz {
 
@@ -82,6 +83,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
     Bounds box = boxOf(run);
     Occluders occluders(scene, box);
     Candidates among[kMaxLights];
+    Screens screens[kMaxLights];
     int aimed = 0; // a bit for every light
 
     for (int i = 0; i < run.count; i += 8) {
@@ -134,6 +136,10 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Float8 cosine = dot(n, l), strength = inverse * inverse, lobe = {}, towards = {};
             if (m.specular > 0) {
                 towards = fmadd(dn, cosine, dot(d, l));
+                if (light.radius > 0) { // as if the light stood at its nearest place
+                    Float8 off = max(sqrt(max(fmadd(towards, -2.f, 2.f), 0.f)) - inverse * light.radius, 0.f);
+                    towards = fmadd(off * off, -0.5f, 1.f);
+                }
                 Int8 near = towards > nearest;
                 if (any(near)) {
                     lobe = exp2(log2(clamp(towards, 0.01f, 1.f)) * wider * m.exponent) * wider;
@@ -147,10 +153,16 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             if (!any(lit)) continue;
 
             // Add what comes through. A shape does not shade what faces the light on its own outside
-            if (!(aimed >> k & 1)) aim(scene, run, box, light.position, among[k]);
-            aimed |= 1 << k;
+            bool soft = light.radius > 0;
+            if (!(aimed >> k & 1)) {
+                aim(scene, run, box, light.position, among[k]);
+                if (soft) findScreens(scene, light, box, screens[k]);
+                aimed |= 1 << k;
+            }
             Int8 own = select(side > 0.f, ((loadInts(run.id + i) - 1) >> 3), broadcast(-1));
-            Rgb8 through = transmittance(scene, among[k], {p, l}, far, lit, own);
+            Rgb8 through = transmittance(scene, among[k], {p, l}, far, lit, own, soft && scene.contact);
+            if (soft && screens[k].count)
+                through = through * passScreens(scene, screens[k], light, p, l, far, own);
             lit &= maxComponent(through) > 0.f;
             if (!any(lit)) continue;
             Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;

@@ -1,0 +1,54 @@
+#include "trace/shade/screen.h"
+
+namespace odraz {
+
+void findScreens(const Scene &scene, const Light &light, const Bounds &box, Screens &found) {
+    found.count = 0;
+    Vec3 middle = (box.lo + box.hi) * 0.5f, way = middle - light.position;
+    float reach = length(box.hi - middle) + light.radius, far = length(way);
+    way = way * (1 / max(far, 1e-9f));
+    for (int i = 0; i < scene.occluderCount; ++i) {
+        Vec3 to = scene.occluder[i] - light.position;
+        float r = scene.occluderRadius[i], along = dot(to, way);
+        Vec3 aside = to - way * along;
+        float wide = r + reach;
+        if (along > -wide && along < far + wide && dot(aside, aside) < wide * wide)
+            found.ball[found.count++] = (uint8_t)i;
+    }
+}
+
+Rgb8 passScreens(const Scene &scene, const Screens &screens, const Light &light, const Vec3x8 &p,
+                 const Vec3x8 &l, Float8 far, Int8 own) {
+    constexpr float kLeastSpot = 0.12f; // of a ball's radius, squared: what aberration leaves of the focus
+    Rgb8 share = broadcast(Rgb{1, 1, 1});
+    Float8 widening = light.radius / far;
+    for (int i = 0; i < screens.count; ++i) {
+        int k = screens.ball[i], shape = scene.occluderShape[k];
+        float r = scene.occluderRadius[k];
+        Vec3x8 to = scene.occluder[k] - p;
+        Float8 along = dot(to, l);
+        Vec3x8 aside = to - l * along;
+        // The lamp's disc where the ball stands
+        Float8 wide = max(along * widening, 1e-3f * r), square = dot(aside, aside), reach = wide + r;
+        Int8 meets = (along > 0.f) & (along < far) & (own != shape) & (square < reach * reach);
+        if (!any(meets)) continue;
+        Float8 less = min(wide, broadcast(r)), bare = r / wide,
+               x = saturate((reach - sqrt(square)) * 0.5f / less);
+        // A smooth step for discs of very different size, nearly a line for equal ones
+        Float8 step = x * x * fmadd(x, -2.f, 3.f), even = less / max(wide, broadcast(r));
+        Float8 hidden =
+            fmadd(fmadd(x, fmadd(x, 0.45f, 0.55f), -step), even, step) * min(bare * bare, broadcast(1.f));
+        const Material &m = scene.materials[scene.shapes[shape].material];
+        Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
+        if (m.ior > 0) {
+            Float8 before = fmadd(along, (1 - m.ior) * 2 / (m.ior * r), 1.f), blur = wide * (1 / r);
+            Float8 spot = min(fmadd(before, before, fmadd(blur, blur, broadcast(kLeastSpot))), 1.f);
+            Float8 gain = max(1.f - square / (spot * (r * r)), 0.f) * 2.f / spot;
+            left += m.tint * gain;
+        }
+        share = select(meets, share * left, share);
+    }
+    return share;
+}
+
+} // namespace odraz
