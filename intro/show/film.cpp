@@ -44,11 +44,11 @@ static constexpr CameraKey kValley[] = {
 };
 static constexpr CameraKey kAxonometry[] = {
     {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
-    {128, {33.7f, 29, 36.5f}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
+    {176, {33.2f, 29, 37}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
 };
 static constexpr CameraKey kWalkIn[] = {
-    {128, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
-    {192, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
+    {176, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
+    {224, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
 };
 static constexpr CameraKey kWalk[] = {
     {0, {3.35f, 1.55f, 8.3f}, {-2.6f, 2.0f, 0}, 0, 48},
@@ -72,10 +72,14 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 0, 12},      {144, kTable, 144, path(kOrbit), 12, 8},
-    {384, kFlake, 384, path(kValley), 12, 8},  {576, kPatches, 576, path(kAxonometry), 8, 0},
-    {704, kPatches, 576, path(kWalkIn), 0, 8}, {768, kHall, 768, path(kWalk), 8, 0},
-    {1056, kOdraz, 1056, path(kCrane), 0, 16}, {1232, kCredits, 1232, path(kStill), 8, 16},
+    {0, kPoint, 0, path(kPushIn), 0, 12},
+    {128, kTable, 128, path(kOrbit), 12, 8},
+    {320, kFlake, 320, path(kValley), 12, 8},
+    {512, kPatches, 512, path(kAxonometry), 8, 0},
+    {688, kPatches, 512, path(kWalkIn), 0, 8},
+    {736, kHall, 736, path(kWalk), 8, 0},
+    {1024, kOdraz, 1024, path(kCrane), 0, 16},
+    {1216, kCredits, 1216, path(kStill), 8, 16},
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};
