@@ -86,6 +86,15 @@ check "compare finds a difference" grep -q 'largest difference 20,' "$WORK/said"
 check "compare exits 1 over the threshold" bash -c "'$BUILD/compare' '$WORK/a.ppm' '$WORK/b.ppm' --max 19 >/dev/null; [ \$? = 1 ]"
 check "compare exits 0 within it" prints 'largest difference 20,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" --max 20
 check "compare refuses what is no picture" refuses 2 "cannot read a picture" "$BUILD/compare" "$WORK/a.ppm" "$BUILD/CMakeCache.txt"
+cat >"$WORK/grey" <<'END'
+#!/usr/bin/env bash
+size=${!#}
+printf 'P6\n%d %d\n255\n' "${size%x*}" "${size#*x}"
+head -c $((${size%x*} * ${size#*x} * 3)) /dev/zero | tr '\0' '\200'
+END
+chmod +x "$WORK/grey"
+check "a poster is one moment and six small ones" bash -c "'$BUILD/contact_sheet' '$WORK/grey' '$WORK/poster.png' --poster --width 320 |
+    grep -q 'a poster of 326 x 308'"
 check "contact_sheet refuses a program that fails" bash -c "'$BUILD/contact_sheet' /bin/false '$WORK/sheet.png' 2>/dev/null; [ \$? = 1 ] && [ ! -e '$WORK/sheet.png' ]"
 # What other tracers write, 16 bits that are linear, becomes sRGB rounded to the nearest: 70000 values, and their averages
 if command -v python3 >/dev/null; then

@@ -1,4 +1,4 @@
-// contact_sheet: the film on one page, a frame every few seconds, each with its time.
+// contact_sheet: the film on one page, a frame every few seconds, each with its time; or a poster of it.
 #include "show/font.h"
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
@@ -11,7 +11,13 @@ using namespace odraz;
 static constexpr char kUsage[] =
     "usage: contact_sheet ODRAZ OUT.png [--every SECONDS=5] [--columns N=5] [--width PIXELS=384] [--quality "
     "NAME=play]\n"
-    "Lets the program ODRAZ dump a frame every so many seconds and lays them out, PIXELS wide each.\n";
+    "       contact_sheet ODRAZ OUT.png --poster [--width PIXELS=1600] [--quality NAME=film]\n"
+    "Lets the program ODRAZ dump a frame every so many seconds and lays them out, PIXELS wide each. A poster "
+    "is\n"
+    "one moment PIXELS wide, and under it two rows of three.\n";
+
+// Seconds into the film of what a poster shows, the large one first.
+static constexpr int kPosterMoments[] = {142, 12, 24, 52, 82, 104, 124};
 
 static std::string quoted(const std::string &s) {
     std::string q = "'";
@@ -40,23 +46,57 @@ static void label(Picture &picture, int seconds) {
             }
 }
 
-static std::vector<Picture> framesOf(const std::string &program, int every, int width,
-                                     const std::string &quality) {
+// What the program dumps with `options`, `width` wide.
+static std::vector<Picture> dumped(const std::string &program, const std::string &options, int width,
+                                   const std::string &quality) {
     // Trace twice as large as shown: the averaging smooths once more
     int traced = width * 2;
-    std::string command = quoted(program) + " --dump - --fps 1/" + std::to_string(every) + " --quality " +
-                          quoted(quality) + " --size " + std::to_string(traced) + "x" +
-                          std::to_string(traced * 9 / 16);
+    std::string command = quoted(program) + " --dump - " + options + " --quality " + quoted(quality) +
+                          " --size " + std::to_string(traced) + "x" + std::to_string(traced * 9 / 16);
     std::FILE *film = popen(command.c_str(), "r");
     if (!film) throw std::runtime_error("cannot run " + program);
     std::vector<Picture> frames;
     Picture frame;
-    while (readPpm(film, frame)) {
-        frames.push_back(shrink(frame, width));
-        label(frames.back(), every * ((int)frames.size() - 1));
-    }
+    while (readPpm(film, frame)) frames.push_back(shrink(frame, width));
     if (pclose(film) != 0 || frames.empty()) throw std::runtime_error(program + " did not dump the film");
     return frames;
+}
+
+static std::vector<Picture> framesOf(const std::string &program, int every, int width,
+                                     const std::string &quality) {
+    std::vector<Picture> frames = dumped(program, "--fps 1/" + std::to_string(every), width, quality);
+    for (size_t i = 0; i < frames.size(); ++i) label(frames[i], every * (int)i);
+    return frames;
+}
+
+static void paste(Picture &sheet, const Picture &frame, int x, int y) {
+    for (int row = 0; row < frame.height; ++row)
+        std::memcpy(&sheet.rgb[((size_t)(y + row) * (size_t)sheet.width + (size_t)x) * 3],
+                    &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
+}
+
+// One moment, and under it two rows of three.
+static Picture poster(const std::string &program, int width, const std::string &quality) {
+    constexpr int kAcross = 3;
+    const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross;
+    Picture page;
+    int y = gap, shown = 0;
+    for (int second : kPosterMoments) {
+        std::string at = "--fps 1 --from " + std::to_string(second) + " --to " + std::to_string(second + 1);
+        Picture frame = dumped(program, at, shown ? small : width, quality)[0];
+        if (!shown) {
+            page.width = width + 2 * gap;
+            page.height = frame.height + 2 * (small * 9 / 16) + 4 * gap;
+            page.rgb.assign((size_t)page.width * (size_t)page.height * 3, 8);
+            paste(page, frame, gap, y);
+            y += frame.height + gap;
+        } else {
+            int i = shown - 1;
+            paste(page, frame, gap + i % kAcross * (small + gap), y + i / kAcross * (small * 9 / 16 + gap));
+        }
+        ++shown;
+    }
+    return page;
 }
 
 // Frames of one size, row by row.
@@ -68,20 +108,17 @@ static Picture layOut(const std::vector<Picture> &frames, int columns) {
     sheet.width = columns * (width + kGap) + kGap;
     sheet.height = rows * (height + kGap) + kGap;
     sheet.rgb.assign((size_t)sheet.width * (size_t)sheet.height * 3, 24);
-    for (size_t i = 0; i < frames.size(); ++i) {
-        size_t x = (i % (size_t)columns) * (size_t)(width + kGap) + kGap,
-               y = (i / (size_t)columns) * (size_t)(height + kGap) + kGap;
-        for (size_t row = 0; row < (size_t)height; ++row)
-            std::memcpy(&sheet.rgb[((y + row) * (size_t)sheet.width + x) * 3],
-                        &frames[i].rgb[row * (size_t)width * 3], (size_t)width * 3);
-    }
+    for (int i = 0; i < (int)frames.size(); ++i)
+        paste(sheet, frames[(size_t)i], i % columns * (width + kGap) + kGap,
+              i / columns * (height + kGap) + kGap);
     return sheet;
 }
 
 static int run(Arguments &words) {
     std::vector<std::string> paths;
-    std::string quality = "play";
-    int every = 5, columns = 5, width = 384;
+    std::string quality;
+    int every = 5, columns = 5, width = 0;
+    bool asPoster = false;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "--every")
@@ -92,6 +129,8 @@ static int run(Arguments &words) {
             width = words.whole(w, 1, 4000);
         else if (w == "--quality")
             quality = words.value(w);
+        else if (w == "--poster")
+            asPoster = true;
         else if (word[0] != '-' && paths.size() < 2)
             paths.push_back(w);
         else
@@ -99,7 +138,14 @@ static int run(Arguments &words) {
     }
     if (paths.size() < 2) throw Refused("a program and a PNG to write are needed; see contact_sheet --help");
     checkWritable(paths[1]);
-    std::vector<Picture> frames = framesOf(paths[0], every, width, quality);
+    if (asPoster) {
+        Picture page = poster(paths[0], width ? width : 1600, quality.empty() ? "film" : quality);
+        if (!writePng(paths[1], page)) throw std::runtime_error("cannot write " + paths[1]);
+        std::printf("%s: a poster of %d x %d\n", paths[1].c_str(), page.width, page.height);
+        return 0;
+    }
+    std::vector<Picture> frames =
+        framesOf(paths[0], every, width ? width : 384, quality.empty() ? "play" : quality);
     if (!writePng(paths[1], layOut(frames, columns))) throw std::runtime_error("cannot write " + paths[1]);
     std::printf("%s: %zu frames, one every %d s\n", paths[1].c_str(), frames.size(), every);
     return 0;
