@@ -9,13 +9,22 @@ static const float *channels(const CameraKey &key) { return &key.row + 1; }
 
 // The velocity at key i, per row, in one channel.
 static float velocity(CameraPath path, int i, int channel) {
-    if (i == 0 || i + 1 == path.count) return 0;
-    const CameraKey &before = path.keys[i - 1], &here = path.keys[i], &after = path.keys[i + 1];
-    float h0 = here.row - before.row, h1 = after.row - here.row;
-    if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops there instead of tearing
-    float v0 = (channels(here)[channel] - channels(before)[channel]) / h0;
-    float v1 = (channels(after)[channel] - channels(here)[channel]) / h1;
-    return (v0 * h1 + v1 * h0) / (h0 + h1);
+    auto slope = [&](int k) { // from key k on
+        const CameraKey &a = path.keys[k], &b = path.keys[k + 1];
+        float way = channels(b)[channel] - channels(a)[channel];
+        return b.row > a.row ? way / (b.row - a.row) : 0;
+    };
+    int last = path.count - 1;
+    if (last == 0) return 0;
+    if (i > 0 && i < last) {
+        float h0 = path.keys[i].row - path.keys[i - 1].row, h1 = path.keys[i + 1].row - path.keys[i].row;
+        if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops there instead of tearing
+        return (slope(i - 1) * h1 + slope(i) * h0) / (h0 + h1);
+    }
+    // At an end as it comes from or goes on, without acceleration; where nothing changes it stands
+    float here = slope(i ? last - 1 : 0);
+    if (last == 1 || here == 0) return here;
+    return here * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;
 }
 
 CameraKey pose(CameraPath path, double row) {

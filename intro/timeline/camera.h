@@ -1,8 +1,9 @@
 // The camera's way through a shot: keys joined by non-uniform cubic Hermite curves.
 //
 // Velocity at an inner key is that of the parabola through it and its two neighbours in time (so the path is
-// C1 however unevenly the keys stand); at the first and the last key it is zero, so that every move eases in
-// and out. Before the first and after the last key the pose holds. Two keys make a smoothstep, one a still.
+// C1 however unevenly the keys stand); at the first and the last key there is no acceleration: shots begin
+// and end in motion. A key that stands twice eases: what does not change between two keys rests. Before the
+// first and after the last key the pose holds. Two keys make a straight and even way, one a still.
 #pragma once
 
 #include "base/vec3.h"

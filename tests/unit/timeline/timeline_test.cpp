@@ -69,22 +69,29 @@ TEST(Camera, MeetsItsKeysAndHoldsOutside) {
 
 TEST(Camera, IsContinuousInPlaceAndVelocity) {
     double h = 1e-3, before = 0, steepest = 0;
-    for (double row = -2; row < 43; row += h) {
+    for (double row = 0; row < 41 - h; row += h) {
         double v = ((double)pose(path(kKeys), row + h).eye.x - (double)pose(path(kKeys), row).eye.x) / h;
-        if (row > -2) steepest = std::fmax(steepest, std::fabs(v - before));
+        if (row > 0) steepest = std::fmax(steepest, std::fabs(v - before));
         before = v;
     }
     EXPECT_LT(steepest, 0.02); // a jump in velocity would be of the size of the velocities, about 1 a row
 }
 
-TEST(Camera, EasesInAndOut) {
-    auto speed = [](double row) {
-        return std::fabs((double)pose(path(kKeys), row + 0.01).eye.x - (double)pose(path(kKeys), row).eye.x) /
-               0.01;
+TEST(Camera, BeginsAndEndsInMotionAndRestsWhereKeysAreEqual) {
+    auto speed = [](CameraPath path, double row) {
+        return ((double)pose(path, row + 0.01).eye.x - (double)pose(path, row).eye.x) / 0.01;
     };
-    EXPECT_LT(speed(0), 0.02);
-    EXPECT_LT(speed(40.985), 0.02);
-    EXPECT_GT(speed(8), 0.2); // but does not stop at inner keys
+    EXPECT_GT(speed(path(kKeys), 0), 0.3);
+    EXPECT_LT(speed(path(kKeys), 40.985), -0.1);
+    EXPECT_GT(speed(path(kKeys), 8), 0.2);
+    static constexpr CameraKey even[] = {{0, {0, 0, 0}, {0, 0, -1}, 0, 40},
+                                         {8, {4, 0, 0}, {0, 0, -1}, 0, 40}};
+    for (double row : {0., 3., 7.98}) EXPECT_NEAR(speed(path(even), row), 0.5, 1e-3);
+    static constexpr CameraKey eased[] = {{0, {0, 0, 0}, {0, 0, -1}, 0, 40},
+                                          {2, {0, 0, 0}, {0, 0, -1}, 0, 40},
+                                          {8, {4, 0, 0}, {0, 0, -1}, 0, 40}};
+    EXPECT_NEAR(speed(path(eased), 0), 0, 1e-3);
+    EXPECT_GT(speed(path(eased), 5), 0.3);
 }
 
 TEST(Camera, DegeneratePathsGiveAPose) {
