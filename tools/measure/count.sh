@@ -5,7 +5,8 @@
 posed() { "$1" pose "${@:2}" >&2; }
 
 # counted PROGRAM FILE WHAT [SETTING [CALLGRIND-OUT]]: prints the instructions of the part WHAT of a picture: posing; finish,
-# which is of posing what builds the tree; trace, with a SETTING; development
+# which is of posing what builds the tree; trace, with a SETTING; air, which
+# scatters light; development, and what it is without air: bare
 counted() {
     local log of words
     case $3 in
@@ -13,6 +14,8 @@ counted() {
     finish) of='odraz::Scene::finish*' words=(again "$2") ;;
     trace) of='odraz::traceFrame*' words=(trace "$2" "$4") ;;
     development) of='odraz::develop(*' words=(develop "$2") ;;
+    bare) of='odraz::develop(*' words=(bare "$2") ;;
+    air) of='odraz::scatterLight*' words=(develop "$2") ;;
     esac
     log=$(mktemp)
     valgrind --tool=callgrind --callgrind-out-file="${5-/dev/null}" --collect-atstart=no --toggle-collect="$of" \

@@ -108,7 +108,8 @@ double Subject::trace(const Quality &quality) {
 
 double Subject::develop() {
     double began = threadSeconds();
-    odraz::develop(intro->curve, intro->frame, workers, scene().exposure, 0);
+    scatterLight(intro->air, intro->frame, workers);
+    odraz::develop(intro->curve, intro->frame, workers, scene().exposure, 0, &intro->air, kFilmAir);
     return (threadSeconds() - began) * 1e3;
 }
 

@@ -27,6 +27,7 @@ constexpr char kUsage[] =
     "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
+    "       trace_once bare FILE                         ... as without air\n"
     "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
     "medians\n"
     "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
@@ -91,7 +92,7 @@ int run(Arguments &words) {
         return std::string(word);
     };
     std::string what = needed();
-    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "time")
+    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "bare" && what != "time")
         words.refuse(what);
     std::string file = needed();
     if (what == "time") {
@@ -121,8 +122,12 @@ int run(Arguments &words) {
     else if (what == "again") {
         auto [name, camera] = findPicture(kept.scene);
         poseSubject(name, camera, kept.settings, intro.film);
-    } else
-        develop(intro.curve, intro.frame, workers, intro.film.scene->exposure, 0);
+    } else {
+        scatterLight(intro.air, intro.frame, workers);
+        bool bare = what == "bare";
+        develop(intro.curve, intro.frame, workers, intro.film.scene->exposure, 0, bare ? nullptr : &intro.air,
+                bare ? kNoAir : kFilmAir);
+    }
     return 0;
 }
 
