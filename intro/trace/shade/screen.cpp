@@ -19,7 +19,8 @@ void findScreens(const Scene &scene, const Light &light, const Bounds &box, Scre
 
 Rgb8 passScreens(const Scene &scene, const Screens &screens, const Light &light, const Vec3x8 &p,
                  const Vec3x8 &l, Float8 far, Int8 own) {
-    constexpr float kLeastSpot = 0.12f; // of a ball's radius, squared: what aberration leaves of the focus
+    constexpr float kTaken = 0.84f;      // of what meets a glass ball passes, by Fresnel's equations
+    constexpr float kLeastSpot = 0.007f; // of a ball's radius, squared: what aberration leaves of the focus
     Rgb8 share = broadcast(Rgb{1, 1, 1});
     Float8 widening = light.radius / far;
     for (int i = 0; i < screens.count; ++i) {
@@ -41,9 +42,12 @@ Rgb8 passScreens(const Scene &scene, const Screens &screens, const Light &light,
         const Material &m = scene.materials[scene.shapes[shape].material];
         Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
         if (m.ior > 0) {
-            Float8 before = fmadd(along, (1 - m.ior) * 2 / (m.ior * r), 1.f), blur = wide * (1 / r);
-            Float8 spot = min(fmadd(before, before, fmadd(blur, blur, broadcast(kLeastSpot))), 1.f);
-            Float8 gain = max(1.f - square / (spot * (r * r)), 0.f) * 2.f / spot;
+            // Half of it within `spot`, by radii: least before the focus of rays near the axis
+            Float8 behind = max(fmadd(along, (m.ior - 1) * 1.8f / (m.ior * r), -0.81f), 0.f),
+                   blur = wide * (0.7f / r);
+            Float8 spot = fmadd(behind, behind, fmadd(blur, blur, broadcast(kLeastSpot))),
+                   all = fmadd(square, 1 / (r * r), spot);
+            Float8 gain = spot / (all * all) * hidden * kTaken;
             left += m.tint * gain;
         }
         share = select(meets, share * left, share);
