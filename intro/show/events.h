@@ -14,7 +14,7 @@ enum SceneId : uint8_t { kPoint, kTable, kFlake, kPatches, kHall, kOdraz, kCredi
 
 // clang-format off
 enum EventId : uint8_t {
-    kLightIsBorn, kLightGrows, kMirrorRollsIn, kRimLightWakes, kWordComes, kWordGoes,
+    kLightIsBorn, kLightGrows, kRimLightWakes, kCausticFalls, kWordComes, kWordStands,
     kBallsSetOff,
     kGeneration1, kGeneration2, kGeneration3,
     kPatchIsVisited, kHalfCubeRises, kHalfCubeOpens, kPatchTakesColour, kHalfCubeCloses,
@@ -35,14 +35,14 @@ struct Event {
 };
 
 inline constexpr Event kEvents[] = {
-    {kLightIsBorn,      kPoint,     4, true},
-    {kLightGrows,       kPoint,    20, true},
-    {kMirrorRollsIn,    kPoint,    40, true},
+    {kLightIsBorn,      kPoint,     0, true},
+    {kLightGrows,       kPoint,    16, true},
     {kRimLightWakes,    kPoint,    48, false},
-    {kWordComes,        kPoint,    72, true},
-    {kWordGoes,         kPoint,   122, false},
+    {kCausticFalls,     kPoint,    64, true},
+    {kWordComes,        kPoint,    80, true}, // and a stroke of it on every beat from then on
+    {kWordStands,       kPoint,   112, true},
 
-    {kBallsSetOff,      kTable,    32, true}, // and from then on they turn by a step every half bar
+    {kBallsSetOff,      kTable,    16, true}, // one a beat
 
     {kGeneration1,      kFlake,    10, true},
     {kGeneration2,      kFlake,    40, true},

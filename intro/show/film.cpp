@@ -1,11 +1,12 @@
 // The shots. A bar is 16 rows; every cut falls on a bar.
+#include "base/maths.h"
 #include "show/length.h"
 #include "show/show.h"
 
 namespace odraz {
 
 constexpr SceneEntry kScenes[kSceneCount] = {
-    {"point", posePoint, letterPoint, kPoint, false},
+    {"point", posePoint, nullptr, kPoint, false},
     {"table", poseTable, nullptr, kTable, false},
     {"flake", poseFlake, nullptr, kFlake, false},
     {"patches", posePatches, letterPatches, kPatches, true},
@@ -22,16 +23,23 @@ static_assert(
     "a row for every scene, in the order of SceneId");
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
+// Keys may lie outside their shot, which moves at its first and at its last picture then.
 static constexpr CameraKey kPushIn[] = {
-    {0, {0.35f, 1.02f, 4.3f}, {0.12f, 0.46f, 0}, 0, 37.8f},
-    {144, {0.1f, 0.86f, 3.35f}, {0.14f, 0.44f, 0}, 0, 37.8f},
+    {-64, {0.9f, 0.86f, 5.1f}, {0.0f, 0.60f, 0}, 0, 37.8f},
+    {192, {0.05f, 0.64f, 3.3f}, {0.22f, 0.50f, 0}, 0, 37.8f},
 };
 
-// A long orbit that sinks to the table's height.
+// An orbit: from so many degrees around and so far from the axis.
+static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
+    float angle = degrees * (kPi / 180);
+    return {row, {away * __builtin_cosf(angle), height, away * __builtin_sinf(angle)}, {0, aim, 0}, 0, fov};
+}
+// It sinks to the table's height, until it lies on it and faces the sun.
 static constexpr CameraKey kOrbit[] = {
-    {0, {-3.6f, 3.1f, 5.6f}, {0, 0.35f, 0}, 0, 37.8f},      {60, {2.0f, 2.5f, 5.9f}, {0, 0.4f, 0}, -1.5f, 36},
-    {120, {5.6f, 1.6f, 2.2f}, {0, 0.45f, 0}, -2, 36},       {184, {4.4f, 0.85f, -3.1f}, {0, 0.5f, 0}, -1, 36},
-    {240, {0.4f, 0.55f, -4.6f}, {-0.15f, 0.55f, 0}, 0, 36},
+    around(-48, 135, 6.6f, 2.2f, 0.45f, 36), around(0, 100, 6.3f, 2.0f, 0.5f, 36),
+    around(48, 65, 5.9f, 1.7f, 0.55f, 36),   around(96, 30, 5.3f, 1.15f, 0.6f, 36),
+    around(144, -5, 4.2f, 0.5f, 0.6f, 40),   around(192, -40, 3.0f, 0.2f, 0.6f, 46),
+    around(240, -75, 2.6f, 0.2f, 0.6f, 46),
 };
 
 static constexpr CameraKey kValley[] = {
@@ -72,9 +80,9 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 0, 12},
-    {128, kTable, 128, path(kOrbit), 12, 8},
-    {320, kFlake, 320, path(kValley), 12, 8},
+    {0, kPoint, 0, path(kPushIn), 0, 0},
+    {128, kTable, 128, path(kOrbit), 0, 0},
+    {320, kFlake, 320, path(kValley), 0, 8},
     {512, kPatches, 512, path(kAxonometry), 8, 0},
     {688, kPatches, 512, path(kWalkIn), 0, 8},
     {736, kHall, 736, path(kWalk), 8, 0},

@@ -123,4 +123,28 @@ void drawText(Frame &frame, const char *text, float x, float y, float size, floa
     }
 }
 
+void standText(Scene &scene, const char *text, const Vec3 &place, float unit, float rows, int material) {
+    constexpr float kBeat = 4, kPen = 8, kRadius = 0.42f; // rows; units a row; units
+    float x = 0, beat = -kBeat, pen = 0;
+    for (const char *c = text; *c; ++c) {
+        Glyph g = glyph(*c);
+        bool before = false;
+        for (int i = 0; i < g.count; ++i) {
+            const Stroke &s = g.strokes[i];
+            Vec3 way = {s.x1 - s.x0, s.y1 - s.y0, 0};
+            float size = length(way);
+            bool arc = size < 1.5f; // arcs come in pieces, shorter than any line
+            if (i == 0 || arc != before) pen = beat += kBeat;
+            before = arc;
+            float drawn = min((rows - pen) * kPen, size);
+            pen += size * (1 / kPen);
+            if (drawn <= 0) continue;
+            Vec3 along = way * (1 / size), middle = Vec3{x + s.x0, kRadius + s.y0, 0} + along * (drawn * 0.5f);
+            Shape *tube = scene.add(cylinder(place + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
+            tube->frame = {{along.y, -along.x, 0}, along, {0, 0, 1}};
+        }
+        x += g.advance + 0.5f;
+    }
+}
+
 } // namespace odraz

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "trace/picture/overlay.h"
+#include "trace/scene/scene.h"
 
 namespace odraz {
 
@@ -12,5 +13,10 @@ enum class Align { Left, Centre, Right };
 // out.
 void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
               Align align, const Rgb &radiance, float opacity);
+
+// Stands a line of text in a scene, as tubes in the plane of x and y with the foot of its first letter at a
+// place; `unit` is a twelfth of a figure's height. A pen draws it: so many rows it has had so far, and a line
+// after an arc, an arc after a line and every letter begin on a beat.
+void standText(Scene &scene, const char *text, const Vec3 &place, float unit, float rows, int material);
 
 } // namespace odraz

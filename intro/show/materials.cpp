@@ -9,9 +9,9 @@ static constexpr Texture plain(Rgb c) {
 // Palettes from the commonest colours to the rarest, or from one end of the pattern to the other.
 static constexpr Texture kBlackMarble = {
     .pattern = Pattern::Marble,
-    .scale = 1.1f,
+    .scale = 2.3f,
     .palette = {
-        {0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.55f, 0.52f, 0.48f}}};
+        {0.010f, 0.010f, 0.012f}, {0.035f, 0.035f, 0.04f}, {0.15f, 0.14f, 0.13f}, {0.42f, 0.39f, 0.35f}}};
 static constexpr Texture kWhiteMarble = {
     .pattern = Pattern::Marble,
     .scale = 0.9f,

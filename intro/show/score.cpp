@@ -29,7 +29,7 @@ constexpr Instrument kInstruments[kInstrumentCount] = {
 
 // A chord a bar, for every scene.
 static constexpr char kChords[kSceneCount][19] = {
-    "DDDDDDBGA",
+    "DDDDDBGD",
     "DDBBFFCCDDGGBBA",
     "GGDDBBFFGGAA",
     "DDDDDDDDBFCADA",
@@ -39,9 +39,10 @@ static constexpr char kChords[kSceneCount][19] = {
 };
 
 static constexpr Part kParts[] = {
-    {kPoint, 0, 9, {kGlassDrop, 5, 1, 100}, 5, 64, 40, 60, "..2.41.3"},
-    {kPoint, 4, 9, {kPad, 3, 4, 100}, 1, 16, 30, 80, "0"},
-    {kPoint, 7, 9, {kAir, 7, 1, 100}, 3, 16, 5, 30, "0213"},
+    {kPoint, 0, 5, {kGlassDrop, 5, 1, 100}, 5, 64, 40, 60, "..2.41.3"},
+    {kPoint, 5, 7, {kGlassDrop, 5, 1, 100}, 4, 16, 35, 60, "02140325"},
+    {kPoint, 5, 8, {kPad, 3, 4, 100}, 1, 16, 30, 80, "0"},
+    {kPoint, 7, 8, {kAir, 7, 1, 100}, 3, 16, 5, 30, "0213"},
 
     {kTable, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
     {kTable, 0, 15, {kPad, 3, 4, 100}, 1, 32, 45, 65, "0"},
@@ -99,9 +100,10 @@ static constexpr Part kParts[] = {
 static constexpr Heard kHeard[] = {
     {kLightIsBorn, {kGlassDrop, 6, 1, 120}, 60, '2'},
     {kLightGrows, {kGlassDrop, 5, 1, 120}, 60, '0'},
-    {kMirrorRollsIn, {kGlassDrop, 5, 2, 120}, 60, '2'},
-    {kWordComes, {kPiano, 2, 1, 120}, 90, 'D'},
-    {kWordComes, {kBass, 1, 1, 120}, 90, 'D'},
+    {kCausticFalls, {kGlassDrop, 5, 2, 120}, 60, '2'},
+    {kWordComes, {kGlassDrop, 6, 1, 120}, 50, 'D'},
+    {kWordStands, {kPiano, 2, 1, 120}, 90, 'D'},
+    {kWordStands, {kBass, 1, 1, 120}, 90, 'D'},
     {kBallsSetOff, {kWood, 4, 2, 120}, 80, '0'},
     {kGeneration1, {kPiano, 4, 3, 120}, 60, '0'},
     {kGeneration2, {kGlassDrop, 5, 3, 120}, 70, '0'},

@@ -64,7 +64,6 @@ Posed poseAt(const Film &film, double seconds, const CameraKey *camera = nullptr
 
 // Each in a file of its own.
 void posePoint(const Cue &cue, Scene &scene);
-void letterPoint(const Cue &cue, const View &, Frame &frame);
 void poseTable(const Cue &cue, Scene &scene);
 void poseFlake(const Cue &cue, Scene &scene);
 void posePatches(const Cue &cue, Scene &scene);

@@ -1,4 +1,5 @@
-// Scene 1. Black; a single light wakes over dark veined marble; a glass ball, then a second, mirrored one.
+// Scene 1. Black; a light is born over dark marble, behind a ball of glass, and rises; the ball gathers it on
+// the stone. Then a word of light is written there, and the marble mirrors it.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -9,50 +10,44 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
-                                    {rowOf(kLightIsBorn) + 8, 0.035f, Smooth},
-                                    {rowOf(kLightGrows), 0.02f, Smooth},
-                                    {rowOf(kLightGrows) + 36, 1, Linear}};
+                                    {rowOf(kLightIsBorn) + 6, 0.1f, Smooth},
+                                    {rowOf(kLightGrows), 0.1f, Smooth},
+                                    {rowOf(kCausticFalls), 1, Linear}};
+static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth}, {rowOf(kCausticFalls) + 16, 1.36f, Linear}};
 static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
                                     {rowOf(kRimLightWakes) + 48, 1, Linear}};
-static constexpr Key kMirrorAt[] = {{rowOf(kMirrorRollsIn), 2.9f, Smooth},
-                                    {rowOf(kMirrorRollsIn) + 56, 0.92f, Linear}}; // its x as it rolls in
+// The word's light: more with each stroke, a flash as it stands
+static constexpr Key kWord[] = {{rowOf(kWordComes), 0.2f, Linear},
+                                {rowOf(kWordStands), 0.9f, Smooth},
+                                {rowOf(kWordStands) + 2, 1.6f, Smooth},
+                                {rowOf(kWordStands) + 12, 1, Linear}};
 
-enum { kMarble, kClear, kSilver };
-static constexpr const Material *kMaterials[] = {&kDarkMarble, &kGlass, &kMirror};
+enum { kMarble, kClear };
+static constexpr const Material *kMaterials[] = {&kDarkMarble, &kGlass};
 
 void posePoint(const Cue &cue, Scene &scene) {
-    float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row);
+    float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row),
+          word = value(track(kWord), cue.row), written = (float)cue.row - rowOf(kWordComes);
     scene.addAll(kMaterials);
-    int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (40 * (0.05f + key))));
+    int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (80 * (0.2f + key))));
+    int tube = scene.add(lamp(Rgb{3.0f, 1.05f, 0.33f} * (0.6f + word)));
 
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
-    scene.add(sphere({-0.38f, 0.5f, 0.1f}, 0.5f, kClear));
-    float x = value(track(kMirrorAt), cue.row);
-    Shape *ball = scene.add(sphere({x, 0.36f, -0.42f}, 0.36f, kSilver));
-    float turn = x / 0.36f;
-    ball->frame = {{cos(turn), -sin(turn), 0}, {sin(turn), cos(turn), 0}, {0, 0, 1}};
+    scene.add(sphere({-0.8f, 0.5f, 0.6f}, 0.5f, kClear));
+    Vec3 place = {-0.42f, 0.004f, -0.7f};
+    standText(scene, "odraz", place, 0.045f, written, tube);
 
-    Vec3 point = {-1.12f, 1.22f, 0.3f};
-    if (key > 0) scene.add(sphere(point, 0.022f, glow));
-    scene.add(Light{point, Rgb{8.2f, 6.5f, 4.6f} * key, 0.06f});
-    scene.add(Light{{2.6f, 1.7f, -2.6f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
+    Vec3 point = {-1.3f, value(track(kRises), cue.row), -0.9f};
+    if (key > 0) scene.add(sphere(point, 0.03f, glow));
+    scene.add(Light{point, Rgb{8.2f, 6.3f, 4.3f} * key, 0.06f});
+    scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
+    if (written > 0) scene.add(Light{place + Vec3{1.2f, 0.35f, 0.1f}, Rgb{0.34f, 0.16f, 0.07f} * word, 0.2f});
     scene.contact = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);
     scene.fog = 0.09f;
     scene.exposure = 1.5f;
-}
-
-static constexpr Key kTitle[] = {{rowOf(kWordComes), 0, Smooth},
-                                 {rowOf(kWordComes) + 20, 1, Linear},
-                                 {rowOf(kWordGoes), 1, Smooth},
-                                 {rowOf(kWordGoes) + 16, 0, Linear}};
-
-void letterPoint(const Cue &cue, const View &, Frame &frame) {
-    float h = (float)frame.height;
-    drawText(frame, "odraz", (float)frame.width * 0.5f, h * 0.17f, h * 0.034f, 0.085f, 5, Align::Centre,
-             {0.75f, 0.72f, 0.68f}, value(track(kTitle), cue.row));
 }
 
 } // namespace odraz

@@ -1,4 +1,5 @@
-// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood.
+// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on a dark mirror of
+// a ground, before a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/show.h"
@@ -9,7 +10,7 @@ namespace {
 
 enum { kBoard, kEdge, kGround, kClear, kSilver, kRed, kStone };
 constexpr const Material *kMaterials[] = {
-    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kGranite,  [kClear] = &kGlass,
+    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kDarkMarble,  [kClear] = &kGlass,
     [kSilver] = &kMirror, [kRed] = &kCopper, [kStone] = &kDarkMarble};
 
 // One of the four that frame the table: mitred enough for the eye, the grain along each side.
@@ -29,34 +30,27 @@ constexpr Shape kShapes[] = {
     side(1),
     side(2),
     side(3),
-    cylinder({0, -1.2f, 0}, 0.8f, 1.05f, kEdge),
-    plane({0, -2.2f, 0}, kGround),
+    plane({0, -0.22f, 0}, kGround),
     sphere({0, 0.8f, 0}, 0.8f, kSilver),
 };
-// Five that circle it, two that circle lower the other way, and one above.
+// In the order in which they set off, a beat apart: five that circle it, the foremost first, so that none
+// meets another; three further out, the last of which crosses the lens at the end; and one above.
 constexpr struct {
     float angle, distance, radius, speed, lift;
     int material;
 } kMovers[] = {
-    {0.3f, 1.75f, 0.46f, 1, 0, kClear}, {1.9f, 1.85f, 0.38f, 1, 0, kRed},
-    {3.2f, 1.8f, 0.42f, 1, 0, kStone},  {4.5f, 1.75f, 0.46f, 1, 0, kClear},
-    {5.5f, 1.9f, 0.28f, 1, 0, kSilver}, {0.9f, 2.55f, 0.2f, -1, 0, kSilver},
-    {4.0f, 2.55f, 0.2f, -1, 0, kEdge},  {2.4f, 0.95f, 0.24f, 2, 1.35f, kClear},
+    {5.02f, 1.5f, 0.40f, 1, 0, kClear},   {3.76f, 1.5f, 0.30f, 1, 0, kSilver},
+    {2.50f, 1.5f, 0.38f, 1, 0, kStone},   {1.24f, 1.5f, 0.42f, 1, 0, kClear},
+    {-0.02f, 1.5f, 0.38f, 1, 0, kRed},    {5.75f, 2.35f, 0.22f, 1, 0, kEdge},
+    {3.65f, 2.35f, 0.2f, 1, 0, kSilver},  {1.55f, 2.35f, 0.3f, 1, 0, kClear},
+    {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
+constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
+constexpr Vec3 kSun = {-0.76f, 0.27f, 0.59f};
 constexpr Light kLights[] = {
-    {{-4.5f, 5.5f, 3.5f}, {74, 56, 38}, 0.45f},
-    {{5.5f, 4.0f, 1.5f}, {10, 13, 19}, 0.8f},
-    {{1.0f, 3.5f, -5.5f}, {12, 10, 8}, 0.5f},
+    {{-13.7f, 4.9f, 10.6f}, {560, 330, 150}, 0.6f},
+    {{6, 5, -4}, {7, 11, 19}, 1.5f},
 };
-
-// A turn of the circle that rests on every beat's end and moves between: one step of an eighth a half bar.
-float stepped(double row) {
-    double beat = row / 8;
-    if (beat < 0) beat = 0;
-    int whole = (int)beat;
-    float part = (float)(beat - whole);
-    return ((float)whole + 0.35f * part + 0.65f * smoothstep(0.f, 1.f, part)) * (kPi / 8);
-}
 
 } // namespace
 
@@ -64,8 +58,11 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
     scene.addAll(kLights);
-    float turn = stepped(cue.row - rowOf(kBallsSetOff));
+    float rows = (float)cue.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
+        // From rest to its speed within a beat
+        float speeds = clamp(rows, 0.f, kBeat), turn = (speeds * speeds * (0.5f / kBeat) + max(rows - kBeat, 0.f)) * kSpeed;
+        rows -= kBeat;
         float angle = m.angle + turn * m.speed;
         Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
         Shape *s = scene.add(sphere(place, m.radius, m.material));
@@ -78,14 +75,15 @@ void poseTable(const Cue &cue, Scene &scene) {
     }
 
     scene.contact = true;
-    scene.ambientLow = {0.075f, 0.065f, 0.055f};
-    scene.ambientHigh = {0.11f, 0.135f, 0.18f};
-    // Late light: a glow stands where the key light comes from, and on every ball
-    scene.sky = plainSky({0.34f, 0.33f, 0.36f}, {0.030f, 0.070f, 0.17f});
-    scene.sky.sun = normalize(Vec3{-4.5f, 2.2f, 3.5f});
-    scene.sky.near = {1.1f, 0.62f, 0.30f};
-    scene.sky.glow = scene.sky.near * 0.1f;
-    scene.fog = 0.02f;
+    scene.ambientLow = {0.06f, 0.045f, 0.045f};
+    scene.ambientHigh = {0.09f, 0.12f, 0.19f};
+    scene.sky = plainSky({0.85f, 0.36f, 0.16f}, {0.025f, 0.06f, 0.17f});
+    scene.sky.sun = kSun;
+    scene.sky.near = {3.0f, 1.5f, 0.6f};
+    scene.sky.glow = {0.5f, 0.2f, 0.06f};
+    scene.sky.clouds = {0.75f, 0.25f, 0.13f};
+    scene.sky.cover = 0.4f;
+    scene.sky.drift = (float)cue.row * 0.004f;
     scene.exposure = 0.9f;
 }
 
