@@ -75,8 +75,8 @@ static constexpr CameraKey kCrane[] = {
 };
 
 static constexpr CameraKey kStill[] = {
-    {0, {0, 0.9f, 4.4f}, {0, 0.72f, 0}, 0, 37.8f},
-    {64, {0, 0.88f, 4.2f}, {0, 0.72f, 0}, 0, 37.8f},
+    {0, {0.3f, 0.9f, 4.4f}, {0, 0.72f, 0}, 0, 37.8f},
+    {80, {-0.1f, 0.8f, 4.0f}, {0, 0.72f, 0}, 0, 37.8f},
 };
 
 static constexpr Shot kShots[] = {
@@ -87,7 +87,7 @@ static constexpr Shot kShots[] = {
     {688, kPatches, 512, path(kWalkIn), 0, 8},
     {736, kHall, 736, path(kWalk), 8, 0},
     {1024, kOdraz, 1024, path(kCrane), 0, 16},
-    {1216, kCredits, 1216, path(kStill), 8, 16},
+    {1216, kCredits, 1216, path(kStill), 8, 4},
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};

@@ -35,7 +35,7 @@ static constexpr char kChords[kSceneCount][19] = {
     "DDDDDDDDBFCADA",
     "DDFFCCGGBFCDGGGBCA",
     "DBFCDBGAGBA",
-    "dddd",
+    "ddddd",
 };
 
 static constexpr Part kParts[] = {

@@ -1,4 +1,5 @@
-// Scene 7. Credits over the dark marble of the beginning: what it is, how many bytes, what it ran on.
+// Scene 7. The word of the beginning on its marble, before the last ball: what it is, how many bytes, what it
+// ran on.
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -11,15 +12,18 @@ using enum Interpolation;
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {&kDarkMarble, &kMirror};
 static constexpr Light kLights[] = {
-    {{-1.6f, 2.4f, 1.4f}, {9.5f, 7.6f, 5.4f}},
-    {{2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}},
+    {{-1.6f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f},
+    {{2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}, 0.2f},
+    {{0, 0.07f, 0.6f}, {0.3f, 0.14f, 0.06f}, 0.1f},
 };
 
 void poseCredits(const Cue &, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kLights);
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
-    scene.add(sphere({0, 0.3f, -0.2f}, 0.3f, kSilver));
+    scene.add(sphere({0, 0.6f, -1.2f}, 0.6f, kSilver));
+    int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
+    standText(scene, "odraz", {-1.17f, 0.004f, 0}, 0.045f, 100, tube);
     scene.contact = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
@@ -39,19 +43,19 @@ void letterCredits(const Cue &cue, const View &, Frame &frame) {
                  value(fade, cue.row));
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f}, grey = {0.36f, 0.36f, 0.38f};
-    line("odraz", 0.17f, 0.055f, track(kFade1), pale);
-    line("a film of reflections, traced ray by ray while you watched", 0.245f, 0.023f, track(kFade2), grey);
+    line("a film of reflections, traced ray by ray while you watched", 0.13f, 0.023f, track(kFade1), pale);
+    line("no picture and no sound was recorded", 0.19f, 0.023f, track(kFade2), grey);
     Text<80> size;
     if (cue.facts.bytes)
         size << cue.facts.bytes << " bytes";
     else
         size << "in less than 65537 bytes";
-    line(size.data, 0.325f, 0.031f, track(kFade3), accent);
+    line(size.data, 0.27f, 0.031f, track(kFade3), accent);
     Text<80> machine;
     machine << "on "
             << (cue.facts.machine && *cue.facts.machine ? cue.facts.machine
                                                         : "a processor, and nothing else");
-    line(machine.data, 0.385f, 0.023f, track(kFade3), grey);
+    line(machine.data, 0.325f, 0.023f, track(kFade3), grey);
 }
 
 } // namespace odraz
