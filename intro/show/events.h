@@ -44,9 +44,9 @@ inline constexpr Event kEvents[] = {
 
     {kBallsSetOff,      kTable,    16, true}, // one a beat
 
-    {kGeneration1,      kFlake,    10, true},
-    {kGeneration2,      kFlake,    40, true},
-    {kGeneration3,      kFlake,    72, true},
+    {kGeneration1,      kFlake,    16, true},
+    {kGeneration2,      kFlake,    32, true},
+    {kGeneration3,      kFlake,    48, true},
 
     {kPatchIsVisited,   kPatches,  32, true},
     {kHalfCubeRises,    kPatches,  48, true},

@@ -48,8 +48,8 @@ constexpr struct {
 constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
 constexpr Vec3 kSun = {-0.76f, 0.27f, 0.59f};
 constexpr Light kLights[] = {
-    {{-13.7f, 4.9f, 10.6f}, {560, 330, 150}, 0.6f},
-    {{6, 5, -4}, {7, 11, 19}, 1.5f},
+    {{-13.7f, 4.9f, 10.6f}, {620, 390, 210}, 0.6f},
+    {{6, 5, -4}, {9, 14, 24}, 0.5f},
 };
 
 } // namespace
@@ -77,14 +77,17 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.contact = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = plainSky({0.85f, 0.36f, 0.16f}, {0.025f, 0.06f, 0.17f});
+    // Dusk, that burns where the sun is
+    Rgb low = {0.13f, 0.115f, 0.135f}, up = Rgb{0.015f, 0.04f, 0.11f} - low;
+    scene.sky = plainSky(low, {});
+    scene.sky.slope = up * 3.f, scene.sky.curve = up * -2.2f;
     scene.sky.sun = kSun;
-    scene.sky.near = {3.0f, 1.5f, 0.6f};
-    scene.sky.glow = {0.5f, 0.2f, 0.06f};
-    scene.sky.clouds = {0.75f, 0.25f, 0.13f};
+    scene.sky.near = {2.4f, 1.1f, 0.4f};
+    scene.sky.glow = {0.42f, 0.15f, 0.035f};
+    scene.sky.clouds = {0.42f, 0.16f, 0.10f};
     scene.sky.cover = 0.4f;
     scene.sky.drift = (float)cue.row * 0.004f;
-    scene.exposure = 0.9f;
+    scene.exposure = 0.95f;
 }
 
 } // namespace odraz
