@@ -3,10 +3,12 @@
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <memory>
+#include <vector>
 
 using namespace odraz;
 
@@ -44,8 +46,8 @@ TEST(Film, EveryPathSpansItsShot) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
         ASSERT_GT(s.path.count, 1);
-        EXPECT_EQ(s.path.keys[0].row, s.row - s.storyRow) << i;
-        EXPECT_EQ(s.path.keys[s.path.count - 1].row, end - s.storyRow) << i;
+        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << i;
+        EXPECT_GE(s.path.keys[s.path.count - 1].row, end - s.storyRow) << i;
     }
 }
 
@@ -68,6 +70,92 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
                 EXPECT_GT(speed + turn, 0.002) << t;
             }
         }
+    }
+}
+
+TEST(Film, EveryEventIsOnABeat) {
+    for (const Event &e : kEvents) EXPECT_EQ(e.row % 4, 0) << kScenes[e.scene].name << ' ' << e.row;
+}
+
+// No kinks; no shot joins two standstills; and where the camera is on its way it neither pumps nor stutters:
+// within a bar its speed stays within a quarter of what it is on average, but where it eases.
+TEST(Film, CamerasMoveEvenly) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &shot = kFilm.shots[i];
+        double end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        auto velocity = [&](double row) {
+            constexpr double h = 0.02; // rows
+            CameraKey a = pose(shot.path, row - shot.storyRow - h / 2),
+                      b = pose(shot.path, row - shot.storyRow + h / 2);
+            return (b.eye - a.eye) * (float)(kRowsPerSecond / h);
+        };
+        double fastest = 0, rough = 0;
+        for (double row = shot.row + 0.1; row < end - 0.1; row += 0.1) {
+            Vec3 v = velocity(row), jump = velocity(row + 0.1) - v;
+            fastest = std::fmax(fastest, length(v)), rough = std::fmax(rough, length(jump));
+        }
+        EXPECT_LT(rough, 0.08 * fastest + 0.01) << "shot " << i; // a tenth of a row
+        EXPECT_GT(length(velocity(shot.row + 0.1)), 0.02 * fastest) << "shot " << i << " begins at rest";
+        EXPECT_GT(length(velocity(end - 0.1)), 0.02 * fastest) << "shot " << i << " ends at rest";
+        for (double bar = shot.row; bar + kRowsPerBar <= end; bar += kRowsPerBar) {
+            double sum = 0, least = 1e9, most = 0, first = 0, last = 0;
+            int count = 0;
+            for (double row = bar + 0.2; row < bar + kRowsPerBar - 0.1; row += 0.2, ++count) {
+                double speed = length(velocity(row));
+                sum += speed, least = std::fmin(least, speed), most = std::fmax(most, speed);
+                if (!count) first = speed;
+                last = speed;
+            }
+            double mean = sum / count;
+            bool eases = std::fabs(last - first) > 0.6 * (most - least); // from one end to the other
+            if (eases || mean < 0.05) continue;
+            EXPECT_LT(most, 1.25 * mean) << "shot " << i << ", bar " << bar / kRowsPerBar;
+            EXPECT_GT(least, 0.75 * mean) << "shot " << i << ", bar " << bar / kRowsPerBar;
+        }
+    }
+}
+
+// As the treatment wants them: neither dark nor bright for long, hardly anything clipped, colours with
+// measure.
+TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
+    std::printf("scene     pictures   mean level      clipped, most   saturation\n");
+    for (int scene = 0; scene < kSceneCount; ++scene) {
+        double sum = 0, least = 255, most = 0, clipped = 0;
+        std::vector<double> medians;
+        for (double t = 0.5; t < duration(); t += 1) {
+            Moment now = momentAt(kFilm, t * kRowsPerSecond);
+            if (now.shot->scene != scene || now.fade < 1) continue;
+            Picture p = picture(film(), t, kQualities[(int)QualityName::Draft]);
+            double level = 0;
+            int white = 0;
+            std::vector<float> saturations;
+            for (int i = 0; i < p.width * p.height; ++i) {
+                const uint8_t *c = p.rgba + 4 * i;
+                int high = std::max({c[0], c[1], c[2]}), low = std::min({c[0], c[1], c[2]});
+                level += (c[0] + c[1] + c[2]) / 3.;
+                white += low >= 254;
+                if (high > 12) saturations.push_back((float)(high - low) / (float)high);
+            }
+            level /= p.width * p.height;
+            sum += level, least = std::fmin(least, level), most = std::fmax(most, level);
+            clipped = std::fmax(clipped, 100. * white / (p.width * p.height));
+            if (saturations.size() > 1000) {
+                std::nth_element(saturations.begin(), saturations.begin() + (long)saturations.size() / 2,
+                                 saturations.end());
+                medians.push_back((double)saturations[saturations.size() / 2]);
+            }
+        }
+        ASSERT_FALSE(medians.empty());
+        std::sort(medians.begin(), medians.end());
+        double saturation = medians[medians.size() / 2];
+        std::printf("%-9s %8zu   %5.1f %5.1f %5.1f   %6.2f %%        %.2f\n", kScenes[scene].name,
+                    medians.size(), least, sum / (double)medians.size(), most, clipped, saturation);
+        EXPECT_GE(least, scene == kPoint || scene == kCredits ? 1 : 8) << kScenes[scene].name;
+        EXPECT_LE(most, 130) << kScenes[scene].name;
+        EXPECT_LT(clipped, 0.5) << kScenes[scene].name;
+        if (scene == kPoint || scene == kCredits) continue;
+        EXPECT_GE(saturation, 0.12) << kScenes[scene].name;
+        EXPECT_LE(saturation, 0.5) << kScenes[scene].name;
     }
 }
 
