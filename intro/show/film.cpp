@@ -29,10 +29,13 @@ static constexpr CameraKey kPushIn[] = {
     {192, {0.05f, 0.64f, 3.3f}, {0.22f, 0.50f, 0}, 0, 37.8f},
 };
 
-// An orbit: from so many degrees around and so far from the axis.
-static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
+// So many degrees around and so far from the axis, for ways around it.
+static consteval Vec3 place(float degrees, float away, float height) {
     float angle = degrees * (kPi / 180);
-    return {row, {away * __builtin_cosf(angle), height, away * __builtin_sinf(angle)}, {0, aim, 0}, 0, fov};
+    return {away * __builtin_cosf(angle), height, away * __builtin_sinf(angle)};
+}
+static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
+    return {row, place(degrees, away, height), {0, aim, 0}, 0, fov};
 }
 // It sinks to the table's height, until it lies on it and faces the sun.
 static constexpr CameraKey kOrbit[] = {
@@ -42,13 +45,24 @@ static constexpr CameraKey kOrbit[] = {
     around(240, -75, 2.6f, 0.2f, 0.6f, 46),
 };
 
+// Towards the flake, and into the valley between its lower and its upper balls.
+static consteval CameraKey valley(float row, float degrees, float away, float height) {
+    return {row, place(degrees, away, height), place(degrees + 50, away * 0.72f, height - 0.25f), 0, 50};
+}
 static constexpr CameraKey kValley[] = {
-    {0, {1.06f, 1.90f, 5.01f}, {0, 1.0f, 0}, 0, 38},
-    {64, {2.00f, 2.01f, 3.19f}, {0, 1.05f, 0}, 0, 38},
-    {112, {1.77f, 1.84f, 1.29f}, {0, 1.05f, 0}, 0, 40},
-    {150, {1.28f, 1.71f, 0.83f}, {0.05f, 1.0f, 0.05f}, 0, 44},
-    {172, {1.07f, 1.92f, 1.19f}, {-0.1f, 1.1f, -0.3f}, 0, 46},
-    {192, {0.85f, 2.31f, 1.75f}, {-0.3f, 1.3f, -0.6f}, 0, 46},
+    {-32, place(-52, 15.2f, 2.4f), {0, 2.7f, 0}, 0, 40},
+    {0, place(-48, 10.9f, 2.9f), {0, 2.8f, 0}, 0, 40},
+    {32, place(-36, 6.8f, 3.6f), place(30, 1.2f, 3.2f), 0, 44},
+    valley(64, 6, 3.9f, 4.15f),
+    valley(88, 58, 3.75f, 4.3f),
+    valley(112, 112, 3.75f, 4.15f),
+    valley(136, 166, 3.75f, 4.3f),
+    valley(160, 220, 3.8f, 4.2f),
+    valley(184, 274, 3.8f, 4.4f),
+    valley(208, 328, 3.8f, 4.2f),
+    valley(232, 380, 3.9f, 4.5f),
+    valley(256, 430, 4.2f, 4.8f),
+    valley(280, 478, 4.8f, 5.4f),
 };
 static constexpr CameraKey kAxonometry[] = {
     {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},

@@ -47,7 +47,7 @@ const Material kDarkMarble = {.texture = kBlackMarble,
                               .reflect = 0.04f,
                               .fresnel = true};
 const Material kSlate = {
-    .texture = kCloud, .diffuse = 1, .specular = 0.1f, .exponent = 30, .reflect = 0.03f, .fresnel = true};
+    .texture = kCloud, .diffuse = 0.35f, .specular = 0.1f, .exponent = 30, .reflect = 0.03f, .fresnel = true};
 const Material kBoards = {.texture = kSpeckled,
                           .other = kOakAlong,
                           .cell = 0.6f,
@@ -95,15 +95,28 @@ const Material kCopper = {.texture = plain({0.72f, 0.34f, 0.18f}),
                           .tint = {1, 0.62f, 0.42f}};
 
 Material pearl(bool warm, float reflect) {
-    Rgb own = warm ? Rgb{0.70f, 0.36f, 0.20f} : Rgb{0.55f, 0.56f, 0.58f};
+    Rgb own = warm ? Rgb{0.66f, 0.30f, 0.17f} : Rgb{0.55f, 0.56f, 0.58f};
     return {.texture = plain(own),
-            .diffuse = 0.6f - 0.8f * reflect,
+            .diffuse = 0.5f - 0.8f * reflect,
             .specular = 0.8f,
-            .exponent = 90,
+            .exponent = 300,
             .reflect = reflect,
             .fresnel = reflect > 0,
             .tint = warm ? Rgb{1, 0.66f, 0.46f} : Rgb{0.96f, 0.97f, 1}};
 }
 Material lamp(const Rgb &radiance) { return {.texture = plain({}), .emit = radiance}; }
+
+Sky duskSky(float row) {
+    Rgb low = {0.13f, 0.115f, 0.135f}, up = Rgb{0.015f, 0.04f, 0.11f} - low;
+    Sky sky = plainSky(low, {});
+    sky.slope = up * 3.f, sky.curve = up * -2.2f;
+    sky.sun = normalize(kDuskSun);
+    sky.near = {2.4f, 1.1f, 0.4f};
+    sky.glow = {0.42f, 0.15f, 0.035f};
+    sky.clouds = {0.42f, 0.16f, 0.10f};
+    sky.cover = 0.4f;
+    sky.drift = row * 0.004f;
+    return sky;
+}
 
 } // namespace odraz

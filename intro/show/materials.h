@@ -17,4 +17,8 @@ extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 Material pearl(bool warm, float reflect); // silver, or copper, and so much of a mirror
 Material lamp(const Rgb &radiance);       // a body that only glows
 
+// Dusk under clouds that drift with the rows, and burn where the sun is: its place, for a light.
+Sky duskSky(float row);
+inline constexpr Vec3 kDuskSun = {-13.7f, 4.9f, 10.6f};
+
 } // namespace odraz

@@ -15,9 +15,9 @@ constexpr int kShades = 6;
 // Detail is that of a picture of so many lines, whatever its size and the lens: pixels of what is a unit away
 constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
 // When each generation grows out of the one before
-constexpr Key kGrow[kLevels][2] = {{{rowOf(kGeneration1), 0, Smooth}, {rowOf(kGeneration1) + 32, 1, Linear}},
-                                   {{rowOf(kGeneration2), 0, Smooth}, {rowOf(kGeneration2) + 36, 1, Linear}},
-                                   {{rowOf(kGeneration3), 0, Smooth}, {rowOf(kGeneration3) + 40, 1, Linear}}};
+constexpr Key kGrow[kLevels][2] = {{{rowOf(kGeneration1), 0, Smooth}, {rowOf(kGeneration1) + 14, 1, Linear}},
+                                   {{rowOf(kGeneration2), 0, Smooth}, {rowOf(kGeneration2) + 14, 1, Linear}},
+                                   {{rowOf(kGeneration3), 0, Smooth}, {rowOf(kGeneration3) + 14, 1, Linear}}};
 
 struct Flake {
     Scene &scene;
@@ -28,13 +28,15 @@ struct Flake {
 
     // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Detail by projected size: a ball of a few pixels mirrors nothing, and one of two grows nothing
+        // Detail by projected size: a ball of a few pixels mirrors nothing, and what would be smaller yet grows
+        // as we come near
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
-        int shade = clamp((int)(pixels * 0.08f) - 1, 0, kShades - 1);
+        int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);
         scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
         float size = grown[min(level, kLevels - 1)] * (1.f / 3);
-        if (level == kLevels || pixels * size < 1) return;
+        size *= saturate(pixels * size * 0.15f - 0.4f);
+        if (level == kLevels || size <= 0) return;
         for (int i = 0; i < 9; ++i) {
             float around = ((float)i * 60 + (i < 6 ? 0 : (float)i * 60 - 330)) * (kPi / 180) +
                            turn * (1 + 2 * (float)level);
@@ -50,23 +52,23 @@ struct Flake {
 } // namespace
 
 void poseFlake(const Cue &cue, Scene &scene) {
-    Flake flake = {scene, cue.camera, {}, (float)cue.row * 0.004f, 0, {}};
+    Flake flake = {scene, cue.camera, {}, (float)cue.row * 0.002f, 0, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), cue.row);
     flake.silver = scene.add(kMirror);
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
-            flake.pearls[warm][i] = scene.add(pearl(warm, 0.3f * (float)i / (kShades - 1)));
+            flake.pearls[warm][i] = scene.add(pearl(warm, 0.2f * (float)i / (kShades - 1)));
     scene.add(plane({0, 0, 0}, scene.add(kSlate)));
-    flake.add(0, {0, 1, 0}, 1, kIdentity);
+    flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
-    // Behind us, to one side
+    // The sun, and a lamp that travels with us, behind us to one side
     Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
-    scene.add(Light{eye + back * 1.2f + Vec3{back.z, 0.9f, -back.x} * 1.5f, {7.5f, 6.6f, 5.6f}});
+    scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
+    scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f, {4.0f, 4.4f, 5.0f}, 0.1f});
     scene.ambientLow = {0.05f, 0.045f, 0.045f};
-    scene.ambientHigh = {0.10f, 0.12f, 0.17f};
-    scene.sky = plainSky({0.46f, 0.27f, 0.17f}, {0.02f, 0.045f, 0.12f});
-    scene.fog = 0.02f;
-    scene.exposure = 1.1f;
+    scene.ambientHigh = {0.09f, 0.12f, 0.19f};
+    scene.sky = duskSky((float)cue.row + 192);
+    scene.exposure = 0.9f;
 }
 
 } // namespace odraz

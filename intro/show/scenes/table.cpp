@@ -10,7 +10,7 @@ namespace {
 
 enum { kBoard, kEdge, kGround, kClear, kSilver, kRed, kStone };
 constexpr const Material *kMaterials[] = {
-    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kDarkMarble,  [kClear] = &kGlass,
+    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kSlate,  [kClear] = &kGlass,
     [kSilver] = &kMirror, [kRed] = &kCopper, [kStone] = &kDarkMarble};
 
 // One of the four that frame the table: mitred enough for the eye, the grain along each side.
@@ -46,10 +46,9 @@ constexpr struct {
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
 constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
-constexpr Vec3 kSun = {-0.76f, 0.27f, 0.59f};
 constexpr Light kLights[] = {
-    {{-13.7f, 4.9f, 10.6f}, {620, 390, 210}, 0.6f},
-    {{6, 5, -4}, {9, 14, 24}, 0.5f},
+    {kDuskSun, {620, 390, 210}, 0.6f},
+    {{6, 5, -4}, {9, 14, 24}},
 };
 
 } // namespace
@@ -77,16 +76,7 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.contact = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    // Dusk, that burns where the sun is
-    Rgb low = {0.13f, 0.115f, 0.135f}, up = Rgb{0.015f, 0.04f, 0.11f} - low;
-    scene.sky = plainSky(low, {});
-    scene.sky.slope = up * 3.f, scene.sky.curve = up * -2.2f;
-    scene.sky.sun = kSun;
-    scene.sky.near = {2.4f, 1.1f, 0.4f};
-    scene.sky.glow = {0.42f, 0.15f, 0.035f};
-    scene.sky.clouds = {0.42f, 0.16f, 0.10f};
-    scene.sky.cover = 0.4f;
-    scene.sky.drift = (float)cue.row * 0.004f;
+    scene.sky = duskSky((float)cue.row);
     scene.exposure = 0.95f;
 }
 

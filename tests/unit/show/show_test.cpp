@@ -46,7 +46,7 @@ TEST(Film, EveryPathSpansItsShot) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
         ASSERT_GT(s.path.count, 1);
-        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << i;
+        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << i; // beyond it: it is cut in motion
         EXPECT_GE(s.path.keys[s.path.count - 1].row, end - s.storyRow) << i;
     }
 }
