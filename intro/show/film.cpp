@@ -47,7 +47,7 @@ static constexpr CameraKey kOrbit[] = {
 
 // Towards the flake, and into the valley between its lower and its upper balls.
 static consteval CameraKey valley(float row, float degrees, float away, float height) {
-    return {row, place(degrees, away, height), place(degrees + 50, away * 0.72f, height - 0.25f), 0, 50};
+    return {row, place(degrees, away, height), place(degrees + 50, away * 0.62f, height - 0.25f), 0, 50};
 }
 static constexpr CameraKey kValley[] = {
     {-32, place(-52, 15.2f, 2.4f), {0, 2.7f, 0}, 0, 40},
@@ -94,9 +94,9 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 0, 0},
+    {0, kPoint, 0, path(kPushIn), 2, 0},
     {128, kTable, 128, path(kOrbit), 0, 0},
-    {320, kFlake, 320, path(kValley), 0, 8},
+    {320, kFlake, 320, path(kValley), 0, 0},
     {512, kPatches, 512, path(kAxonometry), 8, 0},
     {688, kPatches, 512, path(kWalkIn), 0, 8},
     {736, kHall, 736, path(kWalk), 8, 0},

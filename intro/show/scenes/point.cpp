@@ -1,5 +1,5 @@
-// Scene 1. Black; a light is born over dark marble, behind a ball of glass, and rises; the ball gathers it on
-// the stone. Then a word of light is written there, and the marble mirrors it.
+// Scene 1. Black; a light is born over dark marble, passes behind a ball of glass and rises; the ball gathers
+// it on the stone. Then a word of light is written there, and the marble mirrors it.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -10,9 +10,11 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
-                                    {rowOf(kLightIsBorn) + 6, 0.1f, Smooth},
-                                    {rowOf(kLightGrows), 0.1f, Smooth},
-                                    {rowOf(kCausticFalls), 1, Linear}};
+                                    {rowOf(kLightIsBorn) + 3, 0.5f, Smooth},
+                                    {rowOf(kLightGrows), 0.45f, Smooth},
+                                    {rowOf(kRimLightWakes), 1, Linear}};
+// Born beside the ball, it passes behind it and rises above it
+static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth}, {rowOf(kCausticFalls), -1.3f, Linear}};
 static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth}, {rowOf(kCausticFalls) + 16, 1.36f, Linear}};
 static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
                                     {rowOf(kRimLightWakes) + 48, 1, Linear}};
@@ -37,7 +39,7 @@ void posePoint(const Cue &cue, Scene &scene) {
     Vec3 place = {-0.42f, 0.004f, -0.7f};
     standText(scene, "odraz", place, 0.045f, written, tube);
 
-    Vec3 point = {-1.3f, value(track(kRises), cue.row), -0.9f};
+    Vec3 point = {value(track(kPasses), cue.row), value(track(kRises), cue.row), -0.9f};
     if (key > 0) scene.add(sphere(point, 0.03f, glow));
     scene.add(Light{point, Rgb{8.2f, 6.3f, 4.3f} * key, 0.06f});
     scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
