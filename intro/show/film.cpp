@@ -39,9 +39,9 @@ static consteval CameraKey around(float row, float degrees, float away, float he
 }
 // It sinks to the table's height, until it lies on it and faces the sun.
 static constexpr CameraKey kOrbit[] = {
-    around(-48, 135, 6.6f, 2.2f, 0.45f, 36), around(0, 100, 6.3f, 2.0f, 0.5f, 36),
-    around(48, 65, 5.9f, 1.7f, 0.55f, 36),   around(96, 30, 5.3f, 1.15f, 0.6f, 36),
-    around(144, -5, 4.2f, 0.5f, 0.6f, 40),   around(192, -40, 3.0f, 0.2f, 0.6f, 46),
+    around(-48, 128, 6.9f, 1.6f, 0.8f, 36), around(0, 93, 6.5f, 1.5f, 0.8f, 36),
+    around(48, 60, 6.0f, 1.3f, 0.8f, 36),   around(96, 27, 5.3f, 0.95f, 0.7f, 37),
+    around(144, -5, 4.2f, 0.5f, 0.6f, 40),  around(192, -40, 3.0f, 0.2f, 0.6f, 46),
     around(240, -75, 2.6f, 0.2f, 0.6f, 46),
 };
 
@@ -55,14 +55,14 @@ static constexpr CameraKey kValley[] = {
     {32, place(-36, 6.8f, 3.6f), place(30, 1.2f, 3.2f), 0, 44},
     valley(64, 6, 3.9f, 4.15f),
     valley(88, 58, 3.75f, 4.3f),
-    valley(112, 112, 3.75f, 4.15f),
-    valley(136, 166, 3.75f, 4.3f),
-    valley(160, 220, 3.8f, 4.2f),
-    valley(184, 274, 3.8f, 4.4f),
-    valley(208, 328, 3.8f, 4.2f),
-    valley(232, 380, 3.9f, 4.5f),
-    valley(256, 430, 4.2f, 4.8f),
-    valley(280, 478, 4.8f, 5.4f),
+    valley(112, 111, 3.75f, 4.15f),
+    valley(136, 164, 3.75f, 4.3f),
+    valley(160, 217, 3.8f, 4.2f),
+    valley(184, 270, 3.8f, 4.3f),
+    valley(208, 323, 3.8f, 4.2f),
+    valley(232, 375, 3.9f, 4.45f),
+    valley(256, 425, 4.2f, 4.8f),
+    valley(280, 473, 4.8f, 5.4f),
 };
 static constexpr CameraKey kAxonometry[] = {
     {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},

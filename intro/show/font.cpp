@@ -139,8 +139,10 @@ void standText(Scene &scene, const char *text, const Vec3 &place, float unit, fl
             float drawn = min((rows - pen) * kPen, size);
             pen += size * (1 / kPen);
             if (drawn <= 0) continue;
-            Vec3 along = way * (1 / size), middle = Vec3{x + s.x0, kRadius + s.y0, 0} + along * (drawn * 0.5f);
-            Shape *tube = scene.add(cylinder(place + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
+            Vec3 along = way * (1 / size),
+                 middle = Vec3{x + s.x0, kRadius + s.y0, 0} + along * (drawn * 0.5f);
+            Shape *tube = scene.add(
+                cylinder(place + middle * unit, kRadius * unit, (drawn * 0.5f + 0.1f) * unit, material));
             tube->frame = {{along.y, -along.x, 0}, along, {0, 0, 1}};
         }
         x += g.advance + 0.5f;

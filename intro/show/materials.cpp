@@ -113,7 +113,7 @@ Sky duskSky(float row) {
     sky.sun = normalize(kDuskSun);
     sky.near = {2.4f, 1.1f, 0.4f};
     sky.glow = {0.42f, 0.15f, 0.035f};
-    sky.clouds = {0.42f, 0.16f, 0.10f};
+    sky.clouds = {0.55f, 0.20f, 0.11f};
     sky.cover = 0.4f;
     sky.drift = row * 0.004f;
     return sky;

@@ -28,8 +28,8 @@ struct Flake {
 
     // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Detail by projected size: a ball of a few pixels mirrors nothing, and what would be smaller yet grows
-        // as we come near
+        // Detail by projected size: a ball of a few pixels mirrors nothing, and what would be smaller yet
+        // grows as we come near
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);

@@ -14,8 +14,10 @@ static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
                                     {rowOf(kLightGrows), 0.45f, Smooth},
                                     {rowOf(kRimLightWakes), 1, Linear}};
 // Born beside the ball, it passes behind it and rises above it
-static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth}, {rowOf(kCausticFalls), -1.3f, Linear}};
-static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth}, {rowOf(kCausticFalls) + 16, 1.36f, Linear}};
+static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth},
+                                  {rowOf(kCausticFalls), -1.3f, Linear}};
+static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth},
+                                 {rowOf(kCausticFalls) + 16, 1.36f, Linear}};
 static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
                                     {rowOf(kRimLightWakes) + 48, 1, Linear}};
 // The word's light: more with each stroke, a flash as it stands

@@ -1,5 +1,5 @@
-// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on a dark mirror of
-// a ground, before a burning sky.
+// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on a dark mirror
+// of a ground, before a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/show.h"
@@ -10,7 +10,7 @@ namespace {
 
 enum { kBoard, kEdge, kGround, kClear, kSilver, kRed, kStone };
 constexpr const Material *kMaterials[] = {
-    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kSlate,  [kClear] = &kGlass,
+    [kBoard] = &kBoards,  [kEdge] = &kOak,   [kGround] = &kSlate,    [kClear] = &kGlass,
     [kSilver] = &kMirror, [kRed] = &kCopper, [kStone] = &kDarkMarble};
 
 // One of the four that frame the table: mitred enough for the eye, the grain along each side.
@@ -39,10 +39,10 @@ constexpr struct {
     float angle, distance, radius, speed, lift;
     int material;
 } kMovers[] = {
-    {5.02f, 1.5f, 0.40f, 1, 0, kClear},   {3.76f, 1.5f, 0.30f, 1, 0, kSilver},
-    {2.50f, 1.5f, 0.38f, 1, 0, kStone},   {1.24f, 1.5f, 0.42f, 1, 0, kClear},
-    {-0.02f, 1.5f, 0.38f, 1, 0, kRed},    {5.75f, 2.35f, 0.22f, 1, 0, kEdge},
-    {3.65f, 2.35f, 0.2f, 1, 0, kSilver},  {1.55f, 2.35f, 0.3f, 1, 0, kClear},
+    {5.02f, 1.5f, 0.40f, 1, 0, kClear},      {3.76f, 1.5f, 0.30f, 1, 0, kSilver},
+    {2.50f, 1.5f, 0.38f, 1, 0, kStone},      {1.24f, 1.5f, 0.42f, 1, 0, kClear},
+    {-0.02f, 1.5f, 0.38f, 1, 0, kRed},       {5.75f, 2.35f, 0.22f, 1, 0, kEdge},
+    {3.65f, 2.35f, 0.2f, 1, 0, kSilver},     {1.55f, 2.35f, 0.3f, 1, 0, kClear},
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
 constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
@@ -60,7 +60,8 @@ void poseTable(const Cue &cue, Scene &scene) {
     float rows = (float)cue.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // From rest to its speed within a beat
-        float speeds = clamp(rows, 0.f, kBeat), turn = (speeds * speeds * (0.5f / kBeat) + max(rows - kBeat, 0.f)) * kSpeed;
+        float speeds = clamp(rows, 0.f, kBeat),
+              turn = (speeds * speeds * (0.5f / kBeat) + max(rows - kBeat, 0.f)) * kSpeed;
         rows -= kBeat;
         float angle = m.angle + turn * m.speed;
         Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};

@@ -26,7 +26,7 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
         Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
         Float8 density =
             fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3, Float8{});
-        density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.3f, up);
+        density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.16f, up);
         light += (broadcast(sky.clouds) - light) * density;
     }
     return light;
