@@ -34,7 +34,7 @@ void posePoint(const Cue &cue, Scene &scene) {
           word = value(track(kWord), cue.row), written = (float)cue.row - rowOf(kWordComes);
     scene.addAll(kMaterials);
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (80 * (0.2f + key))));
-    int tube = scene.add(lamp(Rgb{3.0f, 1.05f, 0.33f} * (0.6f + word)));
+    int tube = scene.add(lamp(Rgb{3.0f, 0.8f, 0.18f} * (0.6f + word)));
 
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.8f, 0.5f, 0.6f}, 0.5f, kClear));
