@@ -7,6 +7,7 @@ namespace odraz {
 void Scene::clear() {
     shapeCount = materialCount = lightCount = 0;
     sky = {};
+    shafts = {};
     ambientLow = ambientHigh = {};
     fog = lines = 0;
     lightmap = nullptr;

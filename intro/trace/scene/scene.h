@@ -10,6 +10,7 @@
 #include "trace/scene/material.h"
 #include "trace/scene/shape.h"
 #include "trace/scene/sky.h"
+#include "trace/scene/sunshafts.h"
 #include "trace/scene/tree.h"
 
 namespace odraz {
@@ -40,6 +41,7 @@ struct Scene {
     const char *overflow;
     int nodeCount, unboundedCount, occluderCount, lampCount; // of what finish() makes
     Sky sky;
+    Sunshafts shafts;
     Light lights[kMaxLights];
     Material materials[kMaxMaterials];
     Shape shapes[kMaxShapes];

@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "trace/shade/diffuse.h"
+#include "trace/shade/sunshafts.h"
 
 namespace odraz {
 
@@ -60,6 +61,12 @@ void begin(const Context &c, const RayStream &in, const int32_t *ray, int count,
 
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
+// What the eye sees on the way.
+Rgb8 inTheAir(const Context &c, const RayStream &in, const Eight &pick) {
+    if (c.scene.shafts.openings == 0) return Rgb8{};
+    return gatherShafts(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
+}
+
 // What eight places of a run show.
 void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     const Scene &scene = c.scene;
@@ -88,6 +95,7 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     Int8 id = loadInts(run.id + i);
     if (c.bounces == 0) {
         if (scene.lines > 0) states += cell << kCellShift; // a mosaic: patches end abruptly
+        rest += inTheAir(c, in, pick);
         begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
         return;
     }
@@ -116,7 +124,7 @@ void addSky(const Context &c, const RayStream &in, const Run &run) {
         Rgb8 weight = pick(in.weight), light = radiance(c.scene.sky, pick(in.d)) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
-            begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light);
+            begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick));
         else
             addRest(c, in, run.ray + i, count, light, hash(pick(in.path)) & (weight.y > c.quality.mark));
     }

@@ -1,0 +1,60 @@
+#include "trace/shade/sunshafts.h"
+
+#include "trace/texture/noise.h"
+
+namespace odraz {
+
+namespace {
+
+// A stretch of t; empty where to <= from.
+struct Stretch {
+    Float8 from, to;
+
+    // What of it a coordinate start + t speed spends in [low, high].
+    Stretch within(Float8 start, Float8 speed, float low, float high) const {
+        // A ray that keeps its distance is given the slowest of motions
+        Float8 slow = select(speed < 0.f, -1e-6f, 1e-6f);
+        Float8 inverse = 1.f / select(abs(speed) < 1e-6f, slow, speed);
+        Float8 a = (low - start) * inverse, b = (high - start) * inverse;
+        return {max(from, min(a, b)), min(to, max(a, b))};
+    }
+    Float8 length() const { return max(to - from, 0.f); }
+};
+
+} // namespace
+
+Rgb8 gatherShafts(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
+    const Bounds &room = shafts.room;
+    Stretch all = {Float8{}, hit};
+    all = all.within(o.x, d.x, room.lo.x, room.hi.x);
+    all = all.within(o.y, d.y, room.lo.y, room.hi.y);
+    all = all.within(o.z, d.z, room.lo.z, room.hi.z);
+    // Along the sun to the wall
+    float rise = shafts.sun.y / shafts.sun.x, aside = shafts.sun.z / shafts.sun.x;
+    Float8 deep = room.lo.x - o.x;
+    all = all.within(fmadd(deep, rise, o.y), fmadd(d.x, -rise, d.y), shafts.low, shafts.high);
+    Float8 z = fmadd(deep, aside, o.z), speed = fmadd(d.x, -aside, d.z), lit = {};
+    if (!any(all.from < all.to)) return Rgb8{};
+
+    // Columns are seen by the sun at this width
+    float wide = shafts.pillarRadius * sqrt(fmadd(aside, aside, 1.f));
+    for (int i = 0; i < shafts.openings; ++i) {
+        Stretch shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);
+        Float8 bright = shaft.length();
+        if (!any(bright > 0.f)) continue;
+        for (int k = 0; k < shafts.pillars; ++k) {
+            float x = shafts.pillarX[k], middle = fmadd(room.lo.x - x, aside, shafts.pillarZ[k]);
+            if (middle + wide <= shafts.from[i] || middle - wide >= shafts.to[i]) continue;
+            bright -=
+                shaft.within(z, speed, middle - wide, middle + wide).within(o.x, d.x, x, room.hi.x).length();
+        }
+        Vec3x8 cloud = fmadd(d, (shaft.from + shaft.to) * 0.5f, o);
+        cloud.y += shafts.drift;
+        lit += max(bright, 0.f) * fmadd(noise(cloud), 0.6f, 1.f);
+    }
+    // Dust scatters forwards
+    Float8 towards = fmadd(dot(d, shafts.sun), 0.5f, 0.5f);
+    return shafts.scatter * (lit * fmadd(towards * towards, 1.6f, 0.6f));
+}
+
+} // namespace odraz
