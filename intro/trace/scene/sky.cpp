@@ -22,10 +22,10 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
                  sky.near * toFourth(toFourth(toFourth(max(towards, 0.f))));
     }
     if (sky.cover > 0) {
-        // A sheet of them high above, that ends in haze
+        // A sheet of them high above, that ends in haze; what is fine is lost in it before
         Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
-        Float8 density =
-            fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3, Float8{});
+        Float8 density = fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3,
+                                      far * 0.014f);
         density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.16f, up);
         light += (broadcast(sky.clouds) - light) * density;
     }
