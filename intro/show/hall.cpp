@@ -10,6 +10,8 @@ namespace odraz {
 
 namespace {
 
+constexpr float kDust = 0.017f; // share of light that it scatters, a metre
+constexpr float kStripArea = 0.28f * 3.9f;
 constexpr Rgb kLanternLight = Rgb{60, 45, 30}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
 // From one grey for all to the material.
@@ -36,6 +38,26 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
 }
 
+// Where the sun stands in the air. The windows' depth lets pass what falls through both of its ends; the
+// columns before the other wall are left out, whose shadows lie in those of the first ones or beyond.
+void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
+    Vec3 sun = now.sky.sun;
+    Rgb scatter = now.sunlight * (kDust * light.sun);
+    if (maxComponent(scatter) <= 0) return;
+    float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
+    s.sun = sun;
+    s.room = {{-kX, 0, -kZ}, {kX, kY, kZ}};
+    s.low = kSill, s.high = kLintel - down;
+    for (float z : kWindows) {
+        s.from[s.openings] = z - kWindow + max(along, 0.f);
+        s.to[s.openings++] = z + kWindow + min(along, 0.f);
+    }
+    for (float z : kColumns) s.pillarX[s.pillars] = -kColumnX, s.pillarZ[s.pillars++] = z;
+    s.pillarRadius = kColumnRadius;
+    s.scatter = scatter;
+    s.drift = light.hour;
+}
+
 } // namespace
 
 LightVector lightVector(const HallLight &light, const float *drawn) {
@@ -55,8 +77,10 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
         v.bounced[kFirstLantern + i] = kLanternLight * light.lanterns[i];
         v.direct[kFirstLantern + i] = v.bounced[kFirstLantern + i] * (1 - (drawn ? drawn[i] : 0));
     }
-    for (int i = 0; i < kStrips; ++i)
-        v.bounced[kFirstStrip + i] = v.direct[kFirstStrip + i] = kStripLight * light.strips[i];
+    for (int i = 0; i < kStrips; ++i) {
+        v.bounced[kFirstStrip + i] = kStripLight * light.strips[i];
+        v.direct[kFirstStrip + i] = v.bounced[kFirstStrip + i] * (1 - light.door);
+    }
     return v;
 }
 
@@ -89,6 +113,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
 
     Daylight now = daylightAt(light.hour);
     scene.sky = now.sky;
+    raiseShafts(scene.shafts, now, light);
     if (light.sun > 0) scene.add(Light{now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))});
 
     // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
@@ -101,9 +126,16 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         Vec3 place = hall.radiosity.lights.lamps[i].centre;
         scene.add(sphere(place, kLanternRadius, kLantern + i));
         if (drawn[i] > 0)
-            scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius)});
+            scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
+                            kLanternRadius});
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
+
+    if (light.door > 0) {
+        float on = 0;
+        for (float strip : light.strips) on += strip * (kStripArea * light.door / kPi);
+        scene.add(Light{{0, 2.1f, -9.4f}, kStripLight * on, 1});
+    }
 
     // Balls get what floor and ceiling get on average
     scene.ambientHigh = meanLight(hall, hall.floor);

@@ -26,6 +26,7 @@ struct HallLight {
     float lanterns[kLanterns]; // 0 .. 1
     float strips[kStrips];
     float sun; // how much of the sun the tracer draws: 1, or less where the lightmap has its direct light
+    float door = 0; // how much of the strips' light it draws, as one lamp with soft shadows
 };
 
 // What there is of each basis. `drawn`: which shares of the lanterns' own light the tracer draws; null: none.

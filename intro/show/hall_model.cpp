@@ -6,18 +6,14 @@ namespace odraz {
 
 namespace {
 
-constexpr float kX = 4.5f, kY = 6.5f, kZ = 9; // half width, height, half length
-constexpr float kSill = 1.75f, kLintel = 5.25f, kWindow = 0.625f, kDeep = 0.5f;
 constexpr float kDoor = 1.75f, kDoorHeight = 3; // half width
-constexpr float kWindows[] = {-6.5f, -3.25f, 0, 3.25f, 6.5f};
-constexpr float kColumnX = 2.25f, kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
-constexpr float kBeam = 0.15f; // half of one across
+constexpr float kBeam = 0.15f;                  // half of one across
 constexpr float kLanternY = 4.0f, kLanternZ[kLanterns] = {-3.25f, 0, 3.25f};
 
 void addColumn(Model &m, float x, float z) {
     m.addBox({x - 0.42f, 0, z - 0.42f}, {x + 0.42f, 0.32f, z + 0.42f}, kBlock, 0.29f,
              Model::kUpright | Model::kTop);
-    constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = 0.32f;
+    constexpr float kLow = 0.32f, kHigh = 5.15f, kRadius = kColumnRadius;
     for (int k = 0; k < 8; ++k) {
         auto corner = [&](int i) {
             float a = ((float)i + 0.5f) * (kPi / 4);

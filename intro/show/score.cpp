@@ -34,7 +34,7 @@ static constexpr char kChords[kSceneCount][19] = {
     "GGDDBBFFGGAA",
     "DDDDDDDDBFCADA",
     "DDFFCCGGBFCDGGGBCA",
-    "DBFCDBGAGBA",
+    "DBFCDBGAGBAD",
     "ddddd",
 };
 
@@ -84,7 +84,7 @@ static constexpr Part kParts[] = {
     {kHall, 16, 18, {kPiano, 5, 1, 100}, 8, 16, 30, 75, "02143526"},
     {kHall, 17, 18, {kAir, 7, 1, 100}, 8, 16, 5, 50, "0213"},
 
-    {kOdraz, 0, 11, {kPad, 3, 4, 100}, 1, 16, 75, 40, "0"},
+    {kOdraz, 0, 12, {kPad, 3, 4, 100}, 1, 16, 75, 40, "0"},
     {kOdraz, 0, 10, {kBass, 2, 1, 100}, 2, 16, 95, 60, "0"},
     {kOdraz, 0, 6, {kDrum, 1, 1, 60}, 2, 16, 80, 80, "a"},
     {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 60, 60, "0314"},
@@ -92,7 +92,7 @@ static constexpr Part kParts[] = {
     {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 35, 25, "42531"},
     {kOdraz, 0, 4, {kPiano, 5, 1, 120}, 4, 16, 95, 95, "a..dc..ag.a.e..."},
     {kOdraz, 4, 8, {kPiano, 5, 1, 120}, 4, 16, 95, 70, "a..dc..ab.d.e..."},
-    {kOdraz, 8, 11, {kPiano, 4, 1, 120}, 1, 16, 50, 35, "da"},
+    {kOdraz, 8, 12, {kPiano, 4, 1, 120}, 1, 16, 50, 35, "da"},
 
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
     {kCredits, 0, 2, {kPad, 4, 5, 150}, 1, 32, 35, 35, "0"},
@@ -128,6 +128,7 @@ static constexpr Heard kHeard[] = {
     {kStrip6, {kPiano, 4, 1, 120}, 86, 'b'},
     {kStrip7, {kPiano, 4, 1, 120}, 90, 'c'},
     {kStrip8, {kPiano, 4, 3, 120}, 100, 'd'},
+    {kLampLights, {kPiano, 4, 3, 150}, 70, '0'},
     {kBall1, {kWood, 4, 2, 120}, 70, '0'},
     {kBall2, {kGlassDrop, 6, 1, 120}, 90, '1'},
     {kBall3, {kWood, 4, 1, 120}, 70, '2'},

@@ -6,7 +6,7 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr Key kHour[] = {
-    {0, 0, Linear}, {rowOf(kSunMoves), 0.2f, Linear}, {168, 6, Linear}, {200, 7, Linear}};
+    {0, 0, Linear}, {rowOf(kSunMoves), 0.25f, Linear}, {172, 5.9f, Linear}, {204, 7, Linear}};
 static constexpr Key kLantern1[] = {{rowOf(kLamp1), 0, Smooth},
                                     {rowOf(kLamp1) + 8, 1, Linear},
                                     {rowOf(kLamp1Dies), 1, Smooth},
@@ -20,7 +20,7 @@ static constexpr Key kLantern3[] = {{rowOf(kLamp3), 0, Smooth},
                                     {rowOf(kLamp3Dies), 0.6f, Smooth},
                                     {rowOf(kLamp3Dies) + 20, 0, Linear}};
 static constexpr Key kExposure[] = {
-    {0, 2.3f, Smooth}, {60, 2.0f, Linear}, {130, 2.0f, Smooth}, {180, 2.1f, Linear}};
+    {0, 2.2f, Smooth}, {36, 1.4f, Linear}, {130, 1.35f, Smooth}, {180, 2.1f, Linear}};
 
 void poseDay(const Cue &cue, Scene &scene) {
     HallLight light = {};
@@ -30,7 +30,7 @@ void poseDay(const Cue &cue, Scene &scene) {
     light.lanterns[0] = value(track(kLantern3), cue.row);
     light.sun = 1;
     // The strips rise in turn
-    static constexpr Key kRise[] = {{0, 0, Smooth}, {7, 1, Linear}};
+    static constexpr Key kRise[] = {{0, 0, Smooth}, {4, 1, Linear}};
     static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
                                              rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
     for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - kRows[i]);

@@ -1,5 +1,5 @@
-// Scene 6. Odraz: the balls of the table roll into the lit hall; everything reflects everything. Then the
-// light falls to one lantern, and one ball is left.
+// Scene 6. Odraz: out of the door of light come mirrors, copper and glass, two a beat, their shadows before
+// them; everything reflects everything. They go back as the lights die, and one is left.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/show.h"
@@ -8,54 +8,66 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kStripsGo[] = {{0, 0.8f, Smooth},
-                                    {20, 0.35f, Linear},
-                                    {rowOf(kDoorDies), 0.35f, Smooth},
-                                    {rowOf(kDoorDies) + 28, 0, Linear}};
+static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
+                                    {rowOf(kLampLights) + 24, 0.45f, Linear},
+                                    {rowOf(kDoorDies), 0.45f, Smooth},
+                                    {rowOf(kDoorDies) + 20, 0, Linear}};
 static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
-                                 {rowOf(kLampLights) + 20, 0.65f, Linear},
-                                 {rowOf(kOuterLampsDie), 0.65f, Smooth},
-                                 {rowOf(kOuterLampsDie) + 28, 0, Linear}};
-static constexpr Key kMiddle[] = {{0, 0, Smooth}, {16, 1, Linear}};
-static constexpr Key kIn[] = {{0, 14, Smooth}, {56, 0, Linear}};
-static constexpr Key kOut[] = {{0, 0, Smooth}, {44, 14, Linear}};
+                                 {rowOf(kLampLights) + 16, 0.5f, Linear},
+                                 {rowOf(kOuterLampsDie), 0.5f, Smooth},
+                                 {rowOf(kOuterLampsDie) + 20, 0, Linear}};
+static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth},
+                                  {rowOf(kLampLights) + 24, 0.8f, Linear}};
+static constexpr Key kExposure[] = {{rowOf(kLampLights), 2.6f, Smooth},
+                                    {rowOf(kLampLights) + 24, 2.1f, Linear}};
+static constexpr Key kWay[] = {{0, 0, Smooth}, {48, 1, Linear}}; // of the way from the door, or back
+static constexpr Key kBack[] = {{0, 0, Smooth}, {40, 1, Linear}};
 
-enum { kSilver = kHallMaterials, kClear, kRed, kGround };
-static constexpr const Material *kMaterials[] = {&kMirror, &kGlass, &kCopper, &kGranite};
+enum { kSilver = kHallMaterials, kClear, kRed, kDusk, kGround };
+static constexpr const Material *kMaterials[] = {&kMirror, &kGlass, &kCopper};
 
-// They come by the entrance, each in a lane of its own or behind another that goes after it; two lie in the
-// aisles.
-static constexpr struct {
-    float x, z, radius, comes, goes;
-    int material;
-} kBalls[] = {
-    {0, 0.4f, 0.75f, rowOf(kBall2), 999, kSilver},
-    {-1.25f, -2.2f, 0.40f, rowOf(kBall3), rowOf(kBall3Leaves), kClear},
-    {1.25f, -1.5f, 0.42f, rowOf(kBall1), rowOf(kBall1Leaves), kSilver},
-    {-1.27f, 2.3f, 0.34f, rowOf(kBall5), rowOf(kBall5Leaves), kRed},
-    {1.27f, 1.7f, 0.36f, rowOf(kBall4), rowOf(kBall4Leaves), kClear},
-    {-3.4f, 0.2f, 0.55f, -99, 999, kSilver},
-    {3.4f, 0.9f, 0.5f, -99, 999, kSilver},
-    {0, -4.3f, 0.6f, -9, 999, kRed},
-};
+// Three lanes. Who comes first stands foremost and goes last, so that nobody passes anybody: the one that
+// stays and three behind it between six on either side.
+constexpr int kBeat = 4, kRows = 6, kBehind = 3;
+constexpr float kHidden = -11; // in z, behind the door
+constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kDusk, kClear, kRed, kSilver},
+                                      {kClear, kDusk, kRed, kSilver, kDusk, kRed}};
+
+// A ball of a lane, rolled.
+static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
+                    int material) {
+    float way = value(track(kWay), row - comes) - value(track(kBack), row - goes);
+    if (way <= 0) return;
+    float at = kHidden + (z - kHidden) * way, turn = at / radius;
+    Shape *s = scene.add(sphere({x, radius, at}, radius, material));
+    s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
+}
 
 void poseOdraz(const Cue &cue, Scene &scene) {
-    HallLight light = {kHours - 1, {}, {}, 1};
+    HallLight light = {kHours - 1, {}, {}, 1, 0.6f};
     light.lanterns[0] = value(track(kOuter), cue.row);
     light.lanterns[1] = value(track(kMiddle), cue.row);
     light.lanterns[2] = value(track(kOuter), cue.row + 8);
     for (float &strip : light.strips) strip = value(track(kStripsGo), cue.row);
     poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
-    scene.exposure = 2.1f;
+    scene.exposure = value(track(kExposure), cue.row);
 
     scene.addAll(kMaterials);
+    scene.add(pearl(false, 0.3f));
+    scene.add(kGranite);
     scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
-    for (const auto &b : kBalls) {
-        float way = value(track(kIn), cue.row - b.comes) + value(track(kOut), cue.row - b.goes),
-              turn = way / b.radius;
-        Shape *s = scene.add(sphere({b.x, b.radius, b.z + way}, b.radius, b.material));
-        s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
+    addBall(scene, cue.row, 0, 0.4f, 0.75f, rowOf(kBall1), 999, kSilver);
+    for (int i = 0; i < kRows; ++i) {
+        float z = 2.6f - 1.25f * (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
+        float comes = rowOf(kBall2) + (float)(kBeat * i), goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
+        for (int side = 0; side < 2; ++side)
+            addBall(scene, cue.row, side ? aside : -aside, z - 0.5f * (float)side, radius, comes, goes,
+                    kSides[side][i]);
     }
+    for (int i = 0; i < kBehind; ++i)
+        addBall(scene, cue.row, 0, -1.6f - 1.5f * (float)i, 0.45f,
+                rowOf(kBall2) + (float)(kBeat * (kRows + i)),
+                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kClear : kRed);
 }
 
 } // namespace odraz

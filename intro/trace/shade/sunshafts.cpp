@@ -54,7 +54,7 @@ Rgb8 gatherShafts(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Flo
     }
     // Dust scatters forwards
     Float8 towards = fmadd(dot(d, shafts.sun), 0.5f, 0.5f);
-    return shafts.scatter * (lit * fmadd(towards * towards, 1.6f, 0.6f));
+    return shafts.scatter * (lit * fmadd(towards * towards, 1.f, 0.6f));
 }
 
 } // namespace odraz

@@ -47,7 +47,7 @@ void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     double sum = 0, end = std::fmin(hit, 60.f);
     for (int i = 0; i < kSteps; ++i) sum += lit(s, o + d * (float)((i + 0.5) * end / kSteps));
     sum *= end / kSteps;
-    double half = 0.5 + 0.5 * dot(d, s.sun), phase = 0.6 + 1.6 * half * half;
+    double half = 0.5 + 0.5 * dot(d, s.sun), phase = 0.6 + 1.0 * half * half;
     float got = gatherShafts(s, broadcast(o), broadcast(d), broadcast(hit)).x[0];
     ASSERT_TRUE(std::isfinite(got));
     EXPECT_GE(got, (sum * 0.4 - 0.02) * phase) << o.x << ' ' << o.y << ' ' << o.z;
