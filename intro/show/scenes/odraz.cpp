@@ -16,12 +16,15 @@ static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
                                  {rowOf(kLampLights) + 16, 0.5f, Linear},
                                  {rowOf(kOuterLampsDie), 0.5f, Smooth},
                                  {rowOf(kOuterLampsDie) + 20, 0, Linear}};
-static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth},
-                                  {rowOf(kLampLights) + 24, 0.8f, Linear}};
+static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth}, {rowOf(kLampLights) + 24, 1, Linear}};
 static constexpr Key kExposure[] = {{rowOf(kLampLights), 2.6f, Smooth},
-                                    {rowOf(kLampLights) + 24, 2.1f, Linear}};
-static constexpr Key kWay[] = {{0, 0, Smooth}, {48, 1, Linear}}; // of the way from the door, or back
-static constexpr Key kBack[] = {{0, 0, Smooth}, {40, 1, Linear}};
+                                    {rowOf(kLampLights) + 24, 2.1f, Linear},
+                                    {rowOf(kOuterLampsDie), 2.1f, Smooth},
+                                    {160, 2.8f, Linear}};
+// Of the way from the door, what lies before them; and how far they have gone back: squared, as they brake
+// and set off evenly.
+static constexpr Key kLeft[] = {{0, 1, Linear}, {48, 0, Linear}};
+static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 
 enum { kSilver = kHallMaterials, kClear, kRed, kDusk, kGround };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass, &kCopper};
@@ -36,7 +39,8 @@ constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kDusk, kClear, kRed, kSilv
 // A ball of a lane, rolled.
 static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
                     int material) {
-    float way = value(track(kWay), row - comes) - value(track(kBack), row - goes);
+    float left = value(track(kLeft), row - comes), back = value(track(kBack), row - goes);
+    float way = 1 - left * left - back * back;
     if (way <= 0) return;
     float at = kHidden + (z - kHidden) * way, turn = at / radius;
     Shape *s = scene.add(sphere({x, radius, at}, radius, material));

@@ -192,6 +192,8 @@ TEST(Film, BallsDoNotRollThroughThings) {
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
                 if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane) continue;
+                // Out of the door they do come through its wall
+                if (now.entry->id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
                 Vec3 q = b.frame * (a.centre - b.centre);
                 float gap;
                 if (b.kind == ShapeKind::Sphere)
