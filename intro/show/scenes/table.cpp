@@ -78,7 +78,7 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky((float)cue.row);
-    scene.exposure = 0.95f;
+    scene.exposure = 0.93f;
 }
 
 } // namespace odraz
