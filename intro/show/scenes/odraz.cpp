@@ -62,7 +62,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
     addBall(scene, cue.row, 0, 0.4f, 0.75f, rowOf(kBall1), 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
-        float z = 2.6f - 1.25f * (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
+        float z = 2.25f - 1.2f * (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
         float comes = rowOf(kBall2) + (float)(kBeat * i), goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
         for (int side = 0; side < 2; ++side)
             addBall(scene, cue.row, side ? aside : -aside, z - 0.5f * (float)side, radius, comes, goes,
