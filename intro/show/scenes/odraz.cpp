@@ -27,13 +27,13 @@ static constexpr Key kLeft[] = {{0, 1, Linear}, {48, 0, Linear}};
 static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 
 enum { kSilver = kHallMaterials, kClear, kRed, kDusk, kGround };
-static constexpr const Material *kMaterials[] = {&kMirror, &kGlass, &kCopper};
+static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
 // Three lanes. Who comes first stands foremost and goes last, so that nobody passes anybody: the one that
 // stays and three behind it between six on either side.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kHidden = -11; // in z, behind the door
-constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kDusk, kClear, kRed, kSilver},
+constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kDusk, kClear, kRed, kDusk},
                                       {kClear, kDusk, kRed, kSilver, kDusk, kRed}};
 
 // A ball of a lane, rolled.
@@ -57,7 +57,8 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     scene.exposure = value(track(kExposure), cue.row);
 
     scene.addAll(kMaterials);
-    scene.add(pearl(false, 0.3f));
+    scene.add(pearl(true, 0.35f));
+    scene.add(pearl(false, 0.22f));
     scene.add(kGranite);
     scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
     addBall(scene, cue.row, 0, 0.4f, 0.75f, rowOf(kBall1), 999, kSilver);
@@ -71,7 +72,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     for (int i = 0; i < kBehind; ++i)
         addBall(scene, cue.row, 0, -1.6f - 1.5f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (kRows + i)),
-                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kClear : kRed);
+                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kDusk : kRed);
 }
 
 } // namespace odraz
