@@ -17,7 +17,7 @@ static constexpr char kUsage[] =
     "one moment PIXELS wide, and under it two rows of three.\n";
 
 // Seconds into the film of what a poster shows, the large one first.
-static constexpr int kPosterMoments[] = {142, 12, 24, 52, 82, 104, 124};
+static constexpr int kPosterMoments[] = {142, 15, 35, 52, 84, 104, 124};
 
 static std::string quoted(const std::string &s) {
     std::string q = "'";
