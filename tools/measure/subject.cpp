@@ -37,11 +37,11 @@ const std::vector<SubjectName> &subjectNames() {
          {{0, &kPeerCameraB}, {0, &kMoreCameras[2]}, {0, &kMoreCameras[3]}}},
         {"field", false, poseField, {{0, &kFieldCamera}}},
         {"point", false, {}, {{14}}},
-        {"table", false, {}, {{30}, {21}, {42}}},
-        {"flake", false, {}, {{64}, {52}, {70}}},
-        {"patches", true, {}, {{93}}},
+        {"table", false, {}, {{30}, {21}, {38}}},
+        {"flake", false, {}, {{56}, {46}, {62}}},
+        {"patches", true, {}, {{86}}},
         {"hall", true, {}, {{108}, {99}, {124}}},
-        {"odraz", true, {}, {{144}}},
+        {"odraz", true, {}, {{142}}},
         {"credits", false, {}, {{159}, {159, &kMoreCameras[4]}, {159, &kMoreCameras[5]}}},
     };
     return names;
