@@ -20,7 +20,7 @@ for quality in draft film; do
     if [ "${2-}" = hall ]; then
         check "patches, hall and odraz in $quality" pictures 3 --fps 1/29 --from 87 --to 146 --quality $quality
     else
-        check "point, table and flake in $quality" pictures 4 --fps 1/16 --from 16 --to 65 --quality $quality
+        check "point, table and flake in $quality" pictures 4 --fps 1/12 --from 12 --to 60 --quality $quality
         check "credits in $quality" pictures 1 --fps 1 --from 159 --to 160 --quality $quality
     fi
 done
