@@ -309,19 +309,25 @@ TEST(Adaptive, AbortLeavesAtOnce) {
     EXPECT_EQ(tracedSamples(tracer), 0);
 }
 
+// One shape that shines, and nothing else.
+static std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material bright = {};
+    bright.emit = radiance;
+    s->add(bright);
+    s->add(shape);
+    s->finish();
+    return s;
+}
+
 // A bright face that is seen from the side, thinner than samples are apart, is not met here and there.
 TEST(Adaptive, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
-        auto s = std::make_unique<Scene>();
-        s->clear();
-        Material bright = {};
-        bright.emit = {5, 5, 5};
-        s->add(bright);
-        s->add(Shape{.kind = ShapeKind::Rect,
-                     .centre = {side, 0, -10},
-                     .half = {0.25f, 0, 3},
-                     .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
-        s->finish();
+        auto s = shining({5, 5, 5}, Shape{.kind = ShapeKind::Rect,
+                                          .centre = {side, 0, -10},
+                                          .half = {0.25f, 0, 3},
+                                          .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
         Picture p = traced(*s, {0, {0, 0, 0}, {0.3f, 0, -10}, 5, 36}, quality, 320, 180);
         int lit = 0;
         for (int y = 0; y < 180; ++y)
@@ -338,16 +344,10 @@ TEST(Adaptive, ShowsNoDashesOfFacesSeenFromTheSide) {
 // How much of a pixel lies beyond an edge shows whatever its slope: near the axes, too, where stairs are
 // long.
 TEST(Adaptive, SmoothsEdgesOfEverySlope) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
-    Material bright = {};
-    bright.emit = {1, 1, 1};
-    s->add(bright);
-    s->add(Shape{.kind = ShapeKind::Rect,
-                 .centre = {0, -100, -10},
-                 .half = {200, 0, 100},
-                 .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
-    s->finish();
+    auto s = shining({1, 1, 1}, Shape{.kind = ShapeKind::Rect,
+                                      .centre = {0, -100, -10},
+                                      .half = {200, 0, 100},
+                                      .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
     for (float degrees : {0.7f, 3.f, 10.f, 22.f, 41.f, 87.f}) {
         CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, degrees, 36};
         Picture truth = traced(*s, camera, named(QualityName::Reference), 320, 180);

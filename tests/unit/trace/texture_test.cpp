@@ -111,12 +111,18 @@ TEST(Noise, OctavesFadeBeforeTheyAlias) {
     EXPECT_EQ(bandLimit(broadcast(0.8f), 1)[0], 0);
 }
 
-// The filtered checker is the average of the sharp one.
-TEST(Checker, IsFilteredLikeManySamples) {
+// White and black squares.
+static Material checker(float cell) {
     Material m = {};
     m.texture = {Pattern::Plain, 1, {{1, 1, 1}}};
     m.other = {Pattern::Plain, 1, {{0, 0, 0}}};
-    m.cell = 0.5f;
+    m.cell = cell;
+    return m;
+}
+
+// The filtered checker is the average of the sharp one.
+TEST(Checker, IsFilteredLikeManySamples) {
+    Material m = checker(0.5f);
     Int8 cell;
     std::mt19937 random(6);
     std::uniform_real_distribution<float> place(-3, 3), size(0.01f, 1.5f);
@@ -139,10 +145,7 @@ TEST(Checker, IsFilteredLikeManySamples) {
 // Seen along its diagonals the two waves of a checker turn together; the mean of each alone tells little
 // there.
 TEST(Checker, IsFilteredAlongASlantedView) {
-    Material m = {};
-    m.texture = {Pattern::Plain, 1, {{1, 1, 1}}};
-    m.other = {Pattern::Plain, 1, {{0, 0, 0}}};
-    m.cell = 1;
+    Material m = checker(1);
     Int8 cell;
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-3, 3), part(-0.5, 0.5);
