@@ -78,7 +78,7 @@ static void paste(Picture &sheet, const Picture &frame, int x, int y) {
 // One moment, and under it two rows of three.
 static Picture poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
-    const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross;
+    const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16;
     Picture page;
     int y = gap, shown = 0;
     for (int second : kPosterMoments) {
@@ -86,13 +86,13 @@ static Picture poster(const std::string &program, int width, const std::string &
         Picture frame = dumped(program, at, shown ? small : width, quality)[0];
         if (!shown) {
             page.width = width + 2 * gap;
-            page.height = frame.height + 2 * (small * 9 / 16) + 4 * gap;
+            page.height = frame.height + 2 * high + 4 * gap;
             page.rgb.assign((size_t)page.width * (size_t)page.height * 3, 8);
             paste(page, frame, gap, y);
             y += frame.height + gap;
         } else {
             int i = shown - 1;
-            paste(page, frame, gap + i % kAcross * (small + gap), y + i / kAcross * (small * 9 / 16 + gap));
+            paste(page, frame, gap + i % kAcross * (small + gap), y + i / kAcross * (high + gap));
         }
         ++shown;
     }
