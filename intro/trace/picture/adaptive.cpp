@@ -119,7 +119,7 @@ int splitSquares(Tile &t, int count) {
 // edge that crosses it, edges along the axes above all, whose stairs are longest: off by 0.074 (rms), where
 // three by three places, corners, middles of sides and the middle, which cost one more, are off by 0.096; all
 // by 0.033, five by five places by 0.038.
-constexpr int kFirst = 3;
+constexpr int kFirst = 3, kInside = 12;
 constexpr float kInsideAt[kInside][2] = {
     {-0.043f, -0.236f}, {0.242f, -0.006f}, {-0.215f, 0.224f},  {0.365f, -0.226f},
     {0.37f, 0.158f},    {-0.124f, 0.401f}, {-0.383f, 0.006f},  {0.099f, -0.386f},
@@ -135,6 +135,7 @@ void sampleInside(Tile &t, int count) {
     Square *pixels = s.squares[2];
     for (int from = 0, to = kFirst; count; from = to, to = kInside) {
         int each = to - from, most = kChunk / each, kept = 0;
+        bool asks = !from && q.fine < 2;
         float ofCorner = from ? kOfCornerAtLast : kOfCorner, ofInside = (1 - 4 * ofCorner) / (float)to;
         for (int first = 0; first < count; first += most) {
             int few = min(count - first, most), samples = 0;
@@ -157,13 +158,14 @@ void sampleInside(Tile &t, int count) {
                 __m128 corners = {}, inside = {}, lo = _mm_set1_ps(kInfinity), hi = {};
                 auto add = [&](__m128 &sum, __m128 radiance) {
                     sum += radiance;
+                    if (!asks) return;
                     __m128 seen = shown(t.scene, radiance);
                     lo = _mm_min_ps(lo, seen), hi = _mm_max_ps(hi, seen);
                 };
                 for (uint32_t k : c) add(corners, radianceOf(s.corners[k]));
                 if (from) inside = __m128{s.light[0][p], s.light[1][p], s.light[2][p], 0};
                 for (int k = from; k < to; ++k, ++v) add(inside, *v);
-                if (!from && q.fine < 2 && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
+                if (asks && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
                 __m128 sum = corners * ofCorner + inside * ofInside;
                 for (int k = 0; k < 3; ++k) s.light[k][p] = inside[k], s.rest[k][p] = sum[k];
                 s.owner[p] = kMixed;

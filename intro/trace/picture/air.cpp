@@ -10,6 +10,12 @@ constexpr int kMargin = 8; // floats before the first row
 
 int strideFor(int width) { return ((width + 7) & ~7) + 8; }
 
+// Repeats the ends of a row before and behind it.
+void repeatEnds(const Air::Level &l, float *row) {
+    for (int x = l.width; x < l.stride - 1; ++x) row[x] = row[l.width - 1];
+    row[-1] = row[0];
+}
+
 // Fills row y of a level with the means of two by two of what is above it, rows `apart` floats apart.
 void halve(Air::Level &to, int y, const float *const (&plane)[3], int width, int height, int apart) {
     for (int c = 0; c < 3; ++c) {
@@ -21,8 +27,7 @@ void halve(Air::Level &to, int y, const float *const (&plane)[3], int width, int
             store(out + x, (Float8)_mm256_castpd_ps(_mm256_permute4x64_pd(pairs, 0xd8)) * 0.25f);
         }
         if (width & 1) out[to.width - 1] = (a[width - 1] + b[width - 1]) * 0.5f;
-        for (int x = to.width; x < to.stride - 1; ++x) out[x] = out[to.width - 1];
-        out[-1] = out[0];
+        repeatEnds(to, out);
     }
 }
 
@@ -47,8 +52,7 @@ void spread(Air::Level &to, int y, const Air::Level &from, float share) {
             put(x, _mm256_permute2f128_ps(low, high, 0x20));
             put(x + 8, _mm256_permute2f128_ps(low, high, 0x31));
         }
-        for (int x = to.width; x < to.stride - 1; ++x) out[x] = out[to.width - 1];
-        out[-1] = out[0];
+        repeatEnds(to, out);
     }
 }
 

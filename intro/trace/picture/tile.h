@@ -13,7 +13,6 @@ inline constexpr int kTile = 64;                   // pixels along a side
 inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
 inline constexpr int kPlaceShift = 7;              // rows of places are apart by a power of two
 inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile watches for at most
-inline constexpr int kInside = 12;                 // samples within a pixel, at most
 // Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 static_assert(kMaxShapes <= kDone);

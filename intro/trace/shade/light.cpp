@@ -153,14 +153,14 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             if (!any(lit)) continue;
 
             // Add what comes through. A shape does not shade what faces the light on its own outside
-            bool soft = light.radius > 0;
+            bool soft = scene.contact && light.radius > 0;
             if (!(aimed >> k & 1)) {
                 aim(scene, run, box, light.position, among[k]);
                 if (soft) findScreens(scene, light, box, screens[k]);
                 aimed |= 1 << k;
             }
             Int8 own = select(side > 0.f, ((loadInts(run.id + i) - 1) >> 3), broadcast(-1));
-            Rgb8 through = transmittance(scene, among[k], {p, l}, far, lit, own, soft && scene.contact);
+            Rgb8 through = transmittance(scene, among[k], {p, l}, far, lit, own, soft);
             if (soft && screens[k].count)
                 through = through * passScreens(scene, screens[k], light, p, l, far, own);
             lit &= maxComponent(through) > 0.f;
