@@ -74,9 +74,9 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
         now.entry->letter(now.cue, view, frame);
     }
     frame.rgba = rgba;
+    scatterLight(intro.air, frame, *intro.workers);
     // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
     // would be seen as a veil
-    scatterLight(intro.air, frame, *intro.workers);
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
             &intro.air, kFilmAir);
     return {frame.width, frame.height, rgba};

@@ -28,6 +28,8 @@ static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 8, 0, Smooth}, {rowOf(kPa
 // What light adds at each step, and how much brighter than it is it shows.
 static constexpr int kStages = 4;
 static constexpr float kGain[kStages] = {1, 2, 6, 15};
+static constexpr float kRows[kStages] = {rowOf(kDirectLight), rowOf(kBounce1), rowOf(kBounce2),
+                                         rowOf(kBounce3)};
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f};
 
 // How far a step has come: what it adds rises and, before its bar ends, joins the rest.
@@ -36,9 +38,9 @@ struct Step {
     float rise, join;
 
     explicit Step(double row) {
-        float since = (float)row - rowOf(kDirectLight);
-        number = since < 0 ? -1 : min((int)(since / 16), kStages - 1);
-        float at = since - 16 * (float)number;
+        number = -1;
+        while (number + 1 < kStages && (float)row >= kRows[number + 1]) ++number;
+        float at = (float)row - kRows[max(number, 0)];
         rise = smoothstep(0.f, 3.f, at);
         join = smoothstep(10.f, 15.f, at);
     }
@@ -128,7 +130,7 @@ void letterPatches(const Cue &cue, const View &view, Frame &frame) {
     }
     const Patch &visited = hall->model.patches[hall->visited];
     float open = value(track(kOpen), cue.row), rise = value(track(kRise), cue.row);
-    if (cue.row < rowOf(kHalfCubeCloses) + 8)
+    if (rise > 0 && cue.row < rowOf(kHalfCubeCloses) + 8)
         drawHalfCube(visited, hall->model.charts[visited.chart], 1.5f * rise, view, frame, rise);
     if (open == 0) return;
     // From the patch it grows to its place
