@@ -39,8 +39,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
-        !makeFrame(intro->frame, arena, s.width, s.height) ||
-        !makeAir(intro->air, arena, s.width, s.height))
+        !makeFrame(intro->frame, arena, s.width, s.height) || !makeAir(intro->air, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
     makeCurve(intro->curve);
     intro->workers = &workers;
