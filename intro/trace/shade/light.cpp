@@ -77,7 +77,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
     float reflectance = maxComponent(scene.mean[shape.material]),
-          leastShare = c.quality.cutoff * 0.05f / scene.exposure;
+          counts = 5 * scene.exposure / max(c.quality.cutoff, 1e-6f);
     // Highlights end at 2^-20: powers of smaller cosines are denormal numbers, and those cost 100 cycles each
     float lobeEnd = m.specular > 0 ? exp2(-20 / m.exponent) : 1;
     Bounds box = boxOf(run);
@@ -103,7 +103,8 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             highlight = highlight * open;
         }
 
-        // From every light. What would add less than a twentieth of the cutoff to the picture is left out
+        // From every light. What adds less than a fifth of the cutoff to the picture needs no shadow; up to
+        // twice as much, that fades in
         Float8 error = load(run.error + i), side = load(run.side + i);
         Float8 share = maxComponent(load(run.weight, i));
         Int8 states = {}, active = kLanes < run.count - i;
@@ -149,7 +150,10 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Float8 promised =
                 fmadd(cosine, reflectance, lobe) * (strength * share) * maxComponent(light.intensity);
             Int8 close = towards > reach;
-            Int8 lit = active & (cosine > 0.f) & ((promised > leastShare) | close);
+            Int8 facing = active & (cosine > 0.f);
+            Float8 faint = select(close, 0.f, saturate(2.f - promised * counts));
+            Int8 lit = facing & (faint < 1.f);
+            diffuse += light.intensity * select(facing & ~lit, strength * cosine, 0.f);
             if (!any(lit)) continue;
 
             // Add what comes through. A shape does not shade what faces the light on its own outside
@@ -163,6 +167,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
             Rgb8 through = transmittance(scene, among[k], {p, l}, far, lit, own, soft);
             if (soft && screens[k].count)
                 through = through * passScreens(scene, screens[k], light, p, l, far, own);
+            through += (Rgb{1, 1, 1} - through) * faint;
             lit &= maxComponent(through) > 0.f;
             if (!any(lit)) continue;
             Rgb8 arriving = through * select(lit, strength, 0.f) * light.intensity;

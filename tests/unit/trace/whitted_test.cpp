@@ -105,6 +105,27 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     EXPECT_EQ(g.look({0, 1, 3}, {0, 0, 0}).light.x, 0);
 }
 
+// What is too faint for the quality to tell needs no shadow; that comes in gradually, and lights that count
+// have it whole.
+TEST(Shadow, FadesInWithTheLightThatItTakes) {
+    Quality coarse = kExact;
+    coarse.cutoff = 1 / 24.f;
+    float before = 0, most = 0;
+    for (int i = 0; i <= 400; ++i) {
+        float strength = 0.01f * (float)i / 100; // of what falls on the floor
+        Stage g;
+        g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
+        g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
+        g.scene->add(Light{{0, 10, 0}, Rgb{100, 100, 100} * strength});
+        float light = g.look({0, 1, 3}, {0, 0, 0}, coarse).light.x;
+        EXPECT_LE(std::abs(light - before), 2e-4f) << strength;
+        if (strength < 0.2f * coarse.cutoff) EXPECT_NEAR(light, strength, 1e-5f);
+        if (strength > 0.4f * coarse.cutoff) EXPECT_EQ(light, 0) << strength;
+        before = light, most = std::max(most, light);
+    }
+    EXPECT_LE(most, 0.25f * coarse.cutoff);
+}
+
 TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     Stage g;
     Material m = matte({0, 0, 0});
