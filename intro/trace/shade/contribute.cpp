@@ -104,12 +104,15 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
         return;
     }
     // What counts in the picture is a mark of the sample, told apart by the way there
+    Rgb8 brings = rest + albedo * light;
     Int8 marked = maxComponent(weight) * scene.exposure > c.quality.mark;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
-    addRest(c, in, run.ray + i, count, rest + albedo * light, mark);
-    if (m.diffuse > 0 && m.texture.pattern != Pattern::Plain)
-        for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
-            c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
+    addRest(c, in, run.ray + i, count, brings, mark);
+    if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain) return;
+    // A texture in the dark does not; unless it mirrors, and so may show a light
+    if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.mark * 0.3f;
+    for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
+        c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
 }
 
 } // namespace

@@ -341,6 +341,28 @@ TEST(Adaptive, ShowsNoDashesOfFacesSeenFromTheSide) {
     EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
 }
 
+// A mirrored texture splits squares by what it brings to the picture, not by how much of a mirror shows it.
+TEST(Adaptive, TakesFewSamplesWhereMirroredTexturesAreDark) {
+    auto samples = [](float strength) {
+        auto s = std::make_unique<Scene>();
+        s->clear();
+        Material mirror = {}, wall = {};
+        mirror.texture = {Pattern::Plain, 1, {{}, {}, {}, {}}};
+        mirror.reflect = 0.8f, mirror.tint = {1, 1, 1};
+        wall.texture = {
+            Pattern::Marble, 8, {{0.2f, 0.2f, 0.2f}, {0.4f, 0.4f, 0.4f}, {0.6f, 0.6f, 0.6f}, {1, 1, 1}}};
+        wall.diffuse = 1;
+        s->add(mirror), s->add(wall);
+        s->add(plane({0, 0, 0}, 0));
+        s->add(box({0, 2, -6}, {6, 2, 0.1f}, 1));
+        s->ambientLow = s->ambientHigh = Rgb{1, 1, 1} * strength;
+        s->finish();
+        return traced(*s, {0, {0, 4, 6}, {0, -1, 0}, 0, 36}, named(QualityName::Draft), 320, 180).samples;
+    };
+    int64_t bright = samples(0.5f), dark = samples(0.01f);
+    EXPECT_LT(dark * 4, bright);
+}
+
 // How much of a pixel lies beyond an edge shows whatever its slope: near the axes, too, where stairs are
 // long.
 TEST(Adaptive, SmoothsEdgesOfEverySlope) {
