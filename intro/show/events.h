@@ -22,7 +22,7 @@ enum EventId : uint8_t {
     kSunMoves, kLamp1, kLamp2, kLamp3, kLamp3Dies, kLamp2Dies, kLamp1Dies,
     kStrip1, kStrip2, kStrip3, kStrip4, kStrip5, kStrip6, kStrip7, kStrip8,
     kLampLights, kBall1, kBall2, kBall3, kBall4, kBall5, kDoorDies,
-    kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves,
+    kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves, kWordIsFound,
     kLine1, kLine2, kLine3,
     kEventCount
 };
@@ -87,6 +87,7 @@ inline constexpr Event kEvents[] = {
     {kBall4Leaves,      kOdraz,    88, false},
     {kBall3Leaves,      kOdraz,    96, true},
     {kBall1Leaves,      kOdraz,   116, true},
+    {kWordIsFound,      kOdraz,   136, false}, // behind the eye, in the last ball
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  12, true},

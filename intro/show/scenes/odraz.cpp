@@ -1,6 +1,8 @@
 // Scene 6. Odraz: out of the door of light come mirrors, copper and glass, two a beat, their shadows before
-// them; everything reflects everything. They go back as the lights die, and one is left.
+// them; everything reflects everything. They go back as the lights die, and one is left: in it stands,
+// behind the eye, the word of the beginning.
 #include "base/maths.h"
+#include "show/font.h"
 #include "show/materials.h"
 #include "show/show.h"
 
@@ -12,11 +14,16 @@ static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
                                     {rowOf(kLampLights) + 24, 0.45f, Linear},
                                     {rowOf(kDoorDies), 0.45f, Smooth},
                                     {rowOf(kDoorDies) + 20, 0, Linear}};
+// How much of their light is drawn with shadows: none any more when the lamps rule
+static constexpr Key kDoor[] = {{rowOf(kLampLights) + 4, 0.6f, Smooth}, {rowOf(kLampLights) + 24, 0, Linear}};
 static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
                                  {rowOf(kLampLights) + 16, 0.5f, Linear},
                                  {rowOf(kOuterLampsDie), 0.5f, Smooth},
                                  {rowOf(kOuterLampsDie) + 20, 0, Linear}};
-static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth}, {rowOf(kLampLights) + 24, 1, Linear}};
+static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth},
+                                  {rowOf(kLampLights) + 24, 1, Linear},
+                                  {rowOf(kWordIsFound) + 8, 1, Smooth},
+                                  {rowOf(kWordIsFound) + 48, 0.4f, Linear}};
 static constexpr Key kExposure[] = {{rowOf(kLampLights), 2.6f, Smooth},
                                     {rowOf(kLampLights) + 24, 2.1f, Linear},
                                     {rowOf(kOuterLampsDie), 2.1f, Smooth},
@@ -48,7 +55,7 @@ static void addBall(Scene &scene, double row, float x, float z, float radius, fl
 }
 
 void poseOdraz(const Cue &cue, Scene &scene) {
-    HallLight light = {kHours - 1, {}, {}, 1, 0.6f};
+    HallLight light = {kHours - 1, {}, {}, 1, value(track(kDoor), cue.row)};
     light.lanterns[0] = value(track(kOuter), cue.row);
     light.lanterns[1] = value(track(kMiddle), cue.row);
     light.lanterns[2] = value(track(kOuter), cue.row + 8);
@@ -73,6 +80,8 @@ void poseOdraz(const Cue &cue, Scene &scene) {
         addBall(scene, cue.row, 0, -1.6f - 1.5f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (kRows + i)),
                 rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kDusk : kRed);
+    standText(scene, "odraz", {-2.35f, 0.01f, 6.5f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
+              scene.add(lamp({2.6f, 0.9f, 0.27f})));
 }
 
 } // namespace odraz
