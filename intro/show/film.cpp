@@ -65,8 +65,8 @@ static constexpr CameraKey kValley[] = {
     valley(280, 473, 4.8f, 5.4f),
 };
 static constexpr CameraKey kAxonometry[] = {
-    {0, {35.2f, 29, 35}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
-    {176, {33.2f, 29, 37}, {2.2f, 2.0f, -1.6f}, 0, 17.5f},
+    {0, {39.5f, 27, 31.5f}, {1.8f, 2.0f, -1.2f}, 0, 17.5f},
+    {176, {31.5f, 31, 37}, {2.4f, 2.0f, -1.8f}, 0, 17.5f},
 };
 static constexpr CameraKey kWalkIn[] = {
     {176, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
