@@ -5,9 +5,16 @@
 
 namespace odraz {
 
+constexpr int kLongestName = 150; // told whole
+
 int cannotWrite(const char *what, const char *why) {
+    // Of a long name the end, so that the reason is told too
+    int length = 0;
+    while (what[length]) ++length;
     Message m;
-    m << "cannot write " << what << ": " << why;
+    m << "cannot write ";
+    if (length > kLongestName) m << "...", what += length - kLongestName;
+    m << what << ": " << why;
     return complain(m.data);
 }
 
@@ -57,7 +64,7 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
             for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
         size_t size = (size_t)(to - file);
 
-        Text<4096> path;
+        Text<4200> path; // too long a name is told, never cut off
         path << o.dump;
         if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
         if (int status = writeOutput(path.data, file, size)) return status;

@@ -20,8 +20,14 @@ bool readFile(const char *path, std::vector<uint8_t> &bytes) {
 }
 
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable) {
-    std::string part = path + "." + std::to_string(getpid()) + ".part";
-    int fd = open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC, executable ? 0777 : 0666);
+    // A name of one's own: nothing that lies there already is written to
+    std::string part;
+    int fd = -1;
+    errno = EEXIST;
+    for (int i = 0; i < 100 && fd < 0 && errno == EEXIST; ++i) {
+        part = path + "." + std::to_string(getpid() + i) + ".part";
+        fd = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, executable ? 0777 : 0666);
+    }
     if (fd < 0) return false;
     const char *from = (const char *)bytes;
     int wrong = 0;

@@ -15,8 +15,8 @@ int complain(const char *line);
 int refuse(const char *line);
 
 // Prepares what the shell left us: closed standard descriptors get a file that swallows all, so that no file
-// of ours ends up as standard error, and a closed pipe becomes an error of writing. Returns a bit for every
-// descriptor that was closed.
+// of ours ends up as standard error, and a closed pipe or a file beyond the limit (ulimit -f) becomes an
+// error of writing. Returns a bit for every descriptor that was closed.
 int prepareDescriptors();
 
 // Ends all threads at once.

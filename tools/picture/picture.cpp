@@ -56,7 +56,7 @@ bool readPpm(std::FILE *stream, Picture &p) {
 
 bool writePng(const std::string &path, const Picture &p) {
     stbi_write_png_compression_level = 9;
-    std::string part = path + ".part";
+    std::string part = path + "." + std::to_string(getpid()) + ".part";
     bool good = stbi_write_png(part.c_str(), p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
                 rename(part.c_str(), path.c_str()) == 0;
     if (!good) unlink(part.c_str());

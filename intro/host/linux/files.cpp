@@ -25,6 +25,10 @@ static const char *reason(long error) {
         return "the file system is read-only";
     case sys::kEpipe:
         return "the pipe was closed";
+    case sys::kEnametoolong:
+        return "the name is too long";
+    case sys::kEfbig:
+        return "the limit on a file's size is reached (ulimit -f)";
     default:
         return "the system refused";
     }
@@ -35,6 +39,10 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
     while (size) {
         long n = sys::call(sys::kWrite, descriptor, (long)p, (long)size);
         if (n == -sys::kEintr) continue;
+        if (n == -sys::kEagain) { // of a pipe that does not block
+            sys::waitFor(descriptor, sys::kOutput, -1);
+            continue;
+        }
         if (n < 0) return reason(n);
         p += n;
         size -= (size_t)n;
@@ -43,19 +51,31 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
 }
 
 const char *writeFile(const char *path, const void *data, size_t size) {
-    char part[4096];
-    size_t length = 0;
-    for (; path[length]; ++length) {
-        if (length > sizeof part - 6) return "the name is too long";
-        part[length] = path[length];
-    }
-    __builtin_memcpy(part + length, ".part", 6);
     // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
     struct stat s;
     bool stays =
         sys::call(sys::kStat, (long)path, (long)&s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
-    long fd = sys::call(sys::kOpen, (long)(stays ? path : part),
-                        0x80241 /* write, create, truncate, cloexec */, 0666);
+    constexpr long kWriteNew = 0x80041 /* write, create, cloexec */, kOwn = 0x20080 /* exclusive, no links */;
+    char part[4096];
+    long fd = -sys::kEexist;
+    if (stays) {
+        fd = sys::call(sys::kOpen, (long)path, kWriteNew, 0666);
+    } else {
+        // A name that nobody else has: another that writes the same file, a link or a pipe laid there
+        size_t length = 0;
+        for (; path[length]; ++length) {
+            if (length > sizeof part - 32) return "the name is too long";
+            part[length] = path[length];
+        }
+        long id = sys::call(sys::kGetPid);
+        for (long last = id + 100; id < last && fd == -sys::kEexist; ++id) {
+            char *to = part + length;
+            *to++ = '.';
+            for (long rest = id; rest; rest /= 10) *to++ = (char)('0' + rest % 10);
+            __builtin_memcpy(to, ".part", 6);
+            fd = sys::call(sys::kOpen, (long)part, kWriteNew | kOwn, 0666);
+        }
+    }
     if (fd < 0) return reason(fd);
     const char *wrong = writeAll((int)fd, data, size);
     long closed = sys::call(sys::kClose, fd);

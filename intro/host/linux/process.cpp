@@ -28,6 +28,7 @@ int prepareDescriptors() {
         }
     uint64_t action[4] = {1 /* SIG_IGN */};
     sys::call(sys::kSigaction, 13 /* SIGPIPE */, (long)action, 0, 8);
+    sys::call(sys::kSigaction, 25 /* SIGXFSZ */, (long)action, 0, 8);
     return closed;
 }
 

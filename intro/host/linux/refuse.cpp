@@ -29,7 +29,7 @@ int refuse(const char *line) {
     // Half a minute at most: a script that runs us on somebody's display must not hang
     for (;;) {
         x.XFlush(display);
-        if (!x.XPending(display) && !sys::waitForInput(ConnectionNumber(display), 30000)) break;
+        if (!x.XPending(display) && !sys::waitFor(ConnectionNumber(display), sys::kInput, 30000)) break;
         XEvent event;
         x.XNextEvent(display, &event);
         if (event.type == Expose) x.XDrawString(display, window, pen, 24, 40, line, length);

@@ -22,6 +22,7 @@ enum Number : long {
     kIoctl = 16,
 
     kNanosleep = 35,
+    kGetPid = 39,
     kFcntl = 72,
     kRename = 82,
     kMkdir = 83,
@@ -37,13 +38,16 @@ enum Error : long {
     kEnoent = 2,
     kEintr = 4,
     kEbadf = 9,
+    kEagain = 11,
     kEacces = 13,
     kEexist = 17,
     kEnotdir = 20,
     kEisdir = 21,
+    kEfbig = 27,
     kEnospc = 28,
     kErofs = 30,
-    kEpipe = 32
+    kEpipe = 32,
+    kEnametoolong = 36
 };
 
 static inline long call(long number, long a = 0, long b = 0, long c = 0, long d = 0, long e = 0, long f = 0) {
@@ -58,13 +62,15 @@ static inline long call(long number, long a = 0, long b = 0, long c = 0, long d 
     return result;
 }
 
-// Waits until a descriptor has something to read, at most so long; false when nothing came.
-static inline bool waitForInput(int descriptor, long milliseconds) {
+enum Ready : short { kInput = 1, kOutput = 4 };
+
+// Waits until a descriptor can be read or written, at most so long (-1: for ever); false when it cannot.
+static inline bool waitFor(int descriptor, Ready what, long milliseconds) {
     struct {
         int fd;
         short events, revents;
-    } input = {descriptor, 1 /* POLLIN */, 0};
-    return call(kPoll, (long)&input, 1, milliseconds) != 0;
+    } asked = {descriptor, what, 0};
+    return call(kPoll, (long)&asked, 1, milliseconds) != 0;
 }
 
 [[noreturn]] static inline void exit(int status) {

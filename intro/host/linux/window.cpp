@@ -74,7 +74,7 @@ bool isLeaving(WindowState &w, XEvent &event) {
         }
         w.x.XResetScreenSaver(w.events);
         w.x.XFlush(w.events);
-        sys::waitForInput(ConnectionNumber(w.events), 20000);
+        sys::waitFor(ConnectionNumber(w.events), sys::kInput, 20000);
     }
 }
 

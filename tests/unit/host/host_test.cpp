@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -16,6 +17,9 @@
 #include <sched.h>
 #include <sstream>
 #include <string>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -130,11 +134,70 @@ TEST(Files, AreWholeOrAbsent) {
     std::string text;
     std::ifstream(path) >> text;
     EXPECT_EQ(text, "hello");
-    EXPECT_NE(access((path + ".part").c_str(), F_OK), 0);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
     EXPECT_STREQ(writeFile((folder + "/none/a").c_str(), "x", 1), "no such directory");
     EXPECT_STREQ(makeDirectory(path.c_str()), "not a directory");
     EXPECT_STREQ(writeFile(std::string(5000, 'a').c_str(), "x", 1), "the name is too long");
     EXPECT_STREQ(writeAll(9999, "x", 1), "it is closed");
+}
+
+// What lies beside a file under the name that its part would get is another's: a link is not followed, a pipe
+// not waited for.
+TEST(Files, LeaveOthersPartsAlone) {
+    std::string folder = testing::TempDir() + "odraz_parts";
+    std::filesystem::remove_all(folder);
+    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr);
+    std::string path = folder + "/a", theirs = folder + "/theirs";
+    std::ofstream(theirs) << "precious";
+    auto part = [&](int i) {
+        std::string digits = std::to_string(getpid() + i); // the last first
+        return path + "." + std::string(digits.rbegin(), digits.rend()) + ".part";
+    };
+    ASSERT_EQ(symlink(theirs.c_str(), part(0).c_str()), 0);
+    ASSERT_EQ(mkfifo(part(1).c_str(), 0666), 0);
+    EXPECT_EQ(writeFile(path.c_str(), "hello", 5), nullptr);
+    std::string text, kept;
+    std::ifstream(path) >> text;
+    std::ifstream(theirs) >> kept;
+    EXPECT_EQ(text, "hello");
+    EXPECT_EQ(kept, "precious");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
+    EXPECT_STREQ(writeFile((folder + "/" + std::string(254, 'a')).c_str(), "x", 1), "the name is too long");
+}
+
+TEST(Files, FillPipesThatDoNotBlock) {
+    int ends[2];
+    ASSERT_EQ(pipe2(ends, O_NONBLOCK), 0);
+    std::vector<char> much(1 << 20, 'x');
+    size_t got = 0;
+    std::thread reader([&] {
+        char some[4096];
+        for (ssize_t n; (n = read(ends[0], some, sizeof some)) != 0;) {
+            if (n > 0) got += (size_t)n;
+            usleep(n > 0 ? 100 : 2000);
+        }
+    });
+    EXPECT_EQ(writeAll(ends[1], much.data(), much.size()), nullptr);
+    close(ends[1]);
+    reader.join();
+    close(ends[0]);
+    EXPECT_EQ(got, much.size());
+}
+
+TEST(Files, BeyondTheLimitAreNotLeft) {
+    std::string folder = testing::TempDir() + "odraz_limit";
+    std::filesystem::remove_all(folder);
+    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr);
+    prepareDescriptors();
+    rlimit before, small = {4096, RLIM_INFINITY};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    small.rlim_max = before.rlim_max;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    std::vector<char> much(10000, 'x');
+    const char *wrong = writeFile((folder + "/a").c_str(), much.data(), much.size());
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    EXPECT_STREQ(wrong, "the limit on a file's size is reached (ulimit -f)");
+    EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
 // The picture that a headless context clears is what is read back from it.
