@@ -54,7 +54,8 @@ int run(int argc, char **argv, bool stdoutClosed) {
     }
     // Frames made from others want those beside the first and the last, too
     double beside = o.live ? 1 / 60.0 : 0;
-    bool hall = needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
+    bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps),
+         hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
     char name[49];
     cpuName(name);
     IntroSettings settings = {o.width, o.height};
@@ -65,7 +66,8 @@ int run(int argc, char **argv, bool stdoutClosed) {
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (!arena.base) {
         Message m;
-        m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed; try a smaller --size";
+        m << "not enough memory: " << (int64_t)(bytes >> 20)
+          << " MB are needed; end other programs, raise ulimit -v, or try a smaller --size";
         return refuseOrComplain(m.data);
     }
     Intro *intro;

@@ -106,6 +106,22 @@ model 'f 1 4\n'
 check "a polygon of two points, with its line" refuses 2 "m.obj:11: a polygon needs three" "$radiosity" solve m.obj -o x.rad
 model 'f 1 1 1\n'
 check "nothing with an area" refuses 2 "holds no polygon" "$radiosity" solve m.obj -o x.rad
+printf 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 99999999\r' >m.obj
+check "lines that end with CR alone are lines" refuses 2 "m.obj:4: there is no point 99999999" "$radiosity" solve m.obj -o x.rad
+model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
+tr '\n' '\r' <m.obj >cr.obj && tr '\n' '\r' <m.mtl >cr.mtl && sed -i 's/m.mtl/cr.mtl/' cr.obj && cp cr.obj m.obj
+check "... in the materials, too" solves
+printf 'f 1 2 3\n' >m.obj
+check "no point at all" refuses 2 "there is no point 1" "$radiosity" solve m.obj -o x.rad
+: >m.obj
+check "an empty model" refuses 2 "m.obj: holds no point" "$radiosity" solve m.obj -o x.rad
+mkfifo fifo
+for endless in fifo /dev/zero .; do
+    check "$endless is no model" refuses 2 "not a regular file" "$radiosity" solve $endless -o x.rad
+    model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' $endless
+    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing shines' bash -c "timeout $PATIENCE '$radiosity' solve m.obj -o x.rad 2>&1; [ \$? = 2 ]"
+    check "... and no solution" refuses 2 "not a regular file" "$radiosity" export $endless --csv x.csv
+done
 printf 'newmtl m\nKd 2 0 0\n' >bad.mtl
 model 'f 1 4 3 2\n' bad.mtl
 check "a reflectance above 1" refuses 2 "Kd must lie between 0 and 1" "$radiosity" solve m.obj -o x.rad

@@ -6,15 +6,24 @@
 
 #include <cerrno>
 #include <cstring>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace odraz {
+
+static constexpr long kMostBytes = 4l << 30;
 
 static std::string cannot(const char *what, const std::string &path) {
     return std::string("cannot ") + what + " " + path + ": " + std::strerror(errno);
 }
 
 std::string readWhole(const std::string &path) {
+    // What never ends, or waits for somebody, is no file
+    struct stat s;
+    if (stat(path.c_str(), &s) == 0) {
+        if (!S_ISREG(s.st_mode)) throw Refused("cannot read " + path + ": it is not a regular file");
+        if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": it has more than 4 GB");
+    }
     std::vector<uint8_t> bytes;
     if (!pack::readFile(path.c_str(), bytes)) throw Refused(cannot("read", path));
     return {bytes.begin(), bytes.end()};

@@ -4,6 +4,7 @@
 #include "tools/radiosity/facets.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 namespace odraz {
@@ -29,7 +30,7 @@ uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
 template <class T> void put(std::string &to, const std::vector<T> &from) {
     const uint64_t head[2] = {from.size(), sizeof(T)};
     to.append((const char *)head, sizeof head);
-    to.append((const char *)from.data(), from.size() * sizeof(T));
+    if (!from.empty()) to.append((const char *)from.data(), from.size() * sizeof(T));
 }
 template <class T> bool get(const std::string &from, size_t &at, std::vector<T> &to) {
     uint64_t head[2];
@@ -38,9 +39,65 @@ template <class T> bool get(const std::string &from, size_t &at, std::vector<T> 
     at += sizeof head;
     if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T)) return false;
     to.resize(head[0]);
-    std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
+    if (head[0]) std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
     at += head[0] * sizeof(T);
     return true;
+}
+
+// No number that is not finite, nor so large that products of some are not.
+bool moderate(float x) { return std::fabs(x) < 1e18f; }
+bool moderate(const Vec3 &v) { return moderate(v.x) && moderate(v.y) && moderate(v.z); }
+// `count` things from `first` on, of `all`
+bool within(int first, int64_t count, size_t all) {
+    return first >= 0 && count >= 0 && (int64_t)first + count <= (int64_t)all;
+}
+
+bool sound(const Chart &c, const Baked &b) {
+    uint8_t open; // no bool may be read that is neither
+    std::memcpy(&open, &c.open, 1);
+    return moderate(c.corner) && moderate(c.u) && moderate(c.v) && moderate(c.n) && moderate(c.width) &&
+           moderate(c.height) && c.width > 0 && c.height > 0 && open <= 1 && c.across > 0 && c.down > 0 &&
+           within(c.firstCell, (int64_t)c.across * c.down, b.cells.size()) &&
+           within(c.firstFacet, c.facetsCount, b.facets.size());
+}
+
+bool sound(const Facet &f, const Baked &b) {
+    bool good = within(f.chart, 1, b.charts.size());
+    for (int k = 0; k < 4; ++k) good &= moderate(f.u[k]) && moderate(f.v[k]);
+    return good;
+}
+
+// Children stand behind their parents, so that whoever goes down arrives.
+bool sound(const Cell &c, size_t number, const Baked &b) {
+    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area)) return false;
+    if (c.divided()) return ~c.corner[0] > (int64_t)number && within(~c.corner[0], 4, b.cells.size());
+    for (int corner : c.corner)
+        if (!within(corner, 1, b.texels.size()) || b.texels[(size_t)corner].chart != c.chart) return false;
+    const Texel &low = b.texels[(size_t)c.corner[0]], &high = b.texels[(size_t)c.corner[3]];
+    return low.x < high.x && low.y < high.y;
+}
+
+bool sound(const Texel &t, const Baked &b) {
+    if (!within(t.chart, 1, b.charts.size())) return false;
+    const Chart &c = b.charts[(size_t)t.chart];
+    return t.x >= 0 && t.y >= 0 && t.x <= c.across * kSteps && t.y <= c.down * kSteps;
+}
+
+// Whether all that a file holds can be worked with. Its checksum tells of accidents, not of intent.
+bool sound(const Baked &b) {
+    auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
+    auto finite = [&](const std::vector<Rgb> &list) {
+        return all(list, [](const Rgb &c) { return moderate(c); });
+    };
+    size_t number = 0;
+    return !b.charts.empty() && b.charts.size() <= (size_t)kMaxCharts &&
+           b.facets.size() <= (size_t)kMaxFacets && b.light.size() == b.texels.size() &&
+           b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
+           finite(b.reflects) && finite(b.emits) &&
+           all(b.charts, [&](const Chart &c) { return sound(c, b); }) &&
+           all(b.facets, [&](const Facet &f) { return sound(f, b); }) &&
+           all(b.texels, [&](const Texel &t) { return sound(t, b); }) &&
+           all(b.cells, [&](const Cell &c) { return sound(c, number++, b); });
 }
 
 } // namespace
@@ -73,7 +130,7 @@ Baked::Baked(const std::string &path) {
     std::memcpy(&sum, all.data() + kMagicSize, 8);
     bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, charts) &&
                 get(all, at, facets) && get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
-                get(all, at, reflects) && get(all, at, emits) && at == all.size();
+                get(all, at, reflects) && get(all, at, emits) && at == all.size() && sound(*this);
     if (!good)
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }

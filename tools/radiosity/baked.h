@@ -13,8 +13,10 @@ struct BakedPoint {
 
 class Baked {
 public:
+    Baked() = default;
     explicit Baked(const Bake &bake);
-    // Throws std::runtime_error with a line that begins with the file's name.
+    // Throws std::runtime_error with a line that begins with the file's name, where it cannot be read or is
+    // not sound: every index within its list, every number finite, no cell below itself.
     explicit Baked(const std::string &path);
     // Written beside and renamed. Throws likewise.
     void save(const std::string &path) const;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <sstream>
 #include <unordered_map>
 
@@ -22,6 +23,15 @@ std::string at(const std::string &path, size_t line) { return path + ":" + std::
 struct Text {
     std::string all;
     bool materials = false;
+
+    // Lines end with LF, CR LF, or CR alone; after this with LF, so that the parser sees the same ones
+    explicit Text(std::string read) : all(std::move(read)) {
+        for (size_t i = 0; i < all.size(); ++i)
+            if (all[i] == '\r')
+                all[i] = i + 1 < all.size() && all[i + 1] == '\n' ? ' ' : '\n';
+            else if (all[i] == 0)
+                all[i] = ' '; // the parser would end its line there
+    }
 
     void check(const std::string &path) {
         std::istringstream in(all);
@@ -63,6 +73,25 @@ struct Text {
     }
 };
 
+// Materials out of regular files alone.
+struct Materials : tinyobj::MaterialReader {
+    std::string folder;
+
+    explicit Materials(const std::string &path) : folder(path.substr(0, path.rfind('/') + 1)) {}
+    bool operator()(const std::string &name, std::vector<tinyobj::material_t> *materials,
+                    std::map<std::string, int> *numbers, std::string *warning, std::string *) override {
+        try {
+            std::istringstream in(Text(odraz::readWhole(folder + name)).all);
+            std::string wrong;
+            tinyobj::LoadMtl(numbers, materials, &in, warning, &wrong);
+            return true;
+        } catch (const odraz::Refused &e) {
+            *warning += e.what();
+            return false;
+        }
+    }
+};
+
 } // namespace
 
 Vec3d normalOf(const Mesh &m, const Triangle &t) {
@@ -92,10 +121,10 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
     std::vector<tinyobj::material_t> materials;
     std::istringstream stream(text.all);
     std::string warning, error;
-    size_t slash = path.rfind('/');
-    tinyobj::MaterialFileReader reader(slash == std::string::npos ? "" : path.substr(0, slash + 1));
+    Materials reader(path);
     if (!tinyobj::LoadObj(&attributes, &shapes, &materials, &warning, &error, &stream, &reader, true))
         throw ModelError(path + ": is not a model: " + error.substr(0, error.find('\n')));
+    if (attributes.vertices.empty()) throw ModelError(path + ": holds no point");
     if (text.materials && materials.empty())
         notes.push_back(path + ": its materials cannot be read: " + warning.substr(0, warning.find('\n')));
 
@@ -144,10 +173,14 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
     for (const auto &shape : shapes)
         for (size_t i = 0; i < shape.mesh.indices.size() / 3; ++i) {
             Triangle t = {};
-            for (size_t k = 0; k < 3; ++k)
-                t.corners[k] = number[(size_t)shape.mesh.indices[3 * i + k].vertex_index];
+            for (size_t k = 0; k < 3; ++k) {
+                size_t index = (size_t)shape.mesh.indices[3 * i + k].vertex_index;
+                if (index >= count) throw ModelError(path + ": a polygon has a point that is not there");
+                t.corners[k] = number[index];
+            }
             t.material = i < shape.mesh.material_ids.size() ? shape.mesh.material_ids[i] : -1;
-            if (t.material < 0) t.material = (int)materials.size(), plain = true;
+            if (t.material < 0 || t.material >= (int)materials.size())
+                t.material = (int)materials.size(), plain = true;
             double longest = 0;
             for (size_t k = 0; k < 3; ++k)
                 longest = std::max(longest, length(mesh.points[(size_t)t.corners[k]] -
