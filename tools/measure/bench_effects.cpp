@@ -89,32 +89,40 @@ void write(const Wishes &wishes, const std::string &name, const Radiances &pictu
                                                       std::string(bytes.begin(), bytes.end()));
 }
 
-// How two pictures differ, as shares of the floor's light.
+// How a picture differs from the truth, as shares of the floor's light. Of the truth there are two, whose
+// noise differs: it does not count as an error.
 struct Apart {
     double mean = 0, rms = 0;
-    std::vector<double> pixels; // of each the largest of its colours
+    std::vector<double> pixels; // of each the largest of its colours, noise and all
 
-    Apart(const Radiances &a, const Radiances &b) {
-        constexpr double kLight = (double)kEffectShown;
-        auto counted = [](double v) { return std::min(v / kLight, kBrightest); };
-        for (size_t i = 0; i < a.size(); ++i) {
+    Apart(const Radiances &picture, const Radiances (&truth)[2]) {
+        double squares = 0;
+        for (size_t i = 0; i < picture.size(); ++i) {
             double most = 0;
             for (size_t c = 0; c < 3; ++c) {
-                double d = counted(a[i][c]) - counted(b[i][c]);
-                mean += d, rms += d * d;
-                most = std::max(most, std::fabs(d));
+                double is = counted(picture[i][c]), a = is - counted(truth[0][i][c]),
+                       b = is - counted(truth[1][i][c]);
+                mean += (a + b) / 2, squares += a * b;
+                most = std::max(most, std::fabs(a + b) / 2);
             }
             pixels.push_back(most);
         }
-        mean /= 3 * (double)a.size();
-        rms = std::sqrt(rms / (3 * (double)a.size()));
+        mean /= 3 * (double)picture.size();
+        rms = std::sqrt(std::max(squares, 0.) / (3 * (double)picture.size()));
     }
+    static double counted(double v) { return std::min(v / (double)kEffectShown, kBrightest); }
 };
+double noiseOf(const Radiances (&truth)[2]) { // of both together
+    double squares = 0;
+    for (size_t i = 0; i < truth[0].size(); ++i)
+        for (size_t c = 0; c < 3; ++c)
+            squares += std::pow((Apart::counted(truth[0][i][c]) - Apart::counted(truth[1][i][c])) / 2, 2);
+    return std::sqrt(squares / (3 * (double)truth[0].size()));
+}
 
-// How strong an effect is by how strong it should be: the factor that fits best. Of the truth there are two,
-// whose noise differs, so that it does not count as a part of the effect.
+// How strong an effect is by how strong it should be: the factor that fits best.
 double strength(const Radiances &with, const Radiances &without, const Radiances (&truth)[2]) {
-    auto counted = [](double v) { return std::min(v, kBrightest * (double)kEffectShown); };
+    auto counted = Apart::counted;
     double both = 0, own = 0;
     for (size_t i = 0; i < with.size(); ++i)
         for (size_t c = 0; c < 3; ++c) {
@@ -138,14 +146,14 @@ void measure(Film &film, const EffectScene &effect, bool bounces, const Wishes &
             tracePaths(*film.scene, view, {bounces, wishes.samples, wishes.photons, k + 1}, film.workers);
     for (size_t i = 0; i < half[0].size(); ++i) reference.push_back((half[0][i] + half[1][i]) * 0.5);
 
-    Apart apart(with, reference), effects(without, reference), noise(half[0], half[1]);
+    Apart apart(with, half), effects(without, half);
     std::vector<uint8_t> seen = shown(with), bare = shown(without), truth = shown(reference);
     SeenPicture eye = see(truth, kWidth, kHeight);
     const char *against = bounces ? "all bounces" : "direct";
     std::printf("%s,%s,%.2f,%.2f,", effect.name.c_str(), against, effects.rms * 100, -effects.mean * 100);
     if (&effect != &effectScenes()[0]) std::printf("%.2f", strength(with, without, half));
     std::printf(",%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.4f\n", apart.rms * 100, apart.mean * 100,
-                quantile(apart.pixels, 0.99) * 100, noise.rms * 50, linearPsnr(seen, truth),
+                quantile(apart.pixels, 0.99) * 100, noiseOf(half) * 100, linearPsnr(seen, truth),
                 meanFlip(eye, see(bare, kWidth, kHeight)), meanFlip(eye, see(seen, kWidth, kHeight)));
     std::fflush(stdout);
     std::string name = effect.name + (bounces ? ", all bounces" : "");
