@@ -42,8 +42,10 @@ Rgb8 passScreens(const Scene &scene, const Screens &screens, const Light &light,
         const Material &m = scene.materials[scene.shapes[shape].material];
         Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
         if (m.ior > 0) {
-            // Half of it within `spot`, by radii: least before the focus of rays near the axis
-            Float8 behind = max(fmadd(along, (m.ior - 1) * 1.8f / (m.ior * r), -0.81f), 0.f),
+            // Half of it within `spot`, by radii: least before the focus of rays near the axis, which lies
+            // further behind the ball the nearer the lamp is
+            Float8 behind =
+                       max(fmadd(along * (1.f - along / far), (m.ior - 1) * 1.8f / (m.ior * r), -0.81f), 0.f),
                    blur = wide * (0.7f / r);
             Float8 spot = fmadd(behind, behind, fmadd(blur, blur, broadcast(kLeastSpot))),
                    all = fmadd(square, 1 / (r * r), spot);
