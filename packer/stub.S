@@ -119,7 +119,7 @@ start:
     jne 1b
     test ebp, ebp
     je get_memory
-damaged: // the texts stand here, so that a file cut short still has them; both are 23 long
+damaged: // the texts stand here, so that a file cut short still has them; all are 23 long
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -177,7 +177,8 @@ get_memory:
     mov eax, [rbx + ENTRY]
     jmp rax
 
-// Makes esi bytes of the image R-X.
+// Makes esi bytes of the image R-X. Where what was written may never run (SELinux, systemd's
+// MemoryDenyWriteExecute), the kernel refuses.
 protect:
     mov edi, [rbx + IMAGE]
     push 5 // read, execute
@@ -185,7 +186,11 @@ protect:
     push 10 // mprotect
     pop rax
     syscall
-    ret
+    test eax, eax
+    jns 1f
+    call refuse
+    .ascii "use odraz-safe instead\n"
+1:  ret
 
 // mixIn(eax, edx) -> eax; clobbers edx.
 mix_in:
