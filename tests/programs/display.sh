@@ -2,9 +2,12 @@
 . "$(dirname "$0")/common.sh"
 skip_unless Xvfb xdotool xwininfo import identify
 
-start_display() { # start_display WIDTHxHEIGHT: sets DISPLAY
+start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
     # (it resets itself when its last client leaves, and then refuses the next one for a moment)
-    Xvfb -noreset -displayfd 5 -screen 0 "$1x24" -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
+    local screen=$1
+    [[ $screen = *x*x* ]] || screen+=x24
+    shift
+    Xvfb -noreset -displayfd 5 -screen 0 "$screen" -nolisten tcp "$@" 5>"$WORK/display" >/dev/null 2>&1 &
     PIDS+=($!)
     await test -s "$WORK/display" || exit 1
     DISPLAY=:$(cat "$WORK/display")

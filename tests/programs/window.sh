@@ -130,4 +130,13 @@ kill "${PIDS[0]}"
 ended $pid
 check "a display that goes away ends it with status 1" test $? = 1
 check "... and one line" grep -qx 'odraz: the display went away' "$WORK/err"
+
+# Displays that lack something
+start_display 640x360 -extension MIT-SCREEN-SAVER
+check "plays where no screen saver can be held off" "$odraz" --window --mute --from 4 --to 4.5 2>"$WORK/err"
+check "... without a word" test ! -s "$WORK/err"
+start_display 640x360x16
+check "a screen of 16 bits opens a small window" begin "$odraz" --window --mute --from 4
+check "... which a click ends with status 1" leaves_by_click
+check "... and says what to do" grep -q 'too few colours: set it to 24 bits' "$WORK/err"
 finish

@@ -79,10 +79,16 @@ bool isLeaving(WindowState &w, XEvent &event) {
 }
 
 // Holds off screen savers that listen to the MIT extension; where its library is absent the reset above must
-// do.
+// do, and where the display lacks it (Xwayland), Xlib would say so on standard error.
 void suspendScreenSaver(Display *display) {
-    void (*suspend)(Display *, Bool);
-    if (!loadFunctions("libXss.so.1", "XScreenSaverSuspend\0", (void **)&suspend)) suspend(display, True);
+    struct {
+        Bool (*known)(Display *, int *, int *);
+        void (*suspend)(Display *, Bool);
+    } saver;
+    int events, errors;
+    if (!loadFunctions("libXss.so.1", "XScreenSaverQueryExtension\0XScreenSaverSuspend\0", (void **)&saver) &&
+        saver.known(display, &events, &errors))
+        saver.suspend(display, True);
 }
 
 void hidePointer(WindowState &w) {
@@ -161,7 +167,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         GLX_CONTEXT_MAJOR_VERSION_ARB,    3,   GLX_CONTEXT_MINOR_VERSION_ARB, 3, GLX_CONTEXT_PROFILE_MASK_ARB,
         GLX_CONTEXT_CORE_PROFILE_BIT_ARB, None};
     static const char kNoGl[] = "no OpenGL 3.3 on this display: install libgl1-mesa-dri, or use --dump";
-    int count = 0;
+    int count = 0, depth = DefaultDepth(w.drawing, DefaultScreen(w.drawing));
+    if (depth < 24) return "the screen has too few colours: set it to 24 bits, or use --dump";
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
     // One of the screen's own depth: a deeper visual has alpha, and compositors would show what is behind the
     // film
@@ -169,7 +176,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     int chosen = -1;
     while (++chosen < count) {
         visual = w.glx.glXGetVisualFromFBConfig(w.drawing, configs[chosen]);
-        if (visual && visual->depth == DefaultDepth(w.drawing, DefaultScreen(w.drawing))) break;
+        if (visual && visual->depth == depth) break;
     }
     auto createContext = (PFNGLXCREATECONTEXTATTRIBSARBPROC)w.glx.glXGetProcAddress(
         (const GLubyte *)"glXCreateContextAttribsARB");
