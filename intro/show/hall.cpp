@@ -42,7 +42,8 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 // columns before the other wall are left out, whose shadows lie in those of the first ones or beyond.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
-    Rgb scatter = now.sunlight * (kDust * light.sun);
+    // A low sun's shafts lie along the view, and would hide the hall
+    Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 1.4f, 0.2f)));
     if (maxComponent(scatter) <= 0) return;
     float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
     s.sun = sun;

@@ -24,7 +24,9 @@ static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth},
                                   {rowOf(kLampLights) + 24, 1, Linear},
                                   {rowOf(kWordIsFound) + 8, 1, Smooth},
                                   {rowOf(kWordIsFound) + 48, 0.4f, Linear}};
-static constexpr Key kExposure[] = {{rowOf(kLampLights), 2.6f, Smooth},
+static constexpr Key kExposure[] = {{8, 2.6f, Smooth},
+                                    {40, 3.4f, Linear},
+                                    {rowOf(kLampLights), 3.4f, Smooth},
                                     {rowOf(kLampLights) + 24, 2.1f, Linear},
                                     {rowOf(kOuterLampsDie), 2.1f, Smooth},
                                     {160, 2.8f, Linear}};
