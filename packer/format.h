@@ -59,8 +59,8 @@
 // ERRORS. A checksum that is not 0, or a missing page: "damaged: get it afresh"; no memory: "not enough
 // free memory"; a system that lets nothing run that was written: "use odraz-safe instead" (another program's
 // packer says another name here, in stub.S). All are one line on standard error, with exit status 1, and
-// nothing of the program has run. What the check covers is trusted: behind it nothing is examined. It can guard neither the Front,
-// which the loader reads first, nor its own 128 bytes of code.
+// nothing of the program has run. What the check covers is trusted: behind it nothing is examined. It can
+// guard neither the Front, which the loader reads first, nor its own 128 bytes of code.
 #pragma once
 
 #include "decoder.h"
