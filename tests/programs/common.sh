@@ -38,6 +38,11 @@ skip_unless() { # programs that a test cannot do without
     local program
     for program in "$@"; do command -v "$program" >/dev/null || { echo "SKIPPED: $program is not installed"; exit 77; }; done
 }
+# "${UNWRITTEN[@]}" COMMAND...: where nothing may run that was written, by prctl(PR_SET_MDWE); status 77 before Linux 6.3
+UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
+can_be_unwritten() {
+    "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid what was written to run"; false; }
+}
 needs_built() { [ -x "$BUILD/$1" ] || { echo "SKIPPED: $1 is not built"; exit 77; }; }
 
 # --- What programs say ---

@@ -17,13 +17,9 @@ check "without threads" refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$(lacki
 check "without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
 check "without headless OpenGL, for the hall" refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100.04
 check "with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04
-# prctl(PR_SET_MDWE), Linux 6.3: what was written may not run
-only_read="syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { \$ARGV[0] } @ARGV"
-if perl -e "$only_read" true; then
-    check "where nothing runs that was written, not packed: frames without the hall" perl -e "$only_read" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
-    check "... and why none of the hall" refuses 1 "as software OpenGL must: allow it" perl -e "$only_read" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
-else
-    echo "not checked: this kernel cannot forbid what was written to run"
+if can_be_unwritten; then
+    check "where nothing runs that was written, not packed: frames without the hall" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
+    check "... and why none of the hall" refuses 1 "as software OpenGL must: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
 # dumped FILE COMMAND...: a picture of 64x36
