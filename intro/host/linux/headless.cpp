@@ -20,12 +20,11 @@ const char *openHeadlessGl(Gl &gl) {
     static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
     static Egl egl;
     // Software OpenGL compiles as it goes, and would crash where nothing may run that was written
-    long page =
-        sys::call(sys::kMmap, 0, 4096, 7 /* read, write, execute */, 0x22 /* private, anonymous */, -1, 0);
-    if (page < 0 && page > -4096)
+    void *page = sys::map(4096, sys::kReadWriteExecute);
+    if (!page)
         return "nothing may run here that was written (MemoryDenyWriteExecute, SELinux), as software OpenGL "
-               "must: "
-               "allow it, or dump what needs no hall";
+               "must: allow it, or dump what needs no hall";
+    sys::call(sys::kMunmap, (long)page, 4096);
     // By software, so that pictures agree between machines, unless the environment has another wish
     int (*setenv)(const char *, const char *, int);
     if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);

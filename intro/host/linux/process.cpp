@@ -4,10 +4,7 @@
 
 namespace odraz {
 
-void *takeMemory(size_t bytes) {
-    long p = sys::call(sys::kMmap, 0, (long)bytes, 3 /* read, write */, 0x22 /* private, anonymous */, -1, 0);
-    return p < 0 && p > -4096 ? nullptr : (void *)p;
-}
+void *takeMemory(size_t bytes) { return sys::map(bytes, sys::kReadWrite); }
 
 int complain(const char *line) {
     char text[512] = "odraz: ";

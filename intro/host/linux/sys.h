@@ -18,6 +18,7 @@ enum Number : long {
     kFstat = 5,
     kPoll = 7,
     kMmap = 9,
+    kMunmap = 11,
     kSigaction = 13,
     kIoctl = 16,
 
@@ -60,6 +61,14 @@ static inline long call(long number, long a = 0, long b = 0, long c = 0, long d 
                      : "a"(number), "D"(a), "S"(b), "d"(c), "r"(r10), "r"(r8), "r"(r9)
                      : "rcx", "r11", "memory");
     return result;
+}
+
+enum Protection : long { kReadWrite = 3, kReadWriteExecute = 7 };
+
+// Zeroed memory of our own, whole pages; null where the system refuses.
+static inline void *map(size_t bytes, Protection protection) {
+    long p = call(kMmap, 0, (long)bytes, protection, 0x22 /* private, anonymous */, -1, 0);
+    return p < 0 && p > -4096 ? nullptr : (void *)p;
 }
 
 enum Ready : short { kInput = 1, kOutput = 4 };
