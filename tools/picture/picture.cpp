@@ -1,8 +1,9 @@
 #include "tools/picture/picture.h"
 
+#include "files.h"
+
 #include <algorithm>
 #include <cmath>
-#include <unistd.h>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STBI_NO_HDR
@@ -56,11 +57,12 @@ bool readPpm(std::FILE *stream, Picture &p) {
 
 bool writePng(const std::string &path, const Picture &p) {
     stbi_write_png_compression_level = 9;
-    std::string part = path + "." + std::to_string(getpid()) + ".part";
-    bool good = stbi_write_png(part.c_str(), p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
-                rename(part.c_str(), path.c_str()) == 0;
-    if (!good) unlink(part.c_str());
-    return good;
+    std::string png;
+    auto append = [](void *to, void *bytes, int size) {
+        ((std::string *)to)->append((const char *)bytes, (size_t)size);
+    };
+    return stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
+           pack::writeFile(path, png.data(), png.size(), false);
 }
 
 Picture shrink(const Picture &p, int width) {
