@@ -15,11 +15,6 @@ using namespace odraz;
 
 namespace {
 
-int say(const char *text, int size) {
-    const char *wrong = writeAll(1, text, (size_t)size);
-    return wrong ? cannotWrite("standard output", wrong) : 0;
-}
-
 int run(int argc, char **argv, bool stdoutClosed) {
     int64_t began = theEarly.began ? theEarly.began : nanoseconds();
     Options o;
@@ -35,7 +30,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
             writeHelp(t);
         else
             t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
-        return say(t.data, t.size);
+        return writeOutput("-", t.data, (size_t)t.size);
     }
 
     if (o.wav) {
@@ -76,9 +71,11 @@ int run(int argc, char **argv, bool stdoutClosed) {
     if (!o.dump) {
         FilmWindow &window = theEarly.window;
         float loaded = theEarly.opened ? kEarlyShare : 0;
-        if (!theEarly.opened)
+        if (!theEarly.opened) {
+            Quiet libraries;
             if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
                 return refuse(wrong);
+        }
         const char *wrong = load(intro, settings, arena, workers, hall ? &window.gl : nullptr,
                                  {showLoading, &window, loaded});
         if (viewerLeft()) return 0;
@@ -86,8 +83,10 @@ int run(int argc, char **argv, bool stdoutClosed) {
         return wrong ? refuse(wrong) : play(*intro, sound, o, window, &theEarly.viewerLeft, began);
     }
     Gl gl;
-    if (hall)
+    if (hall) {
+        Quiet libraries;
         if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
+    }
     if (const char *wrong = load(intro, settings, arena, workers, hall ? &gl : nullptr))
         return complain(wrong);
     return dump(*intro, o, stdoutClosed);

@@ -7,8 +7,17 @@ namespace odraz {
 
 void *takeMemory(size_t bytes); // zeroed; null when there is none
 
+// Null, or a line where the system lets nothing run that was written (MemoryDenyWriteExecute, SELinux).
+const char *mayNotRunWritten();
+
 // Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure.
 int complain(const char *line);
+
+// While one lives, what libraries write to standard error is swallowed; complain() is heard.
+struct Quiet {
+    Quiet();
+    ~Quiet();
+};
 
 // complain(), and where there is a display shows the line in a small window until a key or the close button.
 // For viewers who double-clicked and see no standard error. Any processor.

@@ -21,6 +21,7 @@ void open(int argc, char **argv) {
     if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump ||
         o.wav)
         return;
+    Quiet libraries;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
         endProcess(refuse(line));
     theEarly.opened = true;

@@ -38,6 +38,12 @@ skip_unless() { # programs that a test cannot do without
     local program
     for program in "$@"; do command -v "$program" >/dev/null || { echo "SKIPPED: $program is not installed"; exit 77; }; done
 }
+# lacking LIBRARY: a folder for LD_LIBRARY_PATH, in which one that is no library stands for one that is missing
+lacking() {
+    mkdir -p "$WORK/$1.d"
+    echo "not a library" >"$WORK/$1.d/$1"
+    echo "$WORK/$1.d"
+}
 # "${UNWRITTEN[@]}" COMMAND...: where nothing may run that was written, by prctl(PR_SET_MDWE); status 77 before Linux 6.3
 UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
 can_be_unwritten() {

@@ -4,18 +4,13 @@
 unset DISPLAY WAYLAND_DISPLAY
 odraz=$BUILD/${2:-odraz}
 check "without a display" refuses 1 "no X display" "$odraz"
-# A library that is no library stands for one that is missing
-lacking() { # lacking LIBRARY: a folder for LD_LIBRARY_PATH
-    mkdir -p "$WORK/$1.d"
-    echo "not a library" >"$WORK/$1.d/$1"
-    echo "$WORK/$1.d"
-}
 for missing in libX11.so.6 libGL.so.1; do
     check "without $missing" refuses 1 "$missing is missing" env LD_LIBRARY_PATH="$(lacking $missing)" "$odraz"
 done
 check "without threads" refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$(lacking libpthread.so.0)" "$odraz" --dump - --threads 2
 check "without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
 check "without headless OpenGL, for the hall" refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100.04
+check "without a driver, of which Mesa says more than a line" refuses 1 "no headless OpenGL 3.3: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --dump - --from 100 --to 100.04
 check "with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04
 if can_be_unwritten; then
     check "where nothing runs that was written, not packed: frames without the hall" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36

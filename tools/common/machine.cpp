@@ -1,6 +1,7 @@
 #include "tools/common/machine.h"
 
 #include "host/headless.h"
+#include "host/process.h"
 #include "host/threads.h"
 
 #include <stdexcept>
@@ -17,6 +18,7 @@ Workers allProcessors() {
 
 Gl openGl() {
     Gl gl;
+    Quiet libraries;
     if (const char *missing = openHeadlessGl(gl)) throw std::runtime_error(missing);
     return gl;
 }

@@ -2,7 +2,7 @@
 #include "host/headless.h"
 
 #include "host/library.h"
-#include "host/linux/sys.h"
+#include "host/process.h"
 
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -19,12 +19,8 @@ struct Egl {
 const char *openHeadlessGl(Gl &gl) {
     static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
     static Egl egl;
-    // Software OpenGL compiles as it goes, and would crash where nothing may run that was written
-    void *page = sys::map(4096, sys::kReadWriteExecute);
-    if (!page)
-        return "nothing may run here that was written (MemoryDenyWriteExecute, SELinux), as software OpenGL "
-               "must: allow it, or dump what needs no hall";
-    sys::call(sys::kMunmap, (long)page, 4096);
+    // Software OpenGL compiles as it goes, and would crash
+    if (const char *line = mayNotRunWritten()) return line;
     // By software, so that pictures agree between machines, unless the environment has another wish
     int (*setenv)(const char *, const char *, int);
     if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);

@@ -4,15 +4,42 @@
 
 namespace odraz {
 
+static long theErrors = 2; // where complaints go
+
 void *takeMemory(size_t bytes) { return sys::map(bytes, sys::kReadWrite); }
+
+const char *mayNotRunWritten() {
+    void *page = sys::map(4096, sys::kReadWriteExecute);
+    if (!page)
+        return "nothing may run here that was written (MemoryDenyWriteExecute, SELinux), as software OpenGL "
+               "must: allow it, or dump what needs no hall";
+    sys::call(sys::kMunmap, (long)page, 4096);
+    return nullptr;
+}
 
 int complain(const char *line) {
     char text[512] = "odraz: ";
     int size = 7;
     while (*line && size < 510) text[size++] = *line++;
     text[size++] = '\n';
-    sys::call(sys::kWrite, 2, (long)text, size);
+    sys::call(sys::kWrite, theErrors, (long)text, size);
     return 1;
+}
+
+Quiet::Quiet() {
+    long nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */),
+         kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3);
+    if (nothing < 0 || kept < 0) return; // then they are heard
+    sys::call(sys::kDup2, nothing, 2);
+    sys::call(sys::kClose, nothing);
+    theErrors = kept;
+}
+
+Quiet::~Quiet() {
+    if (theErrors == 2) return;
+    sys::call(sys::kDup2, theErrors, 2);
+    sys::call(sys::kClose, theErrors);
+    theErrors = 2;
 }
 
 int prepareDescriptors() {

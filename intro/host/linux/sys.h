@@ -22,6 +22,7 @@ enum Number : long {
     kSigaction = 13,
     kIoctl = 16,
 
+    kDup2 = 33,
     kNanosleep = 35,
     kGetPid = 39,
     kFcntl = 72,
