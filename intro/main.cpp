@@ -1,4 +1,5 @@
 // The shipped program: look at the machine, read the options, play or dump.
+#include "doctor.h"
 #include "dump.h"
 #include "host/clock.h"
 #include "host/cpu.h"
@@ -23,14 +24,15 @@ int run(int argc, char **argv, bool stdoutClosed) {
         complain(wrong.data);
         return 2;
     }
-    if (o.help || o.version) {
+    if (o.help || o.version || o.doctor) {
         if (stdoutClosed) return cannotWrite("standard output", "it is closed");
         Text<4096> t;
         if (o.help)
             writeHelp(t);
         else
             t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
-        return writeOutput("-", t.data, (size_t)t.size);
+        int status = writeOutput("-", t.data, (size_t)t.size);
+        return status || !o.doctor ? status : examine();
     }
 
     if (o.wav) {

@@ -19,7 +19,7 @@ struct Rate {
 };
 
 struct Options {
-    bool help = false, version = false, window = false, mute = false, stats = false;
+    bool help = false, version = false, doctor = false, window = false, mute = false, stats = false;
     const char *dump = nullptr; // a directory, "-" for standard output, null to play
     const char *wav = nullptr;  // a file, "-" for standard output
     int width = 1280, height = 720;

@@ -12,7 +12,7 @@ namespace odraz {
     F(glClearColor) F(glClear) F(glGenTextures) F(glBindTexture) F(glTexImage2D) \
     F(glTexSubImage2D) F(glTexParameteri) F(glGenFramebuffers) F(glBindFramebuffer) \
     F(glFramebufferTexture2D) F(glCheckFramebufferStatus) F(glBlitFramebuffer) F(glReadPixels) \
-    F(glGetIntegerv) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
+    F(glGetIntegerv) F(glGetString) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
     F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
     F(glUniform1f) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \

@@ -19,6 +19,9 @@ struct FilmWindow {
 // process ends, with status 0. Returns null, or a line that says what is missing and what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
+// Lets go of the context, so that this thread can have another.
+void leaveContext(FilmWindow &window);
+
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 

@@ -18,8 +18,8 @@ void open(int argc, char **argv) {
     if (!cpuSuffices()) return;
     Options o;
     Message wrong;
-    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.dump ||
-        o.wav)
+    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.doctor ||
+        o.dump || o.wav)
         return;
     Quiet libraries;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))

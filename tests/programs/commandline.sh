@@ -11,7 +11,7 @@ git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || commit=unknown
 check "--version" prints "^odraz [0-9]+\.[0-9]+\.[0-9]+ $commit\$" "$odraz" --version
 check "... in one line" test "$(wc -l <"$WORK/printed")" = 1
 check "--help" prints "^usage" "$odraz" --help
-for option in window mute stats dump wav fps from to size quality threads version; do
+for option in window mute stats dump wav fps from to size quality threads doctor version; do
     check "... names --$option" grep -qw -e "--$option" "$WORK/printed"
 done
 check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz" --nope

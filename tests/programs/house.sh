@@ -38,7 +38,9 @@ dump.h          base host intro.h options.h
 dump.cpp        base host intro.h options.h dump.h
 wav.h           base host intro.h options.h
 wav.cpp         base host intro.h options.h dump.h wav.h samples.h
-main.cpp        base host start intro.h options.h play.h dump.h wav.h version.h
+doctor.h        base
+doctor.cpp      base host start doctor.h dump.h
+main.cpp        base host start intro.h options.h doctor.h play.h dump.h wav.h version.h
 main_debug.cpp  base host timeline intro.h options.h music.h
 END
 # ... and of the system's headers

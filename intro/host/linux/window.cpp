@@ -197,6 +197,11 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     return nullptr;
 }
 
+void leaveContext(FilmWindow &window) {
+    WindowState &w = *window.state;
+    w.glx.glXMakeCurrent(w.drawing, None, nullptr);
+}
+
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     WindowState &w = *window.state;
     const Gl &gl = window.gl;
