@@ -14,7 +14,7 @@ static constexpr char kUsage[] =
     "       contact_sheet ODRAZ OUT.png --poster [--width PIXELS=1600] [--quality NAME=film]\n"
     "Lets the program ODRAZ dump a frame every so many seconds and lays them out, PIXELS wide each. A poster "
     "is\n"
-    "one moment PIXELS wide, and under it two rows of three.\n";
+    "one moment PIXELS wide, under it two rows of three, and the title.\n";
 
 // Seconds into the film of what a poster shows, the large one first.
 static constexpr int kPosterMoments[] = {142, 15, 35, 52, 84, 104, 124};
@@ -25,25 +25,36 @@ static std::string quoted(const std::string &s) {
     return q + "'";
 }
 
-// Writes minutes:seconds into the picture's lower left corner, with the film's own lettering.
+// Writes with the film's own lettering over a box of the picture, which it darkens to `shade` before.
+struct Box {
+    int x, y, width, height;
+};
+static void write(Picture &picture, const Box &box, const char *text, float size, float weight,
+                  float tracking, Align align, const uint8_t colour[3], float shade) {
+    size_t pixels = (size_t)box.width * (size_t)box.height;
+    std::vector<float> planes(3 * pixels); // alike; one would do
+    Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
+                   nullptr,   nullptr};
+    float x = align == Align::Left ? size / 2 : (float)box.width - size / 2;
+    drawText(frame, text, x, ((float)box.height + size) / 2, size, weight, tracking, align, {1, 1, 1}, 1);
+    for (int y = 0; y < box.height && box.y + y < picture.height; ++y)
+        for (int x = 0; x < box.width && box.x + x < picture.width; ++x)
+            for (int c = 0; c < 3; ++c) {
+                uint8_t &p =
+                    picture.rgb[((size_t)(box.y + y) * (size_t)picture.width + (size_t)(box.x + x)) * 3 +
+                                (size_t)c];
+                float below = (float)p * shade;
+                p = (uint8_t)(below + ((float)colour[c] - below) * planes[(size_t)(y * box.width + x)]);
+            }
+}
+
+// Writes minutes:seconds into the picture's lower left corner.
 static void label(Picture &picture, int seconds) {
     char text[16];
     std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
-    static constexpr int kWidth = 64, kHeight = 20;
-    static float planes[3][kWidth * kHeight];
-    std::memset(planes, 0, sizeof planes);
-    Frame frame = {kWidth, kHeight, kWidth, {planes[0], planes[1], planes[2]}, nullptr, nullptr};
-    drawText(frame, text, 5, 15, 10, 0.13f, 1, Align::Left, {1, 1, 1}, 1);
-    for (int y = 0; y < kHeight && y < picture.height; ++y)
-        for (int x = 0; x < kWidth && x < picture.width; ++x)
-            for (int c = 0; c < 3; ++c) {
-                uint8_t &p = picture.rgb[((size_t)(picture.height - std::min(kHeight, picture.height) + y) *
-                                              (size_t)picture.width +
-                                          (size_t)x) *
-                                             3 +
-                                         (size_t)c];
-                p = (uint8_t)((float)p * 0.75f + (230 - (float)p * 0.75f) * planes[0][y * kWidth + x]);
-            }
+    static constexpr uint8_t kGrey[3] = {230, 230, 230};
+    int height = std::min(20, picture.height);
+    write(picture, {0, picture.height - height, 64, height}, text, 10, 0.13f, 1, Align::Left, kGrey, 0.75f);
 }
 
 // What the program dumps with `options`, `width` wide.
@@ -75,10 +86,11 @@ static void paste(Picture &sheet, const Picture &frame, int x, int y) {
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
-// One moment, and under it two rows of three.
+// One moment, under it two rows of three, and the title.
 static Picture poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
-    const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16;
+    const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
+              band = width / 12;
     Picture page;
     int y = gap, shown = 0;
     for (int second : kPosterMoments) {
@@ -86,7 +98,7 @@ static Picture poster(const std::string &program, int width, const std::string &
         Picture frame = dumped(program, at, shown ? small : width, quality)[0];
         if (!shown) {
             page.width = width + 2 * gap;
-            page.height = frame.height + 2 * high + 4 * gap;
+            page.height = frame.height + 2 * high + 4 * gap + band;
             page.rgb.assign((size_t)page.width * (size_t)page.height * 3, 8);
             paste(page, frame, gap, y);
             y += frame.height + gap;
@@ -96,6 +108,11 @@ static Picture poster(const std::string &program, int width, const std::string &
         }
         ++shown;
     }
+    static constexpr uint8_t kCopper[3] = {236, 158, 92}, kGrey[3] = {170, 170, 176};
+    Box title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
+    write(page, title, "odraz", (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
+    write(page, title, "a film about light   64 kilobytes   linux", (float)band * 0.19f, 0.1f, 2,
+          Align::Right, kGrey, 1);
     return page;
 }
 
