@@ -1,9 +1,10 @@
 # Sourced by sections that show the film: a display in memory, for as long as the section runs.
 
-# display WIDTHxHEIGHT: sets DISPLAY
+# display WIDTHxHEIGHT: sets DISPLAY and XVFB, its process
 display() {
     Xvfb -noreset -displayfd 5 -screen 0 "$1x24" -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
-    trap "kill $!" EXIT
+    XVFB=$!
+    trap "kill $XVFB" EXIT
     for _ in $(seq 100); do [ -s "$WORK/display" ] && break; sleep 0.1; done
     [ -s "$WORK/display" ] || { echo "tools/measure/all: Xvfb does not start" >&2; return 1; }
     DISPLAY=:$(cat "$WORK/display")
