@@ -6,7 +6,7 @@ display() {
     XVFB=$!
     trap "kill $XVFB" EXIT
     for _ in $(seq 100); do [ -s "$WORK/display" ] && break; sleep 0.1; done
-    [ -s "$WORK/display" ] || { echo "tools/measure/all: Xvfb does not start" >&2; return 1; }
+    [ -s "$WORK/display" ] || { echo "${0##*/}: Xvfb does not start" >&2; return 1; }
     DISPLAY=:$(cat "$WORK/display")
     export DISPLAY
 }
