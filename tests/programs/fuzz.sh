@@ -1,33 +1,66 @@
-# A bounded run of the fuzzer on the packer's readers, from real files as seeds. What it finds differs from run to
-# run: a finding is printed, to be kept as a test.
-#   fuzz.sh BUILD [SECONDS]
+# A bounded run of a fuzzer on readers of files, from real files as seeds. What it finds differs from run to run: a
+# finding is printed, to be kept as a test.
+#   fuzz.sh BUILD pack|rad|obj [SECONDS]
+[ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
-needs_built tests/fuzz_pack # by clang
-seconds=${2:-30}
+target=${2:-pack} seconds=${3:-30}
+needs_built "tests/fuzz_$target" # by clang
 mkdir -p "$WORK/seeds"
-seed() { { printf "\\x0$1"; cat "$2"; } >"$WORK/seeds/$3"; } # seed READER FILE NAME
-bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" "$WORK" >/dev/null || exit 1
-seed 0 "$WORK/hello.elf" elf
-seed 1 "$WORK/hello" packed
-tail -c +$((528 + $(stat -c %s "$BUILD/generated/stub.bin") + 1)) "$WORK/hello" >"$WORK/parameters"
-seed 2 "$WORK/parameters" parameters
-{ printf '\xfe'; cat "$WORK/parameters"; } >"$WORK/seeds/decoded"
-"$BUILD/pack" "$WORK/hello.elf" -o "$WORK/again" --save-model "$WORK/model" >/dev/null || exit 1
-seed 3 "$WORK/model" model
 cd "$WORK" || exit 1
-check "seeds for each reader" test "$(find seeds -size +0 | wc -l)" -ge 6
+
+seeds_for_pack() {
+    seed() { { printf "\\x0$1"; cat "$2"; } >"seeds/$3"; } # seed READER FILE NAME
+    bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" . >/dev/null || return
+    seed 0 hello.elf elf
+    seed 1 hello packed
+    tail -c +$((528 + $(stat -c %s "$BUILD/generated/stub.bin") + 1)) hello >parameters
+    seed 2 parameters parameters
+    { printf '\xfe'; cat parameters; } >seeds/decoded
+    "$BUILD/pack" hello.elf -o again --save-model model >/dev/null || return
+    seed 3 model model
+    options=(-max_len=8192)
+}
+
+seeds_for_obj() {
+    local kind
+    for kind in cube columns corner; do
+        "$BUILD/radiosity" generate $kind -o $kind.obj >/dev/null || return
+        { head -c 6000 $kind.obj | sed 's/^mtllib .*/mtllib m.mtl/'; printf '\xff'; cat $kind.mtl; } >seeds/$kind
+    done
+    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0 1 1 1\nv -1 -1 .5e0\nf 1 2/1 3/2/3 -1//4\ng a\ns 1\nf -4 -3 -2\nl 1 2\np 1\xffnewmtl m\nKd .5 1 0\nKe 1 2 3\nd .5\nmap_Kd -o 1 -s 2 2 2 -bm 1 a.png\nillum 2\n' >seeds/all
+    printf 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r' >seeds/cr
+    options=(-max_len=8192 -dict="$SOURCE/tests/programs/fuzz/obj.dict")
+}
+
+# Solutions as small as they become, behind the head of 18 bytes and the checksum of 8
+seeds_for_rad() {
+    local option
+    printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
+    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
+    for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01 --adaptive"; do
+        # shellcheck disable=SC2086 # options are several words
+        "$BUILD/radiosity" solve m.obj -o m.rad $option >/dev/null || return
+        tail -c +27 m.rad >"seeds/${option//[^0-9a-z]/}"
+    done
+    # A finding: the floor's blue, the last number but three, is less than nothing
+    perl -0777 -pe 'substr($_, -24, 12) = pack("f3", 1, 1, -5)' seeds/patch1element1 >seeds/negative
+    options=(-max_len=16384)
+}
+
+check "seeds for each reader" "seeds_for_$target"
+check "... are there" test "$(find seeds -type f -size +0 | wc -l)" -ge 4
 fuzz() {
     # -timeout: what hangs, not what waits for a busy machine
-    if "$BUILD/tests/fuzz_pack" -max_total_time="$seconds" -timeout=200 -rss_limit_mb=3000 -max_len=8192 -verbosity=0 -print_final_stats=1 seeds >"$WORK/log" 2>&1; then
-        grep -E 'executed_units|new_units' "$WORK/log"
+    if "$BUILD/tests/fuzz_$target" -max_total_time="$seconds" -timeout=200 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 "${options[@]}" seeds >log 2>&1; then
+        grep -E 'executed_units|new_units' log
     else
-        tail -n 40 "$WORK/log"
-        for finding in crash-* timeout-* oom-*; do
+        tail -n 40 log
+        for finding in crash-* timeout-* oom-* leak-*; do
             [ -e "$finding" ] && echo "$finding, by base64 -d:" && base64 -w 0 "$finding" && echo
         done
         return 1
     fi
 }
 check "the readers survive $seconds s of the fuzzer" fuzz
-check "... which tried some" test "$(sed -n 's/^stat::number_of_executed_units: //p' "$WORK/log")" -gt 100
+check "... which tried some" test "$(sed -n 's/^stat::number_of_executed_units: //p' log)" -gt 100
 finish

@@ -113,12 +113,15 @@ Baked::Baked(const Bake &b) {
 }
 
 void Baked::save(const std::string &path) const {
-    std::string all(kMagic, kMagicSize), body;
+    std::string body;
     put(body, charts), put(body, facets), put(body, cells), put(body, texels);
     put(body, light), put(body, reflects), put(body, emits);
+    writeWhole(path, withChecksum(body));
+}
+
+std::string Baked::withChecksum(const std::string &body) {
     uint64_t sum = checksum(body.data(), body.size());
-    all.append((const char *)&sum, sizeof sum);
-    writeWhole(path, all + body);
+    return std::string(kMagic, kMagicSize) + std::string((const char *)&sum, sizeof sum) + body;
 }
 
 Baked::Baked(const std::string &path) {

@@ -20,6 +20,8 @@ public:
     explicit Baked(const std::string &path);
     // Written beside and renamed. Throws likewise.
     void save(const std::string &path) const;
+    // What save() writes, of all that stands behind the checksum.
+    static std::string withChecksum(const std::string &body);
 
     // Visits the part of every element that lies on each facet: convex outlines, with the points of smaller
     // neighbours that hang in their sides.

@@ -88,7 +88,9 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
             for (size_t k = 0; k < 3; ++k)
                 picture.rgb[pixel * 3 + k] =
                     s.logarithmic
-                        ? (uint8_t)(light > 0 ? shown * std::pow(c[k] / light, 1 / 2.2f) * 255 + 0.5f : 0)
+                        ? (uint8_t)(light > 0
+                                        ? shown * std::pow(std::max(c[k], 0.f) / light, 1 / 2.2f) * 255 + 0.5f
+                                        : 0)
                         : frame.rgba[pixel * 4 + k];
         }
     if (!writePng(path, picture)) throw std::runtime_error("cannot write " + path);

@@ -3,6 +3,8 @@
 
 #include "trace/scene/scene.h"
 
+#include <stddef.h>
+
 namespace odraz {
 
 // What a primary ray brought: radiance = albedo * light + rest.

@@ -1,0 +1,48 @@
+// For libFuzzer: whatever a model and its materials hold, `radiosity solve` refuses them with a line or can
+// work with them. The input is the OBJ; behind a byte of 255 follows what lies beside it as m.mtl. It writes
+// into the folder where it runs.
+#include "tools/radiosity/lamps.h"
+#include "tools/radiosity/regions.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+
+using namespace odraz;
+
+// What readers of a mesh rely on
+static void mustBeSound(const Mesh &mesh) {
+    bool good = !mesh.triangles.empty();
+    for (const Vec3d &p : mesh.points)
+        for (size_t k = 0; k < 3; ++k) good &= std::isfinite(p[k]);
+    for (const MeshMaterial &m : mesh.materials)
+        for (size_t k = 0; k < 3; ++k)
+            good &= m.reflects[k] >= 0 && m.reflects[k] <= 1 && m.emits[k] >= 0 && std::isfinite(m.emits[k]);
+    for (const Triangle &t : mesh.triangles) {
+        good &= t.material >= 0 && (size_t)t.material < mesh.materials.size();
+        for (int corner : t.corners) good &= corner >= 0 && (size_t)corner < mesh.points.size();
+    }
+    if (!good) std::abort();
+}
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    static auto model = std::make_unique<Model>();
+    std::string text((const char *)data, size), materials;
+    size_t end = text.find('\xff');
+    if (end != std::string::npos) materials = text.substr(end + 1), text.resize(end);
+    std::ofstream("m.obj") << text;
+    std::ofstream("m.mtl") << materials;
+    try {
+        std::vector<std::string> notes;
+        Mesh mesh = readObj("m.obj", notes);
+        mustBeSound(mesh);
+        // ... and the first who reads it
+        model->chartCount = model->facetCount = 0;
+        model->overflow = false;
+        Regions regions = addRegions(mesh, *model, mesh.size() / 10);
+        findLamps(mesh, regions, *model, 16);
+    } catch (const Refused &) {
+    }
+    return 0;
+}

@@ -1,0 +1,25 @@
+// For libFuzzer: whatever a solution's file holds, `radiosity` refuses it with a line or can work with it.
+// The input is the file behind its checksum, which is made to fit: else nothing would get behind it. It
+// writes into the folder where it runs.
+#include "tools/common/machine.h"
+#include "tools/radiosity/baked.h"
+
+#include <fstream>
+#include <stdexcept>
+
+using namespace odraz;
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    std::ofstream("a.rad") << Baked::withChecksum({(const char *)data, size});
+    try {
+        Baked baked("a.rad");
+        exportCsv(baked, "a.csv");
+        exportPly(baked, "a.ply");
+        exportObj(baked, "a.obj");
+        Workers workers = serialWorkers();
+        for (bool logarithmic : {false, true})
+            render(baked, {{3, 4, 5}, {0, 1, 0}, 16, 9, logarithmic}, workers, "a.png");
+    } catch (const std::runtime_error &) {
+    }
+    return 0;
+}
