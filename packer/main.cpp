@@ -6,11 +6,13 @@
 #include "search.h"
 #include "shape.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace {
@@ -43,6 +45,10 @@ struct Refusal {
 
 std::vector<uint8_t> read(const char *path) {
     std::vector<uint8_t> bytes;
+    // What never ends, or waits for somebody, is no file
+    struct stat s;
+    if (stat(path, &s) == 0 && !S_ISREG(s.st_mode))
+        throw Refusal{std::string("cannot read ") + path + ": it is not a regular file", 2};
     if (!pack::readFile(path, bytes))
         throw Refusal{std::string("cannot read ") + path + ": " + std::strerror(errno), 2};
     return bytes;
@@ -198,7 +204,10 @@ int main(int argc, char **argv) {
         if (std::fflush(stdout))
             throw Refusal{std::string("cannot write standard output: ") + std::strerror(errno), 2};
     } catch (const Refusal &r) {
-        std::fprintf(stderr, "pack: %s\n", r.line.c_str());
+        std::string line = r.line; // one line, whatever it repeats of what users gave
+        std::replace_if(
+            line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
+        std::fprintf(stderr, "pack: %s\n", line.c_str());
         return r.status;
     }
 }

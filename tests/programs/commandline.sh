@@ -18,6 +18,7 @@ check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz
 check "it refuses a bad value" refuses 2 "--fps needs" "$odraz" --dump - --fps abc
 check "it refuses a missing value" refuses 2 "--size needs" "$odraz" --size
 check "it refuses a time beyond the film" refuses 2 "beyond the film's end" "$odraz" --to 999
+check "it repeats what is no text in one line" refuses 2 "not 'a?b?[31m'" "$odraz" --fps $'a\nb\e[31m'
 check "--help on a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --help >/dev/full"
 check "--version on a closed stdout" refuses 1 "closed" bash -c "exec '$odraz' --version >&-"
 

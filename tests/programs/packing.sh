@@ -62,6 +62,9 @@ check "no input" refuses 2 "it takes IN.elf -o OUT" "$pack"
 check "no output" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in"
 check "bad budget" refuses 2 "--budget needs" "$pack" "$in" -o "$WORK/x" --budget 64k
 check "bad effort" refuses 2 "--effort needs fast, normal, best or a number of seconds" "$pack" "$in" -o "$WORK/x" --effort more
+mkfifo "$WORK/fifo"
+for endless in "$WORK/fifo" /dev/zero; do check "what never ends" refuses 2 "not a regular file" "$pack" "$endless" -o "$WORK/x"; done
+check "a name of two lines, told in one" refuses 2 "cannot use '--two?lines'" "$pack" $'--two\nlines'
 check "a missing model" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --model "$WORK/none"
 echo "code byte7" >"$WORK/bad"
 check "a wrong model" refuses 2 "line 1: unknown field in 'byte7'" "$pack" "$in" -o "$WORK/x" --model "$WORK/bad"

@@ -135,6 +135,7 @@ check "an odd hemicube" refuses 2 "even number" "$radiosity" solve cube.obj -o x
 check "a number out of range" refuses 2 "from 4 to 1024" "$radiosity" solve cube.obj -o x.rad --hemicube 2
 check "no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" solve cube.obj -o x.rad --fast
+check "... of two lines, told in one" refuses 2 "cannot use '--fa?st'" "$radiosity" solve cube.obj -o x.rad $'--fa\nst'
 check "an unknown model" refuses 2 "name one of them" "$radiosity" generate sphere -o x.obj
 check "no command" refuses 2 "say what to do" "$radiosity"
 check "a solution that is none" refuses 1 "was not written by" "$radiosity" export cube.obj --csv x.csv

@@ -1,5 +1,6 @@
 #include "tools/common/arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -37,6 +38,15 @@ bool Arguments::choice(const std::string &option, const std::string &first, cons
 
 void Arguments::refuse(const std::string &word) const { throw Refused("cannot use '" + word + "'; " + hint); }
 
+// One line, whatever it repeats of what users gave.
+static int complain(const char *name, const std::exception &e, int status) {
+    std::string line = e.what();
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
+    std::fprintf(stderr, "%s: %s\n", name, line.c_str());
+    return status;
+}
+
 int runProgram(const char *name, const char *usage, int argc, char **argv, int (*body)(Arguments &)) {
     for (int i = 1; i < argc; ++i)
         if (!std::strcmp(argv[i], "--help")) {
@@ -50,11 +60,9 @@ int runProgram(const char *name, const char *usage, int argc, char **argv, int (
     try {
         return body(arguments);
     } catch (const Refused &e) {
-        std::fprintf(stderr, "%s: %s\n", name, e.what());
-        return 2;
+        return complain(name, e, 2);
     } catch (const std::exception &e) {
-        std::fprintf(stderr, "%s: %s\n", name, e.what());
-        return 1;
+        return complain(name, e, 1);
     }
 }
 

@@ -20,7 +20,8 @@ const char *mayNotRunWritten() {
 int complain(const char *line) {
     char text[512] = "odraz: ";
     int size = 7;
-    while (*line && size < 510) text[size++] = *line++;
+    // One line, whatever it repeats of what users gave
+    for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
     sys::call(sys::kWrite, theErrors, (long)text, size);
     return 1;

@@ -1,0 +1,143 @@
+# Command lines of words that are good, bad, extreme, missing, repeated, empty, endless or not even text: whatever is
+# given, the exit status is 0, 1 or 2; it fails with one line on standard error and nothing on standard output, and
+# succeeds without a word; no half-written file is left, and it ends.
+#   words.sh BUILD odraz|odraz-safe|pack|radiosity [RUNS] [SEED]
+. "$(dirname "$0")/../common.sh"
+name=${2:-odraz-safe} runs=${3:-100} seed=${4:-$((EPOCHSECONDS % 30000))}
+needs_built "$name"
+program=$BUILD/$name
+unset DISPLAY WAYLAND_DISPLAY
+echo "    seed $seed"
+RANDOM=$seed
+
+# --- What they are made of ---
+pick() { local n=$(($# > 0 ? RANDOM * 32768 + RANDOM : 0)); picked=${@:n % $# + 1:1}; } # sets picked
+long=$(printf '%0100000d' 0)
+junk=('' ' ' - -- 0 -1 1e999 -nan inf 99999999999999999999 0x10 +1 .5 1. '٣' 'žluťoučký kůň' $'\xff\xfe\x01' $'two\nlines' $'\e[31mred' %n%s%x "$long"
+    --help= -h ... '*' "'" '"' \\ /dev/null/x none/deeper)
+folders=(d d/ ./e . d/. ž $'\xff' - none/d file /proc "${long:0:300}" "${long:0:5000}")
+files=(a ./b ž $'\xfe' - none/b . file /dev/full /dev/null "${long:0:300}" "${long:0:5000}")
+values() { # values OPTION: sets good to what it may be given
+    case $name$1 in
+    odraz*--dump) good=("${folders[@]}") ;;
+    odraz*--wav) good=("${files[@]}") ;;
+    odraz*--fps) good=(25 30 1000 60 24000/1001 1/1000 23.976 1001 0 25/0 23.9761 1000000/1000000) ;;
+    odraz*--from) good=(20 20.04 20.1 20.123456 20.1234567 00020 162 161.999999 163 100001) ;;
+    odraz*--to) good=(20 20.04 20.1 20.2 0 19 162.000001 163 '') ;;
+    odraz*--size) good=(16x9 1x1 64x36 7x13 7680x1 1x4320 0x0 7681x1 16x 16X9 16x9x3 x9 -16x9 99999999999x9) ;;
+    odraz*--quality) good=(draft play film reference live Draft) ;;
+    odraz*--threads) good=(1 2 64 65 0 1.5) ;;
+    pack-o | pack--report | pack--save-model) good=("${files[@]}") ;;
+    pack--map | pack--model) good=(hello.model hello.model hello.model hello hello.elf file fifo /dev/zero none . '') ;;
+    pack--test | pack-d) good=(hello hello hello.elf hello.model file fifo /dev/zero /dev/null none . '') ;;
+    pack--budget) good=(65536 1e8 9999 1 0 1e9 1.5) ;;
+    pack--effort) good=(fast 0 0.1 fastest) ;;
+    radiosity-o | radiosity--csv | radiosity--ply | radiosity--obj) good=("${files[@]}" x.obj x.png) ;;
+    radiosity--area) good=(1 100 30 1e-5 1e7) ;;
+    radiosity--hemicube) good=(4 16 25 2 1026) ;;
+    radiosity--patch | radiosity--element) good=(1 10 1e30 1e31 1e-19) ;;
+    radiosity--bounces) good=(0 1 100 10001) ;;
+    radiosity--residual) good=(1 1e-4 0.5 1e-8 2) ;;
+    radiosity--lamp-samples) good=(1 256 3 257) ;;
+    radiosity--direct) good=(analytic hemicube analytic both) ;;
+    radiosity--memory) good=(500 100 900 1 0.5 1e6 1e7) ;;
+    radiosity--eye | radiosity--at) good=(0,5,4.9 0,4,-5 0,0,0 1e30,0,0 1,2 1,2,3,4 nan,0,0) ;;
+    radiosity--size) good=(16x9 1x1 8x8 7681x1 0x0 16x) ;;
+    radiosity--tone) good=(log film log loud) ;;
+    *) good=() ;;
+    esac
+}
+mapfile -t options < <("$program" --help | grep -oE '(^|[ |])--?[a-z][a-z-]*' | grep -oE -- '-.*' | sort -u)
+check "--help tells options" test ${#options[@]} -ge 6
+
+# Sets words. In front or behind stands what keeps it short: `bounds`
+make_words() {
+    local groups=$((RANDOM % 5)) group option
+    words=()
+    for ((group = 0; group < groups; ++group)); do
+        pick "${options[@]}"
+        option=$picked
+        values "$option"
+        case $((RANDOM % 32)) in
+        0) words+=("$option") ;;                                     # without its value, or with the next word
+        1) pick "${junk[@]}"; words+=("$picked") ;;                  # a value without an option
+        2) words+=("${option%?}") ;;                                 # misspelt
+        3) pick "${good[@]-x}"; words+=("$option=$picked") ;;
+        4 | 5) pick "${junk[@]}"; words+=("$option" "$picked") ;;
+        6 | 7) words+=("$option"); [ ${#good[@]} = 0 ] || { pick "${good[@]}"; words+=("$picked"); } ;;
+        # the first three of each are good
+        *) words+=("$option"); [ ${#good[@]} = 0 ] || { pick "${good[@]:0:3}"; words+=("$picked"); } ;;
+        esac
+    done
+    if [ $((RANDOM % 2)) = 0 ]; then words=("${bounds[@]}" "${words[@]}"); else words+=("${bounds[@]}"); fi
+}
+begin() { # sets bounds for the next one
+    case $name in
+    odraz*) bounds=(--size 16x9 --quality draft --from 20 --to 20.04); [ $((RANDOM % 3)) = 0 ] || bounds+=(--dump e) ;;
+    pack) pick 'hello.elf -o out' '--test hello' '-d hello -o out' hello.elf fifo '--test fifo' '/dev/zero -o out' 'file -o out'; bounds=($picked) ;;
+    radiosity)
+        pick 'generate cube -o x.obj' 'solve m.obj -o x.rad' 'export m.rad --csv x.csv' 'render m.rad -o x.png --size 16x9 --eye 0,5,4 --at 0,4,-5' 'solve m.rad' 'export m.obj' 'solve fifo -o x.rad' solve render 'sing' ''
+        bounds=($picked) ;;
+    esac
+}
+
+# --- What lies there ---
+mkdir "$WORK/given" "$WORK/run"
+echo "a text" >"$WORK/given/file"
+mkfifo "$WORK/given/fifo"
+case $name in
+pack)
+    bash "$SOURCE/packer/example/build.sh" "$program" "$WORK/given" >/dev/null
+    "$program" "$WORK/given/hello.elf" -o "$WORK/given/hello" --save-model "$WORK/given/hello.model" >/dev/null ;;
+radiosity)
+    printf 'newmtl l\nKe 5 5 5\n' >"$WORK/given/m.mtl"
+    printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >"$WORK/given/m.obj"
+    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 >/dev/null ;;
+esac
+given=$(ls "$WORK/given")
+
+# --- What must hold ---
+complaint() { # prints what is wrong with the run that ended with the status
+    local status=$1 lines
+    lines=$(wc -l <err)
+    case $status in
+    0)
+        # (radiosity tells what it left out of a model, pack how far its search is)
+        case $name in radiosity) grep -v '^radiosity: ' err ;; pack) grep -v '^searching: ' err ;; *) cat err ;; esac |
+            sed 's/^/although it succeeded: /' ;;
+    1 | 2)
+        [ "$lines" = 1 ] && [ -z "$(tail -c 1 err)" ] || echo "$lines lines on standard error"
+        # (pack tells what it found before a file cannot be written)
+        [ ! -s out ] || [ $name = pack ] || echo "standard output although it failed" ;;
+    124 | 137) echo "it did not end" ;;
+    *) echo "exit status $status" ;;
+    esac
+    LC_ALL=C grep -aq $'[\x01-\x09\x0b-\x1f]' err && echo "control characters on standard error"
+    [ "$(ls run)" = "$given" ] && return
+    find run -name '*.part' | sed 's/^/left behind: /'
+    find run -name '*.ppm' -exec perl -e 'for (@ARGV) { open F, "<", $_; local $/; my $p = <F>; $p =~ /^P6\n(\d+) (\d+)\n255\n/s && length($p) == length($&) + 3 * $1 * $2 or print "not whole: $_\n" }' {} +
+}
+cd "$WORK" || exit 1
+cp -a given/. run
+tried() {
+    local n status wrong succeeded=0 failed=0
+    for ((n = 1; n <= runs; ++n)); do
+        begin
+        make_words
+        (cd run && exec timeout -k 5 "$PATIENCE" "$program" "${words[@]}" >../out 2>../err </dev/null)
+        status=$?
+        wrong=$(complaint $status)
+        if [ -n "$wrong" ]; then
+            echo "run $n of seed $seed: $wrong" >&2
+            printf '%s %s\n' "$name" "$(printf '%.300q ' "${words[@]}")" >&2
+            head -c 1000 err >&2
+            return 1
+        fi
+        [ $status = 0 ] && succeeded=$((succeeded + 1)) || failed=$((failed + 1))
+        [ "$(ls run)" = "$given" ] || { rm -rf run && cp -a given run; }
+    done
+    echo "    $succeeded succeeded, $failed failed"
+    [ $succeeded -gt $((runs / 50)) ] && [ $failed -gt $((runs / 50)) ] # else it tries nothing
+}
+check "$runs command lines for $name" tried
+finish
