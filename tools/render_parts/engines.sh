@@ -1,0 +1,112 @@
+# Sourced by tools/render: who runs the shards. xargs here, GNU parallel on hosts, sbatch on a cluster.
+
+# list_shards: lines of A B NAME, for frames A to before B
+list_shards() {
+    local a b
+    for ((a = first; a < end; a += shard)); do
+        b=$((a + shard < end ? a + shard : end))
+        printf '%d %d %06d-%06d\n' $a $b $a $b
+    done >"$parts/shards"
+}
+
+# judge_shard A B NAME: good, missing, or what is wrong with it
+judge_shard() {
+    local sums=$parts/$3.sums in=$parts want=$(($2 - $1))
+    [ -e "$sums" ] || { echo missing; return; }
+    [ $kind != frames ] || in=$parts/frames
+    if ! (cd "$in" && { [ $kind = frames ] && cat "$sums" || tail -n 1 "$sums"; } | sha256sum --check --status --strict) 2>/dev/null; then
+        echo "what was kept is missing or damaged"
+    elif [ "$(grep -cE '^[0-9a-f]{64}  frame-[0-9]{6,}\.ppm$' "$sums")" != $want ]; then
+        echo "its list of sums is damaged"
+    else
+        echo good
+    fi
+}
+
+# start COMMAND...: in the background, in a group of processes of its own; sets engine
+start() {
+    set -m
+    "$@" &
+    engine=$!
+    set +m
+}
+stop_engine() {
+    local i
+    [ ! -e "$parts/job" ] || scancel "$(cat "$parts/job")" 2>/dev/null || true
+    # GNU parallel ends its jobs when it is asked twice
+    for i in 1 2 3 4 5 6 7 8 9 10; do
+        kill -TERM -- "-$engine" 2>/dev/null || break
+        sleep 0.3
+    done
+    kill -KILL -- "-$engine" 2>/dev/null || true
+    wait "$engine" 2>/dev/null || true
+    engine=
+}
+
+by_xargs() { exec xargs -P "$jobs" -L 1 -a "$parts/todo" bash "$parts/shard" "$parts"; }
+by_parallel() {
+    local quoted
+    printf -v quoted %q "$parts"
+    exec parallel --will-cite --jobs 100% --sshloginfile "$parts/hosts" --ssh "$parts/here" --retries 2 --halt soon,fail=1 \
+        --colsep ' ' -a "$parts/todo" bash "$quoted/shard" "$quoted" '{1} {2} {3} {4} {5}'
+}
+by_sbatch() {
+    exec sbatch --wait --parsable "${sbatch[@]}" --job-name=odraz --array="1-$left${jobs:+%$jobs}" --chdir=/ \
+        --output="$parts/slurm-%a.log" "$parts/task" >"$parts/job"
+}
+
+# meet_hosts: gives every host the film. A line of hosts.film is a host and the film's folder there.
+meet_hosts() {
+    local line host at
+    : >"$parts/hosts.part"
+    : >"$parts/hosts.film"
+    while read -r line || [ -n "$line" ]; do
+        line=${line%%#*} line=${line//[[:space:]]/ }
+        read -r line <<<"$line"
+        [ -n "$line" ] || continue
+        [[ $line =~ ^([1-9][0-9]*/)?([^\ /]+)$ ]] || fail "$hosts: cannot use '$line': write [N/][USER@]HOST, and how to reach it into ~/.ssh/config or --ssh"
+        host=${BASH_REMATCH[2]}
+        echo "${BASH_REMATCH[1]:-1/}$host" >>"$parts/hosts.part"
+        [ "$host" != : ] && ! grep -q "^$host " "$parts/hosts.film" || continue
+        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
+            <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
+            fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
+        echo "$host $at" >>"$parts/hosts.film"
+    done <"$hosts"
+    rm -f "$parts/host.err"
+    [ -s "$parts/hosts.part" ] || fail "$hosts names no host"
+    mv "$parts/hosts.part" "$parts/hosts"
+}
+leave_hosts() {
+    local host at
+    [ -e "$parts/hosts.film" ] || return 0
+    while read -r host at; do
+        $ssh "$host" "rm -rf $at" </dev/null >/dev/null 2>&1 9>&- || true
+    done <"$parts/hosts.film"
+    rm -f "$parts/hosts.film"
+}
+
+render_shards() {
+    local status=0 lacking
+    export RENDER_THREADS=$threads RENDER_SSH=$ssh
+    if [ -n "$hosts" ]; then
+        cp "$ODRAZ/tools/render_parts/here" "$parts/here"
+        meet_hosts
+        start by_parallel 2>"$parts/engine.err"
+    elif [ -n "$slurm" ]; then
+        # A task's number is the line of what is to do
+        printf '#!/bin/bash\nexport RENDER_THREADS=%q\nread -ra words <<<"$(sed -n "${SLURM_ARRAY_TASK_ID}p" %q)"\nexec bash %q %q "${words[@]}"\n' \
+            "$threads" "$parts/todo" "$parts/shard" "$parts" >"$parts/task"
+        start by_sbatch 2>"$parts/engine.err"
+    else
+        jobs=${jobs:-1}
+        [ -n "$threads" ] || [ "$jobs" = 1 ] || RENDER_THREADS=$((($(nproc) + jobs - 1) / jobs))
+        start by_xargs 2>"$parts/engine.err"
+    fi
+    follow rendering "$frames" frames_done || status=$?
+    rm -f "$parts/job"
+    lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
+    [ "$lacking" = 0 ] && return 0
+    [ ${#told[@]} -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
+    fail "$lacking of $total shards are not done; --resume goes on with them"
+}

@@ -1,0 +1,64 @@
+# Sourced by tools/render: how far it is, on stderr. A bar on a terminal, else a line now and then.
+
+# frames_done: of all shards, also those that are at it
+frames_done() {
+    find "$parts" -maxdepth 1 \( -name '*.sums' -o -name '*.sums.part' -o -name '*.hashes.part' \) -exec cat {} + 2>/dev/null |
+        awk '/frame-|^0,/ { ++n } END { print n + 0 }'
+}
+
+clock() { # clock SECONDS
+    if [ "$1" -ge 3600 ]; then printf '%d:%02d:%02d' $(($1 / 3600)) $(($1 / 60 % 60)) $(($1 % 60)); else printf '%d:%02d' $(($1 / 60)) $(($1 % 60)); fi
+}
+
+barred=
+told_at=0
+# show WHAT DONE OF SINCE-WHICH DONE-THEN: the time left is by the rate since then
+show() {
+    local what=$1 done=$2 of=$3 took=$((SECONDS - $4)) new=$(($2 - $5)) left= full width=30
+    if [ $new -gt 0 ] && [ $took -gt 0 ]; then left=", $(clock $((took * (of - done) / new))) left"; fi
+    if [ -t 2 ]; then
+        full=$((done * width / of))
+        printf '\r%s [%s%s] %d of %d frames%s\e[K' "$what" "$(printf "%${full}s" | tr ' ' '#')" "$(printf "%$((width - full))s")" "$done" "$of" "$left" >&2
+        barred=1
+    elif [ $((SECONDS - told_at)) -ge 30 ]; then
+        told_at=$SECONDS
+        echo "tools/render: $what: $done of $of frames$left" >&2
+    fi
+}
+bar_ends() { [ -z "$barred" ] || { printf '\r\e[K' >&2; barred=; }; }
+
+# follow WHAT OF COUNT-COMMAND: until the process $engine ends; its status
+follow() {
+    local what=$1 of=$2 status=0 then since=$SECONDS shown=-1
+    shift 2
+    then=$("$@")
+    told_at=$SECONDS
+    while kill -0 "$engine" 2>/dev/null; do
+        if [ $SECONDS != $shown ]; then
+            shown=$SECONDS
+            show "$what" "$("$@")" "$of" "$since" "$then"
+            tell_failures
+        fi
+        sleep 0.1
+    done
+    wait "$engine" || status=$?
+    engine=
+    bar_ends
+    tell_failures
+    return $status
+}
+
+# tell_failures: a line for every shard that failed, once
+declare -A told=()
+tell_failures() {
+    local failed name reason
+    for failed in "$parts"/*.failed; do
+        [ -e "$failed" ] || continue
+        name=$(basename "$failed" .failed)
+        [ -z "${told[$name]-}" ] || continue
+        told[$name]=1
+        reason=$(grep -m 1 . "$parts/$name.err" || true)
+        bar_ends
+        echo "tools/render: frames $((10#${name%-*})) to $((10#${name#*-} - 1)) failed: ${reason:-it ended without a word}" >&2
+    done
+}
