@@ -30,17 +30,22 @@ start() {
     engine=$!
     set +m
 }
-stop_engine() {
-    local i
-    [ ! -e "$parts/job" ] || scancel "$(cat "$parts/job")" 2>/dev/null || true
-    # GNU parallel ends its jobs when it is asked twice
-    for i in 1 2 3 4 5 6 7 8 9 10; do
-        kill -TERM -- "-$engine" 2>/dev/null || break
-        sleep 0.3
+# signal NAME: the engine, and the shards, which GNU parallel puts into groups of their own; false when there are none
+signal() {
+    local group some=
+    for group in "$engine" $(cat "$parts"/*.group 2>/dev/null); do
+        kill "-$1" -- "-$group" 2>/dev/null && some=1
     done
-    kill -KILL -- "-$engine" 2>/dev/null || true
+    [ -n "$some" ]
+}
+stop_engine() {
+    local tries=0
+    [ ! -e "$parts/job" ] || scancel "$(cat "$parts/job")" 2>/dev/null || true
+    while signal TERM && [ $((++tries)) -le 10 ]; do sleep 0.2; done
+    signal KILL || true
     wait "$engine" 2>/dev/null || true
     engine=
+    rm -f "$parts"/*.group
 }
 
 by_xargs() { exec xargs -P "$jobs" -L 1 -a "$parts/todo" bash "$parts/shard" "$parts"; }
@@ -68,7 +73,7 @@ meet_hosts() {
         host=${BASH_REMATCH[2]}
         echo "${BASH_REMATCH[1]:-1/}$host" >>"$parts/hosts.part"
         [ "$host" != : ] && ! grep -q "^$host " "$parts/hosts.film" || continue
-        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
+        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d /tmp/odraz-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
             <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
             fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
         echo "$host $at" >>"$parts/hosts.film"
@@ -105,6 +110,7 @@ render_shards() {
     fi
     follow rendering "$frames" frames_done || status=$?
     rm -f "$parts/job"
+    leave_hosts
     lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
     [ "$lacking" = 0 ] && return 0
     [ ${#told[@]} -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2

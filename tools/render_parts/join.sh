@@ -2,7 +2,8 @@
 
 write_manifest() {
     local name
-    sed 's/^/# /' "$parts/plan"
+    # How it was divided changes nothing
+    sed -n '/^shards of /,$ !s/^/# /p' "$parts/plan"
     while read -r _ _ name; do grep 'frame-' "$parts/$name.sums"; done <"$parts/shards"
 }
 
@@ -30,7 +31,7 @@ join_video() {
     start by_ffmpeg 2>"$parts/engine.err"
     follow joining "$frames" frames_joined || fail "ffmpeg could not join the shards: $(grep -m 1 . "$parts/engine.err")"
     wrong=$(diff <(grep -v '^#' "$parts/manifest.part" | cut -d' ' -f1) <(awk -F ', *' '!/^#/ { print $6 }' "$parts/joined.hashes") |
-        sed -n '2,$ d; s/[^0-9].*//p')
+        sed -n '1 s/[^0-9].*//p' || true)
     if [ -n "$wrong" ]; then
         wrong=$((first + wrong - 1))
         while read -r a b name; do [ $wrong -lt "$a" ] || [ $wrong -ge "$b" ] || rm -f "$parts/$name.sums"; done <"$parts/shards"

@@ -51,14 +51,14 @@ follow() {
 # tell_failures: a line for every shard that failed, once
 declare -A told=()
 tell_failures() {
-    local failed name reason
+    local failed name reason host
     for failed in "$parts"/*.failed; do
         [ -e "$failed" ] || continue
         name=$(basename "$failed" .failed)
         [ -z "${told[$name]-}" ] || continue
         told[$name]=1
-        reason=$(grep -m 1 . "$parts/$name.err" || true)
+        host=$(cat "$failed") reason=$(grep -m 1 . "$parts/$name.err" || true)
         bar_ends
-        echo "tools/render: frames $((10#${name%-*})) to $((10#${name#*-} - 1)) failed: ${reason:-it ended without a word}" >&2
+        echo "tools/render: frames $((10#${name%-*})) to $((10#${name#*-} - 1)) failed${host:+ on $host}: ${reason:-it ended without a word}" >&2
     done
 }
