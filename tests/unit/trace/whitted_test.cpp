@@ -119,8 +119,12 @@ TEST(Shadow, FadesInWithTheLightThatItTakes) {
         g.scene->add(Light{{0, 10, 0}, Rgb{100, 100, 100} * strength});
         float light = g.look({0, 1, 3}, {0, 0, 0}, coarse).light.x;
         EXPECT_LE(std::abs(light - before), 2e-4f) << strength;
-        if (strength < 0.2f * coarse.cutoff) EXPECT_NEAR(light, strength, 1e-5f);
-        if (strength > 0.4f * coarse.cutoff) EXPECT_EQ(light, 0) << strength;
+        if (strength < 0.2f * coarse.cutoff) {
+            EXPECT_NEAR(light, strength, 1e-5f);
+        }
+        if (strength > 0.4f * coarse.cutoff) {
+            EXPECT_EQ(light, 0) << strength;
+        }
         before = light, most = std::max(most, light);
     }
     EXPECT_LE(most, 0.25f * coarse.cutoff);
