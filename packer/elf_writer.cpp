@@ -75,7 +75,6 @@ std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
 
     Parameters p = {};
-    p.file = base;
     p.words = (uint32_t)(size / 4);
     p.image = program.base;
     p.readOnly = program.readOnly;

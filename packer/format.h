@@ -6,7 +6,7 @@
 //
 //     Front          528 bytes: ELF header, five program headers, the loader's tables
 //     stub           machine code, the same in every file
-//     Parameters     50 bytes
+//     Parameters     46 bytes
 //     masks          uint16_t: those of code (Shape::masks[0]), then those of data ([1]), each as many as
 //                    there are contexts, and kSets - 1 more
 //     payload        the coded program, then zeros up to a multiple of four
@@ -16,11 +16,11 @@
 // Parameters::words words do not belong to it. There are no section headers. The stub's size is not written
 // anywhere: a reader knows the stub it has been made for.
 //
-// IN MEMORY the file is one R-X segment, at Parameters::file, kBelow bytes below the program. The program
-// has one RW segment without bytes in the file, from Parameters::image on, whole pages, so that it starts
-// as zeros. The other headers are an interpreter, a dynamic section (needs libdl.so.2, imports dlopen and
-// dlsym) and a stack that is not executable. The loader writes the two imports into the program's own
-// slots, as the two relocations say, before it goes on at the first byte of the stub.
+// IN MEMORY the file is one R-X segment, kBelow bytes below the program. The program has one RW segment
+// without bytes in the file, from Parameters::image on, whole pages, so that it starts as zeros. The other
+// headers are an interpreter, a dynamic section (needs libdl.so.2, imports dlopen and dlsym) and a stack that
+// is not executable. The loader writes the two imports into the program's own slots, as the two relocations
+// say, before it goes on at the first byte of the stub.
 //
 // START. The stub computes the checksum of itself and all else, asking the kernel first whether a page is
 // there that a file cut short would lack. Then it maps Parameters::memory bytes for the model, keeps the
@@ -104,7 +104,6 @@ static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
 
 // Behind the stub's code; the masks follow, then the payload.
 struct Parameters {
-    uint32_t file;     // address the packed file is mapped to
     uint32_t words;    // its size in units of four bytes, all of which the checksum covers
     uint32_t image;    // address the program starts at; page-aligned
     uint32_t readOnly; // bytes from there that become R-X; whole pages
@@ -118,7 +117,7 @@ struct Parameters {
     uint8_t contexts;  // as in Shape
     uint8_t slotShift; // 32 - Shape::slotBits
 } __attribute__((packed));
-static_assert(sizeof(Parameters) == 50);
+static_assert(sizeof(Parameters) == 46);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
 // Over all words of the file, of which the last is chosen so that this is 0: any changed word shows.

@@ -98,11 +98,12 @@ EQUAL(NIBBLE + 4, RESULTS) // the variables end in front of it, and keep it alig
 start:
     push rdx // ld.so's function for exit, which the program wants to see
     push rsi
-    lea rbx, [rip + parameters]
+    lea ebx, [rip + parameters]
 
-    // Check the file. A page that it is too short for must not be touched: access() says which
-    mov edi, [rbx + FILE]
-    mov r12d, [rbx + WORDS]
+    // Check the file. A page that it is too short for must not be touched: access() says which. Nothing is
+    // believed that was not checked: where the file begins follows from where this is
+    lea edi, [rip + start - FRONT]
+    mov edx, [rbx + WORDS]
     xor esi, esi
     xor ebp, ebp
 1:  test di, PAGE - 1
@@ -115,7 +116,7 @@ start:
 2:  add ebp, [rdi]
     imul ebp, ebp, HASH
     scasd
-    dec r12d
+    dec edx
     jne 1b
     test ebp, ebp
     je get_memory

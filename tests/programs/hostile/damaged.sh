@@ -1,0 +1,85 @@
+# The packed film cut short, with wrong bytes, with holes: it says that it is damaged, or the system refuses it; it never
+# runs, never hangs, and leaves nothing.
+#   damaged.sh BUILD [TRIES] [SEED]
+# What cannot be guarded are the first 656 bytes: the header that the system and its loader read, and the code of the
+# check itself (packer/README.md). Whoever changes those may have a program that does anything; here they are only cut
+# off. tests/programs/packed.sh looks at every place of a small program.
+. "$(dirname "$0")/../common.sh"
+tries=${2:-100} seed=${3:-$((EPOCHSECONDS % 30000))}
+needs_built odraz
+unset DISPLAY WAYLAND_DISPLAY
+echo "    seed $seed"
+RANDOM=$seed
+UNGUARDED=656
+film=$BUILD/odraz size=$(stat -c %s "$BUILD/odraz")
+mkdir "$WORK/in"
+cd "$WORK/in" || exit 1
+broken=$WORK/broken
+check "the film, whole, runs" prints '^odraz' "$film" --version
+
+from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at, A <= at < B
+write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: from standard input
+says_so() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
+each() { # each COMMAND: makes $broken otherwise, so many times
+    local n
+    for ((n = 1; n <= tries; ++n)); do
+        cp "$film" "$broken"
+        "$@"
+        cmp -s "$film" "$broken" && continue # a hole where there were zeros
+        says_so || { echo "try $n of seed $seed: $*, at $at of $size" >&2; return 1; }
+    done
+}
+wrong_bit() {
+    local byte
+    from $UNGUARDED "$size"
+    byte=$(od -An -tu1 -j $at -N 1 "$film")
+    printf "\\x$(printf %02x $((byte ^ 1 << RANDOM % 8)))" | write $at
+}
+wrong_bytes() { # up to 4096 of them, from anywhere in the file
+    local to
+    from $UNGUARDED "$size"
+    to=$at
+    from 0 "$size"
+    tail -c +$((at + 1)) "$film" | head -c $((RANDOM % 4096 + 1)) | head -c $((size - to)) | write $to
+}
+hole() { # as a broken download leaves them
+    from $UNGUARDED "$size"
+    head -c $((RANDOM % 8192 + 16)) /dev/zero | head -c $((size - at)) | write $at
+}
+cut_anywhere() {
+    from 660 "$size"
+    truncate -s $at "$broken"
+}
+filled_up() { # its end is zeros
+    from 660 $((size - 100))
+    truncate -s $at "$broken"
+    truncate -s "$size" "$broken"
+}
+check "a wrong bit, $tries times" each wrong_bit
+check "wrong bytes" each wrong_bytes
+check "a hole" each hole
+check "cut short" each cut_anywhere
+check "cut short, and zeros in place of the rest" each filled_up
+
+# Cut at the borders of what there is: header, check, stub, pages, last bytes
+refused_somehow() {
+    local status
+    truncate -s 0 "$broken"
+    head -c "$1" "$film" >"$broken"
+    timeout "$PATIENCE" bash -c "exec '$broken' --dump - --from 20 --to 20.04 --size 16x9" >"$WORK/out" 2>"$WORK/err" </dev/null
+    status=$?
+    [ $status != 0 ] && [ $status != 124 ] && [ ! -s "$WORK/out" ] && return
+    echo "of $1 bytes: exit status $status" >&2
+    return 1
+}
+borders() {
+    local length
+    for length in 1 4 63 64 65 120 400 527 528 529 600 655 656 657 658 659; do refused_somehow $length || return 1; done
+    for length in 660 661 700 2666 4095 4096 4097 8192 32768 $((size / 4096 * 4096)) $((size - 5)) $((size - 4)) $((size - 3)) $((size - 2)) $((size - 1)); do
+        head -c "$length" "$film" >"$broken"
+        says_so || { echo "of $length bytes" >&2; return 1; }
+    done
+}
+check "cut at borders" borders
+check "nothing is written" test -z "$(ls -A)"
+finish

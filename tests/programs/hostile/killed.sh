@@ -1,0 +1,73 @@
+# A dump that is killed at any moment leaves frames that are whole, and what it was just writing under a name of its
+# own: FRAME.PID.part. Nobody who is killed can clean up; a later dump minds it as little as any other file.
+#   killed.sh BUILD [KILLS] [SEED]
+. "$(dirname "$0")/../common.sh"
+kills=${2:-50} seed=${3:-$((EPOCHSECONDS % 30000))}
+odraz=$BUILD/odraz-safe # the same program, which need not unpack itself first
+unset DISPLAY WAYLAND_DISPLAY
+echo "    seed $seed"
+RANDOM=$seed
+cd "$WORK" || exit 1
+# Frames of 160x90, made in a few milliseconds each, of which much is writing
+part=(--from 20 --to 24 --size 160x90 --quality draft)
+start=${EPOCHREALTIME/[.,]/}
+check "the reference" "$odraz" --dump reference "${part[@]}"
+lasts=$((${EPOCHREALTIME/[.,]/} - start))
+frames=$(ls reference | wc -l)
+check "... has its frames: $frames" test "$frames" = 100
+
+parts=0 found=0 early=0
+whole() { # every frame in dump/ is the reference's
+    local frame
+    for frame in dump/frame-*.ppm; do
+        [ -e "$frame" ] || return 0
+        cmp -s "$frame" "reference/${frame#dump/}" || { echo "$frame is not whole, or not that frame" >&2; return 1; }
+        found=$((found + 1))
+    done
+}
+only_known() { [ -z "$(ls dump | grep -vE '^frame-[0-9]{6}\.ppm(\.[0-9]+\.part)?$')" ]; }
+killed() {
+    local n pid left
+    for ((n = 1; n <= kills; ++n)); do
+        rm -rf dump
+        "$odraz" --dump dump "${part[@]}" 2>err &
+        pid=$!
+        sleep "$(awk "BEGIN { print $((RANDOM * 32768 + RANDOM)) / 1073741824 * $lasts / 1e6 }")"
+        kill -KILL $pid 2>/dev/null || early=$((early + 1))
+        wait $pid 2>/dev/null
+        [ -d dump ] || continue
+        whole && only_known || { echo "kill $n" >&2; return 1; }
+        left=$(find dump -name '*.part' | wc -l)
+        [ "$left" -le 1 ] || { echo "kill $n: $left files left behind" >&2; return 1; }
+        parts=$((parts + left))
+    done
+}
+check "$kills kills: every frame that is there is whole" killed
+echo "    $found frames were there, $parts files *.part were left, $early dumps had ended before"
+check "... some were there" test $found -gt 0
+check "... and not all dumps had ended before" test $early -lt $kills
+
+# One whose death certainly left something
+mkdir -p dump
+echo "half a frame" >dump/frame-000500.ppm.99999.part
+check "a later dump into the same folder" "$odraz" --dump dump "${part[@]}"
+check "... completes it" test "$(ls dump | grep -c 'ppm$')" = "$frames"
+check "... with the same frames" whole
+check "... and lets the others' leavings lie" test "$(cat dump/frame-000500.ppm.99999.part)" = "half a frame"
+
+# Two at once
+rm -rf dump
+both() {
+    local a b
+    "$odraz" --dump dump "${part[@]}" 2>a.err &
+    a=$!
+    "$odraz" --dump dump "${part[@]}" 2>b.err &
+    b=$!
+    wait $a && wait $b
+}
+for round in 1 2 3; do
+    check "two dumps at once into one folder" both
+    check "... say nothing" test ! -s a.err -a ! -s b.err
+    check "... make the same frames" diff -r reference dump
+done
+finish
