@@ -1,14 +1,15 @@
 # For tools/measure/soak. From what was noted, "told,..." "sample,..." and "run,..." lines, a table of the runs and of
 # all, and a verdict: exit 1 where a run failed or something grew. Set: room (MB), length_ (s), table, verdict (files).
 #
-# A run has started when its first picture is there and a second has gone by. Of what follows, memory must not go more
+# A run has started when half as long again as its first picture took has gone by, and a second: that time is counted
+# from when the program's first part runs. Of what follows, memory must not go more
 # than `room` above the most of the first third; descriptors and threads must not all the last third be above the most
 # of the first. The first run is the whole film: no later one may take `room` more than it, at its most.
 
 $1 == "told" { first[$2] = $3; shown[$2] = $4; missed[$2] = $5; next }
 $1 == "sample" {
     run = $2
-    if (first[run] == "none" || $3 / 1000 < first[run] + 1) next
+    if (first[run] == "none" || $3 / 1000 < 1.5 * first[run] + 1) next
     n = ++samples[run]
     mb[run, n] = $4 / 1024; descriptors[run, n] = $5; threads[run, n] = $6
     if ($7 > heard[run]) heard[run] = $7
