@@ -1,0 +1,31 @@
+# A double-click on the film, as it lies in the unpacked archive, starts it: in Thunar and PCManFM, as they come.
+#   bash tests/programs/doubleclick.sh BUILD [ARCHIVE.tar.gz]
+. "$(dirname "$0")/display.sh"
+skip_unless openbox thunar pcmanfm dbus-run-session convert
+archive=${2-}
+if [ -z "$archive" ]; then
+    mkdir "$WORK/odraz"
+    install -m 755 "$BUILD/odraz" "$WORK/odraz/"
+    archive=$WORK/odraz.tar.gz
+    tar -C "$WORK" -czf "$archive" odraz
+fi
+mkdir "$WORK/unpacked" "$WORK/film"
+tar -C "$WORK/unpacked" -xf "$archive"
+mv "$(find "$WORK/unpacked" -name odraz -type f)" "$WORK/film/odraz" || exit 1
+
+start_display 1024x768
+openbox >/dev/null 2>&1 &
+PIDS+=($!)
+await eval "xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'" || exit 1
+does() { # does WORDS MANAGER
+    local said
+    said=$("$SOURCE/tests/support/double_click" "$2" "$WORK/film/odraz")
+    [ "$said" = "$1" ] || { echo "$2: '$said', wanted '$1'" >&2; return 1; }
+}
+check "Thunar starts it" does "starts it" thunar
+check "PCManFM asks, and starts it" does "asks, then starts it" pcmanfm
+chmod a-x "$WORK/film/odraz"
+does_not() { "$SOURCE/tests/support/double_click" "$1" "$WORK/film/odraz"; [ $? = 1 ]; }
+check "without the x bit Thunar does not" does_not thunar
+check "... nor PCManFM" does_not pcmanfm
+finish
