@@ -1,13 +1,14 @@
-# A double-click on the film, as it lies in the unpacked archive, starts it: in Thunar and PCManFM, as they come.
+# A double-click on the film, as it lies in the unpacked archive of tools/release, starts it: in Thunar and PCManFM, as
+# they come.
 #   bash tests/programs/doubleclick.sh BUILD [ARCHIVE.tar.gz]
 . "$(dirname "$0")/display.sh"
 skip_unless openbox thunar pcmanfm dbus-run-session convert
 archive=${2-}
 if [ -z "$archive" ]; then
-    mkdir "$WORK/odraz"
-    install -m 755 "$BUILD/odraz" "$WORK/odraz/"
-    archive=$WORK/odraz.tar.gz
-    tar -C "$WORK" -czf "$archive" odraz
+    skip_unless zip unzip
+    git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }
+    BUILD=$BUILD "$SOURCE/tools/release" --built --unclean --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/release" >/dev/null || exit 1
+    archive=$(echo "$WORK"/release/*.tar.gz)
 fi
 mkdir "$WORK/unpacked" "$WORK/film"
 tar -C "$WORK/unpacked" -xf "$archive"
