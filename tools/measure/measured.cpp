@@ -12,7 +12,7 @@ Mesh generatedMesh(const std::string &kind, double area) {
     writeWhole(folder / "model.mtl", generateMtl());
     writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, area));
     std::vector<std::string> notes;
-    return readObj(folder / "model.obj", notes);
+    return readObj(folder / "model.obj", {}, notes);
 }
 
 std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick) {

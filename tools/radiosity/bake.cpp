@@ -60,6 +60,7 @@ public:
         settings.contrast = s.contrast;
         takePlanes();
         findDirect(r, m, *b.scene, settings, workers, tell(2));
+        gatherFromOutside();
         lap(2);
         solveBounces();
         lap(3);
@@ -130,12 +131,41 @@ private:
     // What shines: seen from the texels or, where that is too much, by hemicubes.
     void findGlows(const Regions &regions) {
         b.glows = findLamps(mesh, regions, m, s.lampSamples);
-        if (b.glows.empty()) throw ModelError("nothing shines: no material has a Ke above 0");
+        Surroundings &around = s.surroundings;
+        if (b.glows.empty() && !around.shine()) {
+            around.sky = evenSky({1, 1, 1});
+            b.notes.push_back(
+                "nothing shines in it: lit by an even sky (--sky, --sun and --lamp give other light)");
+        }
         if (b.glows.size() > kManyLamps) s.analytic = false;
         r.lights.skyCount = 3;
+        // Suns and lamps are bases of their own until their light has arrived
+        Vec3d lo = mesh.points.at(0), hi = lo;
+        for (const Vec3d &p : mesh.points)
+            for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+        Vec3 middle = {(float)(lo[0] + hi[0]) / 2, (float)(lo[1] + hi[1]) / 2, (float)(lo[2] + hi[2]) / 2};
+        for (const Sun &sun : around.suns)
+            r.lights.suns[r.lights.sunCount++] = middle + sun.towards * (float)(1000 * mesh.size());
+        for (const BallLamp &lamp : around.lamps)
+            r.lights.lamps[r.lights.lampCount++] = {lamp.centre, lamp.radius, -1};
         if (!s.analytic) return;
         r.lights.glows = b.glows.data();
         r.lights.glowCount = (int)b.glows.size();
+    }
+
+    // Puts the light of suns and lamps, and then of the sky, to what glows gave.
+    void gatherFromOutside() {
+        Surroundings &around = s.surroundings;
+        auto fold = [&](int basis, const Rgb &light) {
+            const float share[3] = {light.x, light.y, light.z};
+            for (int k = 0; k < 3; ++k)
+                for (int t = 0; t < m.texelCount; ++t) r.direct[k][t] += share[k] * r.direct[basis][t];
+        };
+        for (size_t i = 0; i < around.suns.size(); ++i) fold(3 + (int)i, around.suns[i].light);
+        for (size_t i = 0; i < around.lamps.size(); ++i)
+            fold(r.lights.firstLamp() + (int)i, around.lamps[i].radiance);
+        r.lights.sunCount = r.lights.lampCount = 0;
+        if (around.sky.width) addSky(m, *b.scene, around.sky, around.skyRays, workers, r.direct);
     }
 
     static size_t texelBytes(size_t texels) {
@@ -173,6 +203,7 @@ private:
 
     void takePlanes() {
         size_t texels = (size_t)m.texelRoom + 8;
+        for (int k = 3; k < r.lights.bases(); ++k) r.direct[k] = takeOrRefuse<float>(b.arena, texels);
         for (int k = 0; k < 3; ++k) {
             r.direct[k] = takeOrRefuse<float>(b.arena, texels);
             b.light[k] = takeOrRefuse<float>(b.arena, texels);
@@ -191,14 +222,16 @@ private:
         for (size_t i = 0; i < (size_t)m.patchCount; ++i)
             for (size_t k = 0; k < 9; ++k)
                 if (k % 4) system.reflectance[i * columns + k] = 0;
-        if (!s.analytic) {
+        auto *seen = s.analytic ? nullptr : takeOrRefuse<float>(b.arena, all); // of lamps, by hemicubes
+        if (seen) {
             auto *lamps = takeOrRefuse<float>(b.arena, all);
             for (int i = 0; i < m.patchCount; ++i) {
                 Rgb e = b.emits(m.patches[i].chart);
                 float *to = lamps + (size_t)i * columns;
                 to[0] = e.x, to[4] = e.y, to[8] = e.z;
             }
-            gather(r.factors, m.patchCount, system.columns, lamps, system.direct, workers);
+            gather(r.factors, m.patchCount, system.columns, lamps, seen, workers);
+            for (size_t i = 0; i < all; ++i) system.direct[i] += seen[i];
         }
         if (s.bounces < 0) solveToResidual();
         for (Progress progress = tell(3); b.sweeps < s.bounces;
@@ -207,8 +240,7 @@ private:
             ++b.sweeps;
         }
         gather(system, workers);
-        if (!s.analytic)
-            for (size_t i = 0; i < all; ++i) system.gathered[i] += system.direct[i];
+        for (size_t i = 0; seen && i < all; ++i) system.gathered[i] += seen[i];
         spreadLight(r, m, workers);
         clusters->smooth(m, r.factors, b.light);
         settleLight(r, m, workers);

@@ -6,6 +6,7 @@
 #include "tools/common/clock.h"
 #include "tools/radiosity/mesh.h"
 #include "tools/radiosity/row_finder.h"
+#include "tools/radiosity/surroundings.h"
 
 #include <functional>
 #include <memory>
@@ -28,6 +29,7 @@ struct BakeSettings {
     uint32_t turn = 0; // other rotations of the hemicubes
     int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
     RowFinder rows;    // null: by hemicubes, as is faster
+    Surroundings surroundings;
 };
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.

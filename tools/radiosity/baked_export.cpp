@@ -1,8 +1,8 @@
 // A solved model for spreadsheets and viewers.
 #include "tools/radiosity/baked.h"
 
-#include "tools/common/whole_file.h"
 #include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
 
 #include <algorithm>
 #include <cmath>

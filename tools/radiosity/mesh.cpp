@@ -112,7 +112,7 @@ double Mesh::size() const {
     return length(hi - lo);
 }
 
-Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
+Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
     Text text{odraz::readWhole(path)};
     text.check(path);
 
@@ -132,8 +132,15 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
     bool plain = false;
     for (const auto &m : materials) {
         MeshMaterial to = {m.name, {}, {}};
+        // Before there was Ke, lamps were written with an ambient colour above 1
+        const float *shines = m.emission;
+        float ambient = std::max({m.ambient[0], m.ambient[1], m.ambient[2]});
+        if (ambient > 1 && m.emission[0] + m.emission[1] + m.emission[2] == 0) {
+            shines = m.ambient;
+            notes.push_back(path + ": material " + m.name + ": its Ka above 1 is taken for Ke");
+        }
         for (size_t k = 0; k < 3; ++k) {
-            double reflects = (double)m.diffuse[k], emits = (double)m.emission[k];
+            double reflects = (double)m.diffuse[k], emits = (double)shines[k];
             if (!(reflects >= 0 && reflects <= 1) || !(emits >= 0 && emits < 1e12))
                 throw ModelError(path + ": material " + m.name +
                                  ": Kd must lie between 0 and 1, Ke must not be negative");
@@ -148,7 +155,7 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
     Vec3d lo = {1e30, 1e30, 1e30}, hi = {-1e30, -1e30, -1e30};
     for (size_t i = 0; i < count; ++i)
         for (size_t k = 0; k < 3; ++k) {
-            given[i][k] = (double)attributes.vertices[3 * i + k];
+            given[i][k] = (double)attributes.vertices[3 * i + k] * settings.scale;
             lo[k] = std::min(lo[k], given[i][k]), hi[k] = std::max(hi[k], given[i][k]);
         }
     double grid = std::max(length(hi - lo) * 1e-6, 1e-300);
@@ -190,6 +197,10 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
                 continue;
             }
             mesh.triangles.push_back(t);
+            if (settings.twoSided) {
+                std::swap(t.corners[1], t.corners[2]);
+                mesh.triangles.push_back(t);
+            }
         }
     if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}});
     auto key = [&](size_t i) { // turned so that the least corner is first
@@ -211,6 +222,15 @@ Mesh readObj(const std::string &path, std::vector<std::string> &notes) {
         if (!drop[i]) mesh.triangles[kept++] = mesh.triangles[i];
     mesh.triangles.resize(kept);
     if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
+    std::vector<bool> used(mesh.materials.size());
+    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+    for (size_t i = 0; i < used.size(); ++i) {
+        const MeshMaterial &m = mesh.materials[i];
+        auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
+        if (used[i] && none(m.reflects) && none(m.emits))
+            notes.push_back(path + ": material " + m.name +
+                            " stays black: its Kd is 0, as mirrors' and glass's are");
+    }
     if (mesh.flat)
         notes.push_back(path + ": " + std::to_string(mesh.flat) + " triangles without area left out");
     if (mesh.twice)

@@ -15,7 +15,7 @@ struct ModelError : odraz::Refused {
 
 struct MeshMaterial {
     std::string name;
-    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, 0 ..
+    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka where that is above 1, 0 ..
 };
 
 struct Triangle {
@@ -32,9 +32,14 @@ struct Mesh {
     double size() const; // the diagonal of its box
 };
 
+struct ReadSettings {
+    double scale = 1;      // of coordinates
+    bool twoSided = false; // backs are lit, too
+};
+
 // Polygons of any count are divided into triangles; those without material reflect 0.7. Throws ModelError.
 // What was repaired or ignored is told in `notes`, a line each.
-Mesh readObj(const std::string &path, std::vector<std::string> &notes);
+Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
 // Twice the area of a triangle, as a vector along its normal.
 odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);

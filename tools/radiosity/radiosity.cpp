@@ -32,6 +32,16 @@ constexpr char kUsage[] =
     "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them (which are\n"
     "                     taken for more than 256 lamps)\n"
     "  --memory MB        most memory for the solution (default 2048)\n"
+    "Light that the model does not bring along; where nothing shines, an even sky of 1,1,1:\n"
+    "  --sky R,G,B|FILE.hdr   radiance from all directions, even or as a picture has it\n"
+    "  --sun ELEVATION,AZIMUTH,R,G,B   degrees above the horizon, and from -z (+y where z is up) towards "
+    "+x;\n"
+    "                     R,G,B is what a white surface shows that faces it. Several may be given\n"
+    "  --lamp X,Y,Z,SIZE,R,G,B   a ball, SIZE across, of that radiance. Several may be given\n"
+    "  --sky-rays N       of each texel towards the sky, 4 to 65536 (default 1024)\n"
+    "  --up y|z           which way is up, for sky and sun (default y)\n"
+    "  --scale S          multiply the model's coordinates\n"
+    "  --two-sided        light the backs of polygons, too\n"
     "generate divides polygons into triangles of at most --area; without it they stay whole.\n"
     "export: CSV has a line for every element; PLY and OBJ have colours at their points.\n";
 
