@@ -99,6 +99,26 @@ for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sun 1,2,3,4" "--sun 1
     check "$bad is refused" refuses 2 "${bad#--sky }" bash -c "'$radiosity' solve out.obj -o x.rad $bad 2>&1 >/dev/null | sed 's/^radiosity: /radiosity: $bad: /' >&2; exit \${PIPESTATUS[0]}"
 done
 
+# A camera that nobody placed: all of the plate is in the picture, and it fills it; where z is up as well
+sees_all() { # OPTION...: nothing touches the picture's edges, and some of it comes near
+    "$radiosity" render out.rad -o all.png --size 160x90 "$@" >out && grep -q '^--eye .* --at ' out &&
+        [ "$(convert all.png -threshold 2% -format '%@' info: | awk -F '[x+]' '{ print ($3 > 0 && $4 > 0 && $1 + $3 < 160 && $2 + $4 < 90 && ($3 < 8 || $4 < 5 || $1 + $3 > 152 || $2 + $4 > 85)) }')" = 1 ]
+}
+if command -v convert >/dev/null; then
+    check "a plate" lit "$plate"
+    check "... is seen whole" sees_all
+    check "... by a wide lens" sees_all --lens 120
+    check "... by a long one" sees_all --lens 5
+    # shellcheck disable=SC2046
+    check "... and the same by the place that it tells" eval '"$radiosity" render out.rad -o told.png --size 160x90 --lens 5 $(cat out) && cmp all.png told.png'
+    bright() { "$radiosity" render out.rad -o all.png --size 160x90 "$@" >/dev/null && convert all.png -format '%[fx:maxima]' info:; }
+    check "... brighter by two stops" less "$(bright --exposure -2)" "$(bright)"
+    check "a plate where z is up" lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl grey\nf 1 2 3 4\n'
+    check "... is seen whole" sees_all --up z
+    check "a plate that faces down" lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl grey\nf 4 3 2 1\n'
+    check "... is not seen" eval '! sees_all --up z 2>/dev/null'
+fi
+
 # Knobs
 for knob in "--hemicube 32" "--patch 2" "--element 0.05" "--bounces 3" "--residual 1e-6" "--lamp-samples 64" "--direct hemicube --hemicube 64" --adaptive "--memory 500"; do
     rm -f k.rad k.csv
@@ -188,7 +208,8 @@ head -c 100000 cube.rad >cut.rad
 check "a solution cut short" refuses 1 "damaged" "$radiosity" export cut.rad --csv x.csv
 cp cube.rad bit.rad && printf '\x55' | dd of=bit.rad bs=1 seek=200000 conv=notrunc 2>/dev/null
 check "a solution with a wrong byte" refuses 1 "damaged" "$radiosity" render bit.rad -o x.png --eye 0,1,0 --at 0,0,0
-check "a picture without a camera" refuses 2 "render needs" "$radiosity" render cube.rad -o x.png
+check "a picture with half a camera" refuses 2 "render needs --eye and --at, or neither" "$radiosity" render cube.rad -o x.png --eye 0,1,0
+check "a lens that is none" refuses 2 "--lens takes a number from 1 to 170" "$radiosity" render cube.rad -o x.png --lens 180
 check "a size that is none" refuses 2 "--size takes pixels" "$radiosity" render cube.rad -o x.png --eye 0,1,0 --at 1,1,0 --size big
 check "a full disk" refuses 1 "cannot write" "$radiosity" export cube.rad --csv /dev/full/x.csv
 "$radiosity" --help | head -n 1 >help

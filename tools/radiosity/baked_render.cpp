@@ -1,6 +1,7 @@
 // A solved model as a picture, by the film's tracer.
 #include "tools/radiosity/baked.h"
 
+#include "base/maths.h"
 #include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
@@ -12,6 +13,32 @@
 #include <cmath>
 
 namespace odraz {
+
+// Where z is up it becomes y, as cameras have it; and back.
+static Vec3 turned(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, p.z, -p.y} : p; }
+static Vec3 turnedBack(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, -p.z, p.y} : p; }
+
+void placeCamera(const Baked &baked, RenderSettings &s) {
+    std::vector<Vec3> corners;
+    for (const Facet &f : baked.facets)
+        for (int k = 0; k < 4; ++k)
+            corners.push_back(turned(f.corner(baked.charts[(size_t)f.chart], k), s.upIsZ));
+    Vec3 lo = corners.at(0), hi = lo;
+    for (const Vec3 &p : corners)
+        for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
+            lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
+    Vec3 middle = (lo + hi) * 0.5f, away = normalize(Vec3{0.5f, 0.55f, 0.8f});
+    Vec3 right = normalize(cross(Vec3{0, 1, 0}, away)), up = cross(away, right);
+    float tall = std::tan(s.lens * (kPi / 360)) * 0.95f, wide = tall * (float)s.width / (float)s.height,
+          far = 0;
+    for (const Vec3 &p : corners) {
+        Vec3 c = p - middle;
+        far = std::max(far, dot(c, away) +
+                                std::max(std::fabs(dot(c, right)) / wide, std::fabs(dot(c, up)) / tall));
+    }
+    s.eye = turnedBack(middle + away * far, s.upIsZ);
+    s.target = turnedBack(middle, s.upIsZ);
+}
 
 void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
     size_t bytes = ((size_t)s.width + 16) * (size_t)s.height * 32 +
@@ -27,6 +54,9 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     auto scene = std::make_unique<Scene>();
     auto model = std::make_unique<Model>();
     std::copy(baked.charts.begin(), baked.charts.end(), model->charts);
+    for (size_t i = 0; i < baked.charts.size(); ++i)
+        for (Vec3 Chart::*axis : {&Chart::corner, &Chart::u, &Chart::v, &Chart::n})
+            model->charts[i].*axis = turned(baked.charts[i].*axis, s.upIsZ);
     std::copy(baked.facets.begin(), baked.facets.end(), model->facets);
     model->chartCount = (int)baked.charts.size(), model->facetCount = (int)baked.facets.size();
     std::vector<float> planes[3];
@@ -50,7 +80,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     scene->finish();
 
     // Exposed for what the camera sees
-    View view = lookAt(s.eye, s.target, 0, 60, s.width, s.height);
+    View view = lookAt(turned(s.eye, s.upIsZ), turned(s.target, s.upIsZ), 0, s.lens, s.width, s.height);
     auto trace = [&] {
         traceFrame(tracer, workers, *scene, view, kQualities[(int)QualityName::Film], frame);
         std::vector<float> all;
@@ -65,7 +95,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     };
     std::vector<float> all = trace();
     // Squares are judged by what is seen: once more with the exposure that was found
-    scene->exposure = 0.5f / std::max(quantile(all, 0.6), 1e-30f);
+    scene->exposure = std::exp2(s.stops) * 0.5f / std::max(quantile(all, 0.6), 1e-30f);
     all = trace();
     Picture picture = {s.width, s.height, {}};
     picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);

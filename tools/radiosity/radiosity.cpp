@@ -17,7 +17,7 @@ constexpr char kUsage[] =
     "usage: radiosity generate cube|columns|corner -o MODEL.obj [--area A]\n"
     "       radiosity solve MODEL.obj -o OUT [OPTION...]\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
-    "       radiosity render OUT -o FILE.png --eye X,Y,Z --at X,Y,Z [--size WxH] [--tone log|film]\n"
+    "       radiosity render OUT -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
     "\n"
     "solve reads Wavefront OBJ: polygons of any count, lit on the side from which they run\n"
     "counter-clockwise; materials reflect (Kd) and shine (Ke). Ctrl-C ends it early and writes what is "
@@ -43,6 +43,14 @@ constexpr char kUsage[] =
     "  --scale S          multiply the model's coordinates\n"
     "  --two-sided        light the backs of polygons, too\n"
     "generate divides polygons into triangles of at most --area; without it they stay whole.\n"
+    "render shows all of the model, from above and aside, and tells where the camera stands, or what --eye "
+    "and\n"
+    "--at say; exposed for what it sees.\n"
+    "  --size WxH         pixels (default 1280x720)\n"
+    "  --lens DEGREES     vertical field of view, 1 to 170 (default 60)\n"
+    "  --exposure STOPS   brighter by so many powers of two, -20 to 20 (default 0)\n"
+    "  --tone log|film    the light's logarithm, or the film's curve (default film)\n"
+    "  --up y|z           which way is up (default y)\n"
     "export: CSV has a line for every element; PLY and OBJ have colours at their points.\n";
 
 int runGenerate(Arguments &words) {
@@ -109,6 +117,14 @@ void readSize(const std::string &text, int &width, int &height) {
         throw Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
 }
 
+// Prints a place as an option has it; what it is when it is read again.
+Vec3 asTold(const char *option, const Vec3 &p) {
+    char text[96];
+    std::snprintf(text, sizeof text, "%g,%g,%g", (double)p.x, (double)p.y, (double)p.z);
+    std::printf("%s %s", option, text);
+    return readPlace(option, text);
+}
+
 int runRender(Arguments &words) {
     std::string in, out;
     RenderSettings s;
@@ -123,6 +139,12 @@ int runRender(Arguments &words) {
             s.target = readPlace(w, words.value(w)), at = true;
         else if (w == "--size")
             readSize(words.value(w), s.width, s.height);
+        else if (w == "--lens")
+            s.lens = (float)words.number(w, 1, 170);
+        else if (w == "--exposure")
+            s.stops = (float)words.number(w, -20, 20);
+        else if (w == "--up")
+            s.upIsZ = words.choice(w, "z", "y");
         else if (w == "--tone")
             s.logarithmic = words.choice(w, "log", "film");
         else if (word[0] != '-' && in.empty())
@@ -130,11 +152,19 @@ int runRender(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (in.empty() || out.empty() || !eye || !at)
-        throw Refused("render needs a solution, -o FILE.png, --eye X,Y,Z and --at X,Y,Z");
+    if (in.empty() || out.empty()) throw Refused("render needs a solution and -o FILE.png");
+    if (eye != at) throw Refused("render needs --eye and --at, or neither");
     checkWritable(out);
     Workers workers = allProcessors();
-    render(Baked(in), s, workers, out);
+    Baked baked(in);
+    if (!eye) {
+        placeCamera(baked, s);
+        s.eye = asTold("--eye", s.eye);
+        std::printf(" ");
+        s.target = asTold("--at", s.target);
+        std::printf("\n");
+    }
+    render(baked, s, workers, out);
     return 0;
 }
 
