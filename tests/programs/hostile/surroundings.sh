@@ -1,0 +1,128 @@
+# Odd surroundings: the same picture, or one line. Limits, no /proc, /dev or /sys, setuid, personalities, an empty or a
+# huge environment, folders that are gone, read-only or full, a display that is none. What the loader and the kernel
+# need for themselves they refuse themselves: fewer than 4 descriptors, a stack below 64 KB.
+#   surroundings.sh BUILD odraz|odraz-safe
+# (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh, packed.sh)
+. "$(dirname "$0")/../common.sh"
+name=${2:-odraz-safe}
+odraz=$BUILD/$name
+unset DISPLAY WAYLAND_DISPLAY
+chmod 711 "$WORK"
+cd "$WORK" || exit 1
+plain=(--dump - --from 20 --to 20.04 --size 64x36)
+hall=(--dump - --from 120 --to 120.04 --size 64x36)
+"$odraz" "${plain[@]}" >plain.ppm || exit 1
+"$odraz" "${hall[@]}" >hall.ppm || exit 1
+
+# same plain|hall COMMAND...: what runs the film by its last words; the same picture, and no word
+same() {
+    local kind=$1
+    shift
+    local -n arguments=$kind
+    timeout "$PATIENCE" "$@" "$odraz" "${arguments[@]}" >got.ppm 2>err </dev/null && cmp $kind.ppm got.ppm && [ ! -s err ] && return
+    head -c 300 err >&2
+    return 1
+}
+# limited OPTION VALUE COMMAND...: under a limit of the shell's
+limited() { local limit="ulimit $1 $2"; shift 2; bash -c "$limit"' && exec "$@"' limited "$@"; }
+export -f limited
+under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec "$@"' under); }
+
+# --- Limits ---
+for kind in plain hall; do
+    under -n 4; check "$kind, with 4 descriptors" same $kind "${UNDER[@]}"
+    under -s 256; check "... with a stack of 256 KB" same $kind "${UNDER[@]}"
+    under -s unlimited; check "... with a stack without limit" same $kind "${UNDER[@]}"
+    under -c 0; check "... without core files" same $kind "${UNDER[@]}"
+    under -l 0; check "... without locked memory" same $kind "${UNDER[@]}"
+done
+under -s 64; check "with a stack of 64 KB" same plain "${UNDER[@]}"
+# As much address space as you like: the picture, or one line
+any_room() {
+    local kb status told=0 drawn=0
+    for kb in $(seq 6000 11000 250000); do
+        limited -v "$kb" timeout "$PATIENCE" "$odraz" "${plain[@]}" >got.ppm 2>err </dev/null
+        status=$?
+        if [ $status = 0 ] && cmp -s plain.ppm got.ppm && [ ! -s err ]; then drawn=$((drawn + 1))
+        elif [ $status = 1 ] && [ "$(wc -l <err)" = 1 ] && [ ! -s got.ppm ]; then told=$((told + 1))
+        else echo "of $kb KB: exit status $status, $(head -c 300 err)" >&2; return 1; fi
+    done
+    echo "    too little $told times, enough $drawn times"
+    [ $told -gt 0 ] && [ $drawn -gt 0 ]
+}
+check "with any room" any_room
+for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for files, and standard error is one here
+    no_room() {
+        local said
+        rm -rf limit
+        said=$(limited -f $blocks "$odraz" --dump limit --from 20 --to 20.2 --size 64x36 2>&1 >/dev/null | cat)
+        [[ $said = "odraz: cannot write limit/frame-000500.ppm: the limit on a file's size is reached (ulimit -f)" ]] && [ -z "$(ls limit)" ] && return
+        echo "$said" >&2
+        return 1
+    }
+    check "where files may have $blocks KB" no_room
+done
+# A second of processor time, then the kernel ends it: what is there is whole
+timed_out() {
+    local frame
+    limited -t 1 "$odraz" --dump timed --from 20 --to 60 --size 320x180 --threads 2 2>err
+    [ $? -gt 128 ] || return 1
+    for frame in timed/*.ppm; do [ ! -e "$frame" ] || [ "$(stat -c %s "$frame")" = $((320 * 180 * 3 + 15)) ] || { echo "$frame" >&2; return 1; }; done
+}
+check "out of time: frames that are there are whole" timed_out 2>/dev/null
+
+# --- What it was started with ---
+check "an empty environment" same plain env -i
+check "... for the hall" same hall env -i
+long=$(head -c 120000 /dev/zero | tr '\0' x)
+check "a huge one" same plain env A="$long" B="$long" C="$long" D="$long"
+check "an odd one" same plain env HOME=/nowhere LC_ALL=tr_TR.UTF-8 LANG=$'\xff' TERM= TZ=:/dev/zero LANGUAGE=xx XDG_RUNTIME_DIR=/ TMPDIR=/nowhere
+check "no HOME" same hall env -u HOME -u XDG_RUNTIME_DIR -u XDG_CACHE_HOME
+check "a name that is empty" same plain bash -c 'exec -a "" "$@"' odd
+check "a folder that is gone" same plain bash -c 'mkdir gone && cd gone && rmdir ../gone && exec "$@"' odd
+check "ignored signals" same plain bash -c 'trap "" INT TERM HUP CHLD PIPE USR1; exec "$@"' odd
+for personality in -X -Z -B -L -3 -S --uname-2.6; do check "setarch $personality" same plain setarch $personality; done
+check "setarch -X, for the hall" same hall setarch -X
+for display in :99999999 nowhere.invalid:0 / :0.99 unix/:7 "$long"; do
+    check "a display that is none: ${display:0:20}" refuses 1 "no X display" env DISPLAY="$display" "$odraz" --window
+done
+
+# --- What only root can arrange ---
+if [ "$(id -u)" != 0 ] || ! unshare --mount true 2>/dev/null; then
+    echo "not checked, for want of root: no /proc, full and read-only disks, setuid, another user"
+    finish
+fi
+for place in /proc /dev /sys /run /var; do
+    hidden=(unshare --mount bash -c "mount -t tmpfs none $place && "'exec "$@"' hidden)
+    check "without $place" same plain "${hidden[@]}"
+    check "... for the hall" same hall "${hidden[@]}"
+done
+# on_disk OPTIONS DUMP'S END: dumps onto a disk of its own; prints what is said, then what is there
+on_disk() {
+    unshare --mount bash -c "mkdir -p disk && mount -t tmpfs -o $1 none disk && $2"' && { "$@" 2>err; echo "exit $?"; cat err; ls -R disk | grep -c ppm$; ls -R disk | grep -c part$; true; }' disk \
+        "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >said
+}
+full() { on_disk size=64k true && [ "$(sed -n 1p said)" = "exit 1" ] && grep -qE '^odraz: cannot write disk/d/frame-0005[0-9]{2}.ppm: no space left on the device$' said && [ "$(sed -n 3p said)" -ge 3 ] && [ "$(sed -n 4p said)" = 0 ]; }
+check "a full disk: one line, nothing half" full
+read_only() { on_disk size=64k "mount -o remount,ro disk" && [ "$(sed -n '1,2p' said)" = $'exit 1\nodraz: cannot write disk/d: the file system is read-only' ]; }
+check "a read-only one" read_only
+check "... runs from a read-only one, too" same plain unshare --mount bash -c 'mkdir -p disk && mount -t tmpfs none disk && cp "$1" disk/odraz && mount -o remount,ro disk && shift && exec disk/odraz "$@"' disk
+
+nobody=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+cp "$odraz" setuid
+chmod 4755 setuid
+mkdir -m 755 evil
+for library in libpthread.so.0 libdl.so.2 libEGL.so.1 libc.so.6; do echo "not a library" >evil/$library; done
+chmod 644 evil/*
+setuid() { "${nobody[@]}" env "$@" ./setuid "${plain[@]}" >got.ppm 2>err && cmp plain.ppm got.ppm && [ ! -s err ]; }
+check "setuid, run by nobody" setuid HOME=/
+check "... does not take libraries from where nobody says" setuid LD_LIBRARY_PATH=evil LD_PRELOAD=evil/libc.so.6
+chmod 755 setuid
+check "(which one that is not setuid does)" eval '! setuid LD_LIBRARY_PATH=evil 2>/dev/null'
+check "nobody may not write here" refuses 1 "cannot write $WORK/mine: permission denied" "${nobody[@]}" ./setuid --dump "$WORK/mine" --from 20 --to 20.04 --size 64x36
+under -u 1
+threadless() { refuses 1 "without room for another thread: try --threads 1" "${nobody[@]}" "${UNDER[@]}" ./setuid "${plain[@]}" --threads 8; }
+check "no threads for nobody" threadless
+one_thread() { "${nobody[@]}" "${UNDER[@]}" ./setuid "${plain[@]}" --threads 1 >got.ppm 2>err && cmp plain.ppm got.ppm; }
+check "... but one" one_thread
+finish
