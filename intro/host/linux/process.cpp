@@ -28,12 +28,15 @@ int complain(const char *line) {
 }
 
 Quiet::Quiet() {
-    long nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */),
-         kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3);
-    if (nothing < 0 || kept < 0) return; // then they are heard
-    sys::call(sys::kDup2, nothing, 2);
+    long kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3),
+         nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */);
+    if (kept >= 0 && nothing >= 0) { // else they are heard
+        sys::call(sys::kDup2, nothing, 2);
+        theErrors = kept;
+    } else {
+        sys::call(sys::kClose, kept);
+    }
     sys::call(sys::kClose, nothing);
-    theErrors = kept;
 }
 
 Quiet::~Quiet() {
