@@ -106,6 +106,8 @@ complaint() { # prints what is wrong with the run that ended with the status
         case $name in radiosity) grep -v '^radiosity: ' err ;; pack) grep -v '^searching: ' err ;; *) cat err ;; esac |
             sed 's/^/although it succeeded: /' ;;
     1 | 2)
+        # (--doctor tells what is missing where it is asked)
+        [ $status = 1 ] && grep -q '^processor: ' out && return
         [ "$lines" = 1 ] && [ -z "$(tail -c 1 err)" ] || echo "$lines lines on standard error"
         # (pack tells what it found before a file cannot be written)
         [ ! -s out ] || [ $name = pack ] || echo "standard output although it failed" ;;
