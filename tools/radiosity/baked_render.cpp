@@ -23,7 +23,8 @@ void placeCamera(const Baked &baked, RenderSettings &s) {
     for (const Facet &f : baked.facets)
         for (int k = 0; k < 4; ++k)
             corners.push_back(turned(f.corner(baked.charts[(size_t)f.chart], k), s.upIsZ));
-    Vec3 lo = corners.at(0), hi = lo;
+    if (corners.empty()) return;
+    Vec3 lo = corners[0], hi = lo;
     for (const Vec3 &p : corners)
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);

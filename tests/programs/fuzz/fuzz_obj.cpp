@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     std::ofstream("m.mtl") << materials;
     try {
         std::vector<std::string> notes;
-        Mesh mesh = readObj("m.obj", notes);
+        Mesh mesh = readObj("m.obj", {1, size % 2 == 1}, notes);
         mustBeSound(mesh);
         // ... and the first who reads it
         model->chartCount = model->facetCount = 0;

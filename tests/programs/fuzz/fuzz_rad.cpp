@@ -17,8 +17,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         exportPly(baked, "a.ply");
         exportObj(baked, "a.obj");
         Workers workers = serialWorkers();
-        for (bool logarithmic : {false, true})
-            render(baked, {{3, 4, 5}, {0, 1, 0}, 16, 9, logarithmic}, workers, "a.png");
+        RenderSettings s;
+        s.width = 16, s.height = 9;
+        placeCamera(baked, s);
+        for (bool logarithmic : {false, true}) {
+            s.logarithmic = logarithmic;
+            render(baked, s, workers, "a.png");
+        }
     } catch (const std::runtime_error &) {
     }
     return 0;

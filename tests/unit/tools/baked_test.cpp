@@ -61,7 +61,10 @@ protected:
             exportCsv(again, folder / "a.csv");
             exportPly(again, folder / "a.ply");
             Workers workers = serialWorkers();
-            render(again, {{1, 3, 2}, {1, 0, -0.5f}, 16, 9}, workers, folder / "a.png");
+            RenderSettings s;
+            s.width = 16, s.height = 9;
+            placeCamera(again, s);
+            render(again, s, workers, folder / "a.png");
             return true;
         } catch (const std::runtime_error &e) {
             EXPECT_NE(std::string(e.what()).find("damaged"), std::string::npos) << e.what();
