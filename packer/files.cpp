@@ -20,10 +20,13 @@ bool readFile(const char *path, std::vector<uint8_t> &bytes) {
 }
 
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable) {
-    // A name of one's own: nothing that lies there already is written to
-    std::string part;
-    int fd = -1;
-    errno = EEXIST;
+    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    struct stat s;
+    bool stays = stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
+    // Else under a name of one's own: nothing that lies there already is written to
+    std::string part = path;
+    int fd = stays ? open(path.c_str(), O_WRONLY) : -1;
+    if (!stays) errno = EEXIST;
     for (int i = 0; i < 100 && fd < 0 && errno == EEXIST; ++i) {
         part = path + "." + std::to_string(getpid() + i) + ".part";
         fd = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, executable ? 0777 : 0666);
@@ -40,8 +43,8 @@ bool writeFile(const std::string &path, const void *bytes, size_t size, bool exe
             wrong = n < 0 ? errno : ENOSPC;
     }
     if (close(fd) && !wrong) wrong = errno;
-    if (!wrong && rename(part.c_str(), path.c_str())) wrong = errno;
-    if (wrong) unlink(part.c_str());
+    if (!stays && !wrong && rename(part.c_str(), path.c_str())) wrong = errno;
+    if (!stays && wrong) unlink(part.c_str());
     errno = wrong;
     return !wrong;
 }

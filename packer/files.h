@@ -9,7 +9,8 @@ namespace pack {
 
 bool readFile(const char *path, std::vector<uint8_t> &bytes);
 
-// Beside the target first, under a name of its own, so that it is never half-written.
+// Beside the target first, under a name of its own, so that it is never half-written. A pipe or a device is
+// written to as it is.
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable);
 
 // -1 if there is no such file.

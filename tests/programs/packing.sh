@@ -85,6 +85,16 @@ check "a packed program" refuses 2 "linked below" "$pack" "$BUILD/odraz" -o "$WO
 check "a hosted program" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x"
 head -c 3000 "$in" >"$WORK/short"
 check "a file cut short" refuses 2 "cut short" "$pack" "$WORK/short" -o "$WORK/x"
+# A pipe or a device as output stays one
+cat "$WORK/fifo" >"$WORK/piped" &
+PIDS+=($!)
+check "a report into a pipe" "$pack" "$hello" -o "$WORK/again" --report "$WORK/fifo" >/dev/null
+check "... comes out there" eval 'await grep -q "^}" "$WORK/piped" && [ -p "$WORK/fifo" ]'
+if mknod -m 666 "$WORK/null" c 1 3 2>/dev/null && : 2>/dev/null >"$WORK/null"; then
+    check "a report into nothing" "$pack" "$hello" -o "$WORK/again" --report "$WORK/null" >/dev/null
+    check "... which stays a device" test -c "$WORK/null"
+fi
+rm -f "$WORK/again" "$WORK/piped"
 ls "$WORK" >"$WORK/list"
 check "refusals leave nothing behind" lacks '^x|part' "$WORK/list"
 finish
