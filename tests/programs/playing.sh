@@ -36,7 +36,7 @@ is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a >
 "$odraz" --wav - --to 12 | tail -c +45 >"$WORK/film"
 device 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
 # What a busy machine was too late for is left out, rightly: then again
-into_file() { for _ in 1 2 3; do rm -f "$WORK/played"; play --to 4 && is_music "$WORK/played" 2 0 && return 0; done; return 1; }
+into_file() { for _ in {1..10}; do rm -f "$WORK/played"; play --to 4 && is_music "$WORK/played" 2 0 && return 0; done; return 1; }
 check "plays with sound: the device gets what --wav writes, sample for sample" into_file
 check "... and says nothing" says_nothing
 check "... no faster than it is played" test "$(frames "$WORK/played")" -lt $((5 * 48000))
@@ -87,7 +87,7 @@ record() { # record FILE: sets recorder
 }
 check "a server starts" serve
 into_server() {
-    for _ in 1 2 3; do
+    for _ in {1..10}; do
         record "$WORK/heard"
         play --to 5 || return 1
         kill $recorder
