@@ -29,7 +29,7 @@ int examine() {
     Text<80> processor;
     processor << cpuCount() << " x " << name;
     tell("processor", nullptr, processor.data);
-    tell("memory", takeMemory(kMost) ? nullptr : "too little");
+    tell("memory", couldAddress(kMost) ? nullptr : "too little");
     tell("write and run", mayNotRunWritten());
     const char *missing = openWindow(window, false, 320, 180, &theEarly.viewerLeft);
     tellGl("OpenGL", missing);

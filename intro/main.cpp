@@ -64,7 +64,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     if (!arena.base) {
         Message m;
         m << "not enough memory: " << (int64_t)(bytes >> 20)
-          << " MB are needed; end other programs, raise ulimit -v, or try a smaller --size";
+          << " MB are needed: end other programs, or raise ulimit -v";
         return refuseOrComplain(m.data);
     }
     Intro *intro;

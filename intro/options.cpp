@@ -122,8 +122,10 @@ void writeHelp(AnyText &t) {
          "       odraz --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n\n";
     for (const Option &o : kOptions) {
         int line = t.size;
-        t << "  " << o.name << ' ' << o.value;
-        t.padTo(line + 19) << o.right << o.more << '\n';
+        t << "  " << o.name;
+        if (*o.value) t << ' ' << o.value;
+        if (*o.right) t.padTo(line + 19) << o.right << o.more;
+        t << '\n';
     }
 }
 

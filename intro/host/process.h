@@ -10,6 +10,9 @@ void *takeMemory(size_t bytes); // zeroed; null when there is none
 // Null, or a line where the system lets nothing run that was written (MemoryDenyWriteExecute, SELinux).
 const char *mayNotRunWritten();
 
+// Whether so many bytes more could be had of what a process may address (ulimit -v).
+bool couldAddress(size_t bytes);
+
 // Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure.
 int complain(const char *line);
 

@@ -9,6 +9,9 @@ for missing in libX11.so.6 libGL.so.1; do
 done
 check "without threads" refuses 1 "libpthread.so.0" env LD_LIBRARY_PATH="$(lacking libpthread.so.0)" "$odraz" --dump - --threads 2
 check "without memory" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
+check "... and a smaller size would not help a small one" refuses 1 "MB are needed: end other programs, or raise ulimit -v" bash -c "ulimit -v 150000; exec '$BUILD/odraz-safe' --dump - --size 1x1 --from 120 --to 120.04"
+check "without room for OpenGL" refuses 1 "not enough memory for OpenGL: raise ulimit -v" bash -c "ulimit -v 700000; exec '$BUILD/odraz-safe' --dump - --size 1x1 --from 120 --to 120.04"
+check "nothing of the hall needs no OpenGL" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100
 check "without headless OpenGL, for the hall" refuses 1 "no headless OpenGL 3.3: install" env LD_LIBRARY_PATH="$(lacking libEGL.so.1)" "$odraz" --dump - --from 100 --to 100.04
 check "without a driver, of which Mesa says more than a line" refuses 1 "no headless OpenGL 3.3: install" env LIBGL_DRIVERS_PATH=/none "$odraz" --dump - --from 100 --to 100.04
 check "with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04

@@ -19,6 +19,8 @@ struct Egl {
 const char *openHeadlessGl(Gl &gl) {
     static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
     static Egl egl;
+    // Mesa does not look whether it got what it asked for
+    if (!couldAddress(1 << 30)) return "not enough memory for OpenGL: raise ulimit -v";
     // Software OpenGL compiles as it goes, and would crash
     if (const char *line = mayNotRunWritten()) return line;
     // By software, so that pictures agree between machines, unless the environment has another wish

@@ -8,14 +8,20 @@ static long theErrors = 2; // where complaints go
 
 void *takeMemory(size_t bytes) { return sys::map(bytes, sys::kReadWrite); }
 
-const char *mayNotRunWritten() {
-    void *page = sys::map(4096, sys::kReadWriteExecute);
-    if (!page)
-        return "nothing may run here that was written (MemoryDenyWriteExecute, SELinux), as software OpenGL "
-               "must: allow it, or dump what needs no hall";
-    sys::call(sys::kMunmap, (long)page, 4096);
-    return nullptr;
+static bool mayMap(size_t bytes, sys::Protection protection) {
+    void *memory = sys::map(bytes, protection);
+    if (memory) sys::call(sys::kMunmap, (long)memory, (long)bytes);
+    return memory;
 }
+
+const char *mayNotRunWritten() {
+    return mayMap(4096, sys::kReadWriteExecute) ? nullptr
+                                                : "nothing may run here that was written "
+                                                  "(MemoryDenyWriteExecute, SELinux), as software OpenGL "
+                                                  "must: allow it, or dump what needs no hall";
+}
+
+bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
 
 int complain(const char *line) {
     char text[512] = "odraz: ";

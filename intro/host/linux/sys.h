@@ -64,7 +64,7 @@ static inline long call(long number, long a = 0, long b = 0, long c = 0, long d 
     return result;
 }
 
-enum Protection : long { kReadWrite = 3, kReadWriteExecute = 7 };
+enum Protection : long { kNothing = 0, kReadWrite = 3, kReadWriteExecute = 7 };
 
 // Zeroed memory of our own, whole pages; null where the system refuses.
 static inline void *map(size_t bytes, Protection protection) {
