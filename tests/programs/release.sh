@@ -49,9 +49,15 @@ for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2; do check "README.tx
 
 # What is refused
 check "an unknown option" refuses 2 "cannot use '--nope'" "$release" --nope
+check "a span that is none" refuses 2 "--capture-span takes two times" "$release" --capture-span 7
 check "a poster that is none" refuses 2 "is no PNG" "$release" --poster "$BUILD/odraz"
 check "a folder that cannot be" refuses 1 "cannot write into" "${made[@]}" --to /proc/here
 check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep -q "is not built"' - "${made[@]}" --to "$WORK/three"
+if command -v ffmpeg >/dev/null; then
+    check "a capture of a moment, 1080p60" eval '"$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/capture" >/dev/null 2>&1'
+    check "... is one, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/capture/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
+    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = 4
+fi
 refuses_unclean() { # a program that says that its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
