@@ -40,7 +40,7 @@ signal() {
 }
 stop_engine() {
     local tries=0
-    [ ! -e "$parts/job" ] || scancel "$(cat "$parts/job")" 2>/dev/null || true
+    [ ! -e "$parts/job" ] || scancel "$(cut -d ';' -f 1 "$parts/job")" 2>/dev/null || true
     while signal TERM && [ $((++tries)) -le 10 ]; do sleep 0.2; done
     signal KILL || true
     wait "$engine" 2>/dev/null || true
@@ -56,7 +56,8 @@ by_parallel() {
         --colsep ' ' -a "$parts/todo" bash "$quoted/shard" "$quoted" '{1} {2} {3} {4} {5}'
 }
 by_sbatch() {
-    exec sbatch --wait --parsable "${sbatch[@]}" --job-name=odraz --array="1-$left${jobs:+%$jobs}" --chdir=/ \
+    # Its number must be there while it waits, to be cancelled by
+    exec stdbuf -oL sbatch --wait --parsable "${sbatch[@]}" --job-name=odraz --array="1-$left${jobs:+%$jobs}" --chdir=/ \
         --output="$parts/slurm-%a.log" "$parts/task" >"$parts/job"
 }
 
@@ -72,7 +73,7 @@ meet_hosts() {
         [[ $line =~ ^([1-9][0-9]*/)?([^\ /]+)$ ]] || fail "$hosts: cannot use '$line': write [N/][USER@]HOST, and how to reach it into ~/.ssh/config or --ssh"
         host=${BASH_REMATCH[2]}
         echo "${BASH_REMATCH[1]:-1/}$host" >>"$parts/hosts.part"
-        [ "$host" != : ] && ! grep -q "^$host " "$parts/hosts.film" || continue
+        [ "$host" != : ] && ! awk -v host="$host" '$1 == host { found = 1 } END { exit !found }' "$parts/hosts.film" || continue
         at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d /tmp/odraz-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
             <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
             fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
