@@ -8,12 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#define STB_IMAGE_STATIC
-#define STB_IMAGE_IMPLEMENTATION
-#define STBI_ONLY_HDR
-#define STBI_NO_STDIO
-#include <stb/stb_image.h>
+#include <cstdio>
 
 namespace odraz {
 
@@ -74,6 +69,47 @@ void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, s
     if (size > 0) suns.push_back({toModel(x / size, y / size, z / size, upIsZ), light});
 }
 
+// Radiance's format: lines of text up to an empty one, a line with height and width, and rows of pixels, each
+// of them plain or run by run in four planes (Ward, "Real Pixels", Graphics Gems II, 1991). Three floats a
+// pixel.
+std::vector<float> readHdr(const std::string &path, const std::string &file, int &width, int &height) {
+    auto refuse = [&](const char *what) { throw Refused(path + ": " + what); };
+    size_t at = file.find("\n\n");
+    int read = 0;
+    if (file.compare(0, 2, "#?") || at == std::string::npos ||
+        std::sscanf(file.c_str() + at + 2, "-Y %d +X %d%n", &height, &width, &read) != 2 || !read)
+        refuse("is no picture in Radiance's HDR format, upright and from the left");
+    if (width < 1 || height < 1 || (int64_t)width * height > 1 << 27)
+        refuse("has no pixels, or more than 2^27");
+    at += 3 + (size_t)read;
+    auto next = [&] {
+        if (at >= file.size()) refuse("ends before its last pixel");
+        return (uint8_t)file[at++];
+    };
+    std::vector<float> pixels;
+    std::vector<uint8_t> row((size_t)width * 4);
+    for (int j = 0; j < height; ++j) {
+        for (size_t k = 0; k < 4; ++k) row[k] = next();
+        if (width >= 8 && width < 32768 && row[0] == 2 && row[1] == 2 && row[2] * 256 + row[3] == width) {
+            for (size_t k = 0; k < 4; ++k)
+                for (int i = 0; i < width;) {
+                    int count = next(), run = count > 128;
+                    if (run) count -= 128;
+                    if (count == 0 || i + count > width) refuse("is damaged: a run is longer than its row");
+                    uint8_t value = run ? next() : 0;
+                    for (; count; --count, ++i) row[(size_t)i * 4 + k] = run ? value : next();
+                }
+        } else {
+            for (size_t k = 4; k < row.size(); ++k) row[k] = next();
+        }
+        for (size_t i = 0; i < (size_t)width; ++i) {
+            const uint8_t *p = &row[i * 4];
+            for (size_t k = 0; k < 3; ++k) pixels.push_back(p[3] ? std::ldexp((float)p[k], p[3] - 136) : 0);
+        }
+    }
+    return pixels;
+}
+
 } // namespace
 
 Rgb SkyPicture::radiance(const Vec3 &d) const {
@@ -99,16 +135,8 @@ Vec3 sunTowards(double elevation, double azimuth, bool upIsZ) {
 }
 
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {
-    std::string file = readWhole(path);
-    int width, height, channels;
-    float *read =
-        stbi_loadf_from_memory((const stbi_uc *)file.data(), (int)std::min(file.size(), (size_t)INT32_MAX),
-                               &width, &height, &channels, 3);
-    if (!read) throw Refused(path + ": is no picture in Radiance's HDR format");
-    std::vector<float> given(read, read + (size_t)width * (size_t)height * 3);
-    stbi_image_free(read);
-    for (float x : given)
-        if (!(x >= 0 && x < 1e12f)) throw Refused(path + ": holds a radiance that is negative or no number");
+    int width = 0, height = 0;
+    std::vector<float> given = readHdr(path, readWhole(path), width, height);
 
     // Light of each row's pixels by their solid angle; the mean tells what is too bright
     double all = 0;

@@ -142,11 +142,37 @@ TEST(Sky, StandsWhereItIsAsked) {
     EXPECT_TRUE(near(sunTowards(-90, 0, true), {0, 0, -1}));
 }
 
+TEST(Sky, ReadsRuns) {
+    // Two rows of 8: all four planes as one run, then plain ones
+    std::string file = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 8\n";
+    const char runs[] = "\2\2\0\10\210\200\210\100\210\40\210\201";
+    file.append(runs, sizeof runs - 1);
+    const char plain[] = "\2\2\0\10\10\1\2\3\4\5\6\7\10\210\0\210\0\210\200";
+    file.append(plain, sizeof plain - 1);
+    std::vector<Sun> suns;
+    SkyPicture sky = read(file, false, suns);
+    Rgb above = sky.radiance({0, 1, 0});
+    EXPECT_FLOAT_EQ(above.x, 1);
+    EXPECT_FLOAT_EQ(above.y, 0.5f);
+    EXPECT_FLOAT_EQ(above.z, 0.25f);
+    Rgb below = sky.radiance(normalize(Vec3{0.01f, -1, 0.98f * 0.01f}));
+    EXPECT_GE(below.x, 1 / 256.f);
+    EXPECT_LE(below.x, 8 / 256.f);
+    EXPECT_EQ(below.y, 0);
+}
+
 TEST(Sky, RefusesWhatIsNoPicture) {
     std::vector<Sun> suns;
-    for (const std::string &file : {std::string(), std::string("#?RADIANCE\n"),
-                                    std::string("P6\n1 1\n255\nabc"), hdr(8, 4, [](int, int) {
-                                                                          return Rgb{1, 1, 1};
-                                                                      }).substr(0, 30)})
-        EXPECT_THROW(read(file, false, suns), Refused) << file.substr(0, 8);
+    std::string even = hdr(8, 4, [](int, int) { return Rgb{1, 1, 1}; }), head = "#?RADIANCE\n\n";
+    std::vector<std::string> files = {"",
+                                      "#?RADIANCE\n",
+                                      "P6\n1 1\n255\nabc",
+                                      even.substr(0, 30),
+                                      even.substr(0, even.size() - 1),
+                                      head + "-Y 0 +X 0\n",
+                                      head + "-Y 40000 +X 40000\n",
+                                      head + "+Y 1 +X 1\nabcd",
+                                      head + "-Y 1 +X 8\n" + std::string("\2\2\0\10\377\1", 6)};
+    for (const std::string &file : files)
+        EXPECT_THROW(read(file, false, suns), Refused) << file.substr(0, 30);
 }
