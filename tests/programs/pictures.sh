@@ -94,7 +94,7 @@ head -c $((${size%x*} * ${size#*x} * 3)) /dev/zero | tr '\0' '\200'
 END
 chmod +x "$WORK/grey"
 check "a poster is one moment and six small ones" bash -c "'$BUILD/contact_sheet' '$WORK/grey' '$WORK/poster.png' --poster --width 320 |
-    grep -q 'a poster of 326 x 308'"
+    grep -q 'a poster of 326 x 334'"
 check "contact_sheet refuses a program that fails" bash -c "'$BUILD/contact_sheet' /bin/false '$WORK/sheet.png' 2>/dev/null; [ \$? = 1 ] && [ ! -e '$WORK/sheet.png' ]"
 # What other tracers write, 16 bits that are linear, becomes sRGB rounded to the nearest: 70000 values, and their averages
 if command -v python3 >/dev/null; then

@@ -43,6 +43,14 @@ values() { # values OPTION: sets good to what it may be given
     radiosity--memory) good=(500 100 900 1 0.5 1e6 1e7) ;;
     radiosity--eye | radiosity--at) good=(0,5,4.9 0,4,-5 0,0,0 1e30,0,0 1,2 1,2,3,4 nan,0,0) ;;
     radiosity--size) good=(16x9 1x1 8x8 7681x1 0x0 16x) ;;
+    radiosity--sky) good=(1,1,1 0.2,0.3,0.5 file m.obj fifo /dev/zero none -1,0,0 1,2 nan,0,0) ;;
+    radiosity--sun) good=(30,60,5,5,5 90,0,1,2,3 -90,400,1,1,1 1,2,3,4 1,2,3,4,-5) ;;
+    radiosity--lamp) good=(1,2,3,0.5,9,9,9 0,0,0,1e-9,1,1,1 1e9,0,0,1,1,1,1 0,0,0,0,1,1,1 1,2,3) ;;
+    radiosity--sky-rays) good=(4 64 1024 3 65537) ;;
+    radiosity--up) good=(y z y x) ;;
+    radiosity--scale) good=(1 1e-6 1e6 0 -1) ;;
+    radiosity--lens) good=(60 1 170 0 171) ;;
+    radiosity--exposure) good=(0 -20 20 21) ;;
     radiosity--tone) good=(log film log loud) ;;
     *) good=() ;;
     esac
