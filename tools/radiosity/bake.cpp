@@ -140,12 +140,10 @@ private:
         if (b.glows.size() > kManyLamps) s.analytic = false;
         r.lights.skyCount = 3;
         // Suns and lamps are bases of their own until their light has arrived
-        Vec3d lo = mesh.points.at(0), hi = lo;
-        for (const Vec3d &p : mesh.points)
-            for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
-        Vec3 middle = {(float)(lo[0] + hi[0]) / 2, (float)(lo[1] + hi[1]) / 2, (float)(lo[2] + hi[2]) / 2};
-        for (const Sun &sun : around.suns)
-            r.lights.suns[r.lights.sunCount++] = middle + sun.towards * (float)(1000 * mesh.size());
+        Vec3d centre = mesh.middle();
+        Vec3 middle = {(float)centre[0], (float)centre[1], (float)centre[2]};
+        float far = (float)(1000 * mesh.size());
+        for (const Sun &sun : around.suns) r.lights.suns[r.lights.sunCount++] = middle + sun.towards * far;
         for (const BallLamp &lamp : around.lamps)
             r.lights.lamps[r.lights.lampCount++] = {lamp.centre, lamp.radius, -1};
         if (!s.analytic) return;

@@ -44,8 +44,6 @@ void exportPly(const Baked &baked, const std::string &path);
 void exportObj(const Baked &baked, const std::string &path);
 
 struct RenderSettings {
-    bool placed =
-        false;        // whether eye and target are given; else all of the model is seen, from above and aside
     Vec3 eye, target; // in the model's coordinates
     bool upIsZ = false;
     float lens = 60; // vertical field of view, degrees
@@ -53,7 +51,7 @@ struct RenderSettings {
     bool logarithmic = false; // how radiosity becomes brightness: its logarithm, or the film's curve
     float stops = 0;          // brighter than what is exposed for what the camera sees, as powers of two
 };
-// Where a camera stands that is not placed: far enough for all facets to be in the picture.
+// Sets eye and target: from above and aside, far enough for all facets to be in the picture.
 void placeCamera(const Baked &baked, RenderSettings &settings);
 void render(const Baked &baked, const RenderSettings &settings, Workers &workers, const std::string &path);
 

@@ -6,6 +6,7 @@
 #include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/regions.h"
+#include "tools/radiosity/upright.h"
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
@@ -14,15 +15,11 @@
 
 namespace odraz {
 
-// Where z is up it becomes y, as cameras have it; and back.
-static Vec3 turned(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, p.z, -p.y} : p; }
-static Vec3 turnedBack(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, -p.z, p.y} : p; }
-
 void placeCamera(const Baked &baked, RenderSettings &s) {
     std::vector<Vec3> corners;
     for (const Facet &f : baked.facets)
         for (int k = 0; k < 4; ++k)
-            corners.push_back(turned(f.corner(baked.charts[(size_t)f.chart], k), s.upIsZ));
+            corners.push_back(upright(f.corner(baked.charts[(size_t)f.chart], k), s.upIsZ));
     if (corners.empty()) return;
     Vec3 lo = corners[0], hi = lo;
     for (const Vec3 &p : corners)
@@ -37,8 +34,8 @@ void placeCamera(const Baked &baked, RenderSettings &s) {
         far = std::max(far, dot(c, away) +
                                 std::max(std::fabs(dot(c, right)) / wide, std::fabs(dot(c, up)) / tall));
     }
-    s.eye = turnedBack(middle + away * far, s.upIsZ);
-    s.target = turnedBack(middle, s.upIsZ);
+    s.eye = asInModel(middle + away * far, s.upIsZ);
+    s.target = asInModel(middle, s.upIsZ);
 }
 
 void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
@@ -57,7 +54,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     std::copy(baked.charts.begin(), baked.charts.end(), model->charts);
     for (size_t i = 0; i < baked.charts.size(); ++i)
         for (Vec3 Chart::*axis : {&Chart::corner, &Chart::u, &Chart::v, &Chart::n})
-            model->charts[i].*axis = turned(baked.charts[i].*axis, s.upIsZ);
+            model->charts[i].*axis = upright(baked.charts[i].*axis, s.upIsZ);
     std::copy(baked.facets.begin(), baked.facets.end(), model->facets);
     model->chartCount = (int)baked.charts.size(), model->facetCount = (int)baked.facets.size();
     std::vector<float> planes[3];
@@ -81,7 +78,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     scene->finish();
 
     // Exposed for what the camera sees
-    View view = lookAt(turned(s.eye, s.upIsZ), turned(s.target, s.upIsZ), 0, s.lens, s.width, s.height);
+    View view = lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height);
     auto trace = [&] {
         traceFrame(tracer, workers, *scene, view, kQualities[(int)QualityName::Film], frame);
         std::vector<float> all;

@@ -105,11 +105,21 @@ double areaOf(const Mesh &m) {
     return area;
 }
 
-double Mesh::size() const {
+static std::pair<Vec3d, Vec3d> boxOf(const std::vector<Vec3d> &points) {
     Vec3d lo = points.at(0), hi = lo;
     for (const Vec3d &p : points)
         for (size_t k = 0; k < 3; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+    return {lo, hi};
+}
+
+double Mesh::size() const {
+    auto [lo, hi] = boxOf(points);
     return length(hi - lo);
+}
+
+Vec3d Mesh::middle() const {
+    auto [lo, hi] = boxOf(points);
+    return (lo + hi) / 2;
 }
 
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {

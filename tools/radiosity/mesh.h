@@ -30,6 +30,7 @@ struct Mesh {
     int flat = 0, twice = 0; // triangles that were left out: without area; given before
 
     double size() const; // the diagonal of its box
+    odraz::Vec3d middle() const;
 };
 
 struct ReadSettings {

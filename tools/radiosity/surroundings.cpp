@@ -4,6 +4,7 @@
 #include "radiosity/visible.h"
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
+#include "tools/radiosity/upright.h"
 #include "trace/rays/intersect.h"
 
 #include <algorithm>
@@ -21,11 +22,6 @@ constexpr double kTooBright = 8; // times the mean
 constexpr size_t kMostSuns = 24;
 
 double bright(const Rgb &c) { return (double)c.x + (double)c.y + (double)c.z; }
-
-// A picture's own directions, with y up and -z in its middle, and the model's.
-Vec3 toModel(double x, double y, double z, bool upIsZ) {
-    return upIsZ ? Vec3{(float)x, (float)-z, (float)y} : Vec3{(float)x, (float)y, (float)z};
-}
 
 struct Glint {      // a pixel's light beyond what the sky keeps
     double x, y, z; // direction
@@ -66,7 +62,8 @@ void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, s
         light = light + g->light;
     }
     double size = std::sqrt(x * x + y * y + z * z);
-    if (size > 0) suns.push_back({toModel(x / size, y / size, z / size, upIsZ), light});
+    if (size > 0)
+        suns.push_back({asInModel({(float)(x / size), (float)(y / size), (float)(z / size)}, upIsZ), light});
 }
 
 // Radiance's format: lines of text up to an empty one, a line with height and width, and rows of pixels, each
@@ -115,9 +112,9 @@ std::vector<float> readHdr(const std::string &path, const std::string &file, int
 Rgb SkyPicture::radiance(const Vec3 &d) const {
     if (!width) return {};
     if (width == 1) return pixels[0];
-    float x = d.x, y = upIsZ ? d.z : d.y, z = upIsZ ? -d.y : d.z;
-    float u = (0.5f + std::atan2(x, -z) / (2 * (float)kPiD)) * (float)width - 0.5f,
-          v = std::acos(std::clamp(y, -1.f, 1.f)) / (float)kPiD * (float)height - 0.5f;
+    Vec3 q = upright(d, upIsZ);
+    float u = (0.5f + std::atan2(q.x, -q.z) / (2 * (float)kPiD)) * (float)width - 0.5f,
+          v = std::acos(std::clamp(q.y, -1.f, 1.f)) / (float)kPiD * (float)height - 0.5f;
     float left = std::floor(u), above = std::floor(v), s = u - left, t = v - above;
     auto at = [&](int i, int j) {
         return pixels[(size_t)std::clamp(j, 0, height - 1) * (size_t)width + (size_t)((i + width) % width)];
@@ -131,7 +128,9 @@ SkyPicture evenSky(const Rgb &radiance) { return {1, 1, {radiance}, false}; }
 
 Vec3 sunTowards(double elevation, double azimuth, bool upIsZ) {
     double up = elevation * kPiD / 180, around = azimuth * kPiD / 180;
-    return toModel(std::cos(up) * std::sin(around), std::sin(up), -std::cos(up) * std::cos(around), upIsZ);
+    Vec3 towards = {(float)(std::cos(up) * std::sin(around)), (float)std::sin(up),
+                    (float)(-std::cos(up) * std::cos(around))};
+    return asInModel(towards, upIsZ);
 }
 
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) {
