@@ -10,6 +10,7 @@
 #include <cstring>
 #include <map>
 #include <sstream>
+#include <tuple>
 #include <unordered_map>
 
 using odraz::Vec3d;
@@ -162,12 +163,10 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
     // Weld points that lie within a millionth of the model's size
     size_t count = attributes.vertices.size() / 3;
     std::vector<Vec3d> given(count);
-    Vec3d lo = {1e30, 1e30, 1e30}, hi = {-1e30, -1e30, -1e30};
     for (size_t i = 0; i < count; ++i)
-        for (size_t k = 0; k < 3; ++k) {
-            given[i][k] = (double)attributes.vertices[3 * i + k] * settings.scale;
-            lo[k] = std::min(lo[k], given[i][k]), hi[k] = std::max(hi[k], given[i][k]);
-        }
+        for (size_t k = 0; k < 3; ++k) given[i][k] = (double)attributes.vertices[3 * i + k] * settings.scale;
+    Vec3d lo, hi;
+    std::tie(lo, hi) = boxOf(given);
     double grid = std::max(length(hi - lo) * 1e-6, 1e-300);
     struct Hash {
         size_t operator()(const std::array<long, 3> &a) const {
