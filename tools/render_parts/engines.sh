@@ -52,6 +52,9 @@ by_xargs() { exec xargs -P "$jobs" -L 1 -a "$parts/todo" bash "$parts/shard" "$p
 by_parallel() {
     local quoted
     printf -v quoted %q "$parts"
+    # Not by the shell and the settings of who calls: without $SHELL it ends well, and has done nothing
+    export PARALLEL_SHELL=$BASH PARALLEL_HOME=$parts/parallel
+    mkdir -p "$PARALLEL_HOME"
     exec parallel --will-cite --jobs 100% --sshloginfile "$parts/hosts" --ssh "$parts/here" --retries 2 --halt soon,fail=1 \
         --colsep ' ' -a "$parts/todo" bash "$quoted/shard" "$quoted" '{1} {2} {3} {4} {5}'
 }
