@@ -13,7 +13,7 @@
 
 namespace odraz {
 
-const char *const Bake::kSteps[4] = {"dividing", "form factors", "direct light", "solving"};
+const char *const Bake::kSteps[5] = {"dividing", "form factors", "direct light", "solving", "final rays"};
 
 void Bake::Free::operator()(void *memory) const { munmap(memory, *(size_t *)memory); }
 
@@ -30,6 +30,39 @@ namespace {
 // How often cells are divided in adaptive solutions.
 constexpr int kDivided = 2;
 static_assert(kDivided <= kFinest);
+
+// The side of a cell.
+double cellOf(const Mesh &mesh, const BakeSettings &s) {
+    double element = s.element > 0 ? s.element : areaOf(mesh) / 30000;
+    return std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
+}
+
+void join(Bake &b, const Mesh &mesh) {
+    double cell = cellOf(mesh, b.settings);
+    b.regions = joinRegions(mesh, cell);
+    b.material = b.regions.material;
+    int coarse = 0;
+    for (Chart &c : b.regions.charts) {
+        coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * cell;
+        // What is about as large as an element is one
+        if ((double)(c.width * c.height) < 3 * cell * cell) c.across = c.down = 1;
+    }
+    if (coarse > 0)
+        b.notes.push_back(std::to_string(coarse) + " polygons are longer than " + std::to_string(kMaxAcross) +
+                          " elements: theirs are longer than asked");
+}
+
+// With an even sky where nothing shines.
+void lightUp(Bake &b) {
+    bool shines = false;
+    for (int material : b.material) {
+        const auto &e = b.materials[(size_t)material].emits;
+        shines |= e[0] + e[1] + e[2] > 0;
+    }
+    if (shines || b.settings.surroundings.shine()) return;
+    b.settings.surroundings.sky = evenSky({1, 1, 1});
+    b.notes.push_back("nothing shines in it: lit by an even sky (--sky, --sun and --lamp give other light)");
+}
 
 // Goes through the stages. Finding form factors and solving may be cut short; all else is done to its end,
 // whatever happens.
@@ -95,23 +128,11 @@ private:
     void divide() {
         Progress progress = tell(0);
         progress(0);
-        double area = areaOf(mesh), element = s.element > 0 ? s.element : area / 30000;
-        double cell = std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
-        Regions regions = addRegions(mesh, m, cell);
-        b.material = regions.material;
-        int coarse = 0;
-        for (int i = 0; i < m.chartCount; ++i) {
-            Chart &c = m.charts[i];
-            coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * cell;
-            // What is about as large as an element is one
-            if ((double)(c.width * c.height) < 3 * cell * cell) c.across = c.down = 1;
-        }
-        if (coarse > 0)
-            b.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
-                              std::to_string(kMaxAcross) + " elements: theirs are longer than asked");
+        fillModel(m, b.regions);
+        double area = areaOf(mesh), cell = cellOf(mesh, s);
         // A hemicube of many polygons takes longer: then there are fewer of them
         patch = s.patch > 0 ? s.patch : area / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
-        findGlows(regions);
+        findGlows(b.regions);
         b.scene->add(Material{});
         poseFacets(m, *b.scene);
         b.scene->finish();
@@ -132,11 +153,6 @@ private:
     void findGlows(const Regions &regions) {
         b.glows = findLamps(mesh, regions, m, s.lampSamples);
         Surroundings &around = s.surroundings;
-        if (b.glows.empty() && !around.shine()) {
-            around.sky = evenSky({1, 1, 1});
-            b.notes.push_back(
-                "nothing shines in it: lit by an even sky (--sky, --sun and --lamp give other light)");
-        }
         if (b.glows.size() > kManyLamps) s.analytic = false;
         r.lights.skyCount = 3;
         // Suns and lamps are bases of their own until their light has arrived
@@ -268,6 +284,14 @@ std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const
     auto b = std::make_unique<Bake>();
     b->settings = settings;
     b->materials = mesh.materials;
+    join(*b, mesh);
+    lightUp(*b);
+    b->byRays = settings.way == Way::kRays ||
+                (settings.way == Way::kByCount && b->regions.facets.size() > kManyFacets);
+    if (b->byRays) {
+        bakeByRays(*b, mesh, workers, stop, told);
+        return b;
+    }
     size_t bytes = ((settings.memory + 4095) & ~(size_t)4095) + 4096;
     void *memory =
         mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);

@@ -5,6 +5,7 @@
 #include "radiosity/radiosity.h"
 #include "tools/common/clock.h"
 #include "tools/radiosity/mesh.h"
+#include "tools/radiosity/regions.h"
 #include "tools/radiosity/row_finder.h"
 #include "tools/radiosity/surroundings.h"
 
@@ -15,7 +16,18 @@
 
 namespace odraz {
 
+// How light is passed on: between patches, by hemicubes that OpenGL draws, which is exact and fast where
+// there are large polygons; or from every element by rays (gather.h), for many small ones and for any number.
+// kByCount: by rays from kManyFacets polygons on.
+enum class Way { kByCount, kPatches, kRays };
+inline constexpr size_t kManyFacets = 1500;
+
 struct BakeSettings {
+    Way way = Way::kByCount;
+    // By rays
+    int rays = 0;  // from an element, 0: as many as make kAllRays, kLeastRays to kMostRays
+    int final = 0; // from an element in the end, for quality; 0: none
+    // By patches
     int hemicube = 16;             // pixels; even, 4 .. kMaxHemicube
     double patch = 0, element = 0; // areas; 0: a 6000th or, of many polygons, more; a
                                    // 30000th of the model's
@@ -25,7 +37,7 @@ struct BakeSettings {
     bool analytic = true; // direct light by shadow rays; else lamps are seen by hemicubes
     bool adaptive = false;
     float contrast = 0.05f; // see RadiositySettings
-    size_t memory = (size_t)2048 << 20;
+    size_t memory = (size_t)8192 << 20;
     uint32_t turn = 0; // other rotations of the hemicubes
     int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
     RowFinder rows;    // null: by hemicubes, as is faster
@@ -40,12 +52,20 @@ struct Bake {
         void operator()(void *memory) const;
     };
     BakeSettings settings;
+    std::vector<MeshMaterial> materials;
+    std::vector<int> material; // of each chart
+    bool byRays;
+    // By rays: charts and facets as regions has them, and what arrives at the texels
+    Regions regions;
+    std::vector<Cell> cells;
+    std::vector<Texel> texels;
+    std::vector<Rgb> arrives;
+    int rays, sites;
+    // By patches
     std::unique_ptr<void, Free> memory;
     Arena arena;
     std::unique_ptr<Model> model;
     std::unique_ptr<Scene> scene;
-    std::vector<MeshMaterial> materials;
-    std::vector<int> material; // of each chart
     std::vector<Glow> glows;
     Radiosity radiosity; // its bases are red, green and blue, each reflected in its own channel alone
     float *light[3];     // planes of texels: all that arrives; irradiance / pi
@@ -55,7 +75,7 @@ struct Bake {
     double seconds[5];              // of processor time: dividing, form factors, direct, solving, all
     int rows;                       // hemicubes drawn
     std::vector<std::string> notes; // what users should know, a line each
-    static const char *const kSteps[4];
+    static const char *const kSteps[5];
 
     Rgb reflects(int chart) const;
     Rgb emits(int chart) const;
@@ -65,5 +85,8 @@ struct Bake {
 // than 0 in `stop` ends it early: with direct light and what was gathered so far.
 std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const Gl &gl, Workers &workers,
                            const int *stop, const Told &told);
+
+// What it goes through by rays; regions, materials and settings are there.
+void bakeByRays(Bake &b, const Mesh &mesh, Workers &workers, const int *stop, const Told &told);
 
 } // namespace odraz

@@ -90,10 +90,8 @@ bool sound(const Baked &b) {
         return all(list, [](const Rgb &c) { return moderate(c); });
     };
     size_t number = 0;
-    return !b.charts.empty() && b.charts.size() <= (size_t)kMaxCharts &&
-           b.facets.size() <= (size_t)kMaxFacets && b.light.size() == b.texels.size() &&
-           b.reflects.size() == b.charts.size() && b.emits.size() == b.charts.size() && finite(b.light) &&
-           finite(b.reflects) && finite(b.emits) &&
+    return !b.charts.empty() && b.light.size() == b.texels.size() && b.reflects.size() == b.charts.size() &&
+           b.emits.size() == b.charts.size() && finite(b.light) && finite(b.reflects) && finite(b.emits) &&
            all(b.charts, [&](const Chart &c) { return sound(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return sound(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return sound(t, b); }) &&
@@ -103,13 +101,19 @@ bool sound(const Baked &b) {
 } // namespace
 
 Baked::Baked(const Bake &b) {
+    for (size_t i = 0; i < b.material.size(); ++i)
+        reflects.push_back(b.reflects((int)i)), emits.push_back(b.emits((int)i));
+    if (b.byRays) {
+        charts = b.regions.charts, facets = b.regions.facets;
+        cells = b.cells, texels = b.texels, light = b.arrives;
+        return;
+    }
     const Model &m = *b.model;
     charts.assign(m.charts, m.charts + m.chartCount);
     facets.assign(m.facets, m.facets + m.facetCount);
     cells.assign(m.cells, m.cells + m.cellCount);
     texels.assign(m.texels, m.texels + m.texelCount);
     for (int i = 0; i < m.texelCount; ++i) light.push_back({b.light[0][i], b.light[1][i], b.light[2][i]});
-    for (int i = 0; i < m.chartCount; ++i) reflects.push_back(b.reflects(i)), emits.push_back(b.emits(i));
 }
 
 void Baked::save(const std::string &path) const {

@@ -1,11 +1,11 @@
 #include "tools/radiosity/generate.h"
 
-#include "tools/common/vec3d.h"
+#include "tools/radiosity/generate_curved.h"
+#include "tools/radiosity/obj_writer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 using odraz::Vec3d;
 
@@ -21,34 +21,7 @@ constexpr Material kMaterials[] = {
     {"floor", {0.35, 0.33, 0.3}, {}},  {"lamp", {0.5, 0.5, 0.5}, {20, 18, 15}},
 };
 
-struct Writer {
-    double area;
-    size_t triangles = 0;
-    std::string points, faces;
-    std::map<Vec3d, int> numbers;
-    const char *material = "";
-
-    int number(Vec3d p) {
-        for (size_t k = 0; k < 3; ++k) p[k] = std::round(p[k] * 1e6) / 1e6 + 0.0;
-        auto [entry, added] = numbers.try_emplace(p, (int)numbers.size() + 1);
-        if (added) {
-            char line[100];
-            std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
-            points += line;
-        }
-        return entry->second;
-    }
-    void use(const char *of) {
-        if (of != material) faces += "usemtl " + std::string(of) + "\n";
-        material = of;
-    }
-    void triangle(const char *of, int a, int b, int c) {
-        use(of);
-        char line[100];
-        std::snprintf(line, sizeof line, "f %d %d %d\n", a, b, c);
-        faces += line;
-        ++triangles;
-    }
+struct Writer : odraz::ObjWriter {
     // Lit on the side of u x v. In as many steps along its sides as the area asks for, never one side more
     // than twice another.
     void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
@@ -162,7 +135,8 @@ void cave(Writer &w) {
 } // namespace
 
 std::string generateObj(const std::string &kind, double area, size_t *triangles) {
-    Writer w = {area, 0, {}, {}, {}, ""};
+    Writer w;
+    w.area = area;
     if (kind == "cube")
         cube(w);
     else if (kind == "columns")
@@ -171,6 +145,10 @@ std::string generateObj(const std::string &kind, double area, size_t *triangles)
         corner(w);
     else if (kind == "cave")
         cave(w);
+    else if (kind == "vault")
+        makeVault(w);
+    else if (kind == "terrain")
+        makeTerrain(w);
     else
         return {};
     if (triangles) *triangles = w.triangles;

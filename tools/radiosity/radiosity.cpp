@@ -67,7 +67,7 @@ int runGenerate(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (kind != "cube" && kind != "columns" && kind != "corner")
+    if (kind != "cube" && kind != "columns" && kind != "corner" && kind != "vault" && kind != "terrain")
         throw Refused("generate makes a cube, columns or a corner: name one of them");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw Refused("name a file with -o MODEL.obj");

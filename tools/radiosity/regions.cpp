@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace odraz {
 
@@ -41,14 +42,31 @@ struct Union {
     }
 };
 
+// Things sorted by which set they belong to.
+template <class T> struct Sorted {
+    std::vector<size_t> first; // of each set, and the end of the last
+    std::vector<T> things;
+
+    // root(i): the set of the i-th of `count`, or -1; thing(i): what it is.
+    template <class Root, class Thing> Sorted(size_t sets, size_t count, Root &&root, Thing &&thing) {
+        first.resize(sets + 2);
+        for (size_t i = 0; i < count; ++i) ++first[(size_t)(root(i) + 2)];
+        for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        things.resize(first.back());
+        for (size_t i = 0; i < count; ++i) things[first[(size_t)(root(i) + 1)]++] = thing(i);
+    }
+    std::span<const T> of(size_t set) const {
+        return {things.data() + first[set], first[set + 1] - first[set]};
+    }
+};
+
 struct Builder {
     const Mesh &mesh;
-    Model &model;
     Regions &regions;
     double tiny, cell;
 
     // Adds the triangles as one chart; false if they fill too little of its rectangle.
-    bool add(const std::vector<int> &triangles, const std::vector<Edge> &borders) {
+    bool add(std::span<const int> triangles, std::span<const Edge> borders) {
         // The plane, and a frame along the longest border
         Vec3d sum = {};
         for (int t : triangles) sum = sum + normalOf(mesh, mesh.triangles[(size_t)t]);
@@ -83,33 +101,36 @@ struct Builder {
             rectangles = rectanglesOf(flat, tiny);
             if (rectangles.empty() && twice < 0.6 * width * tall) return false;
         }
-        size_t pieces = rectangles.empty() ? triangles.size() : rectangles.size();
-        if (model.chartCount == kMaxCharts || (size_t)model.facetCount + pieces > (size_t)kMaxFacets)
-            throw ModelError("more than " + std::to_string(kMaxFacets) +
-                             " polygons are left after joining those in one plane");
 
-        Vec3d corner = origin + (u * lo[0] + v * lo[1]);
-        model.addRect(toFloat(corner), toFloat(u) * (float)width, toFloat(v) * (float)tall, 0, (float)cell,
-                      Model::kPieces);
+        int number = (int)regions.charts.size(), material = mesh.triangles[(size_t)triangles[0]].material;
+        auto cells = [&](double side) {
+            return (int16_t)std::clamp((float)side / (float)cell + 0.5f, 1.f, (float)kMaxAcross);
+        };
         // In double: neighbours' corners meet as nearly as floats can
-        Chart &c = model.charts[model.chartCount - 1];
+        Chart c = {};
+        c.corner = toFloat(origin + (u * lo[0] + v * lo[1]));
         c.u = toFloat(u), c.v = toFloat(v), c.n = toFloat(n);
         c.width = (float)width, c.height = (float)tall;
+        c.across = cells(width), c.down = cells(tall);
+        c.material = (uint16_t)material;
+        c.firstFacet = (int)regions.facets.size();
+        auto facet = [&](std::array<Vec2d, 4> corners) {
+            Facet f = {number, {}, {}};
+            for (size_t k = 0; k < 4; ++k)
+                f.u[k] = (float)(corners[k][0] - lo[0]), f.v[k] = (float)(corners[k][1] - lo[1]);
+            regions.facets.push_back(f);
+        };
         for (const Rectangle &r : rectangles)
-            model.addFacet((float)(r.u0 - lo[0]), (float)(r.v0 - lo[1]), (float)(r.u1 - lo[0]),
-                           (float)(r.v1 - lo[1]));
+            facet({{{r.u0, r.v0}, {r.u1, r.v0}, {r.u1, r.v1}, {r.u0, r.v1}}});
         if (rectangles.empty())
             for (int t : triangles) {
-                float us[4], vs[4];
-                for (size_t k = 0; k < 4; ++k) {
-                    Vec2d f = place(mesh.triangles[(size_t)t].corners[std::min(k, (size_t)2)]);
-                    us[k] = (float)(f[0] - lo[0]), vs[k] = (float)(f[1] - lo[1]);
-                }
-                model.addFacet(us, vs);
+                const auto &k = mesh.triangles[(size_t)t].corners;
+                facet({place(k[0]), place(k[1]), place(k[2]), place(k[2])});
             }
-        int material = mesh.triangles[(size_t)triangles[0]].material;
-        c.material = (uint16_t)material;
+        c.facetsCount = (int)regions.facets.size() - c.firstFacet;
+        regions.charts.push_back(c);
         regions.material.push_back(material);
+        for (int t : triangles) regions.chartOf[(size_t)t] = number;
         return true;
     }
 };
@@ -131,7 +152,16 @@ void poseFacets(const Model &model, Scene &scene) {
     }
 }
 
-Regions addRegions(const Mesh &mesh, Model &model, double cell) {
+void fillModel(Model &model, const Regions &regions) {
+    if (regions.charts.size() > (size_t)kMaxCharts || regions.facets.size() > (size_t)kMaxFacets)
+        throw ModelError("more than " + std::to_string(kMaxFacets) +
+                         " polygons are left after joining those in one plane");
+    std::copy(regions.charts.begin(), regions.charts.end(), model.charts);
+    std::copy(regions.facets.begin(), regions.facets.end(), model.facets);
+    model.chartCount = (int)regions.charts.size(), model.facetCount = (int)regions.facets.size();
+}
+
+Regions joinRegions(const Mesh &mesh, double cell) {
     if (mesh.materials.size() > 65535) throw ModelError("a model may have 65535 materials at most");
     size_t count = mesh.triangles.size();
     std::vector<Vec3d> normals(count);
@@ -151,6 +181,7 @@ Regions addRegions(const Mesh &mesh, Model &model, double cell) {
     std::vector<Edge> edges = sortedEdges(mesh);
     Union sets(count);
     Regions regions;
+    regions.off = tiny;
     for (size_t i = 0; i < edges.size();) {
         size_t end = i + 1;
         while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
@@ -166,25 +197,29 @@ Regions addRegions(const Mesh &mesh, Model &model, double cell) {
         i = end;
     }
 
-    // Gather their triangles and borders: edges that are not met in both directions
-    std::vector<std::vector<int>> members(count);
-    std::vector<std::vector<Edge>> borders(count);
-    for (size_t i = 0; i < count; ++i) members[(size_t)sets.root((int)i)].push_back((int)i);
-    for (size_t i = 0; i < edges.size(); ++i) {
-        int root = sets.root(edges[i].triangle);
-        bool inner = false;
+    // Their triangles and borders: edges that are not met in both directions
+    std::vector<int> roots(count);
+    for (size_t i = 0; i < count; ++i) roots[i] = sets.root((int)i);
+    Sorted<int> members(
+        count, count, [&](size_t i) { return roots[i]; }, [](size_t i) { return (int)i; });
+    auto borderOf = [&](size_t i) {
+        int root = roots[(size_t)edges[i].triangle];
         for (size_t k = i > 0 ? i - 1 : 0; k <= i + 1 && k < edges.size(); ++k)
-            inner |= k != i && edges[k].low == edges[i].low && edges[k].high == edges[i].high &&
-                     edges[k].forward != edges[i].forward && sets.root(edges[k].triangle) == root;
-        if (!inner) borders[(size_t)root].push_back(edges[i]);
-    }
-    Builder builder = {mesh, model, regions, tiny, cell};
+            if (k != i && edges[k].low == edges[i].low && edges[k].high == edges[i].high &&
+                edges[k].forward != edges[i].forward && roots[(size_t)edges[k].triangle] == root)
+                return -1;
+        return root;
+    };
+    Sorted<Edge> borders(count, edges.size(), borderOf, [&](size_t i) { return edges[i]; });
+    regions.chartOf.resize(count);
+    Builder builder = {mesh, regions, tiny, cell};
     for (size_t i = 0; i < count; ++i) {
-        if (members[i].empty() || builder.add(members[i], borders[i])) continue;
+        if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
         // Little of a rectangle: every triangle for itself
-        for (int t : members[i]) {
+        for (int t : members.of(i)) {
             const auto &c = mesh.triangles[(size_t)t].corners;
-            builder.add({t}, {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}});
+            const Edge sides[] = {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}};
+            builder.add({&t, 1}, sides);
         }
     }
     return regions;

@@ -90,6 +90,10 @@ Job readJob(Arguments &words) {
             s.element = words.number(w, 1e-18, 1e30);
         else if (w == "--bounces")
             s.bounces = words.whole(w, 0, 10000);
+        else if (w == "--rays")
+            s.rays = words.whole(w, 8, 65536), s.way = Way::kRays;
+        else if (w == "--final")
+            s.final = words.whole(w, 8, 65536), s.way = Way::kRays;
         else if (w == "--residual")
             s.residual = (float)words.number(w, 1e-7, 1);
         else if (w == "--lamp-samples")
@@ -141,15 +145,17 @@ void tell(const std::vector<std::string> &notes) {
 }
 
 void report(const Mesh &mesh, const Bake &b, int elements) {
-    const Model &m = *b.model;
-    std::printf("%zu triangles, %d polygons in one plane each; %d patches, %d elements\n",
-                mesh.triangles.size(), m.chartCount, m.patchCount, elements);
-    std::printf("processor seconds: dividing %.2f, form factors %.2f (%d hemicubes), direct light %.2f, "
-                "solving %.2f\n",
-                b.seconds[0], b.seconds[1], b.rows, b.seconds[2], b.seconds[3]);
+    std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(), b.material.size());
+    if (b.byRays)
+        std::printf("%d elements, %d sites with %d rays\n", elements, b.sites, b.rays);
+    else
+        std::printf("%d patches, %d elements\n", b.model->patchCount, elements);
+    std::printf("processor seconds: dividing %.2f, form factors %.2f", b.seconds[0], b.seconds[1]);
+    if (!b.byRays) std::printf(" (%d hemicubes)", b.rows);
+    std::printf(", direct light %.2f, solving %.2f\n", b.seconds[2], b.seconds[3]);
     if (b.glows.size() > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", b.glows.size());
     if (!b.whole)
-        std::printf("stopped: direct light, and the rows of %d patches\n", b.rows);
+        std::printf("stopped: direct light, and the rows of %d %s\n", b.rows, b.byRays ? "sites" : "patches");
     else if (b.settings.bounces >= 0)
         std::printf("%d bounces\n", b.sweeps);
     else

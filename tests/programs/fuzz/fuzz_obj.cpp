@@ -40,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         // ... and the first who reads it
         model->chartCount = model->facetCount = 0;
         model->overflow = false;
-        Regions regions = addRegions(mesh, *model, mesh.size() / 10);
+        Regions regions = joinRegions(mesh, mesh.size() / 10);
+        fillModel(*model, regions);
         findLamps(mesh, regions, *model, 16);
     } catch (const Refused &) {
     }

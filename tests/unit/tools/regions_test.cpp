@@ -32,7 +32,7 @@ template <class Hole> Mesh grid(int across, int down, Hole &&hole) {
 struct Joined {
     std::unique_ptr<Model> model = std::make_unique<Model>();
     Regions regions;
-    explicit Joined(const Mesh &mesh) : regions(addRegions(mesh, *model, 0.5)) {}
+    explicit Joined(const Mesh &mesh) : regions(joinRegions(mesh, 0.5)) { fillModel(*model, regions); }
     double facetsArea() const {
         double area = 0;
         for (int i = 0; i < model->facetCount; ++i) area += areaOf(outlineOf(model->facets[i]));

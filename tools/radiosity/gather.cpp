@@ -1,0 +1,223 @@
+#include "tools/radiosity/gather.h"
+
+#include "base/random.h"
+#include "tools/radiosity/near_sites.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+// So many directions about z by the cosine law, neighbours one after the other.
+std::vector<Vec3> spiralOf(int count) {
+    std::vector<Vec3> all;
+    for (int i = 0; i < count; ++i) {
+        double u = (i + 0.5) / count, r = std::sqrt(u), angle = i * 2.399963229728653;
+        all.push_back({(float)(r * std::cos(angle)), (float)(r * std::sin(angle)), (float)std::sqrt(1 - u)});
+    }
+    // By strips of the disc, there and back
+    auto strip = [&](const Vec3 &d) { return (int)((d.y + 1) * std::sqrt((float)count) / 4); };
+    std::sort(all.begin(), all.end(), [&](const Vec3 &a, const Vec3 &b) {
+        int s = strip(a), t = strip(b);
+        return s != t ? s < t : s & 1 ? a.x > b.x : a.x < b.x;
+    });
+    return all;
+}
+
+__m128 wide(const Rgb &c) { return _mm_setr_ps(c.x, c.y, c.z, 0); }
+Rgb narrow(__m128 v) {
+    alignas(16) float f[4];
+    _mm_store_ps(f, v);
+    return {f[0], f[1], f[2]};
+}
+
+} // namespace
+
+Gather::Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
+               int rays)
+    : rays(rays), regions(regions), grid(grid), tree(tree), around(around) {
+    size_t sites = grid.sites.size();
+    rows.resize(sites * (size_t)rays), arrives.resize(sites), sky.resize(sites), reach.resize(sites);
+    behind.resize(sites);
+}
+
+// Calls met(i, place, direction, hit) for every ray of a site.
+template <class Met>
+void Gather::cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const {
+    const LightGrid::Site &s = grid.sites[site];
+    const Chart &c = grid.charts[(size_t)s.chart];
+    float turn = unitFloat(pcg((uint32_t)site * 2u + 1)) * 6.2831853f, sine = std::sin(turn),
+          cosine = std::cos(turn);
+    Vec3 u = c.u * cosine + c.v * sine, v = c.v * cosine - c.u * sine;
+    uint32_t from[16], places = 0;
+    for (uint32_t k = 0; k < s.places; ++k)
+        if (!(behind[site] >> k & 1)) from[places++] = s.firstPlace + k;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 &d = spiral[(size_t)i];
+        uint32_t place = from[(uint32_t)i % places];
+        Vec3 direction = u * d.x + v * d.y + c.n * d.z;
+        met(i, place, direction, tree.nearest(grid.places[place].p, direction));
+    }
+}
+
+uint32_t Gather::siteAt(int chart, const Vec3 &p, uint32_t random) const {
+    LightGrid::Spot spot = grid.spotAt(chart, p);
+    float weight[4], sum = 0, x = spot.x, y = spot.y;
+    for (int k = 0; k < 4; ++k) {
+        bool known = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;
+        weight[k] = known ? (k & 1 ? x : 1 - x) * (k & 2 ? y : 1 - y) + 1e-6f : 0;
+        sum += weight[k];
+    }
+    if (!(sum > 0)) return kDark;
+    float at = unitFloat(random) * sum;
+    int k = 0;
+    for (; k < 3 && (at -= weight[k]) >= 0; ++k) {
+    }
+    while (!(weight[k] > 0)) k = (k + 3) % 4;
+    return grid.siteOf[(size_t)spot.cell->corner[k]];
+}
+
+void Gather::findRow(size_t site, const std::vector<Vec3> &spiral) {
+    uint32_t *row = &rows[site * (size_t)rays], first = grid.sites[site].firstPlace;
+    Rgb open = {};
+    float near = 0;
+    int backs[16] = {}, all[16] = {};
+    cast(site, rays, spiral, [&](int i, uint32_t place, const Vec3 &d, const RayHit &hit) {
+        row[i] = kDark;
+        ++all[place - first];
+        if (hit.triangle < 0) {
+            if (around.sky.width) open += around.sky.radiance(d);
+            return;
+        }
+        near += 1 / std::max(hit.t, 1e-30f);
+        if (hit.back)
+            ++backs[place - first];
+        else
+            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t,
+                            pcg((uint32_t)(site * (size_t)rays + (size_t)i)));
+    });
+    sky[site] = open * (1 / (float)rays);
+    reach[site] = near > 0 ? (float)rays / near : kInfinity;
+    // Once more without those that lie behind something
+    if (behind[site]) return;
+    bool clear = false;
+    uint16_t hidden = 0;
+    for (int k = 0; k < grid.sites[site].places; ++k) {
+        clear |= backs[k] * 20 < all[k];
+        if (backs[k] * 4 > all[k]) hidden |= (uint16_t)(1 << k);
+    }
+    if (!clear || !hidden) return;
+    behind[site] = hidden;
+    findRow(site, spiral);
+}
+
+void Gather::findRows(size_t first, size_t end, Workers &workers) {
+    const std::vector<Vec3> spiral = spiralOf(rays);
+    parallelRanges(workers, (int)(end - first), 32, [&](int from, int to, int) {
+        for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site) findRow(site, spiral);
+    });
+}
+
+int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
+                  float residual, int sweeps, Workers &workers, const std::function<bool(float)> &told) {
+    size_t count = grid.sites.size(), blocks = bounces ? 1 : std::clamp(count / 512, (size_t)1, (size_t)64);
+    struct alignas(16) Wide {
+        __m128 v;
+    };
+    std::vector<Wide> shines(count + 1), next(count); // the last one is dark
+    shines[count] = {_mm_setzero_ps()};
+    auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
+    double sources = 0;
+    for (size_t i = 0; i < count; ++i) {
+        arrives[i] = sky[i];
+        Rgb b = reflects[i] * (direct[i] + sky[i]);
+        shines[i] = {wide(b)};
+        sources += area(i) * (double)maxComponent(b);
+    }
+    std::vector<double> changed(count);
+    int done = 0;
+    for (bool on = sources > 0; on && done < sweeps;) {
+        for (size_t b = 0; b < blocks; ++b) {
+            size_t first = count * b / blocks, end = count * (b + 1) / blocks;
+            parallelRanges(workers, (int)(end - first), 64, [&](int from, int to, int) {
+                for (size_t i = first + (size_t)from; i < first + (size_t)to; ++i) {
+                    const uint32_t *row = &rows[i * (size_t)rays];
+                    __m128 sum = _mm_setzero_ps();
+                    for (int k = 0; k < rays; ++k)
+                        sum = _mm_add_ps(sum, shines[std::min((size_t)row[k], count)].v);
+                    arrives[i] = sky[i] + narrow(sum) * (1 / (float)rays);
+                    Rgb b = reflects[i] * (direct[i] + arrives[i]);
+                    Rgb d = b - narrow(shines[i].v);
+                    changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+                    next[i] = {wide(b)};
+                }
+            });
+            std::copy(next.begin() + (ptrdiff_t)first, next.begin() + (ptrdiff_t)end,
+                      shines.begin() + (ptrdiff_t)first);
+        }
+        ++done;
+        double change = 0;
+        for (double c : changed) change += c;
+        auto left = (float)(change / sources);
+        on = told(left) && (bounces || left > residual);
+    }
+    return done;
+}
+
+void Gather::gatherFinal(int count, const std::vector<Rgb> &texels,
+                         const std::function<Rgb(const Cell &)> &reflects, Workers &workers) {
+    const std::vector<Vec3> spiral = spiralOf(count);
+    parallelRanges(workers, (int)grid.sites.size(), 32, [&](int first, int end, int) {
+        for (int site = first; site < end; ++site) {
+            Rgb sum = {};
+            cast((size_t)site, count, spiral, [&](int, uint32_t place, const Vec3 &d, const RayHit &hit) {
+                if (hit.triangle < 0) {
+                    if (around.sky.width) sum += around.sky.radiance(d);
+                } else if (!hit.back) {
+                    LightGrid::Spot s =
+                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t);
+                    const int *c = s.cell->corner;
+                    auto l = [&](int k) { return texels[(size_t)c[k]]; };
+                    sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) * reflects(*s.cell);
+                }
+            });
+            arrives[(size_t)site] = sum * (1 / (float)count);
+        }
+    });
+}
+
+std::vector<Rgb> Gather::atTexels(float share, Workers &workers) const {
+    NearSites near(grid);
+    std::vector<Rgb> light(grid.texels.size());
+    parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
+        for (int t = first; t < end; ++t) {
+            uint32_t own = grid.siteOf[(size_t)t];
+            if (own == LightGrid::kNone) continue;
+            const LightGrid::Site &s = grid.sites[own];
+            light[(size_t)t] = arrives[own];
+            float radius = std::min(share * reach[own], 2.5f * s.size);
+            if (radius < 0.7f * s.size) continue;
+            Vec3 p = grid.at(grid.texels[(size_t)t]), n = grid.charts[(size_t)s.chart].n;
+            Rgb sum = {};
+            float weights = 0;
+            near.within(p, radius, [&](uint32_t i, float far) {
+                const LightGrid::Site &other = grid.sites[i];
+                const Vec3 &m = grid.charts[(size_t)other.chart].n;
+                float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
+                float off =
+                    (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
+                if (off >= 1) return;
+                // Behind the middle plane it sees what this one does not
+                if (std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
+                float w = (1 - off) * (1 - far / radius) * other.size * other.size;
+                sum += arrives[i] * w, weights += w;
+            });
+            if (weights > 0) light[(size_t)t] = sum * (1 / weights);
+        }
+    });
+    return light;
+}
+
+} // namespace odraz

@@ -1,0 +1,203 @@
+#include "tools/radiosity/lamp_rays.h"
+
+#include "base/maths.h"
+#include "base/random.h"
+#include "trace/shade/ball.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+// Bits of whole numbers spread out, every third: places in one cube lie together in the order of their sum.
+uint64_t spread(uint32_t x) {
+    uint64_t v = x & 0x1fffff;
+    v = (v | v << 32) & 0x1f00000000ffff;
+    v = (v | v << 16) & 0x1f0000ff0000ff;
+    v = (v | v << 8) & 0x100f00f00f00f00f;
+    v = (v | v << 4) & 0x10c30c30c30c30c3;
+    return (v | v << 2) & 0x1249249249249249;
+}
+
+float bright(const Rgb &c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+
+constexpr float kNear = 16; // distance^2 over area within which a disc would not do
+
+// Lambert's formula, a sum over the edges of a triangle.
+float triangleFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 (&corner)[3]) {
+    float sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        Vec3 a = normalize(corner[k] - p), b = normalize(corner[(k + 1) % 3] - p), across = cross(b, a);
+        float s = length(across);
+        if (s > 1e-12f) sum += std::atan2(s, dot(a, b)) * dot(across, n) / s;
+    }
+    return std::max(sum, 0.f) * (0.5f / kPi);
+}
+
+} // namespace
+
+LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
+    auto emits = [&](const Triangle &t) {
+        const auto &e = mesh.materials[(size_t)t.material].emits;
+        return Rgb{e[0], e[1], e[2]};
+    };
+    std::vector<double> areas(regions.charts.size());
+    for (size_t i = 0; i < mesh.triangles.size(); ++i)
+        if (maxComponent(emits(mesh.triangles[i])) > 0)
+            areas[(size_t)regions.chartOf[i]] += length(normalOf(mesh, mesh.triangles[i])) / 2;
+    double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+    auto toFloat = [](Vec3d v) { return Vec3{(float)v.x, (float)v.y, (float)v.z}; };
+    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+        const Triangle &t = mesh.triangles[i];
+        Rgb radiance = emits(t);
+        if (!(maxComponent(radiance) > 0)) continue;
+        Vec3d normal = normalOf(mesh, t), q = mesh.points[(size_t)t.corners[0]],
+              u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
+        double area = length(normal) / 2;
+        // Into rows of smaller ones like it
+        int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
+        for (int r = 0; r < rows; ++r)
+            for (int k = 0; k <= 2 * r; ++k) {
+                int j = k / 2;
+                auto at = [&](int row, int step) {
+                    return toFloat(q + u * ((double)(row - step) / rows) + v * ((double)step / rows));
+                };
+                Part p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)},
+                          toFloat(normalize(normal)),
+                          (float)(area / (rows * rows)),
+                          radiance};
+                if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
+                parts.push_back(p);
+            }
+    }
+    if (parts.empty()) return;
+    // Sorted by where they lie: what is taken of them is spread
+    Vec3d middle = mesh.middle();
+    double size = std::max(mesh.size(), 1e-300);
+    std::vector<std::pair<uint64_t, size_t>> order;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        Vec3 c = (parts[i].corner[0] + parts[i].corner[1] + parts[i].corner[2]) * (1 / 3.f);
+        auto step = [&](float x, double m) {
+            return (uint32_t)std::clamp((((double)x - m) / size + 0.5) * 0x1fffff, 0., 2097151.);
+        };
+        order.push_back({spread(step(c.x, middle.x)) | spread(step(c.y, middle.y)) << 1 |
+                             spread(step(c.z, middle.z)) << 2,
+                         i});
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<Part> sorted;
+    double sum = 0;
+    for (auto &[code, i] : order) {
+        sorted.push_back(parts[i]);
+        sum += (double)(parts[i].area * bright(parts[i].radiance));
+        until.push_back((float)sum);
+    }
+    parts = std::move(sorted);
+}
+
+Rgb LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a,
+                   float b) const {
+    if (dot(p - part.corner[0], part.n) <= 0) return {};
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    Vec3 target =
+        part.corner[0] + (part.corner[1] - part.corner[0]) * a + (part.corner[2] - part.corner[0]) * b;
+    Vec3 middle = (part.corner[0] + part.corner[1] + part.corner[2]) * (1 / 3.f), to = middle - p;
+    float square = dot(to, to), factor;
+    if (square < part.area * kNear)
+        factor = triangleFormFactor(p, n, part.corner);
+    else
+        factor = std::max(dot(to, n), 0.f) * std::max(-dot(to, part.n), 0.f) / square * part.area /
+                 (kPi * square + part.area);
+    if (!(factor > 0)) return {};
+    Vec3 d = target - p;
+    float far = length(d);
+    if (!(far > 0) || tree.blocked(p, d * (1 / far), far * 0.9999f)) return {};
+    return part.radiance * factor;
+}
+
+Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n,
+                 uint32_t seed) const {
+    Rgb sum = {};
+    uint32_t state = pcg(seed);
+    auto random = [&] { return unitFloat(state = pcg(state)); };
+    if (parts.size() <= (size_t)kMost) {
+        for (const Part &part : parts) {
+            float a = random(), b = random();
+            sum += from(part, tree, p, n, a, b);
+        }
+    } else {
+        float all = until.back(), shift = random();
+        for (int k = 0; k < kMost; ++k) {
+            float at = ((float)k + shift) / kMost * all;
+            auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
+                              parts.size() - 1);
+            const Part &part = parts[i];
+            float a = random(), b = random();
+            sum += from(part, tree, p, n, a, b) * (all / (kMost * part.area * bright(part.radiance)));
+        }
+    }
+    for (const Sun &sun : around.suns) {
+        float cosine = dot(sun.towards, n);
+        if (cosine > 0 && !tree.blocked(p, sun.towards, kInfinity)) sum += sun.light * cosine;
+    }
+    for (const BallLamp &lamp : around.lamps) {
+        Vec3 to = lamp.centre - p;
+        float far = length(to);
+        if (!(far > lamp.radius)) continue;
+        float factor = ballFormFactor(broadcast(dot(to, n) / far),
+                                      broadcast(lamp.radius * lamp.radius / (far * far)))[0];
+        if (!(factor > 0)) continue;
+        // Four points of the disc that it shows
+        Vec3 side = normalize(cross(to, std::fabs(to.x) < std::fabs(to.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0})),
+             up = cross(to, side) * (1 / far);
+        float turn = random() * 6.2831853f, open = 0;
+        for (int k = 0; k < 4; ++k) {
+            float r = lamp.radius * std::sqrt(((float)k + random()) / 4),
+                  angle = turn + (float)k * 2.3999632f;
+            Vec3 d = to + side * (r * std::cos(angle)) + up * (r * std::sin(angle));
+            float l = length(d);
+            open += tree.blocked(p, d * (1 / l), l * 0.9999f) ? 0.f : 0.25f;
+        }
+        sum += lamp.radiance * (factor * open);
+    }
+    return sum;
+}
+
+std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
+                             const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers) {
+    std::vector<Rgb> light(grid.texels.size());
+    if (lamps.none() && around.suns.empty() && around.lamps.empty()) return light;
+    parallelRanges(workers, (int)grid.sites.size(), 64, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const LightGrid::Site &s = grid.sites[(size_t)i];
+            const Vec3 &n = grid.charts[(size_t)s.chart].n;
+            auto counts = [&](uint32_t k) { return !(behind[(size_t)i] >> k & 1); };
+            auto texelOf = [&](uint32_t k) { return (size_t)grid.places[s.firstPlace + k].texel; };
+            Rgb all = {};
+            int places = 0;
+            for (uint32_t k = 0, next; k < s.places; k = next) {
+                Rgb sum = {};
+                int count = 0;
+                for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next)
+                    if (counts(next)) {
+                        uint32_t place = s.firstPlace + next;
+                        sum += lamps.at(tree, around, grid.places[place].p, n, place);
+                        ++count;
+                    }
+                all += sum, places += count;
+                if (count) light[texelOf(k)] = sum * (1 / (float)count);
+            }
+            // Texels that have none are like the rest
+            for (uint32_t k = 0, next; k < s.places; k = next) {
+                int count = 0;
+                for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next) count += counts(next);
+                if (!count) light[texelOf(k)] = all * (1 / (float)places);
+            }
+        }
+    });
+    return light;
+}
+
+} // namespace odraz

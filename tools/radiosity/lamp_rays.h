@@ -1,0 +1,42 @@
+// Direct light on a mesh by rays: from what shines in it, from balls and suns. The sky comes with the light
+// of other surfaces (gather.h).
+//
+// What shines is divided into triangles. A place looks at a point in each, another one every time, and counts
+// it as a disc from afar and by Lambert's formula from near, as radiosity/direct.h does; of very many it
+// takes kMost, by what they give off, spread over where they lie.
+#pragma once
+
+#include "tools/radiosity/light_grid.h"
+#include "tools/radiosity/surroundings.h"
+
+namespace odraz {
+
+class LampRays {
+public:
+    static constexpr int kMost = 64;
+
+    // The largest polygon that shines has about `samples` parts.
+    LampRays(const Mesh &mesh, const Regions &regions, int samples);
+    bool none() const { return parts.empty(); }
+
+    // What a place gets, irradiance / pi; `seed` is another for every place, `round` 0 .. 3.
+    Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n,
+           uint32_t seed) const;
+
+private:
+    struct Part {
+        Vec3 corner[3], n;
+        float area;
+        Rgb radiance;
+    };
+    std::vector<Part> parts;
+    std::vector<float> until; // sums of what the parts give off
+    Rgb from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a, float b) const;
+};
+
+// Of all texels that can be seen, the mean over their places; bits of `behind` tell which of every site's do
+// not count (gather.h).
+std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
+                             const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
+
+} // namespace odraz

@@ -1,0 +1,273 @@
+#include "tools/radiosity/ray_tree.h"
+
+#include "trace/scene/bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+// --- Building ---
+
+struct RayTree::Builder {
+    const std::vector<Corners> &triangles;
+    std::vector<Node> &nodes;
+    std::vector<Leaf> &leaves;
+    struct Item {
+        Bounds box;
+        int number;
+    };
+    std::vector<Item> items;
+
+    struct Group {
+        size_t first, count;
+        Bounds box;
+    };
+    static constexpr size_t kLeaf = 8;
+    static constexpr int kSplit = 40; // as deep halves are made by surface; below, by number
+
+    static float halfArea(const Bounds &b) {
+        Vec3 e = b.hi - b.lo;
+        return e.x * e.y + e.y * e.z + e.z * e.x;
+    }
+    static float at(const Vec3 &v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+    Bounds boxOf(size_t first, size_t count) const {
+        Bounds b = kNoBounds;
+        for (size_t i = first; i < first + count; ++i) include(b, items[i].box);
+        return b;
+    }
+
+    // How many of a group, sorted into its front, make the better first half: by the surface area heuristic
+    // over bins (Wald, 2007).
+    size_t split(const Group &g, int deep) {
+        constexpr int kBins = 16;
+        auto middle = [&](const Item &i) { return i.box.lo + i.box.hi; };
+        Bounds middles = kNoBounds;
+        for (size_t i = g.first; i < g.first + g.count; ++i)
+            include(middles, {middle(items[i]), middle(items[i])});
+        Vec3 extent = middles.hi - middles.lo;
+        int axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+        float low = at(middles.lo, axis), width = at(extent, axis);
+        if (deep > kSplit || !(width > 0)) return g.count / 2;
+        auto bin = [&](const Item &i) {
+            return std::min((int)((at(middle(i), axis) - low) / width * kBins), kBins - 1);
+        };
+        Bounds boxes[kBins];
+        size_t counts[kBins] = {};
+        for (Bounds &b : boxes) b = kNoBounds;
+        for (size_t i = g.first; i < g.first + g.count; ++i) {
+            int k = bin(items[i]);
+            include(boxes[k], items[i].box);
+            ++counts[k];
+        }
+        float left[kBins];
+        Bounds swept = kNoBounds;
+        size_t passed = 0;
+        for (int b = 0; b < kBins - 1; ++b) {
+            include(swept, boxes[b]);
+            passed += counts[b];
+            left[b + 1] = passed ? halfArea(swept) * (float)passed : kInfinity;
+        }
+        swept = kNoBounds, passed = 0;
+        int best = 1;
+        float least = kInfinity;
+        for (int b = kBins - 1; b > 0; --b) {
+            include(swept, boxes[b]);
+            if (!(passed += counts[b])) continue;
+            float cost = left[b] + halfArea(swept) * (float)passed;
+            if (cost < least) least = cost, best = b;
+        }
+        auto begin = items.begin() + (ptrdiff_t)g.first;
+        auto end =
+            std::partition(begin, begin + (ptrdiff_t)g.count, [&](const Item &i) { return bin(i) < best; });
+        auto front = (size_t)(end - begin);
+        return front > 0 && front < g.count ? front : g.count / 2;
+    }
+
+    int leaf(const Group &g) {
+        Leaf l = {};
+        for (size_t k = 0; k < kLeaf; ++k) {
+            l.number[k] = k < g.count ? items[g.first + k].number : -1;
+            if (k >= g.count) continue;
+            const Corners &c = triangles[(size_t)l.number[k]];
+            for (size_t i = 0; i < 3; ++i)
+                l.corner[i][0][k] = c[i].x, l.corner[i][1][k] = c[i].y, l.corner[i][2][k] = c[i].z;
+        }
+        leaves.push_back(l);
+        return ~(int)(leaves.size() - 1);
+    }
+
+    // A node of a group: what is largest of it is split until there are eight parts.
+    int build(const Group &all, int deep) {
+        auto index = (int)nodes.size();
+        nodes.emplace_back();
+        Group parts[8] = {all};
+        int count = 1;
+        while (count < 8) {
+            int largest = -1;
+            float area = -1;
+            for (int i = 0; i < count; ++i)
+                if (float a = halfArea(parts[i].box); parts[i].count > kLeaf && a > area)
+                    largest = i, area = a;
+            if (largest < 0) break;
+            Group &g = parts[largest];
+            size_t front = split(g, deep);
+            size_t rest = g.first + front;
+            parts[count++] = {rest, g.count - front, boxOf(rest, g.count - front)};
+            g = {g.first, front, boxOf(g.first, front)};
+        }
+        Node n;
+        for (int i = 0; i < 8; ++i) {
+            // What is not there lies infinitely far away
+            Bounds b = {{kInfinity, kInfinity, kInfinity}, {kInfinity, kInfinity, kInfinity}};
+            if (i < count) b = parts[i].box;
+            n.lo[0][i] = b.lo.x, n.lo[1][i] = b.lo.y, n.lo[2][i] = b.lo.z;
+            n.hi[0][i] = b.hi.x, n.hi[1][i] = b.hi.y, n.hi[2][i] = b.hi.z;
+            n.child[i] = i >= count               ? -1
+                         : parts[i].count > kLeaf ? build(parts[i], deep + 3)
+                                                  : leaf(parts[i]);
+        }
+        nodes[(size_t)index] = n;
+        return index;
+    }
+};
+
+RayTree::RayTree(const std::vector<Corners> &triangles) {
+    Builder b = {triangles, nodes, leaves, {}};
+    b.items.resize(triangles.size());
+    for (size_t i = 0; i < triangles.size(); ++i) {
+        Bounds box = kNoBounds;
+        for (const Vec3 &c : triangles[i]) include(box, {c, c});
+        b.items[i] = {box, (int)i};
+    }
+    nodes.reserve(triangles.size() / 12 + 16), leaves.reserve(triangles.size() / 4 + 16);
+    b.build({0, triangles.size(), b.boxOf(0, triangles.size())}, 0);
+}
+
+// --- Tracing ---
+
+struct RayTree::Ray {
+    Vec3x8 o, inverse;
+    int kx, ky, kz; // axes, so that the ray runs up along kz
+    Float8 sx, sy, sz;
+
+    Ray(const Vec3 &origin, const Vec3 &direction) : o(broadcast(origin)) {
+        auto invert = [](float x) { return broadcast(1 / (std::fabs(x) < 1e-20f ? 1e-20f : x)); };
+        inverse = {invert(direction.x), invert(direction.y), invert(direction.z)};
+        const float d[3] = {direction.x, direction.y, direction.z};
+        kz = 0;
+        for (int k = 1; k < 3; ++k)
+            if (std::fabs(d[k]) > std::fabs(d[kz])) kz = k;
+        kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+        if (d[kz] < 0) std::swap(kx, ky); // it keeps its handedness
+        sx = broadcast(d[kx] / d[kz]), sy = broadcast(d[ky] / d[kz]), sz = broadcast(1 / d[kz]);
+    }
+    // Where boxes are entered, kInfinity where they are not before the limit. Far sides are put off by what
+    // rounding may amount to (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+    Float8 enter(const Node &n, float limit) const {
+        Float8 ax = (load(n.lo[0]) - o.x) * inverse.x, bx = (load(n.hi[0]) - o.x) * inverse.x;
+        Float8 ay = (load(n.lo[1]) - o.y) * inverse.y, by = (load(n.hi[1]) - o.y) * inverse.y;
+        Float8 az = (load(n.lo[2]) - o.z) * inverse.z, bz = (load(n.hi[2]) - o.z) * inverse.z;
+        Float8 in = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
+        Float8 out = min(min(max(ax, bx), max(ay, by)), max(az, bz)) * 1.0000005f;
+        return select((in <= out) & (in <= broadcast(limit)), in, kInfinity);
+    }
+    // Distances to a leaf's triangles, kInfinity where they are missed; `back` is set where their backs are.
+    // Corners are sheared so that the ray is an axis: what neighbours share comes out the same for both, and
+    // on which side of it the ray passes is told without a rounding that matters.
+    Float8 meet(const Leaf &l, Int8 &back) const {
+        struct Sheared {
+            Float8 x, y, z;
+        };
+        const Float8 from[3] = {o.x, o.y, o.z};
+        auto corner = [&](int k) {
+            Float8 z = load(l.corner[k][kz]) - from[kz];
+            return Sheared{fmadd(-sx, z, load(l.corner[k][kx]) - from[kx]),
+                           fmadd(-sy, z, load(l.corner[k][ky]) - from[ky]), z * sz};
+        };
+        // a b - c d, nearly exact (Kahan)
+        auto difference = [](Float8 a, Float8 b, Float8 c, Float8 d) {
+            Float8 cd = c * d;
+            return (Float8)_mm256_fmsub_ps(a, b, cd) + (Float8)_mm256_fnmadd_ps(c, d, cd);
+        };
+        Sheared a = corner(0), b = corner(1), c = corner(2);
+        Float8 u = difference(c.x, b.y, c.y, b.x), v = difference(a.x, c.y, a.y, c.x),
+               w = difference(b.x, a.y, b.y, a.x);
+        Float8 least = min(u, min(v, w)), most = max(u, max(v, w)), sum = u + v + w;
+        Float8 t = fmadd(u, a.z, fmadd(v, b.z, w * c.z)) / sum;
+        back = sum < 0.f;
+        Int8 hit = ((least >= 0.f) | (most <= 0.f)) & (sum != 0.f) & (t > 0.f);
+        return select(hit, t, kInfinity);
+    }
+};
+
+namespace {
+
+// Nodes that wait, the nearest last.
+struct Waiting {
+    int node;
+    float enter;
+};
+constexpr int kWaiting = 512;
+// A back hides what lies more than this behind it
+constexpr float kBehind = 1.0001f;
+
+} // namespace
+
+RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
+    Ray ray(origin, direction);
+    RayHit hit;
+    float limit = kInfinity; // what is met nearer counts
+    Waiting stack[kWaiting];
+    int waiting = 0;
+    stack[waiting++] = {0, 0};
+    while (waiting) {
+        Waiting next = stack[--waiting];
+        if (next.enter > limit) continue;
+        if (next.node < 0) {
+            const Leaf &l = leaves[(size_t)~next.node];
+            Int8 back;
+            Float8 t = ray.meet(l, back), far = select(back, t * kBehind, t);
+            for (int lanes = laneBits((far <= broadcast(limit)) & (t < kInfinity)); lanes;
+                 lanes &= lanes - 1) {
+                int i = __builtin_ctz((unsigned)lanes);
+                // Of equals the first: the same however the tree is built
+                if (l.number[i] < 0 || far[i] > limit || (far[i] == limit && l.number[i] > hit.triangle))
+                    continue;
+                limit = far[i];
+                hit = {t[i], l.number[i], back[i] != 0};
+            }
+            continue;
+        }
+        const Node &n = nodes[(size_t)next.node];
+        Float8 enter = ray.enter(n, limit);
+        int base = waiting;
+        for (int lanes = laneBits(enter < kInfinity); lanes; lanes &= lanes - 1) {
+            int i = __builtin_ctz((unsigned)lanes), at = waiting++;
+            float e = enter[i];
+            for (; at > base && stack[at - 1].enter < e; --at) stack[at] = stack[at - 1];
+            stack[at] = {n.child[i], e};
+        }
+    }
+    return hit;
+}
+
+bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end) const {
+    Ray ray(origin, direction);
+    int stack[kWaiting], waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting) {
+        int next = stack[--waiting];
+        if (next < 0) {
+            Int8 back;
+            if (any(ray.meet(leaves[(size_t)~next], back) < broadcast(end))) return true;
+            continue;
+        }
+        const Node &n = nodes[(size_t)next];
+        for (int lanes = laneBits(ray.enter(n, end) < kInfinity); lanes; lanes &= lanes - 1)
+            stack[waiting++] = n.child[__builtin_ctz((unsigned)lanes)];
+    }
+    return false;
+}
+
+} // namespace odraz
