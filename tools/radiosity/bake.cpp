@@ -286,8 +286,7 @@ std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const
     b->materials = mesh.materials;
     join(*b, mesh);
     lightUp(*b);
-    b->byRays = settings.way == Way::kRays ||
-                (settings.way == Way::kByCount && b->regions.facets.size() > kManyFacets);
+    b->byRays = settings.way == Way::kRays;
     if (b->byRays) {
         bakeByRays(*b, mesh, workers, stop, told);
         return b;

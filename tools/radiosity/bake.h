@@ -16,16 +16,14 @@
 
 namespace odraz {
 
-// How light is passed on: between patches, by hemicubes that OpenGL draws, which is exact and fast where
-// there are large polygons; or from every element by rays (gather.h), for many small ones and for any number.
-// kByCount: by rays from kManyFacets polygons on.
-enum class Way { kByCount, kPatches, kRays };
-inline constexpr size_t kManyFacets = 1500;
+// How light is passed on: from every element by rays (gather.h), or between patches by hemicubes that OpenGL
+// draws, as the film does it.
+enum class Way { kRays, kPatches };
 
 struct BakeSettings {
-    Way way = Way::kByCount;
+    Way way = Way::kRays;
     // By rays
-    int rays = 0;  // from an element, 0: as many as make kAllRays, kLeastRays to kMostRays
+    int rays = 0;  // from an element, up to 32768; 0: as many as each one needs
     int final = 0; // from an element in the end, for quality; 0: none
     // By patches
     int hemicube = 16;             // pixels; even, 4 .. kMaxHemicube
@@ -60,7 +58,8 @@ struct Bake {
     std::vector<Cell> cells;
     std::vector<Texel> texels;
     std::vector<Rgb> arrives;
-    int rays, sites;
+    size_t rays; // from a site, in the mean
+    int sites;
     // By patches
     std::unique_ptr<void, Free> memory;
     Arena arena;

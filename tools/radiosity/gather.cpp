@@ -1,10 +1,10 @@
 #include "tools/radiosity/gather.h"
 
 #include "base/random.h"
-#include "tools/radiosity/near_sites.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace odraz {
 
@@ -26,6 +26,8 @@ std::vector<Vec3> spiralOf(int count) {
     return all;
 }
 
+float bright(const Rgb &c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
+
 __m128 wide(const Rgb &c) { return _mm_setr_ps(c.x, c.y, c.z, 0); }
 Rgb narrow(__m128 v) {
     alignas(16) float f[4];
@@ -35,12 +37,27 @@ Rgb narrow(__m128 v) {
 
 } // namespace
 
-Gather::Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
-               int rays)
-    : rays(rays), regions(regions), grid(grid), tree(tree), around(around) {
+Gather::Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around)
+    : near(grid), regions(regions), grid(grid), tree(tree), around(around) {
     size_t sites = grid.sites.size();
-    rows.resize(sites * (size_t)rays), arrives.resize(sites), sky.resize(sites), reach.resize(sites);
-    behind.resize(sites);
+    firstOf.resize(sites + 1), found.resize(sites);
+    arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
+        behind.resize(sites);
+}
+
+size_t Gather::setRays(const std::vector<uint16_t> &counts) {
+    std::vector<uint64_t> at(counts.size() + 1);
+    for (size_t i = 0; i < counts.size(); ++i) at[i + 1] = at[i] + counts[i];
+    std::vector<uint32_t> now(at.back());
+    size_t missing = 0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+        found[i] = found[i] && rays(i) == counts[i];
+        missing += !found[i];
+        if (found[i])
+            std::copy_n(rows.begin() + (ptrdiff_t)firstOf[i], counts[i], now.begin() + (ptrdiff_t)at[i]);
+    }
+    rows = std::move(now), firstOf = std::move(at);
+    return missing;
 }
 
 // Calls met(i, place, direction, hit) for every ray of a site.
@@ -80,15 +97,17 @@ uint32_t Gather::siteAt(int chart, const Vec3 &p, uint32_t random) const {
 }
 
 void Gather::findRow(size_t site, const std::vector<Vec3> &spiral) {
-    uint32_t *row = &rows[site * (size_t)rays], first = grid.sites[site].firstPlace;
+    uint32_t *row = &rows[firstOf[site]], first = grid.sites[site].firstPlace;
+    auto count = (int)rays(site);
     Rgb open = {};
-    float near = 0;
+    float near = 0, squares = 0;
     int backs[16] = {}, all[16] = {};
-    cast(site, rays, spiral, [&](int i, uint32_t place, const Vec3 &d, const RayHit &hit) {
+    cast(site, count, spiral, [&](int i, uint32_t place, const Vec3 &d, const RayHit &hit) {
         row[i] = kDark;
         ++all[place - first];
         if (hit.triangle < 0) {
-            if (around.sky.width) open += around.sky.radiance(d);
+            Rgb light = around.sky.width ? around.sky.radiance(d) : Rgb{};
+            open += light, squares += bright(light) * bright(light);
             return;
         }
         near += 1 / std::max(hit.t, 1e-30f);
@@ -96,10 +115,10 @@ void Gather::findRow(size_t site, const std::vector<Vec3> &spiral) {
             ++backs[place - first];
         else
             row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t,
-                            pcg((uint32_t)(site * (size_t)rays + (size_t)i)));
+                            pcg((uint32_t)(site * 8191 + (size_t)i)));
     });
-    sky[site] = open * (1 / (float)rays);
-    reach[site] = near > 0 ? (float)rays / near : kInfinity;
+    sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
+    reach[site] = near > 0 ? (float)count / near : kInfinity;
     // Once more without those that lie behind something
     if (behind[site]) return;
     bool clear = false;
@@ -114,10 +133,75 @@ void Gather::findRow(size_t site, const std::vector<Vec3> &spiral) {
 }
 
 void Gather::findRows(size_t first, size_t end, Workers &workers) {
-    const std::vector<Vec3> spiral = spiralOf(rays);
+    std::map<size_t, std::vector<Vec3>> spirals;
+    for (size_t site = first; site < end; ++site)
+        if (auto &spiral = spirals[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
     parallelRanges(workers, (int)(end - first), 32, [&](int from, int to, int) {
-        for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site) findRow(site, spiral);
+        for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site)
+            if (!found[site]) findRow(site, spirals.at(rays(site)));
     });
+    std::fill(found.begin() + (ptrdiff_t)first, found.begin() + (ptrdiff_t)end, true);
+}
+
+template <class Visit>
+void Gather::neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
+                        const Visit &visit) const {
+    const LightGrid::Site &s = grid.sites[own];
+    float radius = std::min(share * reach[own], 2.5f * s.size);
+    if (radius < 0.7f * s.size) return;
+    Vec3 n = grid.charts[(size_t)s.chart].n;
+    near.within(p, radius, [&](uint32_t i, float far) {
+        const LightGrid::Site &other = grid.sites[i];
+        const Vec3 &m = grid.charts[(size_t)other.chart].n;
+        float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
+        float off = (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
+        // Behind the middle plane it sees what this one does not
+        if (off >= 1 || std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
+        visit(i, (1 - off) * (1 - far / radius) * other.size * other.size);
+    });
+}
+
+std::vector<uint16_t> Gather::raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
+                                      float error, float share, Workers &workers) const {
+    size_t count = grid.sites.size();
+    std::vector<float> variance(count), wanted(count);
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto i = (size_t)first; i < (size_t)end; ++i) {
+            double sum = (double)bright(sky[i]), squares = (double)skySquare[i], share = 1 / (double)rays(i);
+            for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
+                if (uint32_t j = rows[k]; j != kDark) {
+                    auto l = (double)bright(reflects[j] * (direct[j] + arrives[j]));
+                    sum += l * share, squares += l * l * share;
+                }
+            variance[i] = (float)std::max(squares - sum * sum, 0.);
+        }
+    });
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto i = (size_t)first; i < (size_t)end; ++i) {
+            // Few rays may have missed what is small and bright: what those nearby met counts, too
+            float all = variance[i], light = bright(direct[i] + arrives[i]), weights = 1, sum = 0, square = 0;
+            neighbours((uint32_t)i, near.at((uint32_t)i), share, near, [&](uint32_t k, float w) {
+                w /= grid.sites[i].size * grid.sites[i].size;
+                all += w * variance[k], light += w * bright(direct[k] + arrives[k]), weights += w;
+                sum += w, square += w * w;
+            });
+            float sharers = square > 0 ? sum * sum / square : 1, least = error * light / weights;
+            // A spiral's error falls faster than that of rays at random
+            if (least > 0) wanted[i] = std::pow(all / weights / (sharers * least * least), 1 / 1.4f);
+        }
+    });
+    double scale = 1;
+    std::vector<uint16_t> all(count);
+    for (int tries = 0; tries < 20; ++tries, scale *= 0.7) {
+        double sum = 0;
+        for (size_t i = 0; i < count; ++i) {
+            uint16_t n = kLeastRays;
+            while (n < kMostRays && (double)n < (double)wanted[i] * scale) n = (uint16_t)(n * 2);
+            sum += all[i] = n;
+        }
+        if (sum <= kAllRays) break;
+    }
+    return all;
 }
 
 int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
@@ -143,9 +227,10 @@ int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflec
             size_t first = count * b / blocks, end = count * (b + 1) / blocks;
             parallelRanges(workers, (int)(end - first), 64, [&](int from, int to, int) {
                 for (size_t i = first + (size_t)from; i < first + (size_t)to; ++i) {
-                    const uint32_t *row = &rows[i * (size_t)rays];
+                    const uint32_t *row = &rows[firstOf[i]];
+                    size_t rays = this->rays(i);
                     __m128 sum = _mm_setzero_ps();
-                    for (int k = 0; k < rays; ++k)
+                    for (size_t k = 0; k < rays; ++k)
                         sum = _mm_add_ps(sum, shines[std::min((size_t)row[k], count)].v);
                     arrives[i] = sky[i] + narrow(sum) * (1 / (float)rays);
                     Rgb b = reflects[i] * (direct[i] + arrives[i]);
@@ -189,32 +274,16 @@ void Gather::gatherFinal(int count, const std::vector<Rgb> &texels,
 }
 
 std::vector<Rgb> Gather::atTexels(float share, Workers &workers) const {
-    NearSites near(grid);
     std::vector<Rgb> light(grid.texels.size());
     parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
         for (int t = first; t < end; ++t) {
             uint32_t own = grid.siteOf[(size_t)t];
             if (own == LightGrid::kNone) continue;
-            const LightGrid::Site &s = grid.sites[own];
-            light[(size_t)t] = arrives[own];
-            float radius = std::min(share * reach[own], 2.5f * s.size);
-            if (radius < 0.7f * s.size) continue;
-            Vec3 p = grid.at(grid.texels[(size_t)t]), n = grid.charts[(size_t)s.chart].n;
             Rgb sum = {};
             float weights = 0;
-            near.within(p, radius, [&](uint32_t i, float far) {
-                const LightGrid::Site &other = grid.sites[i];
-                const Vec3 &m = grid.charts[(size_t)other.chart].n;
-                float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
-                float off =
-                    (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
-                if (off >= 1) return;
-                // Behind the middle plane it sees what this one does not
-                if (std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
-                float w = (1 - off) * (1 - far / radius) * other.size * other.size;
-                sum += arrives[i] * w, weights += w;
-            });
-            if (weights > 0) light[(size_t)t] = sum * (1 / weights);
+            neighbours(own, grid.at(grid.texels[(size_t)t]), share, near,
+                       [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
+            light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[own];
         }
     });
     return light;

@@ -12,6 +12,7 @@
 #pragma once
 
 #include "tools/radiosity/light_grid.h"
+#include "tools/radiosity/near_sites.h"
 #include "tools/radiosity/surroundings.h"
 
 #include <functional>
@@ -21,12 +22,22 @@ namespace odraz {
 class Gather {
 public:
     static constexpr uint32_t kDark = 0xffffffff; // the sky, a back, or what has no light
+    static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
+    static constexpr double kAllRays = 24e6;
 
-    Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
-           int rays);
+    Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
 
-    // Finds the rows of sites first .. end.
+    // Makes room for so many rays from every site; those that had as many keep their rows, of the others
+    // findRow() says so. Returns how many are to be found.
+    size_t setRays(const std::vector<uint16_t> &rays);
+    size_t rays(size_t site) const { return firstOf[site + 1] - firstOf[site]; }
+    // Finds those of sites first .. end.
     void findRows(size_t first, size_t end, Workers &workers);
+
+    // How many rays every site should have, by what the present ones bring: so that light is off by `error`
+    // of it, with what neighbours share; kLeastRays to kMostRays, powers of two, kAllRays of them all in all.
+    std::vector<uint16_t> raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
+                                  float error, float share, Workers &workers) const;
 
     // Solves for what arrives, from direct light at the sites and what they reflect. `sweeps` at most;
     // told(residual) is called after every one, and ends it by returning false. With `bounces` a sweep is one
@@ -42,16 +53,19 @@ public:
     // neighbours where their light would be off by less than `share` of it.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
 
-    std::vector<Rgb> arrives;   // at every site
-    std::vector<uint32_t> rows; // [site][rays]
-    std::vector<Rgb> sky;       // of every site
-    std::vector<float> reach;   // the harmonic mean of the distances of what it sees
+    std::vector<Rgb> arrives;      // at every site
+    std::vector<uint64_t> firstOf; // of every site's in `rows`, and their end
+    std::vector<uint32_t> rows;    // sites
+    std::vector<bool> found;       // whether a site's is there
+    std::vector<Rgb> sky;          // of every site
+    std::vector<float> skySquare;  // mean of its brightness, squared
+    std::vector<float> reach;      // the harmonic mean of the distances of what it sees
     // A bit for each of a site's places that does not count: it sees many backs, others of the site none. It
     // lies behind something thin that cuts through, or under it.
     std::vector<uint16_t> behind;
-    int rays;
 
 private:
+    NearSites near;
     const Regions &regions;
     const LightGrid &grid;
     const RayTree &tree;
@@ -59,6 +73,10 @@ private:
     template <class Met>
     void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
     void findRow(size_t site, const std::vector<Vec3> &spiral);
+    // visit(other, weight) for all sites whose light counts at a place of one
+    template <class Visit>
+    void neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
+                    const Visit &visit) const;
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 

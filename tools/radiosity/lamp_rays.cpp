@@ -117,26 +117,31 @@ Rgb LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const V
     return part.radiance * factor;
 }
 
-Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n,
-                 uint32_t seed) const {
+Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n, uint32_t seed,
+                 float shift, int sharers) const {
     Rgb sum = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
-    if (parts.size() <= (size_t)kMost) {
-        for (const Part &part : parts) {
-            float a = random(), b = random();
-            sum += from(part, tree, p, n, a, b);
-        }
-    } else {
-        float all = until.back(), shift = random();
-        for (int k = 0; k < kMost; ++k) {
-            float at = ((float)k + shift) / kMost * all;
-            auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
-                              parts.size() - 1);
-            const Part &part = parts[i];
-            float a = random(), b = random();
-            sum += from(part, tree, p, n, a, b) * (all / (kMost * part.area * bright(part.radiance)));
-        }
+    // From near every part counts; from afar some of them do, others from every place
+    int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
+    bool all = (size_t)some >= parts.size();
+    for (size_t i = 0; i < parts.size() && parts.size() <= (size_t)kMost && !all; ++i) {
+        Vec3 to = (parts[i].corner[0] + parts[i].corner[1] + parts[i].corner[2]) * (1 / 3.f) - p;
+        all = dot(to, to) < parts[i].area * kNear;
+    }
+    for (const Part &part : parts) {
+        if (!all) break;
+        float a = random(), b = random();
+        sum += from(part, tree, p, n, a, b);
+    }
+    float power = parts.empty() ? 0 : until.back();
+    for (int k = 0; k < some && !all; ++k) {
+        float at = ((float)k + shift) / (float)some * power;
+        auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
+                          parts.size() - 1);
+        const Part &part = parts[i];
+        float a = random(), b = random();
+        sum += from(part, tree, p, n, a, b) * (power / ((float)some * part.area * bright(part.radiance)));
     }
     for (const Sun &sun : around.suns) {
         float cosine = dot(sun.towards, n);
@@ -176,17 +181,20 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
             auto counts = [&](uint32_t k) { return !(behind[(size_t)i] >> k & 1); };
             auto texelOf = [&](uint32_t k) { return (size_t)grid.places[s.firstPlace + k].texel; };
             Rgb all = {};
-            int places = 0;
+            int places = 0, sharers = 0;
+            for (uint32_t k = 0; k < s.places; ++k) sharers += counts(k);
+            float base = unitFloat(pcg((uint32_t)i));
             for (uint32_t k = 0, next; k < s.places; k = next) {
                 Rgb sum = {};
                 int count = 0;
                 for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next)
                     if (counts(next)) {
                         uint32_t place = s.firstPlace + next;
-                        sum += lamps.at(tree, around, grid.places[place].p, n, place);
+                        float shift = std::fmod(base + (float)places++ / (float)sharers, 1.f);
+                        sum += lamps.at(tree, around, grid.places[place].p, n, place, shift, sharers);
                         ++count;
                     }
-                all += sum, places += count;
+                all += sum;
                 if (count) light[texelOf(k)] = sum * (1 / (float)count);
             }
             // Texels that have none are like the rest

@@ -3,7 +3,8 @@
 //
 // What shines is divided into triangles. A place looks at a point in each, another one every time, and counts
 // it as a disc from afar and by Lambert's formula from near, as radiosity/direct.h does; of very many it
-// takes kMost, by what they give off, spread over where they lie.
+// takes kMost, by what they give off, spread over where they lie. Places of one texel, or of a small polygon,
+// share the work.
 #pragma once
 
 #include "tools/radiosity/light_grid.h"
@@ -13,15 +14,16 @@ namespace odraz {
 
 class LampRays {
 public:
-    static constexpr int kMost = 64;
+    static constexpr int kMost = 128;
 
     // The largest polygon that shines has about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
 
-    // What a place gets, irradiance / pi; `seed` is another for every place, `round` 0 .. 3.
-    Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n,
-           uint32_t seed) const;
+    // What a place gets, irradiance / pi; `seed` is another for every place, and `shift`, 0 .. 1, tells which
+    // parts it looks at: so many places share them, each with some that lie evenly apart.
+    Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n, uint32_t seed,
+           float shift, int sharers) const;
 
 private:
     struct Part {

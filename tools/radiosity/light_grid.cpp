@@ -89,9 +89,8 @@ static bool land(const Regions &regions, const RayTree &tree, int chart, Vec3 &p
     return true;
 }
 
-// Inside something closed only backs are seen, to all sides.
+// Inside something closed only backs are seen, to all sides; not upwards, for tubes have no lids.
 static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
-    if (!tree.nearest(p, c.n).back) return false;
     for (int i = 0; i < 8; ++i) {
         float slant = i & 2 ? 0.5f : 2.f, a = (i & 1 ? -slant : slant) * 0.8f,
               b = (i & 4 ? -slant : slant) * 0.6f;

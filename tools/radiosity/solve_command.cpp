@@ -91,7 +91,7 @@ Job readJob(Arguments &words) {
         else if (w == "--bounces")
             s.bounces = words.whole(w, 0, 10000);
         else if (w == "--rays")
-            s.rays = words.whole(w, 8, 65536), s.way = Way::kRays;
+            s.rays = words.whole(w, 8, 32768), s.way = Way::kRays;
         else if (w == "--final")
             s.final = words.whole(w, 8, 65536), s.way = Way::kRays;
         else if (w == "--residual")
@@ -147,7 +147,7 @@ void tell(const std::vector<std::string> &notes) {
 void report(const Mesh &mesh, const Bake &b, int elements) {
     std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(), b.material.size());
     if (b.byRays)
-        std::printf("%d elements, %d sites with %d rays\n", elements, b.sites, b.rays);
+        std::printf("%d elements, %d sites with %zu rays\n", elements, b.sites, b.rays);
     else
         std::printf("%d patches, %d elements\n", b.model->patchCount, elements);
     std::printf("processor seconds: dividing %.2f, form factors %.2f", b.seconds[0], b.seconds[1]);
