@@ -2,11 +2,10 @@
 #include "tools/common/machine.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/baked.h"
+#include "tools/radiosity/camera_options.h"
 #include "tools/radiosity/generate.h"
 #include "tools/radiosity/solve_command.h"
-#include "trace/picture/frame.h"
 
-#include <cmath>
 #include <cstdio>
 
 using namespace odraz;
@@ -101,68 +100,29 @@ int runExport(Arguments &words) {
     return 0;
 }
 
-Vec3 readPlace(const std::string &option, const std::string &text) {
-    Vec3 p;
-    char rest;
-    if (std::sscanf(text.c_str(), "%f,%f,%f%c", &p.x, &p.y, &p.z, &rest) == 3 &&
-        std::isfinite(p.x + p.y + p.z))
-        return p;
-    throw Refused(option + " takes three numbers like 1,2.5,-3, not " + text);
-}
-
-void readSize(const std::string &text, int &width, int &height) {
-    char rest;
-    if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
-        width > kMaxWidth || height > kMaxHeight)
-        throw Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
-}
-
-// Prints a place as an option has it; what it is when it is read again.
-Vec3 asTold(const char *option, const Vec3 &p) {
-    char text[96];
-    std::snprintf(text, sizeof text, "%g,%g,%g", (double)p.x, (double)p.y, (double)p.z);
-    std::printf("%s %s", option, text);
-    return readPlace(option, text);
-}
-
 int runRender(Arguments &words) {
     std::string in, out;
-    RenderSettings s;
-    bool eye = false, at = false;
+    CameraOptions camera;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "-o")
             out = words.value(w);
-        else if (w == "--eye")
-            s.eye = readPlace(w, words.value(w)), eye = true;
-        else if (w == "--at")
-            s.target = readPlace(w, words.value(w)), at = true;
-        else if (w == "--size")
-            readSize(words.value(w), s.width, s.height);
-        else if (w == "--lens")
-            s.lens = (float)words.number(w, 1, 170);
-        else if (w == "--exposure")
-            s.stops = (float)words.number(w, -20, 20);
-        else if (w == "--up")
-            s.upIsZ = words.choice(w, "z", "y");
-        else if (w == "--tone")
-            s.logarithmic = words.choice(w, "log", "film");
+        else if (camera.take(w, words))
+            continue;
         else if (word[0] != '-' && in.empty())
             in = w;
         else
             words.refuse(w);
     }
     if (in.empty() || out.empty()) throw Refused("render needs a solution and -o FILE.png");
-    if (eye != at) throw Refused("render needs --eye and --at, or neither");
+    camera.finish("render");
     checkWritable(out);
     Workers workers = allProcessors();
     Baked baked(in);
-    if (!eye) {
+    RenderSettings &s = camera.settings;
+    if (!camera.placed()) {
         placeCamera(baked, s);
-        s.eye = asTold("--eye", s.eye);
-        std::printf(" ");
-        s.target = asTold("--at", s.target);
-        std::printf("\n");
+        std::printf("%s\n", placeAsTold(s).c_str());
     }
     render(baked, s, workers, out);
     return 0;
