@@ -86,15 +86,16 @@ public:
         };
         divide();
         lap(0);
-        findRows();
-        lap(1);
         RadiositySettings settings;
         settings.levels = s.adaptive ? kDivided : 0;
         settings.contrast = s.contrast;
         takePlanes();
         findDirect(r, m, *b.scene, settings, workers, tell(2));
         gatherFromOutside();
+        if (s.growing) s.growing(b, nullptr);
         lap(2);
+        findRows();
+        lap(1);
         solveBounces();
         lap(3);
         if (told) told(nullptr, 1, b.left);
@@ -252,6 +253,7 @@ private:
              progress((float)b.sweeps / (float)s.bounces)) {
             bounce(system, workers);
             ++b.sweeps;
+            if (s.growing) s.growing(b, system.radiosity);
         }
         gather(system, workers);
         for (size_t i = 0; seen && i < all; ++i) system.gathered[i] += seen[i];
@@ -271,6 +273,8 @@ private:
                               double end = std::log((double)k.s.residual),
                                      done = k.begin <= end ? 1 : (k.begin - now) / (k.begin - end);
                               if (k.told) k.told(Bake::kSteps[3], (float)std::clamp(done, 0., 1.), residual);
+                              // Of one block: its values are kept in what is gathered
+                              if (k.s.growing) k.s.growing(k.b, k.r.system.gathered);
                           },
                           this});
         workers.abort = &kNever;

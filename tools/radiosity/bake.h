@@ -19,6 +19,10 @@ namespace odraz {
 // How light is passed on: from every element by rays (gather.h), or between patches by hemicubes that OpenGL
 // draws, as the film does it.
 enum class Way { kRays, kPatches };
+struct Bake;
+// Hears of light that is worth looking at (growing.h), on the thread that solves: of direct light,
+// `radiosity` null; then after every sweep, with the radiosities of the patches as System has them.
+using Growing = std::function<void(const Bake &, const float *radiosity)>;
 
 struct BakeSettings {
     Way way = Way::kRays;
@@ -40,6 +44,7 @@ struct BakeSettings {
     int turns = 1;     // hemicubes for each patch, turned otherwise: anti-aliasing
     RowFinder rows;    // null: by hemicubes, as is faster
     Surroundings surroundings;
+    Growing growing;
 };
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.
