@@ -3,6 +3,7 @@
 #include "tools/common/machine.h"
 #include "tools/common/statistics.h"
 #include "tools/measure/measured.h"
+#include "tools/measure/mesh_reference.h"
 #include "tools/measure/reference_hall.h"
 #include "tools/radiosity/generate.h"
 
@@ -48,8 +49,10 @@ struct Size {
 };
 constexpr Size kThesis[] = {{26360, 280}, {136512, 3500}, {546048, 34980}};
 
-// The area that gives a model at least so many triangles.
-double areaFor(const char *kind, size_t triangles) {
+// The area that gives a model at least so many triangles, or of curved ones about as many.
+double areaFor(const std::string &kind, size_t triangles) {
+    if (kind == "vault") return 27600 * 0.06 / (double)triangles;
+    if (kind == "terrain") return 27400 * 0.02 / (double)triangles;
     double low = 1e-4, high = 10;
     for (int i = 0; i < 40; ++i) {
         double middle = std::sqrt(low * high);
@@ -71,9 +74,19 @@ void hemicubes(const Gl &gl, Workers &workers) {
         std::fflush(stdout);
     };
     line("the film's hall", hall.hall->model);
+    BakeSettings patches;
+    patches.way = Way::kPatches;
     for (const char *kind : {"columns", "cube"})
-        line(kind, *bake(generatedMesh(kind, 0), {}, gl, workers, &kNever, {})->model);
+        line(kind, *bake(generatedMesh(kind, 0), patches, gl, workers, &kNever, {})->model);
     std::printf("\nThe film's hall, as it ships: %.2f s.\n", hall.seconds);
+}
+
+size_t elementsOf(const Bake &b) {
+    size_t count = 0;
+    int last = -1;
+    Baked(b).forPieces(
+        [&](int, int cell, const std::vector<BakedPoint> &) { count += cell != last, last = cell; });
+    return count;
 }
 
 // A line of the table of whole solutions. `thesis`: its seconds; 0: none.
@@ -86,18 +99,24 @@ void solution(const char *name, const Mesh &mesh, const BakeSettings &settings, 
         b = bake(mesh, settings, gl, workers, &kNever, {});
         times.push_back(b->seconds[4]);
     }
-    std::printf("| %s | %zu | %d | %d |", name, mesh.triangles.size(), b->model->cellCount, b->rows);
+    std::printf("| %s | %zu | %zu | %d | %zu |", name, mesh.triangles.size(), elementsOf(*b), b->sites,
+                b->rays);
     if (thesis > 0) std::printf(" %.0f", thesis);
     std::printf(" | %.2f | %.2f |", median(times), median(times) * 1e6 / (double)mesh.triangles.size());
-    if (!quick)
-        std::printf(" %.2f", rmsPercent(*b->model, b->light, referenceOf(mesh, gl, workers, 1000, false)));
-    std::printf(" |\n");
+    if (!quick) {
+        auto probes = placeMeshProbes(Baked(*b), 1000);
+        tracePaths(mesh, b->settings.surroundings, probes, 96, workers);
+        MeshErrors e = errorsOf(probes);
+        std::printf(" %.2f | %.2f |", e.median, e.rms);
+    }
+    std::printf("\n");
     std::fflush(stdout);
 }
 
 void solutions(bool quick, const Gl &gl, Workers &workers) {
-    std::printf("\n| model | triangles | elements | hemicubes | the thesis, s | odraz, s | us a triangle "
-                "| rms of 1,000 places, %% |\n|---|---|---|---|---|---|---|---|\n");
+    std::printf("\n| model | triangles | elements | sites | rays from each | the thesis, s | odraz, s "
+                "| us a triangle | median of 1,000 places, %% | rms, %% "
+                "|\n|---|---|---|---|---|---|---|---|---|---|\n");
     for (const Size &row : kThesis) {
         if (quick && row.triangles > 30000) continue;
         Mesh mesh = generatedMesh("columns", areaFor("columns", row.triangles));
@@ -107,8 +126,12 @@ void solutions(bool quick, const Gl &gl, Workers &workers) {
         s.memory = (size_t)8 << 30;
         solution("columns", mesh, s, row.seconds, quick, gl, workers);
     }
-    // No two of its triangles lie in one plane
-    if (!quick) solution("cave", generatedMesh("cave", areaFor("cave", 26000)), {}, 0, quick, gl, workers);
+    // Few of their triangles lie in one plane
+    if (quick) return;
+    solution("cave", generatedMesh("cave", areaFor("cave", 26000)), {}, 0, quick, gl, workers);
+    for (const char *kind : {"vault", "terrain"})
+        for (double size : {30e3, 100e3, 300e3, 1e6})
+            solution(kind, generatedMesh(kind, areaFor(kind, (int)size)), {}, 0, size > 3e5, gl, workers);
 }
 
 int run(Arguments &words) {

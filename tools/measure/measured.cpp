@@ -18,6 +18,7 @@ Mesh generatedMesh(const std::string &kind, double area) {
 std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick) {
     double area = areaOf(mesh);
     BakeSettings fine;
+    fine.way = Way::kPatches;
     fine.rows = rowsByRays(quick ? 32 : 64);
     fine.patch = area / (quick ? 4000 : 12000);
     fine.element = area / (quick ? 100000 : 500000);

@@ -133,7 +133,8 @@ std::vector<MeshProbe> placeMeshProbes(const Baked &baked, int count, bool middl
     auto put = [&](int chart, const Vec3 &p, const Rgb &radiosity) {
         Rgb shown = radiosity - baked.emits[(size_t)chart], r = baked.reflects[(size_t)chart];
         auto share = [](float x, float y) { return y > 0 ? x / y : 0; };
-        probes.push_back({p,
+        probes.push_back({chart,
+                          p,
                           baked.charts[(size_t)chart].n,
                           {share(shown.x, r.x), share(shown.y, r.y), share(shown.z, r.z)},
                           {},
@@ -167,6 +168,10 @@ std::vector<MeshProbe> placeMeshProbes(const Baked &baked, int count, bool middl
         put(parts[k].chart, p * (1 / all), radiosity * (1 / all));
     }
     return probes;
+}
+
+void solvedAt(const Baked &baked, std::vector<MeshProbe> &probes) {
+    for (MeshProbe &p : probes) p.solved = baked.lightAt(p.chart, p.p);
 }
 
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,

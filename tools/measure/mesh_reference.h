@@ -8,6 +8,7 @@
 namespace odraz {
 
 struct MeshProbe {
+    int chart;
     Vec3 p, n;
     Rgb solved;    // what arrives, by the solution: irradiance / pi
     Rgb traced;    // by the paths
@@ -17,6 +18,9 @@ struct MeshProbe {
 // Places spread at random over what is lit of a solution, by area; or the middles of elements that such
 // places lie on, with their mean light, as the CSV has them.
 std::vector<MeshProbe> placeMeshProbes(const Baked &baked, int count, bool middles = false);
+
+// The same places in another solution of the model.
+void solvedAt(const Baked &baked, std::vector<MeshProbe> &probes);
 
 // Traces side x side paths from every probe: cosine-distributed directions, the first in strata, lamps met by
 // shadow rays to points of theirs, until roulette ends them. Drops the probes that lie inside something

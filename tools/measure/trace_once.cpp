@@ -92,7 +92,8 @@ int run(Arguments &words) {
         return std::string(word);
     };
     std::string what = needed();
-    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "bare" && what != "time")
+    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "bare" &&
+        what != "time")
         words.refuse(what);
     std::string file = needed();
     if (what == "time") {

@@ -1,5 +1,6 @@
 #include "tools/common/machine.h"
 #include "tools/measure/measured.h"
+#include "tools/measure/mesh_reference.h"
 #include "tools/measure/reference_hall.h"
 #include "tools/measure/tradeoff.h"
 
@@ -13,30 +14,36 @@ struct Setting {
     bool shipped;
 };
 
-// One knob after the other, from the defaults of `radiosity solve`.
-std::vector<Setting> settings(bool quick, double area) {
+// One knob after the other, from the defaults of `radiosity solve`; between patches too where there are few
+// polygons.
+std::vector<Setting> settings(bool quick, double area, bool patches) {
     std::vector<Setting> all;
     BakeSettings plain;
-    plain.memory = (size_t)8 << 30;
     auto with = [&](const std::string &name, auto &&change) {
         Setting s = {name, plain, false};
         change(s.bake);
         all.push_back(s);
     };
-    all.push_back({"default", plain, true});
     auto count = [](const char *what, int n) { return std::string(what) + " " + std::to_string(n); };
-    std::vector<int> pixels = {16, 26, 32, 50, 64, 100, 200, 400, 800};
-    if (quick) pixels = {8, 32, 64};
-    for (int px : pixels)
-        if (px != plain.hemicube) with(count("hemicube", px), [&](BakeSettings &b) { b.hemicube = px; });
-    for (int n : quick ? std::vector<int>{1500} : std::vector<int>{375, 1500, 3000, 12000})
-        with(count("patches", n), [&](BakeSettings &b) { b.patch = area / n; });
+    all.push_back({"default", plain, true});
+    for (int n : quick ? std::vector<int>{16, 128} : std::vector<int>{16, 32, 64, 128, 256, 512, 1024})
+        with(count("rays", n), [&](BakeSettings &b) { b.rays = n; });
     for (int n : quick ? std::vector<int>{7500} : std::vector<int>{7500, 120000, 480000})
         with(count("elements", n), [&](BakeSettings &b) { b.element = area / n; });
+    for (int n : quick ? std::vector<int>{128} : std::vector<int>{256, 1024, 4096})
+        with(count("final", n), [&](BakeSettings &b) { b.final = n; });
+    for (int n : quick ? std::vector<int>{4} : std::vector<int>{1, 4, 64, 256})
+        with(count("lamp samples", n), [&](BakeSettings &b) { b.lampSamples = n; });
+    if (!patches) return all;
+    plain.way = Way::kPatches;
+    with("patches", [](BakeSettings &) {});
+    std::vector<int> pixels = {26, 32, 50, 64, 100, 200, 400, 800};
+    if (quick) pixels = {8, 32, 64};
+    for (int px : pixels) with(count("hemicube", px), [&](BakeSettings &b) { b.hemicube = px; });
+    for (int n : quick ? std::vector<int>{1500} : std::vector<int>{375, 1500, 3000, 12000})
+        with(count("patches", n), [&](BakeSettings &b) { b.patch = area / n; });
     for (int n : quick ? std::vector<int>{120000} : std::vector<int>{30000, 120000, 480000})
         with(count("adaptive", n), [&](BakeSettings &b) { b.element = area / n, b.adaptive = true; });
-    for (int n : quick ? std::vector<int>{4} : std::vector<int>{1, 4, 16, 64, 256})
-        with(count("lamp samples", n), [&](BakeSettings &b) { b.lampSamples = n; });
     for (unsigned n : quick ? std::vector<unsigned>{1} : std::vector<unsigned>{1, 2, 3, 4})
         with(count("rotation", (int)n), [&](BakeSettings &b) { b.turn = n * 100003; });
     // Anti-aliasing or more pixels: as many pixels a patch, in one hemicube or in four
@@ -82,32 +89,38 @@ std::vector<HallSetting> hallKnobs(bool quick) {
 } // namespace
 
 void odraz::tradeoffRadiosity(const Sweep &sweep) {
-    Plot plot = {"radiosity: a room, a hall of columns, a corner, and the film's hall",
+    Plot plot = {"radiosity: a room, a hall of columns, a corner, a vault, a terrain, and the film's hall",
                  "processor time of a solution, s",
                  "root mean square error, %",
-                 {"cube", "columns", "corner", "hall"},
+                 {"cube", "columns", "corner", "vault", "terrain", "hall"},
                  {},
                  true,
                  true,
                  true,
                  true};
     plot.frontOfEach = true;
-    Table table("scene,setting,shipped,cpu_s,rms_percent", plot);
+    Table table("scene,setting,shipped,cpu_s,rms_percent,median_percent", plot);
     auto put = [&](const char *scene, const std::string &name, bool shipped, double seconds, double rms,
-                   int series) {
-        table.row("%s,%s,%d,%.3f,%.3f", scene, name.c_str(), shipped, seconds, rms);
+                   double middle, int series) {
+        table.row("%s,%s,%d,%.3f,%.3f,%.3f", scene, name.c_str(), shipped, seconds, rms, middle);
         table.plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
     };
     Gl gl = openGl();
     Workers workers = allProcessors();
     int series = 0;
-    for (const char *kind : {"cube", "columns", "corner"}) {
+    for (const char *kind : {"cube", "columns", "corner", "vault", "terrain"}) {
         Mesh mesh = generatedMesh(kind, 0);
-        std::vector<Probe> probes = referenceOf(mesh, gl, workers, sweep.quick ? 300 : 1000, sweep.quick);
-        for (const Setting &s : settings(sweep.quick, areaOf(mesh))) {
+        std::vector<MeshProbe> probes;
+        for (const Setting &s : settings(sweep.quick, areaOf(mesh), series < 3)) {
             auto solved = bake(mesh, s.bake, gl, workers, &kNever, {});
-            put(kind, s.name, s.shipped, solved->seconds[4],
-                rmsPercent(*solved->model, solved->light, probes), series);
+            Baked baked(*solved);
+            if (probes.empty()) { // the first is the default, by whose light there is
+                probes = placeMeshProbes(baked, sweep.quick ? 300 : 1000);
+                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 32 : 192, workers);
+            }
+            solvedAt(baked, probes);
+            MeshErrors e = errorsOf(probes);
+            put(kind, s.name, s.shipped, solved->seconds[4], e.rms, e.median, series);
         }
         ++series;
     }
@@ -118,7 +131,7 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
     auto probes = gatherHall(best, sweep.quick ? 300 : 1000, sweep.quick ? 32 : 96, workers);
     for (const HallSetting &s : hallKnobs(sweep.quick)) {
         SolvedHall solved(s.settings, gl, workers, (size_t)600 << 20);
-        put("hall", s.name, s.shipped, solved.seconds, rmsPercent(solved, probes), series);
+        put("hall", s.name, s.shipped, solved.seconds, rmsPercent(solved, probes), 0, series);
     }
     table.save(sweep);
 }

@@ -1,9 +1,8 @@
 #include "tools/radiosity/bake.h"
 
 #include "tools/common/machine.h"
-#include "tools/radiosity/clusters.h"
 #include "tools/radiosity/lamps.h"
-#include "tools/radiosity/ray_rows.h"
+#include "tools/radiosity/light_grid.h"
 #include "tools/radiosity/regions.h"
 
 #include <algorithm>
@@ -113,7 +112,6 @@ private:
     const Told &told;
     const int *watched;
     double patch = 0; // its area
-    std::unique_ptr<Clusters> clusters;
     const char *step = nullptr;
     double begin = 0; // the logarithm of the first residual
 
@@ -143,11 +141,27 @@ private:
         refuseTooMany(levels);
         if (!m.divide(*b.scene, b.arena, workers, block, levels))
             refuseMemory(b.arena, texelBytes((size_t)m.texelRoom));
-        m.solid = !seesBacks(m, *b.scene, workers);
-        clusters = std::make_unique<Clusters>(
-            m, patch, [&](int chart) { return maxComponent(b.reflects(chart)) > 0; }, b.arena);
+        m.solid = !seesBacks();
         for (int i = 0; i < m.patchCount; ++i) m.patches[i].reflects = b.reflects(m.patches[i].chart);
         progress(1);
+    }
+
+    // Whether some patch sees the back of something: where none does, hemicubes may leave backs out. Looks
+    // around from 500 patches or so.
+    bool seesBacks() {
+        static constexpr int kPlaces = 500, kAround = 96;
+        RayTree tree(cornersOf(mesh));
+        for (int i = 0, every = std::max(1, m.patchCount / kPlaces); i < m.patchCount; i += every) {
+            const Patch &p = m.patches[i];
+            const Chart &c = m.charts[p.chart];
+            for (int k = 0; p.share > 0 && k < kAround; ++k) {
+                float up = 1 - ((float)k + 0.5f) / kAround, out = std::sqrt(1 - up * up),
+                      turn = 2.3999632f * (float)k;
+                Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up;
+                if (tree.nearest(p.p + c.n * c.off(), d).back) return true;
+            }
+        }
+        return false;
     }
 
     // What shines: seen from the texels or, where that is too much, by hemicubes.
@@ -207,8 +221,6 @@ private:
             lit[i] = maxComponent(p.reflects) > 0 || seen ? kReflects : kUnlit;
         }
         RowFinder find = s.rows;
-        if (!find && m.facetCount > 1500 && s.hemicube <= 64 && s.turns == 1 && !s.turn)
-            find = rowsByRayHemicubes(s.hemicube);
         if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
         workers.abort = stop;
         b.whole = find(m, *b.scene, lit, workers, b.arena, r.factors, tell(1));
@@ -258,7 +270,6 @@ private:
         gather(system, workers);
         for (size_t i = 0; seen && i < all; ++i) system.gathered[i] += seen[i];
         spreadLight(r, m, workers);
-        clusters->smooth(m, r.factors, b.light);
         settleLight(r, m, workers);
     }
 

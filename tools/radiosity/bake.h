@@ -45,6 +45,12 @@ struct BakeSettings {
     RowFinder rows;    // null: by hemicubes, as is faster
     Surroundings surroundings;
     Growing growing;
+    // By rays: hears how much memory is needed, before it is taken
+    std::function<void(size_t bytes)> needs;
+    // By rays: keeps what there is, now and then and when it is stopped (state.h); `resumed` is what was kept
+    std::function<void(const std::string &rows)> keep;
+    double keepEvery = 60; // seconds
+    std::string resumed;
 };
 
 // What is told while it works: which step, how far it is, and while solving what is left to change.

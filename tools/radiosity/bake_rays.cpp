@@ -1,10 +1,14 @@
 // A mesh, solved by rays from every element.
+#include "tools/common/clock.h"
+#include "tools/radiosity/arrays.h"
 #include "tools/radiosity/bake.h"
 #include "tools/radiosity/gather.h"
 #include "tools/radiosity/lamp_rays.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <stdexcept>
 
 namespace odraz {
 
@@ -13,6 +17,10 @@ namespace {
 // What of a site's light its rays and its neighbours' may leave open, and what may be wrong of it where light
 // passes from site to site
 constexpr float kError = 0.01f, kShared = 0.2f, kFinalShared = 0.1f;
+
+double secondsNow() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
 
 class RayBaker {
 public:
@@ -25,27 +33,41 @@ public:
         tell(0, 0);
         RayTree tree(cornersOf(mesh));
         tell(0, 0.4f);
+        estimate();
         LightGrid grid(b.regions, tree, workers);
         b.sites = (int)grid.sites.size();
         lap(0);
         Gather gather(b.regions, grid, tree, s.surroundings);
+        bool refined = resume(gather);
         auto first = (uint16_t)(s.rays > 0 ? s.rays : Gather::kLeastRays);
-        findRows(gather, std::vector<uint16_t>(grid.sites.size(), first));
+        if (!refined) findRows(gather, std::vector<uint16_t>(grid.sites.size(), first), false);
+        gather.judges = false;
         lap(1);
         tell(2, 0);
         LampRays lamps(mesh, b.regions, s.lampSamples);
         std::vector<Rgb> direct = directLight(lamps, s.surroundings, grid, gather.behind, tree, workers);
         prepare(gather, grid, direct);
         lap(2);
+        b.cells = grid.cells, b.texels = grid.texels;
+        if (s.growing) {
+            std::vector<Rgb> light = direct;
+            grid.fill(light);
+            show(std::move(light));
+        }
         if (s.rays == 0 && b.whole) {
-            // A first solution tells where more rays are needed
-            gather.solve(atSites, reflects, false, 0.01f, 100, workers, [](float) { return true; });
-            lap(3);
-            findRows(gather, gather.raysFor(atSites, reflects, kError, kShared, workers));
+            std::vector<uint16_t> rays(grid.sites.size());
+            for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)gather.rays(i);
+            if (!refined) {
+                // A first solution tells where more rays are needed
+                gather.solve(atSites, reflects, false, 0.01f, 100, workers, [](float) { return true; });
+                lap(3);
+                rays = gather.raysFor(atSites, reflects, kError, kShared, workers);
+            }
+            findRows(gather, rays, true);
             lap(1);
         }
         b.rays = gather.rows.size() / std::max(grid.sites.size(), (size_t)1);
-        solve(gather);
+        solve(gather, grid, direct);
         b.arrives = settled(gather, grid, direct, kShared);
         if (s.final > 0 && b.whole) {
             tell(4, 0);
@@ -54,7 +76,6 @@ public:
             b.arrives = settled(gather, grid, direct, kFinalShared);
         }
         lap(3);
-        b.cells = std::move(grid.cells), b.texels = std::move(grid.texels);
         if (told) told(nullptr, 1, b.left);
     }
 
@@ -65,9 +86,32 @@ private:
     Workers &workers;
     const int *stop;
     const Told &told;
-    double last;      // when the last step ended
+    double last; // when the last step ended
+    double kept = secondsNow();
     double begin = 0; // the logarithm of the first residual
     std::vector<Rgb> atSites, reflects;
+
+    // Tells what memory it takes, and refuses what is more than there shall be.
+    void estimate() const {
+        size_t charts = b.regions.charts.size(), texels = 0, cells = 0, sites = 0;
+        for (const Chart &c : b.regions.charts) {
+            bool small = c.across == 1 && c.down == 1;
+            texels += (size_t)c.texels(), cells += (size_t)c.across * (size_t)c.down;
+            sites += small ? 1 : (size_t)c.texels();
+        }
+        double first = s.rays > 0 ? s.rays : Gather::kLeastRays, sent = (double)sites * first;
+        if (s.rays == 0)
+            sent += std::max(sent, std::min((double)sites * Gather::kMostRays, Gather::kAllRays));
+        size_t bytes = mesh.points.size() * sizeof(Vec3d) +
+                       mesh.triangles.size() * (sizeof(Triangle) + 40 + 270) +
+                       charts * (sizeof(Chart) + 2 * sizeof(Facet)) + cells * 2 * sizeof(Cell) +
+                       texels * (2 * sizeof(Texel) + 5 * sizeof(Rgb) + 24) + sites * 260 + (size_t)sent * 4;
+        if (s.needs) s.needs(bytes);
+        if (bytes > s.memory)
+            throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
+                                     std::to_string(s.memory >> 20) +
+                                     " of --memory: larger elements or fewer rays need less");
+    }
 
     void tell(int step, float done, float residual = -1) {
         if (told) told(Bake::kSteps[step], done, residual);
@@ -79,17 +123,37 @@ private:
         last = now;
     }
 
+    // Takes up what was kept. Returns whether it knew how many rays are needed where.
+    bool resume(Gather &gather) {
+        if (s.resumed.empty()) return false;
+        size_t at = 0;
+        std::vector<uint8_t> refined;
+        if (!get(s.resumed, at, refined) || refined.size() != 1 || !gather.restore(s.resumed, at) ||
+            at != s.resumed.size())
+            throw std::runtime_error("what was kept of it is damaged, or of another model: solve it anew");
+        s.resumed.clear();
+        return refined[0];
+    }
+
+    void keep(const Gather &gather, bool refined) {
+        if (!s.keep) return;
+        std::string rows;
+        put(rows, std::vector<uint8_t>{refined});
+        gather.save(rows);
+        s.keep(rows);
+        kept = secondsNow();
+    }
+
     // Finds rows of so many rays, where they are not there.
-    void findRows(Gather &gather, const std::vector<uint16_t> &rays) {
+    void findRows(Gather &gather, const std::vector<uint16_t> &rays, bool refined) {
         size_t missing = gather.setRays(rays), count = rays.size(), done = 0;
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
         for (size_t first = 0; first < count; first += piece) {
             size_t end = std::min(first + piece, count);
             tell(1, (float)done / (float)std::max(missing, (size_t)1));
-            if (stopped()) {
-                b.whole = false;
-                return;
-            }
+            if (stopped()) b.whole = false;
+            if (stopped() || secondsNow() - kept > s.keepEvery) keep(gather, refined);
+            if (!b.whole) return;
             for (size_t i = first; i < end; ++i) done += !gather.found[i];
             gather.findRows(first, end, workers);
             b.rows = (int)end;
@@ -110,13 +174,20 @@ private:
         }
     }
 
-    void solve(Gather &gather) {
+    // For those who watch.
+    void show(std::vector<Rgb> light) {
+        b.arrives = std::move(light);
+        s.growing(b, nullptr);
+    }
+
+    void solve(Gather &gather, const LightGrid &grid, const std::vector<Rgb> &direct) {
         bool counted = s.bounces >= 0;
         auto swept = [&](float left) {
             b.left = left;
             double now = std::log(std::max((double)left, 1e-12)), end = std::log((double)s.residual);
             if (begin == 0) begin = now;
             tell(3, (float)std::clamp(begin <= end ? 1 : (begin - now) / (begin - end), 0., 1.), left);
+            if (s.growing) show(settled(gather, grid, direct, kShared));
             return !stopped();
         };
         b.sweeps =

@@ -1,6 +1,7 @@
 #include "tools/radiosity/baked.h"
 
 #include "tools/common/whole_file.h"
+#include "tools/radiosity/arrays.h"
 #include "tools/radiosity/facets.h"
 
 #include <algorithm>
@@ -13,36 +14,6 @@ namespace {
 
 constexpr char kMagic[] = "odraz radiosity 1\n";
 constexpr size_t kMagicSize = sizeof kMagic - 1;
-
-uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
-    uint64_t sum = 0xcbf29ce484222325u;
-    for (; size >= 8; p += 8, size -= 8) {
-        uint64_t word;
-        std::memcpy(&word, p, 8);
-        sum = (sum ^ word) * 0x100000001b3u;
-        sum ^= sum >> 29;
-    }
-    for (; size; ++p, --size) sum = (sum ^ (unsigned char)*p) * 0x100000001b3u;
-    return sum;
-}
-
-// Every array goes in as its count, the size of what it holds, and its bytes.
-template <class T> void put(std::string &to, const std::vector<T> &from) {
-    const uint64_t head[2] = {from.size(), sizeof(T)};
-    to.append((const char *)head, sizeof head);
-    if (!from.empty()) to.append((const char *)from.data(), from.size() * sizeof(T));
-}
-template <class T> bool get(const std::string &from, size_t &at, std::vector<T> &to) {
-    uint64_t head[2];
-    if (from.size() - at < sizeof head) return false;
-    std::memcpy(head, from.data() + at, sizeof head);
-    at += sizeof head;
-    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T)) return false;
-    to.resize(head[0]);
-    if (head[0]) std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
-    at += head[0] * sizeof(T);
-    return true;
-}
 
 // No number that is not finite, nor so large that products of some are not.
 bool moderate(float x) { return std::fabs(x) < 1e18f; }
@@ -142,7 +113,7 @@ Baked::Baked(const std::string &path) {
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }
 
-Rgb Baked::at(int chart, int cell, float u, float v) const {
+Rgb Baked::lightIn(int chart, int cell, float u, float v) const {
     // In steps of the finest cells, within this one
     const Chart &c = charts[(size_t)chart];
     const int *corner = cells[(size_t)cell].corner;
@@ -153,7 +124,22 @@ Rgb Baked::at(int chart, int cell, float u, float v) const {
     float x = share(u / c.width * (float)(c.across * kSteps), low.x, high.x),
           y = share(v / c.height * (float)(c.down * kSteps), low.y, high.y);
     auto l = [&](int k) { return light[(size_t)corner[k]]; };
-    return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y) * reflects[(size_t)chart] + emits[(size_t)chart];
+    return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
+}
+
+Rgb Baked::lightAt(int chart, const Vec3 &p) const {
+    const Chart &c = charts[(size_t)chart];
+    float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
+          v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
+    float x = u / c.width * (float)c.across, y = v / c.height * (float)c.down;
+    int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1),
+        cell = c.firstCell + j * c.across + i;
+    for (x -= (float)i, y -= (float)j; cells[(size_t)cell].divided();) {
+        x *= 2, y *= 2;
+        cell = ~cells[(size_t)cell].corner[0] + (x >= 1) + 2 * (y >= 1);
+        x -= (float)(x >= 1), y -= (float)(y >= 1);
+    }
+    return lightIn(chart, cell, u, v);
 }
 
 void Baked::forPieces(const std::function<void(int, int, const std::vector<BakedPoint> &)> &visit) const {
@@ -199,7 +185,9 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
             piece.clear();
             for (const PlanePoint &p : left)
-                piece.push_back({c.at(p.u, p.v), at(cell.chart, (int)i, p.u, p.v)});
+                piece.push_back(
+                    {c.at(p.u, p.v), lightIn(cell.chart, (int)i, p.u, p.v) * reflects[(size_t)cell.chart] +
+                                         emits[(size_t)cell.chart]});
             visit(cell.chart, (int)i, piece);
         }
     }

@@ -28,6 +28,9 @@ public:
     void
     forPieces(const std::function<void(int chart, int cell, const std::vector<BakedPoint> &)> &visit) const;
 
+    // What arrives at a place of a chart.
+    Rgb lightAt(int chart, const Vec3 &p) const;
+
     std::vector<Chart> charts;
     std::vector<Facet> facets;
     std::vector<Cell> cells;
@@ -36,7 +39,7 @@ public:
     std::vector<Rgb> reflects, emits; // of each chart
 
 private:
-    Rgb at(int chart, int cell, float u, float v) const;
+    Rgb lightIn(int chart, int cell, float u, float v) const;
 };
 
 void exportCsv(const Baked &baked, const std::string &path);

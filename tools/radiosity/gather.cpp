@@ -1,6 +1,7 @@
 #include "tools/radiosity/gather.h"
 
 #include "base/random.h"
+#include "tools/radiosity/arrays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,16 +49,34 @@ Gather::Gather(const Regions &regions, const LightGrid &grid, const RayTree &tre
 size_t Gather::setRays(const std::vector<uint16_t> &counts) {
     std::vector<uint64_t> at(counts.size() + 1);
     for (size_t i = 0; i < counts.size(); ++i) at[i + 1] = at[i] + counts[i];
-    std::vector<uint32_t> now(at.back());
+    std::vector<uint32_t> now(at.back(), kDark);
     size_t missing = 0;
     for (size_t i = 0; i < counts.size(); ++i) {
-        found[i] = found[i] && rays(i) == counts[i];
+        size_t had = rays(i);
+        found[i] = found[i] && had == counts[i];
         missing += !found[i];
-        if (found[i])
-            std::copy_n(rows.begin() + (ptrdiff_t)firstOf[i], counts[i], now.begin() + (ptrdiff_t)at[i]);
+        for (size_t k = 0; had && k < counts[i]; ++k) now[at[i] + k] = rows[firstOf[i] + k % had];
     }
     rows = std::move(now), firstOf = std::move(at);
     return missing;
+}
+
+void Gather::save(std::string &to) const {
+    put(to, firstOf), put(to, rows), put(to, found), put(to, sky), put(to, skySquare), put(to, reach),
+        put(to, behind);
+}
+
+bool Gather::restore(const std::string &from, size_t &at) {
+    size_t count = grid.sites.size();
+    if (!get(from, at, firstOf) || !get(from, at, rows) || !get(from, at, found) || !get(from, at, sky) ||
+        !get(from, at, skySquare) || !get(from, at, reach) || !get(from, at, behind) ||
+        firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
+        found.size() != count || sky.size() != count || skySquare.size() != count || reach.size() != count ||
+        behind.size() != count)
+        return false;
+    for (size_t i = 0; i < count; ++i)
+        if (firstOf[i] > firstOf[i + 1] || behind[i] >> grid.sites[i].places) return false;
+    return std::all_of(rows.begin(), rows.end(), [&](uint32_t k) { return k < count || k == kDark; });
 }
 
 // Calls met(i, place, direction, hit) for every ray of a site.
@@ -120,7 +139,7 @@ void Gather::findRow(size_t site, const std::vector<Vec3> &spiral) {
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
     reach[site] = near > 0 ? (float)count / near : kInfinity;
     // Once more without those that lie behind something
-    if (behind[site]) return;
+    if (behind[site] || !judges) return;
     bool clear = false;
     uint16_t hidden = 0;
     for (int k = 0; k < grid.sites[site].places; ++k) {

@@ -16,6 +16,7 @@
 #include "tools/radiosity/surroundings.h"
 
 #include <functional>
+#include <string>
 
 namespace odraz {
 
@@ -27,8 +28,8 @@ public:
 
     Gather(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
 
-    // Makes room for so many rays from every site; those that had as many keep their rows, of the others
-    // findRow() says so. Returns how many are to be found.
+    // Makes room for so many rays from every site; those that had as many keep their rows, the others have
+    // what they had, over and over, until theirs are found. Returns how many are to be found.
     size_t setRays(const std::vector<uint16_t> &rays);
     size_t rays(size_t site) const { return firstOf[site + 1] - firstOf[site]; }
     // Finds those of sites first .. end.
@@ -53,10 +54,15 @@ public:
     // neighbours where their light would be off by less than `share` of it.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
 
+    // What rows there are, as arrays of a file; false where they do not suit the grid.
+    void save(std::string &to) const;
+    bool restore(const std::string &from, size_t &at);
+
     std::vector<Rgb> arrives;      // at every site
     std::vector<uint64_t> firstOf; // of every site's in `rows`, and their end
     std::vector<uint32_t> rows;    // sites
-    std::vector<bool> found;       // whether a site's is there
+    std::vector<uint8_t> found;    // whether a site's is there
+    bool judges = true;            // whether finding rows finds what lies behind, too
     std::vector<Rgb> sky;          // of every site
     std::vector<float> skySquare;  // mean of its brightness, squared
     std::vector<float> reach;      // the harmonic mean of the distances of what it sees

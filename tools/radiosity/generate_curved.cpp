@@ -54,8 +54,8 @@ struct Curved {
         for (int side = 0; side < 2; ++side)
             w.surface(of, steps(16), steps(14), false, [&](double u, double v) {
                 double x = side ? 1 - u : u;
-                return top +
-                       Vec3d{wide * (x - 0.5), -tall * (1 - v), 0.25 * std::sin(x * 25) * (1 - v * 0.7) + (side ? -0.01 : 0.01)};
+                return top + Vec3d{wide * (x - 0.5), -tall * (1 - v),
+                                   0.25 * std::sin(x * 25) * (1 - v * 0.7) + (side ? -0.01 : 0.01)};
             });
     }
     // A wall in the plane x, from z0 to z1 and 0 to high, with a round-headed window in it; seen from the

@@ -5,6 +5,7 @@
 namespace odraz {
 
 std::vector<Rgb> lightSoFar(const Bake &b, const float *radiosity) {
+    if (b.byRays) return b.arrives;
     const Model &m = *b.model;
     size_t texels = (size_t)m.texelCount, room = texels + 8;
     std::vector<float> planes[3], unused(room);

@@ -6,8 +6,7 @@
 namespace odraz {
 
 // Direct light and, where radiosities of patches are given (Growing of bake.h), what comes of them by
-// reflection. Small facets that share a patch have one light each until the solution is done. Called on the
-// thread that solves.
+// reflection. Called on the thread that solves.
 std::vector<Rgb> lightSoFar(const Bake &bake, const float *radiosity);
 
 } // namespace odraz

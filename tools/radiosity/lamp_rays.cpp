@@ -110,7 +110,7 @@ Rgb LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const V
     else
         factor = std::max(dot(to, n), 0.f) * std::max(-dot(to, part.n), 0.f) / square * part.area /
                  (kPi * square + part.area);
-    if (!(factor > 0)) return {};
+    if (!(factor > 1e-7f)) return {}; // a rounding: in its plane nothing is seen of it
     Vec3 d = target - p;
     float far = length(d);
     if (!(far > 0) || tree.blocked(p, d * (1 / far), far * 0.9999f)) return {};

@@ -13,31 +13,36 @@ using namespace odraz;
 namespace {
 
 constexpr char kUsage[] =
-    "usage: radiosity generate cube|columns|corner -o MODEL.obj [--area A]\n"
+    "usage: radiosity generate cube|columns|corner|vault|terrain -o MODEL.obj [--area A]\n"
     "       radiosity solve MODEL.obj -o OUT [OPTION...]\n"
+    "       radiosity solve --resume OUT.state\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
     "       radiosity render OUT -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
     "\n"
     "solve reads Wavefront OBJ: polygons of any count, lit on the side from which they run\n"
     "counter-clockwise; materials reflect (Kd) and shine (Ke). Ctrl-C ends it early and writes what is "
-    "there.\n"
-    "  --hemicube PX      pixels of a hemicube's top face, even, 4 to 1024 (default 16)\n"
-    "  --patch AREA       of a patch, which has a hemicube (default: a 6000th of the model's area)\n"
-    "  --element AREA     of an element, which keeps light (default: a 30000th)\n"
-    "  --adaptive         start with elements of 16 times the area and divide them where light changes\n"
+    "there,\nand OUT.state, from which --resume goes on.\n"
+    "  --rays N           from every element, 8 to 32768 (default: 32 to 512, as its light needs)\n"
+    "  --final N          rays from every element once more in the end, in the light that was found: for "
+    "quality\n"
+    "  --element AREA     of an element, which keeps light (default: a 30000th of the model's area)\n"
+    "  --lamp-samples N   parts of the largest lamp, 1 to 256 (default 16)\n"
     "  --bounces N        follow light over N bounces (default: until the residual is reached)\n"
     "  --residual R       stop when a sweep changes less than this share of the light (default 1e-4)\n"
-    "  --lamp-samples N   parts of the largest lamp, 1 to 256 (default 16)\n"
+    "  --memory MB        most memory for the solution (default 8192)\n"
+    "  --keep-every S     write OUT.state every S seconds, too (default 60)\n"
+    "Between patches, by hemicubes that OpenGL draws, instead of by rays:\n"
+    "  --hemicube PX      pixels of a hemicube's top face, even, 4 to 1024 (default 16)\n"
+    "  --patch AREA       of a patch, which has a hemicube (default: a 6000th of the model's area)\n"
+    "  --adaptive         start with elements of 16 times the area and divide them where light changes\n"
     "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them (which are\n"
     "                     taken for more than 256 lamps)\n"
-    "  --memory MB        most memory for the solution (default 2048)\n"
     "Light that the model does not bring along; where nothing shines, an even sky of 1,1,1:\n"
     "  --sky R,G,B|FILE.hdr   radiance from all directions, even or as a picture has it\n"
     "  --sun ELEVATION,AZIMUTH,R,G,B   degrees above the horizon, and from -z (+y where z is up) towards "
     "+x;\n"
     "                     R,G,B is what a white surface shows that faces it. Several may be given\n"
     "  --lamp X,Y,Z,SIZE,R,G,B   a ball, SIZE across, of that radiance. Several may be given\n"
-    "  --sky-rays N       of each texel towards the sky, 4 to 65536 (default 1024)\n"
     "  --up y|z           which way is up, for sky and sun (default y)\n"
     "  --scale S          multiply the model's coordinates\n"
     "  --two-sided        light the backs of polygons, too\n"
@@ -66,8 +71,9 @@ int runGenerate(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (kind != "cube" && kind != "columns" && kind != "corner" && kind != "vault" && kind != "terrain")
-        throw Refused("generate makes a cube, columns or a corner: name one of them");
+    static const char *const kinds[] = {"cube", "columns", "corner", "vault", "terrain"};
+    if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
+        throw Refused("generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
         throw Refused("name a file with -o MODEL.obj");
     checkWritable(out);
@@ -76,8 +82,9 @@ int runGenerate(Arguments &words) {
     std::string model = generateObj(kind, area, &triangles);
     writeWhole(mtl, generateMtl());
     writeWhole(out, "mtllib " + name + "\n" + model);
-    std::printf("%s: %zu %s\n", out.c_str(), area > 0 ? triangles : triangles / 2,
-                area > 0 ? "triangles" : "polygons");
+    bool fine = area > 0 || kind == "vault" || kind == "terrain";
+    std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,
+                fine ? "triangles" : "polygons");
     return 0;
 }
 

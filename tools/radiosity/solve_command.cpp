@@ -6,6 +6,7 @@
 #include "tools/radiosity/bar.h"
 #include "tools/radiosity/lamps.h"
 #include "tools/radiosity/solve_options.h"
+#include "tools/radiosity/state.h"
 
 #include <csignal>
 #include <cstdio>
@@ -16,6 +17,7 @@ namespace {
 
 struct Job {
     std::string model, out;
+    double keepEvery = 60; // seconds
     SolveOptions options;
 };
 
@@ -25,6 +27,8 @@ Job readJob(Arguments &words) {
         std::string w = word;
         if (w == "-o")
             job.out = words.value(w);
+        else if (w == "--keep-every")
+            job.keepEvery = words.number(w, 0.01, 1e9);
         else if (job.options.take(w, words))
             continue;
         else if (word[0] != '-' && job.model.empty())
@@ -70,23 +74,60 @@ void report(const Mesh &mesh, const Bake &b, int elements) {
         std::printf("%d sweeps, residual %.1e\n", b.sweeps, (double)b.left);
 }
 
+// The words of a command that is begun, or of one that goes on.
+Job beginJob(Arguments &words, SolveState &state, std::string &resumed) {
+    while (const char *word = words.next()) {
+        if (std::string(word) != "--resume") {
+            state.words.push_back(word);
+            continue;
+        }
+        resumed = words.value(word);
+        if (!state.words.empty() || words.next())
+            throw Refused("--resume stands alone: the rest is as it was begun");
+        state = SolveState::read(resumed);
+        break;
+    }
+    std::vector<char *> pointers = {nullptr};
+    for (std::string &word : state.words) pointers.push_back(word.data());
+    Arguments given((int)pointers.size(), pointers.data(), "radiosity --help");
+    return readJob(given);
+}
+
 } // namespace
 
 int runSolve(Arguments &words) {
-    Job job = readJob(words);
+    SolveState state;
+    std::string resumed;
+    Job job = beginJob(words, state, resumed);
+    BakeSettings &settings = job.options.settings;
     std::vector<std::string> notes;
     Mesh mesh = readObj(job.model, job.options.read, notes);
     tell(notes);
+    uint64_t sum = sumOf(mesh);
+    if (!resumed.empty() && sum != state.model)
+        throw Refused(resumed + ": was left by another model than " + job.model + " is now: solve it anew");
+    state.model = sum;
+    settings.resumed = std::move(state.rows);
+    std::string stateFile = job.out + ".state";
+    settings.keepEvery = job.keepEvery;
+    settings.keep = [&](const std::string &rows) {
+        state.rows = rows;
+        state.save(stateFile);
+        state.rows.clear();
+    };
+    settings.needs = [](size_t bytes) {
+        std::printf("needs about %zu MB of memory\n", bytes >> 20);
+        std::fflush(stdout);
+    };
     Workers workers = allProcessors();
-    Gl gl = openGl();
+    Gl gl = settings.way == Way::kPatches ? openGl() : Gl{};
     stopAtInterrupt();
     std::unique_ptr<Bake> b;
     Bar bar;
     try {
-        b = bake(mesh, job.options.settings, gl, workers, &stop,
-                 [&](const char *step, float done, float residual) {
-                     if (step) bar.show(step, done, residual);
-                 });
+        b = bake(mesh, settings, gl, workers, &stop, [&](const char *step, float done, float residual) {
+            if (step) bar.show(step, done, residual);
+        });
     } catch (const ModelError &e) {
         throw ModelError(job.model + ": " + e.what());
     }
@@ -94,12 +135,14 @@ int runSolve(Arguments &words) {
     tell(b->notes);
     Baked baked(*b);
     baked.save(job.out);
+    if (b->whole && b->byRays) std::remove(stateFile.c_str());
     int elements = 0, last = -1;
     baked.forPieces([&](int, int cell, const std::vector<BakedPoint> &) {
         elements += cell != last;
         last = cell;
     });
     report(mesh, *b, elements);
+    if (!b->whole && b->byRays) std::printf("radiosity solve --resume %s goes on\n", stateFile.c_str());
     return 0;
 }
 

@@ -35,11 +35,16 @@ Rgb readLight(const std::string &option, const double *n) {
 
 bool SolveOptions::take(const std::string &w, Arguments &words) {
     BakeSettings &s = settings;
-    if (w == "--hemicube") {
+    if (w == "--rays")
+        s.rays = words.whole(w, 8, 32768), byRays = w;
+    else if (w == "--final")
+        s.final = words.whole(w, 8, 32768), byRays = w;
+    else if (w == "--hemicube") {
+        byPatches = w;
         s.hemicube = words.whole(w, 4, kMaxHemicube);
         if (s.hemicube % 2) throw Refused("--hemicube takes an even number");
     } else if (w == "--patch")
-        s.patch = words.number(w, 1e-18, 1e30);
+        s.patch = words.number(w, 1e-18, 1e30), byPatches = w;
     else if (w == "--element")
         s.element = words.number(w, 1e-18, 1e30);
     else if (w == "--bounces")
@@ -56,25 +61,26 @@ bool SolveOptions::take(const std::string &w, Arguments &words) {
         suns.push_back(words.value(w));
     else if (w == "--lamp")
         lamps.push_back(words.value(w));
-    else if (w == "--sky-rays") {
-        int across = (int)std::lround(std::sqrt(words.whole(w, 4, 65536)) / 2) * 2;
-        s.surroundings.skyRays = across * across;
-    } else if (w == "--up")
+    else if (w == "--up")
         upIsZ = words.choice(w, "z", "y");
     else if (w == "--scale")
         read.scale = words.number(w, 1e-9, 1e9);
     else if (w == "--two-sided")
         read.twoSided = true;
     else if (w == "--adaptive")
-        s.adaptive = true;
+        s.adaptive = true, byPatches = w;
     else if (w == "--direct")
-        s.analytic = words.choice(w, "analytic", "hemicube");
+        s.analytic = words.choice(w, "analytic", "hemicube"), byPatches = w;
     else
         return false;
     return true;
 }
 
 void SolveOptions::finish() {
+    if (!byRays.empty() && !byPatches.empty())
+        throw Refused(byRays + " and " + byPatches +
+                      " do not go together: light goes by rays, or between patches by hemicubes");
+    if (!byPatches.empty()) settings.way = Way::kPatches;
     Surroundings &to = settings.surroundings;
     double n[3];
     char rest;

@@ -22,7 +22,7 @@ public:
     bool upIsZ = false;
 
 private:
-    std::string sky;
+    std::string sky, byRays, byPatches; // the last option of either way
     std::vector<std::string> suns, lamps;
 };
 

@@ -55,9 +55,10 @@ TEST(Growing, BeginsDirectAndEndsAsTheSolution) {
             BakeSettings s;
             s.analytic = analytic;
             s.adaptive = adaptive;
+            s.way = analytic && !adaptive ? Way::kRays : Way::kPatches;
             Grown g = grow("cube", s);
             ASSERT_GT(g.light.size(), 5u);
-            EXPECT_EQ(g.directs, 1);
+            EXPECT_EQ(g.directs, s.way == Way::kPatches ? 1 : (int)g.light.size());
             for (size_t i = 0; i < g.light.size(); ++i) {
                 ASSERT_EQ(g.light[i].size(), g.end.size());
                 // Hidden corners may lose what visible ones gain
@@ -72,13 +73,16 @@ TEST(Growing, BeginsDirectAndEndsAsTheSolution) {
 }
 
 TEST(Growing, ShowsDirectLightAloneFirst) {
-    BakeSettings s;
-    s.bounces = 0;
-    Grown none = grow("corner", s);
-    s.bounces = 3;
-    Grown three = grow("corner", s);
-    ASSERT_EQ(three.light.size(), 4u);
-    // Without a bounce there is still what patches get of nothing: direct light
-    EXPECT_LT(apart(three.light[0], none.end), 1e-6);
-    EXPECT_LT(apart(three.light[3], three.end), 1e-6);
+    for (Way way : {Way::kRays, Way::kPatches}) {
+        BakeSettings s;
+        s.way = way;
+        s.bounces = 0;
+        Grown none = grow("corner", s);
+        s.bounces = 3;
+        Grown three = grow("corner", s);
+        ASSERT_EQ(three.light.size(), 4u);
+        // Without a bounce there is still what patches get of nothing: direct light
+        EXPECT_LT(apart(three.light[0], none.end), 1e-6);
+        EXPECT_LT(apart(three.light[3], three.end), 1e-6);
+    }
 }

@@ -2,9 +2,7 @@
 #include "tests/support/headless_gl.h"
 #include "tools/common/machine.h"
 #include "tools/measure/measured.h"
-#include "tools/radiosity/clusters.h"
 #include "tools/radiosity/facets.h"
-#include "tools/radiosity/ray_rows.h"
 #include "tools/radiosity/regions.h"
 
 #include <cmath>
@@ -91,59 +89,6 @@ TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
     EXPECT_NEAR(askew.facetsArea(), 4.45, 1e-3); // by the shoelace formula
 }
 
-TEST(Clusters, SmallNeighboursThatFaceOneWayShare) {
-    HeapArena memory((size_t)64 << 20);
-    Workers workers = serialWorkers();
-    Mesh mesh = generatedMesh("cave", 1);
-    Joined j(mesh);
-    Model &m = *j.model;
-    EXPECT_EQ(m.chartCount, (int)mesh.triangles.size());
-    auto scene = std::make_unique<Scene>();
-    scene->add(Material{});
-    poseFacets(m, *scene);
-    scene->finish();
-    ASSERT_TRUE(m.divide(*scene, memory.arena, workers, 100, 0));
-    int before = m.patchCount;
-    Clusters clusters(
-        m, 20, [](int) { return 0; }, memory.arena);
-    EXPECT_LT(m.patchCount, before / 2);
-    EXPECT_EQ(m.patchCount, clusters.count());
-    for (int i = 0; i < m.cellCount; ++i) {
-        ASSERT_LT(m.cells[i].patch, m.patchCount);
-        const Patch &p = m.patches[m.cells[i].patch];
-        const Chart &c = m.charts[m.cells[i].chart];
-        EXPECT_GT(dot(p.n, c.n), 0.3f);
-        EXPECT_LT(length(p.p - c.at(c.width / 2, c.height / 2)), 10);
-    }
-}
-
-// Two ways to the same rows: hemicubes by OpenGL and by rays.
-TEST(Rows, RaysFindWhatOpenGlDraws) {
-    Workers workers = serialWorkers();
-    BakeSettings s;
-    Mesh mesh = generatedMesh("corner", 0);
-    s.patch = areaOf(mesh) / 300;
-    s.hemicube = 32;
-    auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
-    HeapArena memory((size_t)64 << 20);
-    std::vector<uint8_t> lit((size_t)b->model->patchCount);
-    for (size_t i = 0; i < lit.size(); ++i)
-        lit[i] = maxComponent(b->reflects(b->model->patches[i].chart)) > 0;
-    FormFactors rays = {};
-    ASSERT_TRUE(rowsByRayHemicubes(32)(*b->model, *b->scene, lit.data(), workers, memory.arena, rays, {}));
-    for (int i = 0; i < b->model->patchCount; ++i) {
-        std::vector<double> difference((size_t)b->model->patchCount);
-        for (int k = 0; k < b->radiosity.factors.rows[i].count; ++k)
-            difference[b->radiosity.factors.rows[i].links[k].patch] +=
-                (double)b->radiosity.factors.rows[i].links[k].share;
-        for (int k = 0; k < rays.rows[i].count; ++k)
-            difference[rays.rows[i].links[k].patch] -= (double)rays.rows[i].links[k].share;
-        double off = 0;
-        for (double d : difference) off += std::fabs(d);
-        EXPECT_LT(off, 0.02) << i; // pixels whose middle lies on an edge
-    }
-}
-
 // A small model, solved by hemicubes, against form factors and light by rays alone.
 TEST(Solution, AgreesWithRays) {
     Workers workers = serialWorkers();
@@ -151,6 +96,7 @@ TEST(Solution, AgreesWithRays) {
     std::vector<Probe> probes = referenceOf(mesh, headlessGl(), workers, 200, true);
     for (bool adaptive : {false, true}) {
         BakeSettings s;
+        s.way = Way::kPatches;
         s.adaptive = adaptive;
         if (adaptive) s.element = areaOf(mesh) / 120000;
         auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
@@ -171,9 +117,8 @@ TEST(Solution, TellsWhereElementsAreLongerThanAsked) {
         mesh.triangles.push_back({{first, first + 1, first + 2}, 1});
         BakeSettings s;
         s.element = 1;
-        s.patch = 100;
         auto b = bake(mesh, s, headlessGl(), workers, &kNever, {});
         EXPECT_EQ(b->notes.size(), length > kMaxAcross ? 1u : 0u);
-        EXPECT_EQ(b->model->charts[0].across, kMaxAcross);
+        EXPECT_EQ(b->regions.charts[0].across, kMaxAcross);
     }
 }

@@ -1,0 +1,59 @@
+#include "tools/radiosity/state.h"
+
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/arrays.h"
+
+namespace odraz {
+
+namespace {
+
+constexpr char kMagic[] = "odraz radiosity state 1\n";
+constexpr size_t kMagicSize = sizeof kMagic - 1;
+
+} // namespace
+
+void SolveState::save(const std::string &path) const {
+    std::string body;
+    put(body, std::vector<uint64_t>{model, words.size()});
+    for (const std::string &word : words) put(body, std::vector<char>(word.begin(), word.end()));
+    body += rows;
+    uint64_t sum = checksum(body.data(), body.size());
+    writeWhole(path, std::string(kMagic, kMagicSize) + std::string((const char *)&sum, sizeof sum) + body);
+}
+
+SolveState SolveState::read(const std::string &path) {
+    std::string all = readWhole(path);
+    size_t at = kMagicSize + 8;
+    if (all.size() < at || all.compare(0, kMagicSize, kMagic) != 0)
+        throw Refused(path + ": was not left by 'radiosity solve'");
+    uint64_t sum;
+    std::memcpy(&sum, all.data() + kMagicSize, 8);
+    SolveState s;
+    std::vector<uint64_t> head;
+    bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, head) && head.size() == 2;
+    for (uint64_t k = 0; good && k < head[1]; ++k) {
+        std::vector<char> word;
+        good = get(all, at, word);
+        s.words.emplace_back(word.begin(), word.end());
+    }
+    if (!good) throw Refused(path + ": is damaged, or from another version: solve the model anew");
+    s.model = head[0];
+    s.rows = all.substr(at);
+    return s;
+}
+
+uint64_t sumOf(const Mesh &mesh) {
+    std::string all;
+    put(all, mesh.points);
+    for (const Triangle &t : mesh.triangles) {
+        const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
+        all.append((const char *)words, sizeof words);
+    }
+    for (const MeshMaterial &m : mesh.materials) {
+        all.append((const char *)m.reflects.data(), sizeof m.reflects);
+        all.append((const char *)m.emits.data(), sizeof m.emits);
+    }
+    return checksum(all.data(), all.size());
+}
+
+} // namespace odraz
