@@ -30,6 +30,10 @@ public:
 
     // What arrives at a place of a chart.
     Rgb lightAt(int chart, const Vec3 &p) const;
+    // What it shows there.
+    Rgb radiosityAt(int chart, const Vec3 &p) const {
+        return lightAt(chart, p) * reflects[(size_t)chart] + emits[(size_t)chart];
+    }
 
     std::vector<Chart> charts;
     std::vector<Facet> facets;

@@ -1,14 +1,14 @@
-// A solved model as a picture, by the film's tracer.
+// A solved model as a picture.
 #include "tools/radiosity/baked.h"
 
 #include "base/maths.h"
 #include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
-#include "tools/radiosity/regions.h"
+#include "tools/radiosity/ray_tree.h"
 #include "tools/radiosity/upright.h"
 #include "trace/picture/development.h"
-#include "trace/picture/tracer.h"
+#include "trace/rays/view.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,63 +38,103 @@ void placeCamera(const Baked &baked, RenderSettings &s) {
     s.target = asInModel(middle, s.upIsZ);
 }
 
-void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
-    size_t bytes = ((size_t)s.width + 16) * (size_t)s.height * 32 +
-                   (size_t)workers.count * kTileScratchBytes + ((size_t)1 << 20);
-    HeapArena memory(bytes);
-    Tracer tracer = {};
-    Frame frame = {};
-    if (!makeTracer(tracer, memory.arena, workers.count) ||
-        !makeFrame(frame, memory.arena, s.width, s.height))
-        throw std::runtime_error("there is not enough memory: try a smaller --size");
+namespace {
 
-    // Every polygon shows its radiosity: a white surface in that light
-    auto scene = std::make_unique<Scene>();
-    auto model = std::make_unique<Model>();
-    std::copy(baked.charts.begin(), baked.charts.end(), model->charts);
-    for (size_t i = 0; i < baked.charts.size(); ++i)
-        for (Vec3 Chart::*axis : {&Chart::corner, &Chart::u, &Chart::v, &Chart::n})
-            model->charts[i].*axis = upright(baked.charts[i].*axis, s.upIsZ);
-    std::copy(baked.facets.begin(), baked.facets.end(), model->facets);
-    model->chartCount = (int)baked.charts.size(), model->facetCount = (int)baked.facets.size();
-    std::vector<float> planes[3];
-    for (auto &p : planes) p.resize(baked.texels.size() + 8);
-    for (size_t i = 0; i < baked.texels.size(); ++i) {
-        size_t chart = (size_t)baked.texels[i].chart;
-        Rgb b = baked.light[i] * baked.reflects[chart] + baked.emits[chart];
-        planes[0][i] = b.x, planes[1][i] = b.y, planes[2][i] = b.z;
-    }
-    Lightmap map = {};
-    map.charts = model->charts;
-    map.cells = baked.cells.data();
-    for (int k = 0; k < 3; ++k) map.plane[k] = planes[k].data();
-    Material white = {};
-    for (Rgb &c : white.texture.palette) c = {1, 1, 1};
-    white.diffuse = 1;
-    scene->clear();
-    scene->add(white);
-    poseFacets(*model, *scene);
-    scene->lightmap = &map;
-    scene->finish();
+// What a camera sees of a solution: radiosities.
+class Seen {
+public:
+    Seen(const Baked &baked, const RenderSettings &s)
+        : baked(baked),
+          view(lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height)),
+          upIsZ(s.upIsZ), eye(s.eye), tree(triangles()) {}
 
-    // Exposed for what the camera sees
-    View view = lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height);
-    auto trace = [&] {
-        traceFrame(tracer, workers, *scene, view, kQualities[(int)QualityName::Film], frame);
-        std::vector<float> all;
-        for (int y = 0; y < s.height; ++y)
-            for (int x = 0; x < s.width; ++x) {
-                size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
-                float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
-                if (light > 0) all.push_back(light);
-            }
-        if (all.empty()) all.push_back(1); // all is black
-        return all;
+    struct Point {
+        int chart; // -1: nothing is there
+        Rgb light;
     };
-    std::vector<float> all = trace();
-    // Squares are judged by what is seen: once more with the exposure that was found
-    scene->exposure = std::exp2(s.stops) * 0.5f / std::max(quantile(all, 0.6), 1e-30f);
-    all = trace();
+    Point at(float x, float y) const {
+        Vec3 d = asInModel(view.direction(x, y), upIsZ);
+        RayHit hit = tree.nearestFront(eye, d);
+        if (hit.triangle < 0) return {-1, {}};
+        int chart = charts[(size_t)hit.triangle];
+        return {chart, baked.radiosityAt(chart, eye + d * hit.t)};
+    }
+
+private:
+    const Baked &baked;
+    View view;
+    bool upIsZ;
+    Vec3 eye;
+    std::vector<int> charts; // of the triangles
+    RayTree tree;
+
+    std::vector<RayTree::Corners> triangles() {
+        std::vector<RayTree::Corners> all;
+        for (const Facet &f : baked.facets) {
+            const Chart &c = baked.charts[(size_t)f.chart];
+            for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
+                all.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
+                charts.push_back(f.chart);
+            }
+        }
+        return all;
+    }
+};
+
+// Every pixel once, and those that differ from their neighbours by 4 x 4 samples.
+void look(const Seen &seen, Workers &workers, Frame &frame) {
+    std::vector<Seen::Point> first((size_t)frame.width * (size_t)frame.height);
+    auto at = [&](int x, int y) -> Seen::Point & {
+        return first[(size_t)y * (size_t)frame.width + (size_t)x];
+    };
+    parallelFor(workers, frame.height, [&](int y, int) {
+        for (int x = 0; x < frame.width; ++x) at(x, y) = seen.at((float)x + 0.5f, (float)y + 0.5f);
+    });
+    auto differs = [](const Seen::Point &a, const Seen::Point &b) {
+        auto far = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
+        return a.chart != b.chart && (a.chart < 0 || b.chart < 0 || far(a.light.x, b.light.x) ||
+                                      far(a.light.y, b.light.y) || far(a.light.z, b.light.z));
+    };
+    parallelFor(workers, frame.height, [&](int y, int) {
+        for (int x = 0; x < frame.width; ++x) {
+            Seen::Point &own = at(x, y);
+            bool edge = false;
+            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
+                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
+                    edge |= differs(own, at(i, j));
+            Rgb light = own.light;
+            if (edge) {
+                light = {};
+                for (int k = 0; k < 16; ++k)
+                    light += seen.at((float)x + ((float)(k & 3) + 0.5f) / 4,
+                                     (float)y + ((float)(k >> 2) + 0.5f) / 4)
+                                 .light *
+                             (1 / 16.f);
+            }
+            size_t to = (size_t)y * (size_t)frame.stride + (size_t)x;
+            frame.plane[0][to] = light.x, frame.plane[1][to] = light.y, frame.plane[2][to] = light.z;
+        }
+    });
+}
+
+} // namespace
+
+void render(const Baked &baked, const RenderSettings &s, Workers &workers, const std::string &path) {
+    HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
+    Frame frame = {};
+    if (!makeFrame(frame, memory.arena, s.width, s.height))
+        throw std::runtime_error("there is not enough memory: try a smaller --size");
+    look(Seen(baked, s), workers, frame);
+    std::vector<float> all;
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
+            float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
+            if (light > 0) all.push_back(light);
+        }
+    if (all.empty()) all.push_back(1); // all is black
+    // Exposed for what the camera sees
+    float exposure = std::exp2(s.stops) * 0.5f / std::max(quantile(all, 0.6), 1e-30f);
     Picture picture = {s.width, s.height, {}};
     picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
     float low = std::log(std::max(quantile(all, 0.01), 1e-30f)),
@@ -102,7 +142,7 @@ void render(const Baked &baked, const RenderSettings &s, Workers &workers, const
     if (!s.logarithmic) {
         Curve curve;
         makeCurve(curve);
-        develop(curve, frame, workers, scene->exposure, 0);
+        develop(curve, frame, workers, exposure, 0);
     }
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {

@@ -214,7 +214,7 @@ constexpr float kBehind = 1.0001f;
 
 } // namespace
 
-RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
+template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction) const {
     Ray ray(origin, direction);
     RayHit hit;
     float limit = kInfinity; // what is met nearer counts
@@ -227,8 +227,8 @@ RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
         if (next.node < 0) {
             const Leaf &l = leaves[(size_t)~next.node];
             Int8 back;
-            Float8 t = ray.meet(l, back), far = select(back, t * kBehind, t);
-            for (int lanes = laneBits((far <= broadcast(limit)) & (t < kInfinity)); lanes;
+            Float8 t = ray.meet(l, back), far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
+            for (int lanes = laneBits((far <= broadcast(limit)) & (far < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
                 // Of equals the first: the same however the tree is built
@@ -250,6 +250,13 @@ RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
         }
     }
     return hit;
+}
+
+RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
+    return find<false>(origin, direction);
+}
+RayHit RayTree::nearestFront(const Vec3 &origin, const Vec3 &direction) const {
+    return find<true>(origin, direction);
 }
 
 bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end) const {

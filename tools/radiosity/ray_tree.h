@@ -29,6 +29,8 @@ public:
     // What is met first behind the origin. Where a front and a back lie in one plane, as where both sides of
     // a sheet are given, it is the front.
     RayHit nearest(const Vec3 &origin, const Vec3 &direction) const;
+    // The first that is met from its front: backs are looked through.
+    RayHit nearestFront(const Vec3 &origin, const Vec3 &direction) const;
     // Whether anything is met before `end`, from whichever side.
     bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
 
@@ -49,6 +51,7 @@ private:
     struct Ray;
     std::vector<Node> nodes;
     std::vector<Leaf> leaves;
+    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction) const;
 };
 
 } // namespace odraz

@@ -126,9 +126,27 @@ TEST(RayTree, OfBothSidesOfASheetTheFront) {
         for (int i = 0; i < 100; ++i) {
             Vec3 d = normalize(Vec3{0.4f + 0.002f * (float)i, 0.6f, 3});
             EXPECT_FALSE(tree.nearest({}, d).back);
+            EXPECT_FALSE(tree.nearestFront({}, d).back);
             EXPECT_FALSE(tree.nearest(Vec3{0, 0, 6}, {d.x, d.y, -d.z}).back);
         }
     }
+}
+
+TEST(RayTree, LooksThroughBacks) {
+    std::vector<RayTree::Corners> all;
+    for (int i = 1; i <= 20; ++i) { // every fifth faces the origin
+        auto z = (float)i;
+        RayTree::Corners c = {Vec3{-1, -1, z}, Vec3{0, 2, z}, Vec3{2, -1, z}};
+        if (i % 5) std::swap(c[1], c[2]);
+        all.push_back(c);
+    }
+    RayTree tree(all);
+    EXPECT_EQ(tree.nearest({}, {0, 0, 1}).triangle, 0);
+    EXPECT_TRUE(tree.nearest({}, {0, 0, 1}).back);
+    EXPECT_EQ(tree.nearestFront({}, {0, 0, 1}).triangle, 4);
+    EXPECT_EQ(tree.nearestFront({0, 0, 5.5f}, {0, 0, 1}).triangle, 9);
+    EXPECT_EQ(tree.nearestFront({0, 0, 20.5f}, {0, 0, -1}).triangle, 18);
+    EXPECT_EQ(tree.nearestFront({0, 0, 0.5f}, {0, 0, -1}).triangle, -1);
 }
 
 TEST(RayTree, RaysAlongAxesAndBoxes) {
