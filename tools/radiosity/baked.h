@@ -42,7 +42,7 @@ public:
     std::vector<Rgb> light;           // of each texel: what arrives
     std::vector<Rgb> reflects, emits; // of each chart
 
-private:
+    // What arrives at a place of an undivided cell, in world units along its chart's axes.
     Rgb lightIn(int chart, int cell, float u, float v) const;
 };
 

@@ -5,6 +5,7 @@
 #include "tools/radiosity/camera_options.h"
 #include "tools/radiosity/generate.h"
 #include "tools/radiosity/solve_command.h"
+#include "tools/radiosity/view_command.h"
 
 #include <cstdio>
 
@@ -18,6 +19,7 @@ constexpr char kUsage[] =
     "       radiosity solve --resume OUT.state\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
     "       radiosity render OUT -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
+    "       radiosity view OUT|MODEL.obj [--layer patches|elements|wireframe|hemicube]... [OPTION...]\n"
     "\n"
     "solve reads Wavefront OBJ: polygons of any count, lit on the side from which they run\n"
     "counter-clockwise; materials reflect (Kd) and shine (Ke). Ctrl-C ends it early and writes what is "
@@ -55,6 +57,14 @@ constexpr char kUsage[] =
     "  --exposure STOPS   brighter by so many powers of two, -20 to 20 (default 0)\n"
     "  --tone log|film    the light's logarithm, or the film's curve (default film)\n"
     "  --up y|z           which way is up (default y)\n"
+    "view opens a window to fly through a solution, or a model while it is solved; it takes the options of "
+    "render "
+    "and,\n"
+    "for a model, of solve. It tells its keys when it starts.\n"
+    "  --layer NAME       shown from the start: patches in a colour each, outlines of elements, wireframe, "
+    "or\n"
+    "                     what the hemicube of the patch under the pointer sees. Several may be given\n"
+    "  --screenshot FILE.png   write the picture, once all light is there, and end\n"
     "export: CSV has a line for every element; PLY and OBJ have colours at their points.\n";
 
 int runGenerate(Arguments &words) {
@@ -142,7 +152,8 @@ int run(Arguments &words) {
     if (what == "solve") return runSolve(words);
     if (what == "export") return runExport(words);
     if (what == "render") return runRender(words);
-    throw Refused("say what to do: generate, solve, export or render; see radiosity --help");
+    if (what == "view") return runView(words);
+    throw Refused("say what to do: generate, solve, export, render or view; see radiosity --help");
 }
 
 } // namespace

@@ -1,0 +1,224 @@
+# `radiosity view`: its pictures against those of `radiosity render`, what its layers, keys, mouse and wheel do, and models
+# that are solved while they are looked at.
+. "$(dirname "$0")/display.sh"
+skip_unless convert
+needs_built radiosity
+needs_built compare
+radiosity=$BUILD/radiosity
+"$radiosity" view 2>&1 | grep -q 'left out of this build' &&
+    { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
+cd "$WORK" || exit 1
+
+seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
+view() { "$radiosity" view "$@" >told 2>err; }
+# like A B DB: pictures alike, by PSNR of their sRGB bytes
+like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
+pixels() { identify -format '%#' "$1"; } # the same for equal ones
+shows() { shot && [ "$(pixels shot.png)" = "$(pixels "$1")" ]; } 2>/dev/null
+alters() { shot && [ "$(pixels shot.png)" != "$(pixels "$1")" ]; } 2>/dev/null
+# The mean of a part of a picture, of a channel: part FILE WIDTHxHEIGHT+X+Y r|g|b
+part() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3]" info:; }
+most() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3*0.7]" info:; }
+
+start_display 900x700
+for kind in cube columns; do
+    "$radiosity" generate $kind -o $kind.obj >out
+    check "solve $kind" prints '^processor' "$radiosity" solve $kind.obj -o $kind.rad
+done
+# Thousands of small triangles, curved
+awk 'BEGIN { n = 50; print "mtllib bumps.mtl\nusemtl grey"
+    for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i) printf "v %g %g %g\n", i / n * 8 - 4, 0.4 * sin(i / 7) * cos(j / 6), j / n * 8 - 4
+    for (j = 0; j < n; ++j) for (i = 0; i < n; ++i) { a = j * (n + 1) + i + 1; print "f", a, a + n + 1, a + 1; print "f", a + 1, a + n + 1, a + n + 2 } }' >bumps.obj
+printf 'newmtl grey\nKd 0.5 0.4 0.3\n' >bumps.mtl
+check "solve bumps" prints '^5000 triangles' "$radiosity" solve bumps.obj -o bumps.rad --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64
+
+# The same picture as the tracer's, but for what lies on edges, where it has other samples, and for light within elements,
+# which triangles have a little otherwise. Measured: 48 to 56 dB; 30 where the logarithm's darkest hundredth is edges
+for kind in cube columns bumps; do
+    for tone in film:46 log:28; do
+        check "$kind, tone ${tone%:*}" view $kind.rad --screenshot view.png --size 480x300 --tone ${tone%:*}
+        "$radiosity" render $kind.rad -o render.png --size 480x300 --tone ${tone%:*} >out
+        check "... tells where it stands as render does" cmp -s out <(grep -e --eye told)
+        check "... is what render shows" like view.png render.png ${tone#*:}
+    done
+done
+inside=(--size 480x300 --eye 0,5,4.9 --at 0,4,-5)
+for more in "" "--tone log" "--exposure 2" "--lens 30" "--lens 100 --exposure -1"; do
+    # shellcheck disable=SC2086 # options are several words
+    check "from inside $more" view cube.rad --screenshot view.png "${inside[@]}" $more
+    # shellcheck disable=SC2086
+    "$radiosity" render cube.rad -o render.png "${inside[@]}" $more
+    check "... is what render shows" like view.png render.png 46
+done
+# Where z is up
+awk '/^v/ { print $1, $2, -$4, $3; next } 1' bumps.obj >tall.obj
+check "a model whose z is up" view tall.obj --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64 --up z --size 480x300 --screenshot tall.png
+view bumps.rad --size 480x300 --screenshot bumps.png
+check "... is seen as the same with y up" like tall.png bumps.png 46
+
+# A model that is solved first, or while it is looked at
+for kind in "cube" "columns --adaptive" "bumps --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64" "cube --direct hemicube --bounces 3"; do
+    # shellcheck disable=SC2086
+    set -- $kind
+    model=$1
+    shift
+    "$radiosity" solve "$model.obj" -o model.rad "$@" >out
+    view model.rad --size 300x200 --screenshot file.png
+    check "$kind, solved while it is looked at" view "$model.obj" --size 300x200 --screenshot live.png "$@"
+    check "... ends with the light of the file" eval '[ "$(pixels live.png)" = "$(pixels file.png)" ]'
+    check "... and had shown some before" eval '[ "$(sed -n "s/.* shown \([0-9]*\) times/\1/p" told)" -ge 2 ]'
+done
+
+# Layers. A plate of 2 x 2 with 4 x 4 patches and 8 x 8 elements fills most of a picture
+printf 'mtllib bumps.mtl\nusemtl grey\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nf 1 2 3 4\n' >plate.obj
+"$radiosity" solve plate.obj -o plate.rad --patch 0.25 --element 0.0625 >out 2>err
+check "a plate has 16 patches and 64 elements" grep -q '; 16 patches, 64 elements' out
+front=(--size 200x200 --eye 0,0,2 --at 0,0,0 --lens 60)
+view plate.rad "${front[@]}" --screenshot plain.png
+check "patches" view plate.rad "${front[@]}" --layer patches --screenshot patches.png
+# What is averaged where they meet makes few pixels
+colours() { convert "$1" -format '%c' histogram:info: | awk '$1 + 0 >= 100' | wc -l; }
+check "... are 16 colours, before black" eval '[ "$(colours patches.png)" = 17 ] && [ "$(colours plain.png)" -lt 17 ]'
+check "elements" view plate.rad "${front[@]}" --layer elements --screenshot elements.png
+# Along a row in the middle of one, what differs from the plain picture; the outer lines may be half there
+lines() { convert elements.png plain.png -compose difference -composite -crop "$1" +repage -threshold 3% txt: | awk '/white|#FFF|255,255,255/ { if (!on) ++n; on = 1; next } !/^#/ { on = 0 } END { print n }'; }
+check "... have 7 lines between 8 of them" eval '[ "$(lines 160x1+20+110)" = 7 ] && [ "$(lines 1x160+110+20)" = 7 ]'
+check "wireframe" view plate.rad "${front[@]}" --layer wireframe --screenshot wire.png
+# A plate of 2 at the distance of 2 is 173 of 200 pixels wide
+check "... is a rectangle's edges" eval '[ "$(convert wire.png -trim -format "%w" info:)" -ge 172 ] && [ "$(convert wire.png -trim -format "%w" info:)" -le 176 ]'
+check "... four of them" eval 'for edge in 160x6+20+10 160x6+20+184 6x160+10+20 6x160+184+20; do less 20 "$(part wire.png $edge r)" || exit 1; done'
+check "... and nothing between" eval '[ "$(convert wire.png -crop 160x160+20+20 -format "%[fx:maxima]" info:)" = 0 ]'
+check "of the back" view plate.rad "${front[@]/#0,0,2/0,0,-2}" --screenshot back.png --layer elements
+check "... nothing is shown" eval '[ "$(convert back.png -format "%[fx:maxima]" info:)" = 0 ]'
+# The middle of the cube's far wall sees the red wall on its right, the green one on its left, the lamp above. Its
+# hemicube lies in the lower right corner: 4 x 37 pixels wide, 8 from the borders; the top face in its middle
+view cube.rad "${inside[@]}" --screenshot plain.png
+check "hemicube" view cube.rad "${inside[@]}" --layer hemicube --screenshot hemicube.png
+check "... red on its right" eval 'less "$(part hemicube.png 20x40+448+198 g)" "$(most hemicube.png 20x40+448+198 r)"'
+check "... green on its left" eval 'less "$(part hemicube.png 20x40+326+198 r)" "$(most hemicube.png 20x40+326+198 g)"'
+check "... a lamp above" eval '[ "$(convert hemicube.png -crop 74x37+361+144 -format "%[fx:maxima.b > 0.98]" info:)" = 1 ]'
+check "... and none below" eval '[ "$(convert hemicube.png -crop 74x37+361+255 -format "%[fx:maxima.b > 0.98]" info:)" = 0 ]'
+check "... beside it the plain picture, but for the patch" eval '[ "$(convert plain.png hemicube.png -compose difference -composite -crop 320x300+0+0 -threshold 1% -format "%[fx:mean*96000 < 800]" info:)" = 1 ]'
+check "several layers at once" view cube.rad "${inside[@]}" --layer patches --layer elements --screenshot both.png
+check "... have more colours than there are" eval '[ "$(identify -format %k both.png)" -gt 2000 ]'
+
+# Keys, mouse and wheel
+at=(--eye 1,5,4.9 --at 0,4,-5)
+for layer in patches elements wireframe; do view cube.rad --size 480x300 "${at[@]}" --layer $layer --screenshot $layer.png; done
+view cube.rad --size 480x300 "${at[@]}" --screenshot plain.png
+view cube.rad --size 480x300 "${at[@]}" --tone log --screenshot log.png
+view cube.rad --size 480x300 "${at[@]}" --exposure 0.5 --screenshot bright.png
+check "a window" begin "$radiosity" view cube.rad --size 480x300 "${at[@]}"
+check "... has the keyboard" await focused
+check "... is of the size asked" measures 480 300
+check "... tells its keys" grep -q '1 patches, 2 elements' out
+check "... shows the picture" await shows plain.png
+number=0
+for layer in patches elements wireframe; do
+    number=$((number + 1))
+    xdotool key $number
+    check "key $number shows $layer" await shows $layer.png
+    check "... and tells it in the title" await titled "  $layer"
+    xdotool key $number
+    check "... and no more" await shows plain.png
+done
+xdotool key t
+check "key T: the logarithm" await shows log.png
+xdotool key t
+xdotool mousemove --window "$window" 240 150 click 4 click 4
+check "the wheel: half a stop brighter" await shows bright.png
+xdotool click 5 click 5
+check "... and back" await shows plain.png
+xdotool mousemove --window "$window" 240 150 key 4
+check "key 4: the hemicube of the patch under the pointer" await alters plain.png
+shot && mv shot.png middle.png
+xdotool mousemove --window "$window" 50 150
+check "... of another one" await alters middle.png
+xdotool key 4
+check "... and none" await shows plain.png
+
+# Flying
+camera() { grep -e '^--eye' out | tail -n 1; }
+lines=0
+tells() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
+asks() { lines=$(grep -ce '^--eye' out); xdotool key c; await tells; }
+check "key C tells of the camera" asks
+check "... where it was put" eval '[ "$(camera)" = "${at[*]} --lens 60 --up y --exposure 0 --tone film --size 480x300" ]'
+flies() { # KEY: until it is elsewhere
+    xdotool keydown "$1"
+    await alters plain.png
+    xdotool keyup "$1"
+}
+place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
+ahead() { [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }; } # SIGN FROM TO
+for move in "w 3 -1" "s 3 1" "a 1 -1" "d 1 1" "e 2 1" "q 2 -1"; do
+    # shellcheck disable=SC2086
+    set -- $move
+    check "key $1 flies" flies "$1"
+    asks
+    from=(1 5 4.9)
+    check "... the right way" ahead "$3" "${from[$(($2 - 1))]}" "$(place "$2")"
+    xdotool key r
+    check "... and R comes back" await shows plain.png
+done
+xdotool mousemove --window "$window" 200 150 mousedown 1 mousemove --window "$window" 260 130 mouseup 1
+check "the mouse looks around" await alters plain.png
+flies w
+sleep 0.5
+check "... and tells where" asks
+check "... to the right and up" eval 'less 0 "$(place 4)" && less 4 "$(place 5)"'
+same() {
+    # shellcheck disable=SC2046
+    "$radiosity" view cube.rad $(camera) --screenshot view.png >told && shot && like shot.png view.png 40
+}
+check "a camera's line gives the same picture" await same
+# shellcheck disable=SC2046
+check "... of render, too" "$radiosity" render cube.rad -o render.png $(camera)
+check "... alike" like shot.png render.png 40
+xdotool windowsize "$window" 600 200
+check "another size" await measures 600 200
+wide() { asks && [[ $(camera) = *"--size 600x200" ]] && same; }
+check "... shows as much" await wide
+xdotool key Escape
+ended $pid
+check "ESC ends it with status 0" test $? = 0
+check "... without a word" test ! -s err
+check "a plate from behind" begin "$radiosity" view plate.rad --eye 0,0,-2 --at 0,0,0 --size 200x200
+await focused
+check "... is black" await is_black 200x200+0+0
+xdotool key b
+check "... and with B it is not" await eval '! is_black 200x200+0+0'
+xdotool key Escape
+ended $pid
+
+# Direct light while form factors are found; who leaves does not wait for them
+"$radiosity" solve columns.obj -o direct.rad --bounces 0 >out
+view direct.rad --size 300x200 --eye -18,6,13 --at 4,3,-6 --screenshot direct.png
+shot_like() { shot && like shot.png "$1" 40; } 2>/dev/null
+check "a model that takes long" begin "$radiosity" view columns.obj --hemicube 1024 --size 300x200 --eye -18,6,13 --at 4,3,-6
+check "... gets form factors" await titled 'form factors'
+check "... and shows direct light then" await shot_like direct.png
+xdotool key Escape
+check "... leaves" eval 'ended $pid'
+check "... without a word" test ! -s err
+
+# What is missing or wrong
+check "no name" refuses 2 "name a solution or a model" "$radiosity" view
+check "a solution that is none" refuses 1 "was not written by" "$radiosity" view cube.mtl
+check "a file that is not there" refuses 2 "cannot read none.rad" "$radiosity" view none.rad
+check "a model that is not there" refuses 2 "cannot read none.obj" "$radiosity" view none.obj
+check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe or hemicube, not all" "$radiosity" view cube.rad --layer all
+check "half a camera" refuses 2 "view needs --eye and --at, or neither" "$radiosity" view cube.rad --eye 0,1,2
+check "options of solve for what is solved" refuses 2 "--patch is for models that are solved here" "$radiosity" view cube.rad --patch 1
+check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" view cube.rad --fast
+check "no place for the screenshot" refuses 2 "cannot write" "$radiosity" view cube.rad --screenshot none/x.png
+check "no display" refuses 1 "no display to open a window on" env -u DISPLAY "$radiosity" view cube.rad
+check "a display that is gone" refuses 1 "no display to open a window on" env DISPLAY=:999 "$radiosity" view cube.rad
+check "an OpenGL that is too old" refuses 1 "no OpenGL 3.3 on this display" env MESA_GL_VERSION_OVERRIDE=2.1 "$radiosity" view cube.rad
+check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" view cube.obj --memory 3 --screenshot x.png
+check "none of them left a picture" test ! -e x.png
+# Without reversed depth
+check "no clip control" env MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control "$radiosity" view cube.rad --size 480x300 "${at[@]}" --screenshot view.png >out
+check "... the same picture" like view.png plain.png 50
+finish

@@ -1,0 +1,62 @@
+// Pictures of a solved model by OpenGL: the scene in linear light and numbers of patches, from which it is
+// toned.
+#pragma once
+
+#include "tools/picture/picture.h"
+#include "tools/radiosity/view_gl.h"
+#include "tools/radiosity/view_mesh.h"
+#include "trace/rays/view.h"
+
+namespace odraz {
+
+struct ViewLayers {
+    bool patches = false, elements = false, wireframe = false, hemicube = false, backs = false;
+};
+
+// As `render` has it, for what the camera sees.
+struct ViewTone {
+    bool logarithmic = false;
+    float exposure = 1, low = 0, high = 1; // the last two: logarithms
+};
+
+class ViewPicture {
+public:
+    explicit ViewPicture(const ViewGl &gl); // on the context that is current. Throws std::runtime_error
+    void load(std::shared_ptr<const ViewMesh> mesh);
+    void relight(const std::vector<Rgb> &light);
+
+    // Draws the scene with so many samples along a pixel's side (fewer where that is too much).
+    void draw(const RenderSettings &camera, const ViewLayers &layers, int samples);
+    // What a tone is chosen by: light that was drawn, of `most` x `most` pixels at most. False where there is
+    // none.
+    bool measure(float stops, int most, ViewTone &tone);
+    // The patch at a pixel, from 1 on; 0: none.
+    int patchAt(int x, int y) const;
+    // Draws what the patch's hemicube sees, unfolded.
+    void drawHemicube(int patch, bool upIsZ);
+    // Makes the picture of both, and puts it into the upper left corner of the window.
+    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight);
+    Picture read() const;
+
+private:
+    struct Target { // a picture in linear light and its depth
+        GLuint framebuffer = 0, colour = 0, depth = 0;
+        int width = 0, height = 0;
+    };
+    void shape(Target &target, int width, int height, GLint colours, bool depth);
+    void drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, const Vec3 &ahead, int lines,
+                  bool backs) const;
+    void clear(float number) const;
+    GLuint program(const char *vertex, const char *fragment, bool reversed);
+    void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
+
+    ViewGl gl;
+    bool reversed;
+    GLuint sceneProgram, meanProgram, showProgram, arrays[3], buffers[5];
+    std::shared_ptr<const ViewMesh> mesh;
+    bool outlined = false; // the outlines are in their buffer
+    Target scene, hemicube, small, final;
+    int samples = 1;
+};
+
+} // namespace odraz
