@@ -19,8 +19,8 @@ static constexpr int kStillSamples = 4;
 void ViewWindow::drawWhatChanged(bool moving) {
     if (redraw) {
         picture->draw(s.camera, s.layers, moving ? 1 : kStillSamples);
-        if (picture->measure(s.camera.stops, moving ? 200 : kMaxWidth, wanted) && !lit) {
-            tone.exposure = wanted.exposure, tone.low = wanted.low, tone.high = wanted.high;
+        if (picture->measure(moving ? 200 : kMaxWidth, wanted) && !lit) {
+            tone.exposure = exposure(), tone.low = wanted.low, tone.high = wanted.high;
             lit = true;
         }
         rough = moving;
@@ -44,14 +44,16 @@ void ViewWindow::pickPatch() {
     toned = true;
 }
 
+float ViewWindow::exposure() const { return wanted.exposure * std::exp2(s.camera.stops); }
+
 // Eyes need a moment; a screenshot does not. Whether they need more.
 bool ViewWindow::glide(float seconds) {
-    float stops = std::log(wanted.exposure / tone.exposure), low = wanted.low - tone.low,
+    float stops = std::log(exposure() / tone.exposure), low = wanted.low - tone.low,
           high = wanted.high - tone.high, off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
     if (off == 0) return false;
     bool there = off < 0.004f || !s.screenshot.empty();
     float share = there ? 1 : 1 - std::exp(-seconds / 0.15f);
-    tone.exposure = there ? wanted.exposure : tone.exposure * std::exp(stops * share);
+    tone.exposure = there ? exposure() : tone.exposure * std::exp(stops * share);
     tone.low = there ? wanted.low : tone.low + low * share;
     tone.high = there ? wanted.high : tone.high + high * share;
     toned = true;

@@ -51,9 +51,11 @@ ViewMesh::ViewMesh(const Baked &baked) {
             throw std::runtime_error("it has more elements than can be shown: solve it with larger ones");
         auto first = (uint32_t)points.size(), count = (uint32_t)piece.size();
         firsts.push_back(first);
+        ViewPoint point = pointOf({}, c.n, number.first->second);
         for (uint32_t i = 0; i < count; ++i) {
             Vec3 from = piece[i].p - c.corner;
-            points.push_back(pointOf(piece[i].p, c.n, number.first->second));
+            point.p = piece[i].p;
+            points.push_back(point);
             places.push_back({cell, dot(from, c.u), dot(from, c.v)});
             outlines.insert(outlines.end(), {first + i, first + (i + 1) % count});
             if (i >= 2) triangles.insert(triangles.end(), {first, first + i - 1, first + i});

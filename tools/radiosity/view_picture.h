@@ -27,9 +27,9 @@ public:
 
     // Draws the scene with so many samples along a pixel's side (fewer where that is too much).
     void draw(const RenderSettings &camera, const ViewLayers &layers, int samples);
-    // What a tone is chosen by: light that was drawn, of `most` x `most` pixels at most. False where there is
-    // none.
-    bool measure(float stops, int most, ViewTone &tone);
+    // What a tone is chosen by, without stops: light that was drawn, of `most` x `most` pixels at most. False
+    // where there is none.
+    bool measure(int most, ViewTone &tone);
     // The patch at a pixel, from 1 on; 0: none.
     int patchAt(int x, int y) const;
     // Draws what the patch's hemicube sees, unfolded.

@@ -8,7 +8,7 @@
 
 namespace odraz {
 
-bool ViewPicture::measure(float stops, int most, ViewTone &tone) {
+bool ViewPicture::measure(int most, ViewTone &tone) {
     int across = scene.width / samples, down = scene.height / samples, width = std::min(across, most),
         height = std::min(down, most);
     shape(small, width, height, GL_RGBA32F, false);
@@ -28,7 +28,7 @@ bool ViewPicture::measure(float stops, int most, ViewTone &tone) {
     }
     if (all.empty()) return false;
     auto part = [&](double share) { return std::max(quantile(all, share), 1e-30f); };
-    tone.exposure = std::exp2(stops) * 0.5f / part(0.6);
+    tone.exposure = 0.5f / part(0.6);
     tone.low = std::log(part(0.01)), tone.high = std::log(part(0.998));
     return true;
 }

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <cstdio>
 #include <stdexcept>
+#include <utility>
 
 namespace odraz {
 
@@ -43,6 +44,12 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         if (action != GLFW_RELEASE) of(w).key(key);
     });
     glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
+    // By events in their order: where pictures take long, a whole gesture lies between two of them
+    glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow *w, double x, double y) { of(w).pointer(x, y); });
+    glfwSetInputMode(window, GLFW_STICKY_KEYS, 1);
     glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { of(w).toned = true; });
     glfwGetCursorPos(window, &mouseX, &mouseY);
     tone.logarithmic = s.camera.logarithmic;
@@ -53,28 +60,36 @@ ViewWindow::~ViewWindow() { glfwTerminate(); }
 
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
+// What is of light, tone and numbers alone needs no scene drawn anew.
 void ViewWindow::key(int key) {
-    bool *layers[] = {&s.layers.patches, &s.layers.elements, &s.layers.wireframe, &s.layers.hemicube};
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_4)
-        *layers[key - GLFW_KEY_1] ^= true;
+    toned = true;
+    if (key == GLFW_KEY_1)
+        s.layers.patches ^= true, redraw |= s.layers.wireframe;
+    else if (key == GLFW_KEY_2)
+        s.layers.elements ^= true, redraw = true;
+    else if (key == GLFW_KEY_3)
+        s.layers.wireframe ^= true, redraw = true;
+    else if (key == GLFW_KEY_4)
+        s.layers.hemicube ^= true, pointerX = -1, patch = 0;
     else if (key == GLFW_KEY_B)
-        s.layers.backs ^= true;
+        s.layers.backs ^= true, redraw = true;
     else if (key == GLFW_KEY_T)
         tone.logarithmic ^= true, s.camera.logarithmic = tone.logarithmic;
     else if (key == GLFW_KEY_R)
-        s.camera.eye = start.eye, s.camera.target = start.target;
+        s.camera.eye = start.eye, s.camera.target = start.target, redraw = true;
     else if (key == GLFW_KEY_C)
         std::printf("%s\n", cameraAsTold(s.camera).c_str()), std::fflush(stdout);
     else if (key == GLFW_KEY_ESCAPE)
         glfwSetWindowShouldClose(window, 1);
-    else
-        return;
-    redraw = true;
 }
 
 void ViewWindow::wheel(double notches) {
     s.camera.stops = std::clamp(s.camera.stops + (float)notches * 0.25f, -20.f, 20.f);
-    redraw = true;
+}
+
+void ViewWindow::pointer(double x, double y) {
+    if (looking) lookX += (float)(x - mouseX), lookY += (float)(y - mouseY);
+    mouseX = x, mouseY = y;
 }
 
 void ViewWindow::show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rgb> &light,
@@ -105,20 +120,14 @@ bool ViewWindow::fly(float seconds) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
     float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           rise = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
-    double x, y;
-    glfwGetCursorPos(window, &x, &y);
-    float dx = (float)(x - mouseX), dy = (float)(y - mouseY);
-    mouseX = x, mouseY = y;
-    bool looking = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && (dx != 0 || dy != 0);
-    if ((ahead == 0 && aside == 0 && rise == 0 && !looking) || size == 0) return false;
+    float dx = std::exchange(lookX, 0.f), dy = std::exchange(lookY, 0.f);
+    if ((ahead == 0 && aside == 0 && rise == 0 && dx == 0 && dy == 0) || size == 0) return false;
     RenderSettings &c = s.camera;
     Vec3 eye = upright(c.eye, c.upIsZ), to = upright(c.target, c.upIsZ) - eye;
     float distance = std::max(length(to), size * 1e-3f), yaw = std::atan2(to.x, -to.z),
           pitch = std::asin(std::clamp(to.y / distance, -1.f, 1.f));
-    if (looking) {
-        yaw += dx * 0.004f;
-        pitch = std::clamp(pitch - dy * 0.004f, -1.5f, 1.5f);
-    }
+    yaw += dx * 0.004f;
+    if (dy != 0) pitch = std::clamp(pitch - dy * 0.004f, -1.5f, 1.5f);
     Vec3 forward = {std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw)};
     Vec3 right = {std::cos(yaw), 0, std::sin(yaw)};
     float way = 0.15f * size * std::min(seconds, 0.2f) * (held(GLFW_KEY_LEFT_SHIFT) != 0 ? 5.f : 1.f);

@@ -39,10 +39,12 @@ public:
 private:
     void key(int key);
     void wheel(double notches);
+    void pointer(double x, double y);
     void hear(ViewGrowth &growth);
     bool fly(float seconds);
     void drawWhatChanged(bool moving);
     void pickPatch();
+    float exposure() const; // that is wanted
     bool glide(float seconds);
     void present();
     void title(const std::string &step);
@@ -59,6 +61,8 @@ private:
     bool solved = true; // nothing comes after this light
     int patch = 0, pictures = 0;
     double mouseX = 0, mouseY = 0;
+    bool looking = false; // the left button is held
+    float lookX = 0, lookY = 0;
     int pointerX = 0, pointerY = 0;
     std::string titled;
 };
