@@ -56,7 +56,9 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     picture = std::make_unique<ViewPicture>(gl);
 }
 
-ViewWindow::~ViewWindow() { glfwTerminate(); }
+// The libraries of the display stay until the process ends: unloaded, they would lose memory that they never
+// give back.
+ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
 
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
@@ -112,6 +114,7 @@ void ViewWindow::hear(ViewGrowth &growth) {
         show(news.mesh, *news.light, news.camera);
     else if (news.light)
         picture->relight(*news.light), redraw = true, ++pictures;
+    toned |= news.done && !solved; // for a screenshot
     solved = news.done;
 }
 
