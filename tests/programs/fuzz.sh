@@ -1,6 +1,6 @@
 # A bounded run of a fuzzer on readers of files, from real files as seeds. What it finds differs from run to run: a
 # finding is printed, to be kept as a test.
-#   fuzz.sh BUILD pack|rad|obj [SECONDS]
+#   fuzz.sh BUILD pack|rad|obj|hdr [SECONDS]
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
 target=${2:-pack} seconds=${3:-30}
@@ -45,6 +45,18 @@ seeds_for_rad() {
     # A finding: the floor's blue, the last number but three, is less than nothing
     perl -0777 -pe 'substr($_, -24, 12) = pack("f3", 1, 1, -5)' seeds/patch1element1 >seeds/negative
     options=(-max_len=16384)
+}
+
+# Rows plain and run by run, even, with a sun, and what is nearly one
+seeds_for_hdr() {
+    head() { printf "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y $2 +X $1\n"; }
+    { head 4 2; printf '\200\200\200\201%.0s' $(seq 8); } >seeds/plain
+    { head 4 2; printf '\200\200\200\201%.0s' $(seq 7); printf '\377\377\200\220'; } >seeds/sun
+    { head 8 4; for _ in 1 2 3 4; do printf '\2\2\0\10\210\200\210\200\4\1\2\3\4\204\5\210\201'; done; } >seeds/runs
+    { head 8 1; printf '\2\2\0\10\210\200\211\200'; } >seeds/long
+    { head 1 1; printf '\377\377\377\377'; } >seeds/bright
+    { head 1000000 100; printf '\1\1\1\1'; } >seeds/vast
+    options=(-max_len=4096)
 }
 
 check "seeds for each reader" "seeds_for_$target"

@@ -17,8 +17,13 @@ const char *const Bake::kSteps[5] = {"dividing", "form factors", "direct light",
 void Bake::Free::operator()(void *memory) const { munmap(memory, *(size_t *)memory); }
 
 Rgb Bake::reflects(int chart) const {
+    if (!pictured.ofChart.empty()) return pictured.ofChart[(size_t)chart];
     const auto &r = materials[(size_t)material[(size_t)chart]].reflects;
     return {r[0], r[1], r[2]};
+}
+Rgb Bake::reflectsOf(int cell) const {
+    if (!pictured.ofCell.empty()) return pictured.ofCell[(size_t)cell];
+    return reflects(byRays ? cells[(size_t)cell].chart : model->cells[cell].chart);
 }
 Rgb Bake::emits(int chart) const {
     const auto &e = materials[(size_t)material[(size_t)chart]].emits;
@@ -33,7 +38,7 @@ static_assert(kDivided <= kFinest);
 // The side of a cell.
 double cellOf(const Mesh &mesh, const BakeSettings &s) {
     double element = s.element > 0 ? s.element : areaOf(mesh) / 30000;
-    return std::sqrt(element) * (s.adaptive ? 1 << kDivided : 1);
+    return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
 }
 
 void join(Bake &b, const Mesh &mesh) {
@@ -90,6 +95,8 @@ public:
         settings.contrast = s.contrast;
         takePlanes();
         findDirect(r, m, *b.scene, settings, workers, tell(2));
+        std::vector<std::string> known; // notes
+        if (s.adaptive) findPictured(known);
         gatherFromOutside();
         if (s.growing) s.growing(b, nullptr);
         lap(2);
@@ -142,8 +149,15 @@ private:
         if (!m.divide(*b.scene, b.arena, workers, block, levels))
             refuseMemory(b.arena, texelBytes((size_t)m.texelRoom));
         m.solid = !seesBacks();
+        findPictured(b.notes);
         for (int i = 0; i < m.patchCount; ++i) m.patches[i].reflects = b.reflects(m.patches[i].chart);
+        b.pictured.toPatches(m);
         progress(1);
+    }
+
+    void findPictured(std::vector<std::string> &notes) {
+        b.pictured.find(mesh, b.regions.chartOf, {m.charts, (size_t)m.chartCount},
+                        {m.cells, (size_t)m.cellCount}, notes);
     }
 
     // Whether some patch sees the back of something: where none does, hemicubes may leave backs out. Looks

@@ -5,6 +5,7 @@
 #include "radiosity/radiosity.h"
 #include "tools/common/clock.h"
 #include "tools/radiosity/mesh.h"
+#include "tools/radiosity/pictured.h"
 #include "tools/radiosity/regions.h"
 #include "tools/radiosity/row_finder.h"
 #include "tools/radiosity/surroundings.h"
@@ -63,6 +64,7 @@ struct Bake {
     BakeSettings settings;
     std::vector<MeshMaterial> materials;
     std::vector<int> material; // of each chart
+    Pictured pictured;
     bool byRays;
     // By rays: charts and facets as regions has them, and what arrives at the texels
     Regions regions;
@@ -87,7 +89,8 @@ struct Bake {
     std::vector<std::string> notes; // what users should know, a line each
     static const char *const kSteps[5];
 
-    Rgb reflects(int chart) const;
+    Rgb reflects(int chart) const; // on average
+    Rgb reflectsOf(int cell) const;
     Rgb emits(int chart) const;
 };
 

@@ -36,6 +36,7 @@ public:
         estimate();
         LightGrid grid(b.regions, tree, workers);
         b.sites = (int)grid.sites.size();
+        b.pictured.find(mesh, b.regions.chartOf, b.regions.charts, grid.cells, b.notes);
         lap(0);
         Gather gather(b.regions, grid, tree, s.surroundings);
         bool refined = resume(gather);
@@ -171,6 +172,13 @@ private:
                     atSites[i] += direct[(size_t)grid.places[site.firstPlace + k].texel], ++count;
             atSites[i] = atSites[i] * (1 / (float)count);
             reflects[i] = b.reflects(site.chart);
+            if (b.pictured.ofCell.empty()) continue;
+            reflects[i] = {};
+            for (uint32_t k = 0; k < site.places; ++k) {
+                auto *cell = grid.spotAt(site.chart, grid.places[site.firstPlace + k].p).cell;
+                reflects[i] +=
+                    b.pictured.ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.places);
+            }
         }
     }
 

@@ -12,7 +12,7 @@ namespace odraz {
 
 namespace {
 
-constexpr char kMagic[] = "odraz radiosity 1\n";
+constexpr char kMagic[] = "odraz radiosity 2\n";
 constexpr size_t kMagicSize = sizeof kMagic - 1;
 
 // No number that is not finite, nor so large that products of some are not.
@@ -40,7 +40,8 @@ bool sound(const Facet &f, const Baked &b) {
 
 // Children stand behind their parents, so that whoever goes down arrives.
 bool sound(const Cell &c, size_t number, const Baked &b) {
-    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area)) return false;
+    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area) || c.level < 0 || c.level > kFinest)
+        return false;
     if (c.divided()) return ~c.corner[0] > (int64_t)number && within(~c.corner[0], 4, b.cells.size());
     for (int corner : c.corner)
         if (!within(corner, 1, b.texels.size()) || b.texels[(size_t)corner].chart != c.chart) return false;
@@ -63,6 +64,7 @@ bool sound(const Baked &b) {
     size_t number = 0;
     return !b.charts.empty() && b.light.size() == b.texels.size() && b.reflects.size() == b.charts.size() &&
            b.emits.size() == b.charts.size() && finite(b.light) && finite(b.reflects) && finite(b.emits) &&
+           finite(b.pictured) && (b.pictured.empty() || b.pictured.size() == b.cells.size()) &&
            all(b.charts, [&](const Chart &c) { return sound(c, b); }) &&
            all(b.facets, [&](const Facet &f) { return sound(f, b); }) &&
            all(b.texels, [&](const Texel &t) { return sound(t, b); }) &&
@@ -74,6 +76,7 @@ bool sound(const Baked &b) {
 Baked::Baked(const Bake &b) {
     for (size_t i = 0; i < b.material.size(); ++i)
         reflects.push_back(b.reflects((int)i)), emits.push_back(b.emits((int)i));
+    pictured = b.pictured.ofCell;
     if (b.byRays) {
         charts = b.regions.charts, facets = b.regions.facets;
         cells = b.cells, texels = b.texels, light = b.arrives;
@@ -90,7 +93,7 @@ Baked::Baked(const Bake &b) {
 void Baked::save(const std::string &path) const {
     std::string body;
     put(body, charts), put(body, facets), put(body, cells), put(body, texels);
-    put(body, light), put(body, reflects), put(body, emits);
+    put(body, light), put(body, reflects), put(body, emits), put(body, pictured);
     writeWhole(path, withChecksum(body));
 }
 
@@ -108,14 +111,19 @@ Baked::Baked(const std::string &path) {
     std::memcpy(&sum, all.data() + kMagicSize, 8);
     bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, charts) &&
                 get(all, at, facets) && get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
-                get(all, at, reflects) && get(all, at, emits) && at == all.size() && sound(*this);
+                get(all, at, reflects) && get(all, at, emits) && get(all, at, pictured) && at == all.size() &&
+                sound(*this);
     if (!good)
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }
 
-Rgb Baked::lightIn(int chart, int cell, float u, float v) const {
+Rgb Baked::reflectsOf(int cell) const {
+    return pictured.empty() ? reflects[(size_t)cells[(size_t)cell].chart] : pictured[(size_t)cell];
+}
+
+Rgb Baked::lightIn(int cell, float u, float v) const {
     // In steps of the finest cells, within this one
-    const Chart &c = charts[(size_t)chart];
+    const Chart &c = charts[(size_t)cells[(size_t)cell].chart];
     const int *corner = cells[(size_t)cell].corner;
     const Texel &low = texels[(size_t)corner[0]], &high = texels[(size_t)corner[3]];
     auto share = [](float x, int low, int high) {
@@ -131,15 +139,15 @@ Rgb Baked::lightAt(int chart, const Vec3 &p) const {
     const Chart &c = charts[(size_t)chart];
     float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
           v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
-    float x = u / c.width * (float)c.across, y = v / c.height * (float)c.down;
-    int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1),
-        cell = c.firstCell + j * c.across + i;
-    for (x -= (float)i, y -= (float)j; cells[(size_t)cell].divided();) {
-        x *= 2, y *= 2;
-        cell = ~cells[(size_t)cell].corner[0] + (x >= 1) + 2 * (y >= 1);
-        x -= (float)(x >= 1), y -= (float)(y >= 1);
-    }
-    return lightIn(chart, cell, u, v);
+    return lightIn(cellAt(cells.data(), c, {u, v}), u, v);
+}
+
+Rgb Baked::radiosityAt(int chart, const Vec3 &p) const {
+    const Chart &c = charts[(size_t)chart];
+    float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
+          v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
+    int cell = cellAt(cells.data(), c, {u, v});
+    return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)chart];
 }
 
 void Baked::forPieces(const std::function<void(int, int, const std::vector<BakedPoint> &)> &visit) const {
@@ -161,6 +169,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         const Cell &cell = cells[i];
         if (cell.divided()) continue;
         const Chart &c = charts[(size_t)cell.chart];
+        const Rgb reflects = reflectsOf((int)i), emits = this->emits[(size_t)cell.chart];
         const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
         float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
         // Its outline, counter-clockwise, with what hangs in it
@@ -185,9 +194,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
             piece.clear();
             for (const PlanePoint &p : left)
-                piece.push_back(
-                    {c.at(p.u, p.v), lightIn(cell.chart, (int)i, p.u, p.v) * reflects[(size_t)cell.chart] +
-                                         emits[(size_t)cell.chart]});
+                piece.push_back({c.at(p.u, p.v), lightIn((int)i, p.u, p.v) * reflects + emits});
             visit(cell.chart, (int)i, piece);
         }
     }

@@ -28,22 +28,22 @@ public:
     void
     forPieces(const std::function<void(int chart, int cell, const std::vector<BakedPoint> &)> &visit) const;
 
+    // At a place of a chart that lies in that cell, in world units along its axes: what arrives there.
+    Rgb lightIn(int cell, float u, float v) const;
+    // What share of it a cell reflects.
+    Rgb reflectsOf(int cell) const;
     // What arrives at a place of a chart.
     Rgb lightAt(int chart, const Vec3 &p) const;
     // What it shows there.
-    Rgb radiosityAt(int chart, const Vec3 &p) const {
-        return lightAt(chart, p) * reflects[(size_t)chart] + emits[(size_t)chart];
-    }
+    Rgb radiosityAt(int chart, const Vec3 &p) const;
 
     std::vector<Chart> charts;
     std::vector<Facet> facets;
     std::vector<Cell> cells;
     std::vector<Texel> texels;
     std::vector<Rgb> light;           // of each texel: what arrives
-    std::vector<Rgb> reflects, emits; // of each chart
-
-    // What arrives at a place of an undivided cell, in world units along its chart's axes.
-    Rgb lightIn(int chart, int cell, float u, float v) const;
+    std::vector<Rgb> reflects, emits; // of each chart; on average, where it has a picture
+    std::vector<Rgb> pictured;        // what each cell reflects; empty where there are no pictures
 };
 
 void exportCsv(const Baked &baked, const std::string &path);

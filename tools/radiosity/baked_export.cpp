@@ -1,26 +1,17 @@
 // A solved model for spreadsheets and viewers.
 #include "tools/radiosity/baked.h"
 
+#include "tools/common/print.h"
 #include "tools/common/statistics.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
 #include <cstring>
 
 namespace odraz {
 
 namespace {
-
-void print(std::string &to, const char *format, ...) {
-    char line[400];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(line, sizeof line, format, arguments);
-    va_end(arguments);
-    to += line;
-}
 
 // Radiosity as a colour of 0 .. 1 for viewers: what 99 of 100 points do not exceed is 0.9, in sRGB.
 struct Shown {
@@ -33,7 +24,7 @@ struct Shown {
         });
         if (all.empty()) return;
         float high = quantile(std::move(all), 0.99);
-        if (high > 0) scale = 0.9f / high;
+        if (high > 1e-30f) scale = 0.9f / high; // less has no inverse
     }
     float operator()(float x) const {
         x = std::clamp(x * scale, 0.f, 1.f);

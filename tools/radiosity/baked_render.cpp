@@ -5,6 +5,7 @@
 #include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
 #include "tools/picture/picture.h"
+#include "tools/radiosity/facets.h"
 #include "tools/radiosity/ray_tree.h"
 #include "tools/radiosity/upright.h"
 #include "trace/picture/development.h"
@@ -25,7 +26,21 @@ void placeCamera(const Baked &baked, RenderSettings &s) {
     for (const Vec3 &p : corners)
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
-    Vec3 middle = (lo + hi) * 0.5f, away = normalize(Vec3{0.5f, 0.55f, 0.8f});
+    // Where hardly anything turns its lit side that way, from where most does
+    auto from = [&](int octant) {
+        return normalize(
+            Vec3{octant & 1 ? -0.5f : 0.5f, octant & 2 ? -0.55f : 0.55f, octant & 4 ? -0.8f : 0.8f});
+    };
+    double faces[8] = {};
+    int best = 0;
+    for (int k = 0; k < 8; ++k) {
+        for (const Facet &f : baked.facets) {
+            const Chart &c = baked.charts[(size_t)f.chart];
+            faces[k] += areaOf(outlineOf(f)) * (double)std::max(dot(upright(c.n, s.upIsZ), from(k)), 0.f);
+        }
+        if (faces[k] > faces[best] * 1.001) best = k;
+    }
+    Vec3 middle = (lo + hi) * 0.5f, away = from(faces[0] < 0.1 * faces[best] ? best : 0);
     Vec3 right = normalize(cross(Vec3{0, 1, 0}, away)), up = cross(away, right);
     float tall = std::tan(s.lens * (kPi / 360)) * 0.95f, wide = tall * (float)s.width / (float)s.height,
           far = 0;

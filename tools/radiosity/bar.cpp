@@ -1,5 +1,7 @@
 #include "tools/radiosity/bar.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <unistd.h>
@@ -12,17 +14,28 @@ static double now() {
     return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-Bar::Bar() : terminal(isatty(STDERR_FILENO)) {}
+Bar::Bar(bool lines) : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(now()) {}
 
 void Bar::show(const char *name, float done, float residual) {
-    if (!terminal) return;
-    if (name != step) step = name, began = now();
-    char bar[31] = {}, rest[60] = "";
-    for (int i = 0; i < 30; ++i) bar[i] = (float)i < done * 30 ? '#' : '.';
-    if (residual >= 0) std::snprintf(rest, sizeof rest, ", residual %.1e", (double)residual);
-    double left = done > 0.02f ? (now() - began) * (1 / (double)done - 1) : -1;
-    std::fprintf(stderr, "\r\033[K%-13s [%s] %3.0f %%%s", name, bar, (double)done * 100, rest);
-    if (left >= 0) std::fprintf(stderr, ", %.0f s left", left);
+    if (!terminal && !lines) return;
+    double time = now();
+    bool fresh = name != step;
+    if (fresh) step = name, began = time, ended = false;
+    char rest[90] = "";
+    int at = 0;
+    if (residual >= 0) at = std::snprintf(rest, sizeof rest, ", residual %.1e", (double)residual);
+    if (done > 0.02f && done < 1)
+        std::snprintf(rest + at, sizeof rest - (size_t)at, ", %.0f s left",
+                      (time - began) * (1 / (double)done - 1));
+    if (terminal) {
+        char bar[31] = {};
+        for (int i = 0; i < 30; ++i) bar[i] = (float)i < done * 30 ? '#' : '.';
+        std::fprintf(stderr, "\r\033[K%-13s [%s] %3.0f %%%s", name, bar, (double)done * 100, rest);
+    } else if (fresh || (done >= 1 && !ended) || time - told > std::max(1., (time - start) / 20)) {
+        told = time;
+        ended = done >= 1;
+        std::fprintf(stderr, "progress: %s %.0f %%%s\n", name, std::floor((double)done * 100), rest);
+    }
     std::fflush(stderr);
 }
 

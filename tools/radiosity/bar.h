@@ -1,21 +1,24 @@
-// A bar on the terminal that grows; nothing where stderr is a file.
+// How far something is: a bar on the terminal that grows, or lines where stderr is a file, if they are
+// wanted.
 #pragma once
 
 namespace odraz {
 
 class Bar {
 public:
-    Bar();
+    explicit Bar(bool lines);
     ~Bar() { clear(); }
     // Which step (a name that stays where it is), how much of it is done, 0 .. 1; the residual where it is
-    // not below 0.
+    // not below 0. Both tell how long the step still takes, once that can be known. Lines come when a step
+    // begins and ends, and in between every second, later every twentieth of the time that has passed.
     void show(const char *step, float done, float residual);
     void clear();
 
 private:
-    bool terminal;
+    bool terminal, lines;
     const char *step = nullptr;
-    double began = 0;
+    double start, began = 0, told = 0; // seconds: of all, of the step, of its last line
+    bool ended = false;
 };
 
 } // namespace odraz

@@ -46,16 +46,16 @@ bool onFacet(const Facet &f, PlanePoint p) {
     return true;
 }
 
-const Cell &cellAt(const Model &m, const Chart &c, PlanePoint p) {
+int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {
     float x = p.u / c.width * (float)c.across, y = p.v / c.height * (float)c.down;
     int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);
-    const Cell *cell = &m.cells[c.firstCell + j * c.across + i];
-    for (x -= (float)i, y -= (float)j; cell->divided();) {
+    int cell = c.firstCell + j * c.across + i;
+    for (x -= (float)i, y -= (float)j; cells[cell].divided();) {
         x *= 2, y *= 2;
-        cell = &m.cells[~cell->corner[0] + (x >= 1) + 2 * (y >= 1)];
+        cell = ~cells[cell].corner[0] + (x >= 1) + 2 * (y >= 1);
         x -= (float)(x >= 1), y -= (float)(y >= 1);
     }
-    return *cell;
+    return cell;
 }
 
 } // namespace odraz

@@ -19,7 +19,10 @@ double areaOf(const Outline &outline);
 Outline cut(const Outline &outline, PlanePoint a, PlanePoint b);
 bool onFacet(const Facet &facet, PlanePoint p);
 
-// The smallest cell at a place of a chart.
-const Cell &cellAt(const Model &model, const Chart &chart, PlanePoint p);
+// The smallest cell at a place of a chart: its number, of those in which all charts have theirs.
+int cellAt(const Cell *cells, const Chart &chart, PlanePoint p);
+inline const Cell &cellAt(const Model &model, const Chart &chart, PlanePoint p) {
+    return model.cells[cellAt(model.cells, chart, p)];
+}
 
 } // namespace odraz

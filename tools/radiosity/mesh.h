@@ -13,9 +13,18 @@ struct ModelError : odraz::Refused {
     using Refused::Refused;
 };
 
+// map_Kd: it reflects tint times what the picture has at coordinates times scale plus offset.
+struct MeshPicture {
+    std::string path; // empty: there is none
+    std::array<float, 3> tint = {1, 1, 1};
+    std::array<float, 2> scale = {1, 1}, offset = {};
+    bool clamp = false; // outside of 0 .. 1 its border goes on, not the picture
+};
+
 struct MeshMaterial {
     std::string name;
     std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka where that is above 1, 0 ..
+    MeshPicture picture = {};
 };
 
 struct Triangle {
@@ -26,6 +35,9 @@ struct Triangle {
 struct Mesh {
     std::vector<odraz::Vec3d> points; // no two alike
     std::vector<Triangle> triangles;
+    // Texture coordinates of each triangle's corners, NaN where it has none; empty where no material has a
+    // picture
+    std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
     int flat = 0, twice = 0; // triangles that were left out: without area; given before
 

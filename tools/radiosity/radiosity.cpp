@@ -3,6 +3,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/baked.h"
 #include "tools/radiosity/camera_options.h"
+#include "tools/radiosity/export_command.h"
 #include "tools/radiosity/generate.h"
 #include "tools/radiosity/solve_command.h"
 #include "tools/radiosity/view_command.h"
@@ -18,11 +19,13 @@ constexpr char kUsage[] =
     "       radiosity solve MODEL.obj -o OUT [OPTION...]\n"
     "       radiosity solve --resume OUT.state\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
+    "       radiosity export OUT --atlas DIR [OPTION...]\n"
     "       radiosity render OUT -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
     "       radiosity view OUT|MODEL.obj [--layer patches|elements|wireframe|hemicube]... [OPTION...]\n"
     "\n"
     "solve reads Wavefront OBJ: polygons of any count, lit on the side from which they run\n"
-    "counter-clockwise; materials reflect (Kd) and shine (Ke). Ctrl-C ends it early and writes what is "
+    "counter-clockwise; materials reflect (Kd, map_Kd) and shine (Ke). Ctrl-C ends it early and writes what "
+    "is "
     "there,\nand OUT.state, from which --resume goes on.\n"
     "  --rays N           from every element, 8 to 32768 (default: 32 to 512, as its light needs)\n"
     "  --final N          rays from every element once more in the end, in the light that was found: for "
@@ -39,6 +42,7 @@ constexpr char kUsage[] =
     "  --adaptive         start with elements of 16 times the area and divide them where light changes\n"
     "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see them (which are\n"
     "                     taken for more than 256 lamps)\n"
+    "  --progress         tell how far it is in lines on stderr, where that is no terminal and has no bar\n"
     "Light that the model does not bring along; where nothing shines, an even sky of 1,1,1:\n"
     "  --sky R,G,B|FILE.hdr   radiance from all directions, even or as a picture has it\n"
     "  --sun ELEVATION,AZIMUTH,R,G,B   degrees above the horizon, and from -z (+y where z is up) towards "
@@ -65,7 +69,16 @@ constexpr char kUsage[] =
     "or\n"
     "                     what the hemicube of the patch under the pointer sees. Several may be given\n"
     "  --screenshot FILE.png   write the picture, once all light is there, and end\n"
-    "export: CSV has a line for every element; PLY and OBJ have colours at their points.\n";
+    "export: CSV has a line for every element; PLY and OBJ have colours at their points. An atlas is "
+    "lightmaps\n"
+    "(PNG, and HDR, which is linear) in a new folder, with the model as OBJ and glTF, which has their "
+    "coordinates.\n"
+    "  --map light|radiosity   what arrives, irradiance over pi, to be multiplied by colours (default), or "
+    "what\n"
+    "                     is seen, with what is emitted\n"
+    "  --texels N         along a unit of length (default: as the elements are, which is exact)\n"
+    "  --padding N        texels around every polygon's, 1 to 64 (default 2)\n"
+    "  --page PX          a page's longest side, 256 to 16384 (default 8192)\n";
 
 int runGenerate(Arguments &words) {
     std::string kind, out;
@@ -95,25 +108,6 @@ int runGenerate(Arguments &words) {
     bool fine = area > 0 || kind == "vault" || kind == "terrain";
     std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,
                 fine ? "triangles" : "polygons");
-    return 0;
-}
-
-int runExport(Arguments &words) {
-    std::string in, kind, out;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--csv" || w == "--ply" || w == "--obj") {
-            if (!out.empty()) throw Refused("export writes one file at a time");
-            kind = w, out = words.value(w);
-        } else if (word[0] != '-' && in.empty())
-            in = w;
-        else
-            words.refuse(w);
-    }
-    if (in.empty() || out.empty())
-        throw Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
-    Baked baked(in);
-    kind == "--csv" ? exportCsv(baked, out) : kind == "--ply" ? exportPly(baked, out) : exportObj(baked, out);
     return 0;
 }
 

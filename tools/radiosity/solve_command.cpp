@@ -18,6 +18,7 @@ namespace {
 struct Job {
     std::string model, out;
     double keepEvery = 60; // seconds
+    bool progress = false; // in lines, where stderr is no terminal
     SolveOptions options;
 };
 
@@ -27,6 +28,8 @@ Job readJob(Arguments &words) {
         std::string w = word;
         if (w == "-o")
             job.out = words.value(w);
+        else if (w == "--progress")
+            job.progress = true;
         else if (w == "--keep-every")
             job.keepEvery = words.number(w, 0.01, 1e9);
         else if (job.options.take(w, words))
@@ -72,6 +75,16 @@ void report(const Mesh &mesh, const Bake &b, int elements) {
         std::printf("%d bounces\n", b.sweeps);
     else
         std::printf("%d sweeps, residual %.1e\n", b.sweeps, (double)b.left);
+}
+
+// Whether the even sky, which is there where nothing else shines, does not get in: a closed model, its fronts
+// inside.
+bool staysDark(const Baked &b) {
+    double light = 0;
+    for (const Rgb &c : b.emits)
+        if (maxComponent(c) > 0) return false;
+    for (const Rgb &c : b.light) light += (double)(c.x + c.y + c.z);
+    return light < 0.01 * (double)b.light.size();
 }
 
 // The words of a command that is begun, or of one that goes on.
@@ -123,17 +136,29 @@ int runSolve(Arguments &words) {
     Gl gl = settings.way == Way::kPatches ? openGl() : Gl{};
     stopAtInterrupt();
     std::unique_ptr<Bake> b;
-    Bar bar;
-    try {
-        b = bake(mesh, settings, gl, workers, &stop, [&](const char *step, float done, float residual) {
-            if (step) bar.show(step, done, residual);
-        });
-    } catch (const ModelError &e) {
-        throw ModelError(job.model + ": " + e.what());
+    Bar bar(job.progress);
+    auto solve = [&] {
+        b.reset();
+        try {
+            b = bake(mesh, settings, gl, workers, &stop, [&](const char *step, float done, float residual) {
+                if (step) bar.show(step, done, residual);
+            });
+        } catch (const ModelError &e) {
+            throw ModelError(job.model + ": " + e.what());
+        }
+        bar.clear();
+        tell(b->notes);
+        return Baked(*b);
+    };
+    Baked baked = solve();
+    if (b->whole && !settings.surroundings.shine() && !job.options.read.twoSided && staysDark(baked)) {
+        tell({"no light reaches the fronts of its polygons: both sides are lit (--two-sided)"});
+        job.options.read.twoSided = true;
+        mesh = readObj(job.model, job.options.read, notes);
+        state.words.push_back("--two-sided"); // so it goes on
+        state.model = sumOf(mesh);
+        baked = solve();
     }
-    bar.clear();
-    tell(b->notes);
-    Baked baked(*b);
     baked.save(job.out);
     if (b->whole && b->byRays) std::remove(stateFile.c_str());
     int elements = 0, last = -1;

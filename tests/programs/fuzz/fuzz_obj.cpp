@@ -2,6 +2,7 @@
 // work with them. The input is the OBJ; behind a byte of 255 follows what lies beside it as m.mtl. It writes
 // into the folder where it runs.
 #include "tools/radiosity/lamps.h"
+#include "tools/radiosity/reflectance_picture.h"
 #include "tools/radiosity/regions.h"
 
 #include <cmath>
@@ -43,6 +44,15 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         Regions regions = joinRegions(mesh, mesh.size() / 10);
         fillModel(*model, regions);
         findLamps(mesh, regions, *model, 16);
+        static const ReflectancePicture picture(3, 2, std::vector<uint8_t>(18, 100));
+        for (const auto &at : mesh.coordinates) {
+            std::vector<TexturePoint> corners;
+            for (size_t k = 0; k < 6; k += 2) corners.push_back({(double)at[k], (double)at[k + 1]});
+            float r = picture.mean(corners, size % 3 == 1).x;
+            if (std::fabs(r - picture.mean().x) > 1e-3f) std::abort();
+        }
+        for (int chart : regions.chartOf)
+            if (chart < -1 || chart >= model->chartCount) std::abort();
     } catch (const Refused &) {
     }
     return 0;

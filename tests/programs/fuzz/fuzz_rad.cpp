@@ -2,8 +2,9 @@
 // The input is the file behind its checksum, which is made to fit: else nothing would get behind it. It
 // writes into the folder where it runs.
 #include "tools/common/machine.h"
-#include "tools/radiosity/baked.h"
+#include "tools/radiosity/atlas.h"
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -16,6 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         exportCsv(baked, "a.csv");
         exportPly(baked, "a.ply");
         exportObj(baked, "a.obj");
+        for (bool radiosity : {false, true}) {
+            std::vector<std::string> notes;
+            std::filesystem::remove_all("atlas");
+            exportAtlas(baked, {.radiosity = radiosity, .page = 1024}, "atlas", notes);
+        }
         Workers workers = serialWorkers();
         RenderSettings s;
         s.width = 16, s.height = 9;

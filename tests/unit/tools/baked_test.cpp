@@ -102,6 +102,10 @@ TEST_F(BakedFile, OfOthersIsRefused) {
         [](Baked &b) { b.light[4].y = NAN; },
         [](Baked &b) { b.reflects.pop_back(); },
         [](Baked &b) { b.emits.clear(); },
+        [](Baked &b) { b.pictured.resize(3); },
+        [](Baked &b) {
+            b.pictured.resize(b.cells.size(), Rgb{NAN, 0, 0});
+        },
     };
     for (size_t i = 0; i < std::size(spoils); ++i) {
         Baked b = small();
@@ -116,6 +120,7 @@ TEST_F(BakedFile, WithAnyNumberAnywhereDoesNoHarm) {
     int good = 0;
     for (int i = 0; i < 800; ++i) {
         Baked b = small();
+        if (i % 2) b.pictured.resize(b.cells.size(), Rgb{0.5f, 0.25f, 0.75f});
         auto spoil = [&](auto &list) {
             auto *bytes = (unsigned char *)list.data();
             size_t size = list.size() * sizeof list[0], at = random() % (size / 4) * 4;

@@ -1,0 +1,133 @@
+# Odd models, as other programs write them: every valid one gives a lit picture without a change, the rest one line.
+. "$(dirname "$0")/common.sh"
+radiosity=$BUILD/radiosity
+needs_built radiosity
+skip_unless convert
+cd "$WORK" || exit 1
+printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl red\nKd 0.8 0.1 0.1\n' >m.mtl
+square='v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n'
+
+# lit NAME TEXT [NOTE]: solved, all light finite and some above 0, some of the picture not black; one line for each note,
+# none where there is nothing to say but that the sky shines
+lit() {
+    printf "$2" >model.obj
+    rm -f m.rad m.csv m.png
+    timeout $PATIENCE "$radiosity" solve model.obj -o m.rad >out 2>err || { cat err >&2; return 1; }
+    "$radiosity" export m.rad --csv m.csv && table m.csv 'light += $8 * ($9 + $10 + $11); a += $8' 'a > 0 && light > 0' &&
+        "$radiosity" render m.rad -o m.png --size 80x60 >/dev/null &&
+        [ "$(convert m.png -format '%[fx:maxima>0.15]' info:)" = 1 ] || { echo "light or picture is black: $(cat err)" >&2; return 1; }
+    grep -v 'nothing shines in it: lit by an even sky' err >notes || true
+    if [ $# = 2 ]; then [ ! -s notes ]; else [ "$(wc -l <notes)" = 1 ] && grep -q -- "$3" notes; fi || { cat err >&2; return 1; }
+}
+area() { table m.csv 'a += $8' "a > 0.999 * $1 && a < 1.001 * $1"; }
+reflects() { table m.csv 'a += $8; r += $8 * $9; b += $8 * $11' "r / a > $1 - 0.02 && r / a < $1 + 0.02 && b / a > $2 - 0.02 && b / a < $2 + 0.02"; }
+sound() { # sound WHAT TEXT [NOTE]
+    check "$1" lit "$@"
+}
+one_line() { # one_line WHAT TEXT WHY
+    printf "$2" >model.obj
+    check "$1" refuses 2 "$3" "$radiosity" solve model.obj -o x.rad
+}
+
+# --- How it is written ---
+sound "no material file" "${square}f 1 2 3 4\n"
+check "... reflects 0.7" reflects 0.7 0.7
+sound "one that is missing" "mtllib none.mtl\nusemtl m\n${square}f 1 2 3 4\n" 'its materials cannot be read: cannot read none.mtl'
+sound "a material nobody knows" "mtllib m.mtl\nusemtl who\n${square}f 1 2 3 4\n"
+sound "usemtl without a name" "mtllib m.mtl\nusemtl\n${square}f 1 2 3 4\n"
+sound "mtllib without a name" "mtllib\nusemtl m\n${square}f 1 2 3 4\n"
+sound "mtllib behind its use" "usemtl red\n${square}f 1 2 3 4\nmtllib m.mtl\n"
+check "... counts" reflects 0.8 0.1
+sound "several material files" "mtllib a.mtl m.mtl\nusemtl red\n${square}f 1 2 3 4\n" 'cannot read a.mtl'
+check "... count" reflects 0.8 0.1
+cp m.mtl 'two words.MTL'
+sound "one whose name has blanks and other capitals" "mtllib two words.mtl\nusemtl red\n${square}f 1 2 3 4\n"
+check "... counts" reflects 0.8 0.1
+sound "one in another system's folder" "mtllib C:\\\\\\\\my\\\\\\\\m.mtl\nusemtl red\n${square}f 1 2 3 4\n"
+check "... counts" reflects 0.8 0.1
+sound "negative numbers" "${square}f -4 -3 -2 -1\n"
+sound "points that follow their polygon" "f 1 2 3 4\n${square}"
+sound "lines that end with CR LF" "${square//\\n/\\r\\n}f 1 2 3 4\r\n"
+sound "... with CR" "${square//\\n/\\r}f 1 2 3 4\r"
+sound "... with blanks, and blank ones" "  \n${square//\\n/  \\t\\n}\n \t \nf 1 2 3 4  \n\n"
+sound "tabs" "${square// /\\t}f\t1\t2\t3\t4\n"
+sound "no end of the last line" "${square}f 1 2 3 4"
+sound "a mark of UTF-8" "\xef\xbb\xbfv 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nf 1 2 3 4\n"
+sound "lines that go on" "v 0 0 0\nv 0 \\\\\n0 1\nv 1 0 1\nv 1 0 0\nf 1 2 \\\\\n 3 \\\\\n 4\n"
+check "... are whole" area 1
+sound "comments behind and between" "# first \\\\\nv 0 0 0 # a\nv 0 0 1\nv 1 0 1#b\nv 1 0 0\n  # f 1 2 9\nf 1 2 3 4 # the floor\n#"
+sound "numbers of all kinds" "v -0 +0.0 0\nv .0 0. 1\nv 1e0 0 1.0E+00\nv 100e-2 0 .0e5\nf 1 2 3 4\n"
+sound "leading blanks" "  v 0 0 0\n  v 0 0 1\n\tv 1 0 1\n v 1 0 0\n  f 1 2 3 4\n"
+sound "colours behind the points" "v 0 0 0 1 0 0\nv 0 0 1 0 1 0\nv 1 0 1 0 0 1\nv 1 0 0 .5 .5 .5\nf 1 2 3 4\n"
+sound "weights behind the points" "v 0 0 0 1.0\nv 0 0 1 1.0\nv 1 0 1 1.0\nv 1 0 0 1.0\nf 1 2 3 4\n"
+sound "coordinates and normals in all forms" "${square}vt 0\nvt 0 1\nvt 1 1 0\nvn 0 1 0\nf 1/1 2/2 3/3\nf 1//1 3//-1 4//1\n"
+sound "... that are not there" "${square}f 1/7 2/8/9 3//9 4/1\n"
+sound "groups, objects, smoothing, without names too" "o\ng\ng a b c\no thing\ns off\ns 1\n${square}g\nf 1 2 3\ns\nf 1 3 4\n"
+sound "words that nobody knows" "mg 1 0.5\nbevel on\nc_interp on\nlod 3\nshadow_obj x\n${square}f 1 2 3 4\ncall x.obj\n\$!?\n"
+sound "faces as they were once called" "${square}fo 1 2 3 4\n"
+check "... are there" area 1
+sound "bytes of 0" "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\0\nf 1 2 3 4\n"
+
+# --- What is in it ---
+sound "points and lines beside a polygon" "${square}p 1 2\nl 1 2 3\nf 1 2 3 4\n"
+sound "polygons of one and two points" "${square}f 1 2\nf 3\nf\nf 1 2 3 4\n" '3 polygons of less than three points left out'
+sound "free-form curves beside a polygon" "${square}vp 0 1\ncstype bezier\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n"
+sound "a polygon that is not convex" "v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n"
+check "... as large as it is" area 5
+sound "one like a star" "$(awk 'BEGIN { for (k = 0; k < 16; ++k) { r = k % 2 ? 1 : 2; printf "v %.6f 0 %.6f\\n", r * cos(k * .3926990817), -r * sin(k * .3926990817) } printf "f"; for (k = 1; k <= 16; ++k) printf " %d", k; print "\\n" }')"
+check "... as large as it is" area 6.1229
+sound "polygons given twice" "${square}f 1 2 3 4\nf 1 2 3 4\n" '2 triangles given twice left out'
+sound "polygons without area" "${square}f 1 1 2\nf 1 2 2\nf 1 2 3 4\n" 'without area left out'
+sound "points given twice" "$square${square}f 1 2 3 4\n"
+sound "points that nobody uses" "${square}v 5 5 5\nf 1 2 3 4\n"
+sound "a triangle alone" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+sound "... that faces away" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n"
+sound "a floor seen from below alone" "${square}f 4 3 2 1\n"
+box='v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n'
+sound "a box" "${box}f 1 2 3 4\nf 5 8 7 6\nf 1 5 6 2\nf 3 7 8 4\nf 1 4 8 5\nf 2 6 7 3\n"
+sound "... turned inside out" "${box}f 4 3 2 1\nf 6 7 8 5\nf 2 6 5 1\nf 4 8 7 3\nf 5 8 4 1\nf 3 7 6 2\n" 'no light reaches the fronts'
+for size in 1e-9 1e-5 1e-3 1e4 1e7 5e8; do
+    sound "of size $size" "${square//1/$size}f 1 2 3 4\n"
+done
+for far in 1000 500000 1e7; do
+    sound "a metre, $far away" "$(awk -v f=$far 'BEGIN { split("0 0 0 1 1 1 1 0", p); for (i = 0; i < 4; ++i) printf "v %.1f 0 %.1f\\n", f + p[2 * i + 1], f + p[2 * i + 2] }')f 1 2 3 4\n"
+done
+sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
+
+# --- Materials ---
+material() { # material WHAT MTL [NOTE] [RED BLUE]
+    printf "$2" >m.mtl
+    sound "$1" "mtllib m.mtl\nusemtl m\n${square}f 1 2 3 4\n" ${3:+"$3"}
+    [ $# -lt 5 ] || check "... reflects $4 and $5" reflects "$4" "$5"
+}
+material "all that a material can have" 'newmtl m\nKd 0.8 0.6 0.4\nKa 0.1 0.1 0.1\nKs 1 1 1\nTf 1 1 1\nillum 7\nd -halo 0.5\nTr 0.5\nNs 100\nsharpness 60\nNi 1.5\nmap_Ks none.png\nbump none.png\nPr 0.5\nnorm n.png\n' '' 0.8 0.4
+material "names with blanks at their ends" '\tnewmtl  m \t\n  Kd 0.8 0.6 0.4  \n' '' 0.8 0.4
+material "no Kd" 'newmtl m\nKs 1 1 1\n' 'it has no Kd: it reflects 0.7' 0.7 0.7
+material "Kd of one number" 'newmtl m\nKd 0.5\n' '' 0.5 0.5
+material "Kd as xyz" 'newmtl m\nKd xyz 0.4755 0.5 0.5445\n' '' 0.5 0.5
+material "Kd as a spectrum" 'newmtl m\nKd spectral a.rfl 1\n' 'is a spectrum, which is not read: it reflects 0.7' 0.7 0.7
+material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'what is above is taken for 1' 1 0.25
+material "Kd of 0 in all" 'newmtl m\nKd 0 0 0\nKs 1 1 1\n' 'everything would be black: it reflects 0.7' 0.7 0.7
+material "a picture alone, and missing" 'newmtl m\nmap_Kd none.png\n' "cannot read none.png" 0.7 0.7
+material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' '' 0.8 0.8
+material "a file that is empty" ''
+material "a file of something else" '\x7fELF\0\1\2\n\xff\xfe'
+printf 'newmtl a b\nKd 0.8 0.1 0.1\nnewmtl a\nKd 0.1 0.1 0.1\nnewmtl a#1\nKd 0.1 0.1 0.8\n' >m.mtl
+sound "a name with blanks" "mtllib m.mtl\nusemtl a b\n${square}f 1 2 3 4\n"
+check "... is one" reflects 0.8 0.1
+sound "a name with #" "mtllib m.mtl\nusemtl a#1\n${square}f 1 2 3 4\n"
+check "... is one" reflects 0.1 0.8
+
+# --- What is no model of polygons: one line ---
+one_line "points alone" "${square}p 1 2 3 4\n" "holds no polygon"
+one_line "lines alone" "${square}l 1 2 3 4\n" "holds no polygon"
+one_line "curves alone" "${square}vp 0 1\ncstype bezier\ncurv 0 1 1 2 3\nend\n" "holds no polygon"
+one_line "points in a line" "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n" "holds no polygon with an area"
+one_line "a point of number 0" "${square}f 0 1 2\n" "model.obj:5: there is no point 0"
+one_line "one beyond the first" "${square}f -5 -2 -1\n" "model.obj:5: there is no point -5"
+one_line "words for points" "${square}f a b c\n" "model.obj:5: a polygon's points are numbers"
+one_line "two coordinates" "v 0 0\n" "model.obj:1: a point needs three coordinates"
+one_line "larger than anything" "v 1e30 0 0\n${square}f 2 3 4 5\n" "model.obj:1: a coordinate is not a number below 1e18"
+one_line "larger than can be traced" "${square//1/1e12}f 1 2 3 4\n" "is larger than 1e9: give --scale"
+one_line "something else" '\x89PNG\r\n\x1a\n' "holds no point"
+finish

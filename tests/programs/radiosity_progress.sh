@@ -1,0 +1,33 @@
+# radiosity solve --progress: lines for scripts, a bar for people, nothing for who did not ask.
+. "$(dirname "$0")/common.sh"
+radiosity=$BUILD/radiosity
+needs_built radiosity
+skip_unless script
+cd "$WORK" || exit 1
+
+"$radiosity" generate columns -o m.obj >/dev/null
+check "without it" bash -c "'$radiosity' solve m.obj -o m.rad --hemicube 64 >out 2>quiet"
+check "... nothing is said" test ! -s quiet
+check "with it" bash -c "'$radiosity' solve m.obj -o told.rad --hemicube 64 --progress >out 2>lines"
+check "... the same comes out" cmp m.rad told.rad
+check "... all that is said are lines of one kind" bash -c "! grep -vE '^progress: (dividing|form factors|direct light|solving) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?\$' lines"
+for step in dividing "form factors" "direct light" solving; do
+    check "... it tells when $step begins" grep -q "^progress: $step " lines
+done
+for step in dividing "form factors" solving; do
+    check "... and when $step ends, once" test "$(grep -c "^progress: $step 100 %" lines)" = 1
+done
+check "... in their order, and never back" awk '{ n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s)
+    if (s == last && n + 0 < was) exit 1; if (s != last && seen[s]++) exit 1; last = s; was = n + 0 }' lines
+check "... and not one for every patch" test "$(wc -l <lines)" -lt 200
+# What takes longer tells how long
+"$radiosity" solve m.obj -o long.rad --hemicube 256 --progress >out 2>long &
+PIDS+=($!)
+check "time left is told" await grep -qE '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' long
+kill -INT ${PIDS[-1]}
+check "... until it is stopped" ended ${PIDS[-1]}
+script -qefc "'$radiosity' solve m.obj -o m.rad --progress --hemicube 64" terminal >/dev/null </dev/null
+check "a terminal has its bar" grep -qaE 'form factors +\[[#.]{30}\]' terminal
+check "... with time left" grep -qaE 's left' terminal
+check "... and no lines" bash -c "! grep -qa progress: terminal"
+finish

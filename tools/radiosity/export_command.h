@@ -1,0 +1,10 @@
+// radiosity export: a solution as a file or a folder for other programs.
+#pragma once
+
+#include "tools/common/arguments.h"
+
+namespace odraz {
+
+int runExport(Arguments &words);
+
+} // namespace odraz

@@ -1,0 +1,40 @@
+// Pictures on materials, as what they reflect: linear light out of sRGB, averaged over polygons.
+#pragma once
+
+#include "trace/scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+// ReflectancePicture coordinates: the picture fills 0 .. 1, its first row lies at 1.
+using TexturePoint = std::array<double, 2>;
+
+class ReflectancePicture {
+public:
+    // PNG, JPEG, TGA or BMP, up to 2^26 pixels and 256 MB. Throws Refused.
+    explicit ReflectancePicture(const std::string &path);
+    ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb); // three bytes a pixel
+
+    // The mean of what lies in a convex polygon; at its middle, where it has no area. Outside of 0 .. 1 the
+    // picture goes on, or with `clamp` its border does. Of what covers many texels, those are means of 2 x 2,
+    // 4 x 4 .., so that no more than some hundreds are looked at.
+    Rgb mean(const std::vector<TexturePoint> &polygon, bool clamp) const;
+    Rgb mean() const; // of all
+
+private:
+    struct Level {
+        int width, height;
+        std::vector<std::array<uint16_t, 3>> texels; // 65535 is 1
+    };
+    std::vector<Level> levels; // the last one has a single texel
+
+    void make(int width, int height, const uint8_t *srgb);
+    static Level half(const Level &of);
+    static Rgb texel(const Level &level, int64_t i, int64_t j, bool clamp);
+};
+
+} // namespace odraz
