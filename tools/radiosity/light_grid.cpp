@@ -149,6 +149,13 @@ void LightGrid::makeSites(const Regions &regions, const RayTree &tree) {
         }
         if (small) end();
     }
+    // Who watches takes what sends out rays for a patch
+    for (Cell &cell : cells)
+        for (int t : cell.corner)
+            if (siteOf[(size_t)t] != kNone) {
+                cell.patch = (int)siteOf[(size_t)t];
+                break;
+            }
 }
 
 // --- What cannot ---
