@@ -31,7 +31,7 @@ awk 'BEGIN { n = 50; print "mtllib bumps.mtl\nusemtl grey"
     for (j = 0; j <= n; ++j) for (i = 0; i <= n; ++i) printf "v %g %g %g\n", i / n * 8 - 4, 0.4 * sin(i / 7) * cos(j / 6), j / n * 8 - 4
     for (j = 0; j < n; ++j) for (i = 0; i < n; ++i) { a = j * (n + 1) + i + 1; print "f", a, a + n + 1, a + 1; print "f", a + 1, a + n + 1, a + n + 2 } }' >bumps.obj
 printf 'newmtl grey\nKd 0.5 0.4 0.3\n' >bumps.mtl
-check "solve bumps" prints '^5000 triangles' "$radiosity" solve bumps.obj -o bumps.rad --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64
+check "solve bumps" prints '^5000 triangles' "$radiosity" solve bumps.obj -o bumps.rad --sun 30,90,3,3,3 --sky 0.2,0.3,0.5
 
 # The same picture as the tracer's, but for what lies on edges, where it has other samples, and for light within elements,
 # which triangles have a little otherwise. Measured: 48 to 56 dB; 30 where the logarithm's darkest hundredth is edges
@@ -53,12 +53,12 @@ for more in "" "--tone log" "--exposure 2" "--lens 30" "--lens 100 --exposure -1
 done
 # Where z is up
 awk '/^v/ { print $1, $2, -$4, $3; next } 1' bumps.obj >tall.obj
-check "a model whose z is up" view tall.obj --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64 --up z --size 480x300 --screenshot tall.png
+check "a model whose z is up" view tall.obj --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --up z --size 480x300 --screenshot tall.png
 view bumps.rad --size 480x300 --screenshot bumps.png
 check "... is seen as the same with y up" like tall.png bumps.png 46
 
 # A model that is solved first, or while it is looked at
-for kind in "cube" "columns --adaptive" "bumps --sun 30,90,3,3,3 --sky 0.2,0.3,0.5 --sky-rays 64" "cube --direct hemicube --bounces 3"; do
+for kind in "cube" "columns --adaptive" "bumps --sun 30,90,3,3,3 --sky 0.2,0.3,0.5" "cube --direct hemicube --bounces 3"; do
     # shellcheck disable=SC2086
     set -- $kind
     model=$1

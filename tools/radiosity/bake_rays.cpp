@@ -107,11 +107,11 @@ private:
                        mesh.triangles.size() * (sizeof(Triangle) + 40 + 270) +
                        charts * (sizeof(Chart) + 2 * sizeof(Facet)) + cells * 2 * sizeof(Cell) +
                        texels * (2 * sizeof(Texel) + 5 * sizeof(Rgb) + 24) + sites * 260 + (size_t)sent * 4;
-        if (s.needs) s.needs(bytes);
         if (bytes > s.memory)
             throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
                                      std::to_string(s.memory >> 20) +
                                      " of --memory: larger elements or fewer rays need less");
+        if (s.needs) s.needs(bytes);
     }
 
     void tell(int step, float done, float residual = -1) {

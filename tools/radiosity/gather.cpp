@@ -166,7 +166,7 @@ template <class Visit>
 void Gather::neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
                         const Visit &visit) const {
     const LightGrid::Site &s = grid.sites[own];
-    float radius = std::min(share * reach[own], 2.5f * s.size);
+    float radius = std::min(share * reach[own], 3.5f * s.size);
     if (radius < 0.7f * s.size) return;
     Vec3 n = grid.charts[(size_t)s.chart].n;
     near.within(p, radius, [&](uint32_t i, float far) {

@@ -46,7 +46,14 @@ values() { # values OPTION: sets good to what it may be given
     radiosity--sky) good=(1,1,1 0.2,0.3,0.5 file m.obj fifo /dev/zero none -1,0,0 1,2 nan,0,0) ;;
     radiosity--sun) good=(30,60,5,5,5 90,0,1,2,3 -90,400,1,1,1 1,2,3,4 1,2,3,4,-5) ;;
     radiosity--lamp) good=(1,2,3,0.5,9,9,9 0,0,0,1e-9,1,1,1 1e9,0,0,1,1,1,1 0,0,0,0,1,1,1 1,2,3) ;;
-    radiosity--sky-rays) good=(4 64 1024 3 65537) ;;
+    radiosity--rays | radiosity--final) good=(8 32 64 7 32769) ;;
+    radiosity--keep-every) good=(1 0.01 60 0) ;;
+    radiosity--resume) good=(file none m.obj fifo .) ;;
+    radiosity--atlas) good=(atlas none/x file .) ;;
+    radiosity--map) good=(light radiosity light both) ;;
+    radiosity--texels) good=(1 0.1 10 0 -1) ;;
+    radiosity--padding) good=(1 2 64 0 65) ;;
+    radiosity--page) good=(256 8192 16384 255 16385) ;;
     radiosity--up) good=(y z y x) ;;
     radiosity--scale) good=(1 1e-6 1e6 0 -1) ;;
     radiosity--lens) good=(60 1 170 0 171) ;;
