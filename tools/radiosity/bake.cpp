@@ -37,7 +37,8 @@ static_assert(kDivided <= kFinest);
 
 // The side of a cell.
 double cellOf(const Mesh &mesh, const BakeSettings &s) {
-    double element = s.element > 0 ? s.element : areaOf(mesh) / 30000;
+    // Final rays are for quality, which small elements are, too
+    double element = s.element > 0 ? s.element : areaOf(mesh) / (s.final > 0 ? 120000 : 30000);
     return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 // What of a site's light its rays and its neighbours' may leave open, and what may be wrong of it where light
 // passes from site to site
-constexpr float kError = 0.01f, kShared = 0.2f, kFinalShared = 0.1f;
+constexpr float kError = 0.014f, kShared = 0.2f, kFinalShared = 0.1f;
 
 double secondsNow() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
