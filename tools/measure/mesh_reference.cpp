@@ -2,6 +2,7 @@
 
 #include "base/random.h"
 #include "tools/common/statistics.h"
+#include "tools/radiosity/bright.h"
 #include "tools/radiosity/light_grid.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@ struct Random {
     uint32_t state;
     float operator()() { return unitFloat(state = pcg(state)); }
 };
-
-float bright(const Rgb &c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 Vec3 cosineDirection(const Vec3 &n, float u, float turn) {
     float t = turn * 6.2831853f, r = std::sqrt(u);

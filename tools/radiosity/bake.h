@@ -99,7 +99,14 @@ struct Bake {
 std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const Gl &gl, Workers &workers,
                            const int *stop, const Told &told);
 
-// What it goes through by rays; regions, materials and settings are there.
+// How often cells are divided in adaptive solutions; the side of a cell before that.
+inline constexpr int kDivided = 2;
+static_assert(kDivided <= kFinest);
+double cellOf(const Mesh &mesh, const BakeSettings &settings);
+
+// What it goes through; regions, materials and settings are there.
+void bakeByPatches(Bake &b, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
+                   const Told &told);
 void bakeByRays(Bake &b, const Mesh &mesh, Workers &workers, const int *stop, const Told &told);
 
 } // namespace odraz

@@ -2,6 +2,7 @@
 
 #include "base/maths.h"
 #include "base/random.h"
+#include "tools/radiosity/bright.h"
 #include "trace/shade/ball.h"
 
 #include <algorithm>
@@ -20,8 +21,6 @@ uint64_t spread(uint32_t x) {
     v = (v | v << 4) & 0x10c30c30c30c30c3;
     return (v | v << 2) & 0x1249249249249249;
 }
-
-float bright(const Rgb &c) { return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z; }
 
 constexpr float kNear = 16; // distance^2 over area within which a disc would not do
 

@@ -157,6 +157,7 @@ int runSolve(Arguments &words) {
         mesh = readObj(job.model, job.options.read, notes);
         state.words.push_back("--two-sided"); // so it goes on
         state.model = sumOf(mesh);
+        settings.resumed.clear();
         baked = solve();
     }
     baked.save(job.out);

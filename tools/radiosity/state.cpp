@@ -53,6 +53,7 @@ uint64_t sumOf(const Mesh &mesh) {
         all.append((const char *)m.reflects.data(), sizeof m.reflects);
         all.append((const char *)m.emits.data(), sizeof m.emits);
     }
+    put(all, mesh.coordinates);
     return checksum(all.data(), all.size());
 }
 
