@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <unordered_map>
 
 namespace odraz {
 
@@ -150,6 +151,64 @@ Rgb Baked::radiosityAt(int chart, const Vec3 &p) const {
     return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)chart];
 }
 
+namespace {
+
+// Which facets may lie in a cell that was not divided: a plane of thousands of them is not to be searched for
+// each of its thousands of cells.
+class FacetsByCell {
+public:
+    FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
+        for (const Chart &c : charts) {
+            if (c.facetsCount <= kFew) continue;
+            auto &lists = many[&c];
+            lists.resize((size_t)c.across * (size_t)c.down);
+            // Facets of a plane do not overlap: but for files that lie
+            int64_t room = 64 * ((int64_t)lists.size() + c.facetsCount);
+            for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount && room >= 0; ++f)
+                room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
+            if (room < 0) many.erase(&c);
+        }
+    }
+    const std::vector<int> &of(int chart, int x, int y) {
+        const Chart &c = charts[(size_t)chart];
+        if (auto found = many.find(&c); found != many.end()) return found->second[(size_t)(y * c.across + x)];
+        few.clear();
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) few.push_back(f);
+        return few;
+    }
+
+private:
+    static constexpr int kFew = 16;
+    const std::vector<Chart> &charts;
+
+    // Row by row, since slivers lie across many. Returns how much work it was.
+    static int64_t list(int facet, const Outline &outline, const Chart &c,
+                        std::vector<std::vector<int>> &lists) {
+        float wide = c.width / (float)c.across, tall = c.height / (float)c.down, low = c.height, high = 0;
+        for (const PlanePoint &p : outline) low = std::min(low, p.v), high = std::max(high, p.v);
+        auto cell = [](float at, float size, int count) {
+            return (int)std::clamp(at / size, 0.f, (float)(count - 1));
+        };
+        int64_t work = 0;
+        for (int y = cell(low, tall, c.down); y <= cell(high, tall, c.down); ++y) {
+            float v0 = ((float)y - 1e-3f) * tall, v1 = ((float)y + 1.001f) * tall;
+            Outline row = cut(cut(outline, {0, v0}, {1, v0}), {1, v1}, {0, v1});
+            float left = c.width, right = 0;
+            for (const PlanePoint &p : row) left = std::min(left, p.u), right = std::max(right, p.u);
+            int first = cell(left - 1e-3f * wide, wide, c.across),
+                last = cell(right + 1e-3f * wide, wide, c.across);
+            work += 1 + std::max(last - first, 0);
+            for (int x = first; x <= last && !row.empty(); ++x)
+                lists[(size_t)(y * c.across + x)].push_back(facet);
+        }
+        return work;
+    }
+    std::unordered_map<const Chart *, std::vector<std::vector<int>>> many;
+    std::vector<int> few;
+};
+
+} // namespace
+
 void Baked::forPieces(const std::function<void(int, int, const std::vector<BakedPoint> &)> &visit) const {
     // Texels by their place, to find those that hang in sides
     struct Key {
@@ -164,6 +223,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         for (const Texel &t : texels) known.push_back({t.chart, t.x, t.y});
         std::sort(known.begin(), known.end());
     }
+    FacetsByCell byCell(charts, facets);
     std::vector<BakedPoint> piece;
     for (size_t i = 0; i < cells.size(); ++i) {
         const Cell &cell = cells[i];
@@ -187,7 +247,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         side(high.x, low.y, high.x, high.y);
         side(high.x, high.y, low.x, high.y);
         side(low.x, high.y, low.x, low.y);
-        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) {
+        for (int f : byCell.of(cell.chart, low.x / kSteps, low.y / kSteps)) {
             Outline left = outline, facet = outlineOf(facets[(size_t)f]);
             for (size_t k = 0; k < facet.size() && left.size() > 2; ++k)
                 left = cut(left, facet[k], facet[(k + 1) % facet.size()]);
