@@ -56,6 +56,27 @@ END
     check "... in the mean" table f.csv 'a += $8; r += $8 * $9; g += $8 * $10; b += $8 * $11' 'r / a > 1.985 && r / a < 2.015 && g / a > 1.32 && g / a < 1.347 && b / a > 0.999 && b / a < 1.001'
 done
 
+# Of 84 triangles that all shine, in a room
+"$radiosity" generate cube -o lit.obj --area 8.4 >/dev/null && sed -i 's/^usemtl .*/usemtl all/; s/^mtllib .*/mtllib furnace.mtl/' lit.obj
+check "a furnace of many lamps" prints '^processor seconds' "$radiosity" solve lit.obj -o f.rad
+"$radiosity" export f.rad --csv f.csv
+check "... comes out even, everywhere within .2 %" table f.csv 'if ($9 < 1.996 || $9 > 2.004 || $10 < 1.3307 || $10 > 1.336 || $11 != 1) ++off' 'off + 0 == 0'
+# The same room, far away: floats have but three digits for it
+for far in 0 1000 20000; do
+    printf 'newmtl grey\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\n' >far.mtl
+    awk -v s=$far 'BEGIN {
+        print "mtllib far.mtl\nusemtl grey"
+        for (k = 0; k < 8; ++k) print "v", (k % 2) + s, (int(k / 2) % 2) + s, int(k / 4) + s
+        print "f 1 5 6 2\nf 1 3 7 5\nf 2 6 8 4\nf 1 2 4 3\nf 5 7 8 6\nusemtl lamp\nf 3 4 8 7" }' >far.obj
+    check "a room at $far" prints '^processor seconds' "$radiosity" solve far.obj -o far.rad
+    "$radiosity" export far.rad --csv far$far.csv
+    check "... has its light" ratio far$far.csv far0.csv '$8 * $10' 0.995 1.005
+done
+sed 's/^v .*/&/; s/^v \([^ ]*\) \([^ ]*\) \([^ ]*\)/v \1e-12 \2e-12 \3e-12/' furnace.obj >tiny.obj
+check "a model too small for floats" refuses 2 "is smaller than 1e-8: give --scale" "$radiosity" solve tiny.obj -o x.rad
+printf 'newmtl all\nKd 1 1 1\nKe 1 1 1\n' >furnace.mtl
+check "light without an end is told" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
+
 # Light that the model does not bring along, against closed forms
 printf 'newmtl grey\nKd 0.5 0.25 0.8\nnewmtl black\nKd 0 0 0\nnewmtl old\nKd 0 0 0\nKa 3 2 1\n' >out.mtl
 box='v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nusemtl grey\nf 4 3 2 1\nusemtl black\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n'

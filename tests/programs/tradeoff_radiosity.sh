@@ -15,11 +15,11 @@ for scene in cube columns corner; do
     check "... lamps are better seen by rays, in $scene" less "$(rms $scene patches)" "$(rms $scene 'by hemicube 32')"
     check "... more pixels beat more hemicubes, in $scene" less "$(rms $scene 'by hemicube 64')" "$(rms $scene 'by 4 hemicubes 32')"
 done
-check "the room's light is within half a percent" less "$(rms cube default)" 0.5
-check "the corner's within one" less "$(rms corner default)" 1
-check "the columns' within two" less "$(rms columns default)" 2
+check "the room's light is within .7 percent" less "$(rms cube default)" 0.7
+check "the corner's within one and a half" less "$(rms corner default)" 1.5
+check "the columns' within two and a half" less "$(rms columns default)" 2.5
 median() { awk -F, -v s="$1" -v q="$2" '$1 == s && $2 == q { print $6 }' "$WORK/csv"; }
-check "many small planes: the vault's within three percent in the median" less "$(median vault default)" 3
+check "many small planes: the vault's within four percent in the median, the paths' noise in it" less "$(median vault default)" 4
 check "... its rms within ten" less "$(rms vault default)" 10
 check "... the terrain's within two" less "$(median terrain default)" 2
 check "... few rays are worse" less "$(median vault default)" "$(median vault 'rays 16')"

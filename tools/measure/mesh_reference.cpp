@@ -43,7 +43,10 @@ public:
         Rgb sum = {}, weight = {1, 1, 1};
         for (int depth = 0;; ++depth) {
             Vec3 from = p + n * off;
-            sum += weight * direct(from, n, random);
+            // The first time every path takes another part of the lamps
+            float pick = random();
+            if (depth == 0) pick = ((float)((int64_t)k * 7919 % (side * side)) + pick) / (float)(side * side);
+            sum += weight * direct(from, n, pick, random);
             float u = random(), turn = random();
             if (depth == 0)
                 u = ((float)(k % side) + u) / (float)side, turn = ((float)(k / side) + turn) / (float)side;
@@ -88,13 +91,13 @@ private:
         const auto &c = corners[i];
         return normalize(cross(c[1] - c[0], c[2] - c[0]));
     }
-    Rgb direct(const Vec3 &p, const Vec3 &n, Random &random) const {
+    Rgb direct(const Vec3 &p, const Vec3 &n, float pick, Random &random) const {
         Rgb sum = {};
         for (const Sun &sun : around.suns)
             if (float c = dot(sun.towards, n); c > 0 && !tree.blocked(p, sun.towards, kInfinity))
                 sum += sun.light * c;
         if (lamps.empty()) return sum;
-        size_t k = (size_t)(std::upper_bound(until.begin(), until.end(), (double)random() * until.back()) -
+        size_t k = (size_t)(std::upper_bound(until.begin(), until.end(), (double)pick * until.back()) -
                             until.begin());
         size_t i = lamps[std::min(k, lamps.size() - 1)];
         float a = random(), b = random();

@@ -116,7 +116,7 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
             Baked baked(*solved);
             if (probes.empty()) { // the first is the default, by whose light there is
                 probes = placeMeshProbes(baked, sweep.quick ? 300 : 1000);
-                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 32 : 192, workers);
+                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 96 : 192, workers);
             }
             solvedAt(baked, probes);
             MeshErrors e = errorsOf(probes);

@@ -63,10 +63,24 @@ void lightUp(Bake &b) {
 
 } // namespace
 
-std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const Gl &gl, Workers &workers,
+// Puts a model that lies far from the origin there, where floats are finest. Returns by how much it is moved.
+static Vec3d moveHome(Mesh &mesh, Surroundings &around) {
+    Vec3d middle = mesh.middle();
+    if (length(middle) < 4 * mesh.size()) return {};
+    for (Vec3d &p : mesh.points) p = p - middle;
+    for (BallLamp &lamp : around.lamps)
+        lamp.centre = lamp.centre - Vec3{(float)middle.x, (float)middle.y, (float)middle.z};
+    return middle;
+}
+
+std::unique_ptr<Bake> bake(const Mesh &given, const BakeSettings &settings, const Gl &gl, Workers &workers,
                            const int *stop, const Told &told) {
     auto b = std::make_unique<Bake>();
     b->settings = settings;
+    Mesh mesh = given;
+    Vec3d moved = moveHome(mesh, b->settings.surroundings);
+    if (mesh.size() < length(moved) * 1e-5)
+        b->notes.push_back("it lies so far from the origin that its coordinates are coarse: move it there");
     b->materials = mesh.materials;
     join(*b, mesh);
     lightUp(*b);
@@ -75,6 +89,9 @@ std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const
         bakeByRays(*b, mesh, workers, stop, told);
     else
         bakeByPatches(*b, mesh, gl, workers, stop, told);
+    Chart *charts = b->byRays ? b->regions.charts.data() : b->model->charts;
+    for (size_t i = 0; i < b->regions.charts.size(); ++i)
+        charts[i].corner += Vec3{(float)moved.x, (float)moved.y, (float)moved.z};
     return b;
 }
 

@@ -16,6 +16,7 @@ namespace {
 
 // What of a site's light its rays and its neighbours' may leave open, and what may be wrong of it where light
 // passes from site to site
+constexpr double kLarge = 0.25; // of the model's area: what shines is no lamp
 constexpr float kError = 0.014f, kShared = 0.2f, kFinalShared = 0.1f;
 
 double secondsNow() {
@@ -46,6 +47,10 @@ public:
         lap(1);
         tell(2, 0);
         LampRays lamps(mesh, b.regions, s.lampSamples);
+        if (lamps.share() > kLarge) { // rays find them better than samples
+            for (int i = 0; i < (int)b.material.size(); ++i) gather.emits.push_back(b.emits(i));
+            lamps.clear();
+        }
         std::vector<Rgb> direct = directLight(lamps, s.surroundings, grid, gather.behind, tree, workers);
         prepare(gather, grid, direct);
         lap(2);
@@ -200,6 +205,8 @@ private:
         };
         b.sweeps =
             gather.solve(atSites, reflects, counted, s.residual, counted ? s.bounces : 10000, workers, swept);
+        if (!counted && b.left > s.residual && !stopped())
+            b.notes.push_back("it does not converge: what reflects all light, Kd 1, never comes to an end");
     }
 
     // Light on all texels.

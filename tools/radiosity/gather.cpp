@@ -171,9 +171,17 @@ int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflec
     shines[count] = {_mm_setzero_ps()};
     auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
     double sources = 0;
+    // What arrives from the sky, and from what shines
+    std::vector<Rgb> source = sky;
+    for (size_t i = 0; i < count && !emits.empty(); ++i) {
+        Rgb sum = {};
+        for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
+            if (rows[k] != kDark) sum += emitted(rows[k]);
+        source[i] += sum * (1 / (float)rays(i));
+    }
     for (size_t i = 0; i < count; ++i) {
-        arrives[i] = sky[i];
-        Rgb b = reflects[i] * (direct[i] + sky[i]);
+        arrives[i] = source[i];
+        Rgb b = reflects[i] * (direct[i] + source[i]);
         shines[i] = {wide(b)};
         sources += area(i) * (double)maxComponent(b);
     }
@@ -189,7 +197,7 @@ int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflec
                     __m128 sum = _mm_setzero_ps();
                     for (size_t k = 0; k < rays; ++k)
                         sum = _mm_add_ps(sum, shines[std::min((size_t)row[k], count)].v);
-                    arrives[i] = sky[i] + narrow(sum) * (1 / (float)rays);
+                    arrives[i] = source[i] + narrow(sum) * (1 / (float)rays);
                     Rgb b = reflects[i] * (direct[i] + arrives[i]);
                     Rgb d = b - narrow(shines[i].v);
                     changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
@@ -223,6 +231,7 @@ void Gather::gatherFinal(int count, const std::vector<Rgb> &texels,
                     const int *c = s.cell->corner;
                     auto l = [&](int k) { return texels[(size_t)c[k]]; };
                     sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) * reflects(*s.cell);
+                    if (!emits.empty()) sum += emits[(size_t)s.cell->chart];
                 }
             });
             arrives[(size_t)site] = sum * (1 / (float)count);

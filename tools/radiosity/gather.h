@@ -58,7 +58,9 @@ public:
     void save(std::string &to) const;
     bool restore(const std::string &from, size_t &at);
 
-    std::vector<Rgb> arrives;      // at every site
+    std::vector<Rgb> arrives; // at every site
+    // What charts emit that rays are to find; empty: nothing, lamps are direct light
+    std::vector<Rgb> emits;
     std::vector<uint64_t> firstOf; // of every site's in `rows`, and their end
     std::vector<uint32_t> rows;    // sites
     std::vector<uint8_t> found;    // whether a site's is there
@@ -76,6 +78,7 @@ private:
     const LightGrid &grid;
     const RayTree &tree;
     const Surroundings &around;
+    Rgb emitted(size_t site) const { return emits.empty() ? Rgb{} : emits[(size_t)grid.sites[site].chart]; }
     template <class Met>
     void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
     void findRow(size_t site, const std::vector<Vec3> &spiral);

@@ -34,7 +34,7 @@ std::vector<uint16_t> Gather::raysFor(const std::vector<Rgb> &direct, const std:
             double sum = (double)bright(sky[i]), squares = (double)skySquare[i], share = 1 / (double)rays(i);
             for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
                 if (uint32_t j = rows[k]; j != kDark) {
-                    auto l = (double)bright(reflects[j] * (direct[j] + arrives[j]));
+                    auto l = (double)bright(reflects[j] * (direct[j] + arrives[j]) + emitted(j));
                     sum += l * share, squares += l * l * share;
                 }
             variance[i] = (float)std::max(squares - sum * sum, 0.);

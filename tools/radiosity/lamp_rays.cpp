@@ -46,6 +46,9 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
         if (maxComponent(emits(mesh.triangles[i])) > 0)
             areas[(size_t)regions.chartOf[i]] += length(normalOf(mesh, mesh.triangles[i])) / 2;
+    double all = 0;
+    for (double a : areas) all += a;
+    shining = all / std::max(areaOf(mesh), 1e-300);
     double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
     auto toFloat = [](Vec3d v) { return Vec3{(float)v.x, (float)v.y, (float)v.z}; };
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {

@@ -19,6 +19,8 @@ public:
     // The largest polygon that shines has about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
+    double share() const { return shining; } // of the model's area
+    void clear() { parts.clear(), until.clear(); }
 
     // What a place gets, irradiance / pi; `seed` is another for every place, and `shift`, 0 .. 1, tells which
     // parts it looks at: so many places share them, each with some that lie evenly apart.
@@ -31,6 +33,7 @@ private:
         float area;
         Rgb radiance;
     };
+    double shining = 0;
     std::vector<Part> parts;
     std::vector<float> until; // sums of what the parts give off
     Rgb from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a, float b) const;

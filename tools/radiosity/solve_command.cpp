@@ -116,7 +116,7 @@ int runSolve(Arguments &words) {
     std::vector<std::string> notes;
     Mesh mesh = readObj(job.model, job.options.read, notes);
     tell(notes);
-    uint64_t sum = sumOf(mesh);
+    uint64_t sum = sumOf(mesh, settings.surroundings.sky);
     if (!resumed.empty() && sum != state.model)
         throw Refused(resumed + ": was left by another model than " + job.model + " is now: solve it anew");
     state.model = sum;
@@ -156,7 +156,7 @@ int runSolve(Arguments &words) {
         job.options.read.twoSided = true;
         mesh = readObj(job.model, job.options.read, notes);
         state.words.push_back("--two-sided"); // so it goes on
-        state.model = sumOf(mesh);
+        state.model = sumOf(mesh, settings.surroundings.sky);
         settings.resumed.clear();
         baked = solve();
     }

@@ -42,7 +42,7 @@ SolveState SolveState::read(const std::string &path) {
     return s;
 }
 
-uint64_t sumOf(const Mesh &mesh) {
+uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     std::string all;
     put(all, mesh.points);
     for (const Triangle &t : mesh.triangles) {
@@ -54,6 +54,7 @@ uint64_t sumOf(const Mesh &mesh) {
         all.append((const char *)m.emits.data(), sizeof m.emits);
     }
     put(all, mesh.coordinates);
+    put(all, sky.pixels);
     return checksum(all.data(), all.size());
 }
 

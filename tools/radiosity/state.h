@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/radiosity/mesh.h"
+#include "tools/radiosity/surroundings.h"
 
 #include <cstdint>
 #include <string>
@@ -21,7 +22,7 @@ struct SolveState {
     static SolveState read(const std::string &path);
 };
 
-// The same for the same points, triangles and materials.
-uint64_t sumOf(const Mesh &mesh);
+// The same for the same points, triangles, materials and sky.
+uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky);
 
 } // namespace odraz
