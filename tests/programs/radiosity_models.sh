@@ -90,7 +90,9 @@ for size in 1e-9 1e-5 1e-3 1e4 1e7 5e8; do
     sound "of size $size" "${square//1/$size}f 1 2 3 4\n"
 done
 for far in 1000 500000 1e7; do
-    sound "a metre, $far away" "$(awk -v f=$far 'BEGIN { split("0 0 0 1 1 1 1 0", p); for (i = 0; i < 4; ++i) printf "v %.1f 0 %.1f\\n", f + p[2 * i + 1], f + p[2 * i + 2] }')f 1 2 3 4\n"
+    coarse=
+    [ $far = 1000 ] || coarse='its coordinates are coarse'
+    sound "a metre, $far away" "$(awk -v f=$far 'BEGIN { split("0 0 0 1 1 1 1 0", p); for (i = 0; i < 4; ++i) printf "v %.1f 0 %.1f\\n", f + p[2 * i + 1], f + p[2 * i + 2] }')f 1 2 3 4\n" ${coarse:+"$coarse"}
 done
 sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
 

@@ -113,8 +113,8 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
     Vec3d lo, hi;
     std::tie(lo, hi) = boxOf(given);
     if (!(length(hi - lo) < 1e9)) throw ModelError(path + ": is larger than 1e9: give --scale");
-    if (double size = length(hi - lo); size > 0 && size < 1e-8)
-        throw ModelError(path + ": is smaller than 1e-8: give --scale");
+    if (double size = length(hi - lo); size > 0 && size < 1e-10)
+        throw ModelError(path + ": is smaller than 1e-10: give --scale");
     double grid = std::max(length(hi - lo) * 1e-6, 1e-300);
     struct Hash {
         size_t operator()(const std::array<long, 3> &a) const {
