@@ -4,6 +4,8 @@
 #include "tools/measure/reference_hall.h"
 #include "tools/measure/tradeoff.h"
 
+#include <algorithm>
+
 using namespace odraz;
 
 namespace {
@@ -103,7 +105,9 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
     auto put = [&](const char *scene, const std::string &name, bool shipped, double seconds, double rms,
                    double middle, int series) {
         table.row("%s,%s,%d,%.3f,%.3f,%.3f", scene, name.c_str(), shipped, seconds, rms, middle);
-        table.plot.points.push_back({seconds, rms, std::string(scene) + " " + name, shipped, series});
+        // What the paths' noise hides is not 0 on a scale of logarithms
+        table.plot.points.push_back(
+            {seconds, std::max(rms, 0.05), std::string(scene) + " " + name, shipped, series});
     };
     Gl gl = openGl();
     Workers workers = allProcessors();
