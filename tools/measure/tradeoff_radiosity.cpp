@@ -32,7 +32,7 @@ std::vector<Setting> settings(bool quick, double area, bool patches) {
         with(count("rays", n), [&](BakeSettings &b) { b.rays = n; });
     for (int n : quick ? std::vector<int>{7500} : std::vector<int>{7500, 120000, 480000})
         with(count("elements", n), [&](BakeSettings &b) { b.element = area / n; });
-    for (int n : quick ? std::vector<int>{128} : std::vector<int>{256, 1024, 4096})
+    for (int n : quick ? std::vector<int>{} : std::vector<int>{256, 1024, 4096})
         with(count("final", n), [&](BakeSettings &b) { b.final = n; });
     for (int n : quick ? std::vector<int>{4} : std::vector<int>{1, 4, 64, 256})
         with(count("lamp samples", n), [&](BakeSettings &b) { b.lampSamples = n; });
