@@ -72,7 +72,7 @@ for far in 0 1000 20000; do
     "$radiosity" export far.rad --csv far$far.csv
     check "... has its light" ratio far$far.csv far0.csv '$8 * $10' 0.995 1.005
 done
-sed 's/^v .*/&/; s/^v \([^ ]*\) \([^ ]*\) \([^ ]*\)/v \1e-12 \2e-12 \3e-12/' furnace.obj >tiny.obj
+sed 's/^v .*/&/; s/^v \([^ ]*\) \([^ ]*\) \([^ ]*\)/v \1e-15 \2e-15 \3e-15/' furnace.obj >tiny.obj
 check "a model too small for floats" refuses 2 "is smaller than 1e-10: give --scale" "$radiosity" solve tiny.obj -o x.rad
 printf 'newmtl all\nKd 1 1 1\nKe 1 1 1\n' >furnace.mtl
 check "light without an end is told" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
