@@ -70,6 +70,22 @@ check "lightmaps have it" "$radiosity" export floor.rad --atlas shown --map radi
 check "... or beside them what is reflected" "$radiosity" export floor.rad --atlas light
 check "... as a page" test "$(convert light/reflectance-0.png -format '%[fx:maxima.r] %[fx:maxima.g] %[fx:maxima.b]' info:)" = "1 0 1"
 
+# Final gathering sees the picture, too: beneath a board over its red half there is more red than blue
+board() { # board OPTION...: board.csv
+    { cat floor.obj; printf 'usemtl none\nv -1 0.4 -1\nv 0 0.4 -1\nv 0 0.4 1\nv -1 0.4 1\nf 5 6 7 8\n'; } >board.obj
+    "$radiosity" solve board.obj -o board.rad --sky 1,1,1 "$@" >out 2>err && "$radiosity" export board.rad --csv board.csv
+}
+beneath() { # beneath COLUMN: what it is, in the mean over the board, within 4 % of what is there without final gathering
+    local mean; mean=$(awk -F, '$6 < -0.5 { a += $8; s += $8 * $'"$1"' } END { print s / a }' without.csv)
+    table board.csv "if (\$6 < -0.5) { a += \$8; s += \$8 * \$$1 }" "s / a > 0.96 * $mean && s / a < 1.04 * $mean"
+}
+check "a board over a floor" board
+mv board.csv without.csv
+check "... has more red than blue beside what is green" table without.csv 'if ($6 < -0.5) { r += $9; g += $10; b += $11 }' 'r - g > 3 * (b - g) && b > g'
+check "... with final gathering" board --final 256
+check "... as red" beneath 9
+check "... and as blue" beneath 11
+
 # What cannot be read: a line, and Kd
 unread() { # unread TEXT PICTURE
     { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "its material's Kd is taken" err &&

@@ -77,7 +77,7 @@ public:
         b.arrives = settled(gather, grid, direct, kShared);
         if (s.final > 0 && b.whole) {
             tell(4, 0);
-            auto reflectsAt = [&](const Cell &c) { return b.reflects(c.chart); };
+            auto reflectsAt = [&](int cell) { return b.reflectsOf(cell); };
             gather.gatherFinal(s.final, b.arrives, reflectsAt, workers);
             b.arrives = settled(gather, grid, direct, kFinalShared);
         }

@@ -216,8 +216,8 @@ int Gather::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflec
     return done;
 }
 
-void Gather::gatherFinal(int count, const std::vector<Rgb> &texels,
-                         const std::function<Rgb(const Cell &)> &reflects, Workers &workers) {
+void Gather::gatherFinal(int count, const std::vector<Rgb> &texels, const std::function<Rgb(int)> &reflects,
+                         Workers &workers) {
     const std::vector<Vec3> spiral = spiralOf(count);
     parallelRanges(workers, (int)grid.sites.size(), 32, [&](int first, int end, int) {
         for (int site = first; site < end; ++site) {
@@ -230,7 +230,8 @@ void Gather::gatherFinal(int count, const std::vector<Rgb> &texels,
                         grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t);
                     const int *c = s.cell->corner;
                     auto l = [&](int k) { return texels[(size_t)c[k]]; };
-                    sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) * reflects(*s.cell);
+                    sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) *
+                           reflects((int)(s.cell - grid.cells.data()));
                     if (!emits.empty()) sum += emits[(size_t)s.cell->chart];
                 }
             });

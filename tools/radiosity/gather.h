@@ -47,8 +47,8 @@ public:
               int sweeps, Workers &workers, const std::function<bool(float residual)> &told);
 
     // What arrives once more, by `rays` from every site, in the light of all texels: final gathering.
-    void gatherFinal(int rays, const std::vector<Rgb> &texels,
-                     const std::function<Rgb(const Cell &)> &reflects, Workers &workers);
+    void gatherFinal(int rays, const std::vector<Rgb> &texels, const std::function<Rgb(int cell)> &reflects,
+                     Workers &workers);
 
     // What arrives at all texels that can be seen, without direct light: what sites have, shared with their
     // neighbours where their light would be off by less than `share` of it.
