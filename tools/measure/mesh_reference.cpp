@@ -184,19 +184,21 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
     parallelFor(workers, (int)probes.size(), [&](int i, int) {
         MeshProbe &probe = probes[(size_t)i];
         Random random = {pcg((uint32_t)i + 77)};
-        double sum[3] = {}, noise = 0, last = 0;
         int backs = 0;
-        for (int k = 0; k < paths; ++k) {
-            Rgb l = tracer.trace(probe.p, probe.n, k, side, random, backs);
-            sum[0] += (double)l.x, sum[1] += (double)l.y, sum[2] += (double)l.z;
-            // Neighbours in the grid differ by their noise, hardly by where they go
-            double b = (double)bright(l);
-            if (k & 1) noise += (b - last) * (b - last) / 2;
-            last = b;
+        // Two sets that know nothing of each other: how far apart they are tells the noise
+        Rgb means[2];
+        for (Rgb &mean : means) {
+            double sum[3] = {};
+            for (int k = 0; k < paths; ++k) {
+                Rgb l = tracer.trace(probe.p, probe.n, k, side, random, backs);
+                sum[0] += (double)l.x, sum[1] += (double)l.y, sum[2] += (double)l.z;
+            }
+            mean = {(float)(sum[0] / paths), (float)(sum[1] / paths), (float)(sum[2] / paths)};
         }
-        probe.traced = {(float)(sum[0] / paths), (float)(sum[1] / paths), (float)(sum[2] / paths)};
-        probe.noise2 = noise / (paths / 2) / paths;
-        inside[(size_t)i] = backs > paths / 4;
+        probe.traced = (means[0] + means[1]) * 0.5f;
+        double apart = (double)bright(means[0]) - (double)bright(means[1]);
+        probe.noise2 = apart * apart / 4;
+        inside[(size_t)i] = backs > paths / 2;
     });
     size_t kept = 0;
     for (size_t i = 0; i < probes.size(); ++i)

@@ -12,7 +12,7 @@ struct MeshProbe {
     Vec3 p, n;
     Rgb solved;    // what arrives, by the solution: irradiance / pi
     Rgb traced;    // by the paths
-    double noise2; // variance of the traced mean's brightness
+    double noise2; // an estimate of the variance of the traced mean's brightness: true in the mean of many
 };
 
 // Places spread at random over what is lit of a solution, by area; or the middles of elements that such
@@ -22,9 +22,9 @@ std::vector<MeshProbe> placeMeshProbes(const Baked &baked, int count, bool middl
 // The same places in another solution of the model.
 void solvedAt(const Baked &baked, std::vector<MeshProbe> &probes);
 
-// Traces side x side paths from every probe: cosine-distributed directions, the first in strata, lamps met by
-// shadow rays to points of theirs, until roulette ends them. Drops the probes that lie inside something
-// closed.
+// Traces two sets of side x side paths from every probe: cosine-distributed directions, the first in strata,
+// lamps met by shadow rays to points of theirs, until roulette ends them. Drops the probes that lie inside
+// something closed.
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
                 Workers &workers);
 

@@ -12,7 +12,7 @@ static constexpr char kUsage[] = "usage: radiosity_errors MODEL.obj SOLUTION [--
 
 static int run(Arguments &words) {
     std::string files[2];
-    int probes = 1000, side = 64, count = 0;
+    int probes = 1000, side = 48, count = 0;
     bool list = false, middles = false;
     while (const char *word = words.next()) {
         std::string w = word;

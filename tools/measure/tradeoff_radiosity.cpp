@@ -119,8 +119,8 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
             auto solved = bake(mesh, s.bake, gl, workers, &kNever, {});
             Baked baked(*solved);
             if (probes.empty()) { // the first is the default, by whose light there is
-                probes = placeMeshProbes(baked, sweep.quick ? 300 : 1000);
-                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 96 : 192, workers);
+                probes = placeMeshProbes(baked, sweep.quick ? 1000 : 3000);
+                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 36 : 80, workers);
             }
             solvedAt(baked, probes);
             MeshErrors e = errorsOf(probes);
