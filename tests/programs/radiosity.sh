@@ -106,6 +106,21 @@ check "where z is up, from the zenith" lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1
 check "... all of it" even 5
 check "a lamp" lit "$plate" --lamp 0,2,0,0.2,100,100,100
 check "... by its distance and angle" table out.csv 'r2 = $2 * $2 + $4 * $4 + 4; d = $9 / (0.5 * 100 * 0.01 / r2 * 2 / sqrt(r2)) - 1; if (d < -0.005 || d > 0.005) ++off' 'off + 0 == 0'
+# A square that shines, opposite a plate: a sum over its corners of the form factor of a place beneath the one of a rectangle
+printf 'newmtl panel\nKd 0 0 0\nKe 1000 1000 1000\n' >>out.mtl
+panel() { # panel HALF HEIGHT
+    lit "${plate}usemtl panel\nv -$1 $2 -$1\nv $1 $2 -$1\nv $1 $2 $1\nv -$1 $2 $1\nf 5 6 7 8\n"
+}
+below() { # below HALF HEIGHT PERCENT: what the panel gives, everywhere
+    table out.csv 'if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = ('"$1"' + (i % 2 ? $2 : -$2)) / '"$2"'; Y = ('"$1"' + (i < 2 ? $4 : -$4)) / '"$2"'; p = sqrt(1 + X * X); q = sqrt(1 + Y * Y)
+        F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } d = $9 / (0.5 * 1000 * F) - 1; ++n; if (d < -0.01 * '"$3"' || d > 0.01 * '"$3"') ++off }' 'n > 1000 && off + 0 == 0'
+}
+check "a square that shines" panel 0.5 1
+check "... everywhere as its form factor says" below 0.5 1 0.5
+check "... one that is near" panel 0.5 0.125
+check "... near it" below 0.5 0.125 1
+check "... a grain of one" panel 0.0005 10
+check "... far away" table out.csv 'if ($6 == 1) { r2 = $2 * $2 + $4 * $4 + 100; d = $9 / (0.5 * 1000 * 1e-6 * 100 / (3.14159265 * r2 * r2)) - 1; ++n; if (d < -0.001 || d > 0.001) ++off }' 'n > 1000 && off + 0 == 0'
 check "backs are black" lit "$plate" --sun -30,90,10,10,10
 check "... and with --two-sided they are not" lit "$plate" --two-sided --sun -30,90,10,10,10
 check "... but as bright as fronts" table out.csv '$6 < 0 ? back += $8 * $9 : front += $8 * $9' 'back > 9.99 && back < 10.01 && front == 0'

@@ -22,17 +22,24 @@ uint64_t spread(uint32_t x) {
     return (v | v << 2) & 0x1249249249249249;
 }
 
-constexpr float kNear = 16; // distance^2 over area within which a disc would not do
+// distance^2 over area within which a disc would not do for a part, and for all of a lamp
+constexpr float kNear = 16, kNearWhole = 400;
 
-// Lambert's formula, a sum over the edges of a triangle.
-float triangleFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 (&corner)[3]) {
+// Lambert's formula, a sum over the edges of a polygon.
+float polygonFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 *corner, int corners) {
     float sum = 0;
-    for (int k = 0; k < 3; ++k) {
-        Vec3 a = normalize(corner[k] - p), b = normalize(corner[(k + 1) % 3] - p), across = cross(b, a);
+    for (int k = 0; k < corners; ++k) {
+        Vec3 a = normalize(corner[k] - p), b = normalize(corner[(k + 1) % corners] - p), across = cross(b, a);
         float s = length(across);
         if (s > 1e-12f) sum += std::atan2(s, dot(a, b)) * dot(across, n) / s;
     }
     return std::max(sum, 0.f) * (0.5f / kPi);
+}
+
+// A triangle as a disc; in its plane, or in the place's, there is nothing but rounding.
+float discFormFactor(const Vec3 &to, float square, float area, const Vec3 &n, const Vec3 &its) {
+    float here = dot(to, n), there = -dot(to, its), least = 1e-6f * std::sqrt(square);
+    return here > least && there > least ? here * there / square * area / (kPi * square + area) : 0;
 }
 
 } // namespace
@@ -58,6 +65,10 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
         Vec3d normal = normalOf(mesh, t), q = mesh.points[(size_t)t.corners[0]],
               u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
         double area = length(normal) / 2;
+        wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)},
+                          toFloat(normalize(normal)),
+                          (float)area,
+                          radiance});
         // Into rows of smaller ones like it
         int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
         for (int r = 0; r < rows; ++r)
@@ -75,6 +86,7 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
             }
     }
     if (parts.empty()) return;
+    if (wholes.size() > (size_t)kMostWhole) wholes.clear();
     // Sorted by where they lie: what is taken of them is spread
     Vec3d middle = mesh.middle();
     double size = std::max(mesh.size(), 1e-300);
@@ -99,51 +111,84 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     parts = std::move(sorted);
 }
 
-Rgb LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a,
-                   float b) const {
+Rgb LampRays::unshadowed(const Vec3 &p, const Vec3 &n) const {
+    Rgb sum = {};
+    for (const Part &lamp : wholes) {
+        if (dot(p - lamp.corner[0], lamp.n) <= 0) continue;
+        Vec3 to = (lamp.corner[0] + lamp.corner[1] + lamp.corner[2]) * (1 / 3.f) - p;
+        if (float square = dot(to, to); square > lamp.area * kNearWhole) {
+            sum += lamp.radiance * discFormFactor(to, square, lamp.area, n, lamp.n);
+            continue;
+        }
+        // What of it is above the horizon
+        Vec3 corner[4];
+        int corners = 0;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3 &a = lamp.corner[k], &b = lamp.corner[(k + 1) % 3];
+            float here = dot(a - p, n), there = dot(b - p, n);
+            if (here > 0) corner[corners++] = a;
+            if ((here > 0) != (there > 0)) corner[corners++] = a + (b - a) * (here / (here - there));
+        }
+        if (corners > 2) sum += lamp.radiance * polygonFormFactor(p, n, corner, corners);
+    }
+    return sum;
+}
+
+LampRays::Light LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a,
+                               float b) const {
     if (dot(p - part.corner[0], part.n) <= 0) return {};
     if (a + b > 1) a = 1 - a, b = 1 - b;
     Vec3 target =
         part.corner[0] + (part.corner[1] - part.corner[0]) * a + (part.corner[2] - part.corner[0]) * b;
     Vec3 middle = (part.corner[0] + part.corner[1] + part.corner[2]) * (1 / 3.f), to = middle - p;
     float square = dot(to, to), factor;
-    if (square < part.area * kNear)
-        factor = triangleFormFactor(p, n, part.corner);
-    else
-        factor = std::max(dot(to, n), 0.f) * std::max(-dot(to, part.n), 0.f) / square * part.area /
-                 (kPi * square + part.area);
-    if (!(factor > 1e-7f)) return {}; // a rounding: in its plane nothing is seen of it
+    if (square < part.area * kNear) {
+        factor = polygonFormFactor(p, n, part.corner, 3);
+        if (!(factor > 1e-7f)) return {}; // a rounding: in its plane nothing is seen of it
+    } else {
+        factor = discFormFactor(to, square, part.area, n, part.n);
+        if (!(factor > 0)) return {};
+    }
     Vec3 d = target - p;
     float far = length(d);
-    if (!(far > 0) || tree.blocked(p, d * (1 / far), far * 0.9999f)) return {};
-    return part.radiance * factor;
+    Rgb light = part.radiance * factor;
+    bool open = far > 0 && !tree.blocked(p, d * (1 / far), far * 0.9999f);
+    return {light, open ? light : Rgb{}};
 }
 
 Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n, uint32_t seed,
                  float shift, int sharers) const {
-    Rgb sum = {};
+    Rgb sum = {}, all = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
     // From near every part counts; from afar some of them do, others from every place
     int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
-    bool all = (size_t)some >= parts.size();
-    for (size_t i = 0; i < parts.size() && parts.size() <= (size_t)kMost && !all; ++i) {
+    bool every = (size_t)some >= parts.size();
+    for (size_t i = 0; i < parts.size() && parts.size() <= (size_t)kMost && !every; ++i) {
         Vec3 to = (parts[i].corner[0] + parts[i].corner[1] + parts[i].corner[2]) * (1 / 3.f) - p;
-        all = dot(to, to) < parts[i].area * kNear;
+        every = dot(to, to) < parts[i].area * kNear;
     }
     for (const Part &part : parts) {
-        if (!all) break;
+        if (!every) break;
         float a = random(), b = random();
-        sum += from(part, tree, p, n, a, b);
+        Light light = from(part, tree, p, n, a, b);
+        all += light.all, sum += light.open;
     }
     float power = parts.empty() ? 0 : until.back();
-    for (int k = 0; k < some && !all; ++k) {
+    for (int k = 0; k < some && !every; ++k) {
         float at = ((float)k + shift) / (float)some * power;
         auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
                           parts.size() - 1);
         const Part &part = parts[i];
         float a = random(), b = random();
-        sum += from(part, tree, p, n, a, b) * (power / ((float)some * part.area * bright(part.radiance)));
+        Light light = from(part, tree, p, n, a, b);
+        float share = power / ((float)some * part.area * bright(part.radiance));
+        all += light.all * share, sum += light.open * share;
+    }
+    if (!wholes.empty() && maxComponent(sum) > 0) {
+        Rgb whole = unshadowed(p, n);
+        auto open = [](float part, float of) { return of > 0 ? part / of : 0; };
+        sum = whole * Rgb{open(sum.x, all.x), open(sum.y, all.y), open(sum.z, all.z)};
     }
     for (const Sun &sun : around.suns) {
         float cosine = dot(sun.towards, n);
