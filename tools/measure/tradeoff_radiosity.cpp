@@ -119,8 +119,12 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
             auto solved = bake(mesh, s.bake, gl, workers, &kNever, {});
             Baked baked(*solved);
             if (probes.empty()) { // the first is the default, by whose light there is
-                probes = placeMeshProbes(baked, sweep.quick ? 1000 : 3000);
-                tracePaths(mesh, solved->settings.surroundings, probes, sweep.quick ? 36 : 80, workers);
+                // Few places at the rims of shadows make most of a room's rms; a median has the paths' noise
+                // in it
+                bool room = series < 3;
+                probes = placeMeshProbes(baked, (room ? 1000 : 300) * (sweep.quick ? 1 : 3));
+                tracePaths(mesh, solved->settings.surroundings, probes,
+                           (room ? 36 : 68) * (sweep.quick ? 1 : 2), workers);
             }
             solvedAt(baked, probes);
             MeshErrors e = errorsOf(probes);
