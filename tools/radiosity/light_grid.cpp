@@ -22,8 +22,7 @@ std::vector<RayTree::Corners> cornersOf(const Mesh &mesh) {
 
 LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers) : charts(regions.charts) {
     divide();
-    see(regions, tree, workers);
-    makeSites(regions, tree);
+    makeSites(regions, see(regions, tree, workers));
     orderHidden();
 }
 
@@ -77,16 +76,23 @@ static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
     return c.at(x * c.width / (float)(c.across * kSteps), y * c.height / (float)(c.down * kSteps));
 }
 
-// Puts a place of the plane just above the triangle that is really there; false where none of this chart is.
-static bool land(const Regions &regions, const RayTree &tree, int chart, Vec3 &p) {
+// How far above a chart's plane its triangles are looked for.
+static float above(const Regions &regions, const Chart &c) { return c.off() * 4 + (float)regions.off * 2; }
+
+// A place of the plane, just above the triangle that is `drop` below where it was looked for.
+static Vec3 landed(const Regions &regions, const Chart &c, const Vec3 &p, float drop) {
+    return p + c.n * above(regions, c) - c.n * (drop - c.off());
+}
+
+// The drop to the triangle that is really there; kNowhere where none of this chart is.
+constexpr float kNowhere = -1;
+static float land(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
     const Chart &c = regions.charts[(size_t)chart];
-    float high = c.off() * 4 + (float)regions.off * 2;
-    Vec3 from = p + c.n * high;
-    RayHit below = tree.nearest(from, -c.n);
-    if (below.triangle < 0 || below.t > 2 * high || regions.chartOf[(size_t)below.triangle] != chart)
-        return false;
-    p = from - c.n * (below.t - c.off());
-    return true;
+    float high = above(regions, c);
+    RayHit below = tree.nearest(p + c.n * high, -c.n);
+    bool there =
+        below.triangle >= 0 && below.t <= 2 * high && regions.chartOf[(size_t)below.triangle] == chart;
+    return there ? below.t : kNowhere;
 }
 
 // Inside something closed only backs are seen, to all sides; not upwards, for tubes have no lids.
@@ -99,24 +105,27 @@ static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     return true;
 }
 
-void LightGrid::see(const Regions &regions, const RayTree &tree, Workers &workers) {
-    visible.resize(texels.size());
+std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, Workers &workers) {
+    std::vector<float> drops(texels.size() * 4, kNowhere);
     parallelRanges(workers, (int)texels.size(), 1024, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
-            const Texel &t = texels[(size_t)i];
+            Texel &t = texels[(size_t)i];
             const Chart &c = charts[(size_t)t.chart];
             for (int k = 0; k < 4; ++k) {
                 int x = t.x + (k & 1 ? 1 : -1), y = t.y + (k & 2 ? 1 : -1);
                 if (x < 0 || y < 0 || x > c.across * kSteps || y > c.down * kSteps) continue;
                 Vec3 p = placeAt(c, t, k);
-                if (land(regions, tree, t.chart, p) && !inside(tree, c, p))
-                    visible[(size_t)i] |= (uint8_t)(1 << k);
+                float drop = land(regions, tree, t.chart, p);
+                if (drop == kNowhere || inside(tree, c, landed(regions, c, p, drop))) continue;
+                drops[(size_t)i * 4 + (size_t)k] = drop;
+                t.visible |= (uint8_t)(1 << k);
             }
         }
     });
+    return drops;
 }
 
-void LightGrid::makeSites(const Regions &regions, const RayTree &tree) {
+void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drops) {
     siteOf.assign(texels.size(), kNone);
     for (size_t index = 0; index < charts.size(); ++index) {
         const Chart &c = charts[index];
@@ -138,13 +147,10 @@ void LightGrid::makeSites(const Regions &regions, const RayTree &tree) {
             size_t first = places.size();
             if (!small) begin(c.width * c.height / (float)(c.across * c.down));
             for (int k = 0; k < 4; ++k)
-                if (visible[(size_t)t] >> k & 1) {
-                    Vec3 p = placeAt(c, texels[(size_t)t], k);
-                    land(regions, tree, (int)index, p);
-                    places.push_back({p, t});
-                }
+                if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
+                    places.push_back(
+                        {landed(regions, c, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]), t});
             if (places.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
-            texels[(size_t)t].visible = visible[(size_t)t];
             if (!small) end();
         }
         if (small) end();

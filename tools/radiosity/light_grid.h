@@ -54,11 +54,11 @@ struct LightGrid {
     void fill(std::vector<Rgb> &light) const;
 
 private:
-    std::vector<uint8_t> visible; // a bit for each of a texel's places
-    std::vector<uint16_t> ring;   // of a hidden texel: how far from what is known, 1 ..; else 0
+    std::vector<uint16_t> ring; // of a hidden texel: how far from what is known, 1 ..; else 0
     void divide();
-    void see(const Regions &regions, const RayTree &tree, Workers &workers);
-    void makeSites(const Regions &regions, const RayTree &tree);
+    // What can be seen of the texels, and how far below where they are looked for their four places are.
+    std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);
+    void makeSites(const Regions &regions, const std::vector<float> &drops);
     void orderHidden();
 };
 
