@@ -12,16 +12,6 @@ namespace odraz {
 
 namespace {
 
-// Bits of whole numbers spread out, every third: places in one cube lie together in the order of their sum.
-uint64_t spread(uint32_t x) {
-    uint64_t v = x & 0x1fffff;
-    v = (v | v << 32) & 0x1f00000000ffff;
-    v = (v | v << 16) & 0x1f0000ff0000ff;
-    v = (v | v << 8) & 0x100f00f00f00f00f;
-    v = (v | v << 4) & 0x10c30c30c30c30c3;
-    return (v | v << 2) & 0x1249249249249249;
-}
-
 // distance^2 over area within which a disc would not do for a part, and for all of a lamp
 constexpr float kNear = 16, kNearWhole = 400;
 
@@ -44,78 +34,11 @@ float discFormFactor(const Vec3 &to, float square, float area, const Vec3 &n, co
 
 } // namespace
 
-LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
-    auto emits = [&](const Triangle &t) {
-        const auto &e = mesh.materials[(size_t)t.material].emits;
-        return Rgb{e[0], e[1], e[2]};
-    };
-    std::vector<double> areas(regions.charts.size());
-    for (size_t i = 0; i < mesh.triangles.size(); ++i)
-        if (maxComponent(emits(mesh.triangles[i])) > 0)
-            areas[(size_t)regions.chartOf[i]] += length(normalOf(mesh, mesh.triangles[i])) / 2;
-    double all = 0;
-    for (double a : areas) all += a;
-    shining = all / std::max(areaOf(mesh), 1e-300);
-    double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
-    auto toFloat = [](Vec3d v) { return Vec3{(float)v.x, (float)v.y, (float)v.z}; };
-    for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const Triangle &t = mesh.triangles[i];
-        Rgb radiance = emits(t);
-        if (!(maxComponent(radiance) > 0)) continue;
-        Vec3d normal = normalOf(mesh, t), q = mesh.points[(size_t)t.corners[0]],
-              u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
-        double area = length(normal) / 2;
-        wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)},
-                          toFloat(normalize(normal)),
-                          (float)area,
-                          radiance});
-        // Into rows of smaller ones like it
-        int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
-        for (int r = 0; r < rows; ++r)
-            for (int k = 0; k <= 2 * r; ++k) {
-                int j = k / 2;
-                auto at = [&](int row, int step) {
-                    return toFloat(q + u * ((double)(row - step) / rows) + v * ((double)step / rows));
-                };
-                Part p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)},
-                          toFloat(normalize(normal)),
-                          (float)(area / (rows * rows)),
-                          radiance};
-                if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
-                parts.push_back(p);
-            }
-    }
-    if (parts.empty()) return;
-    if (wholes.size() > (size_t)kMostWhole) wholes.clear();
-    // Sorted by where they lie: what is taken of them is spread
-    Vec3d middle = mesh.middle();
-    double size = std::max(mesh.size(), 1e-300);
-    std::vector<std::pair<uint64_t, size_t>> order;
-    for (size_t i = 0; i < parts.size(); ++i) {
-        Vec3 c = (parts[i].corner[0] + parts[i].corner[1] + parts[i].corner[2]) * (1 / 3.f);
-        auto step = [&](float x, double m) {
-            return (uint32_t)std::clamp((((double)x - m) / size + 0.5) * 0x1fffff, 0., 2097151.);
-        };
-        order.push_back({spread(step(c.x, middle.x)) | spread(step(c.y, middle.y)) << 1 |
-                             spread(step(c.z, middle.z)) << 2,
-                         i});
-    }
-    std::sort(order.begin(), order.end());
-    std::vector<Part> sorted;
-    double sum = 0;
-    for (auto &[code, i] : order) {
-        sorted.push_back(parts[i]);
-        sum += (double)(parts[i].area * bright(parts[i].radiance));
-        until.push_back((float)sum);
-    }
-    parts = std::move(sorted);
-}
-
 Rgb LampRays::unshadowed(const Vec3 &p, const Vec3 &n) const {
     Rgb sum = {};
     for (const Part &lamp : wholes) {
         if (dot(p - lamp.corner[0], lamp.n) <= 0) continue;
-        Vec3 to = (lamp.corner[0] + lamp.corner[1] + lamp.corner[2]) * (1 / 3.f) - p;
+        Vec3 to = lamp.middle() - p;
         if (float square = dot(to, to); square > lamp.area * kNearWhole) {
             sum += lamp.radiance * discFormFactor(to, square, lamp.area, n, lamp.n);
             continue;
@@ -140,7 +63,7 @@ LampRays::Light LampRays::from(const Part &part, const RayTree &tree, const Vec3
     if (a + b > 1) a = 1 - a, b = 1 - b;
     Vec3 target =
         part.corner[0] + (part.corner[1] - part.corner[0]) * a + (part.corner[2] - part.corner[0]) * b;
-    Vec3 middle = (part.corner[0] + part.corner[1] + part.corner[2]) * (1 / 3.f), to = middle - p;
+    Vec3 to = part.middle() - p;
     float square = dot(to, to), factor;
     if (square < part.area * kNear) {
         factor = polygonFormFactor(p, n, part.corner, 3);
@@ -165,7 +88,7 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p,
     int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
     bool every = (size_t)some >= parts.size();
     for (size_t i = 0; i < parts.size() && parts.size() <= (size_t)kMost && !every; ++i) {
-        Vec3 to = (parts[i].corner[0] + parts[i].corner[1] + parts[i].corner[2]) * (1 / 3.f) - p;
+        Vec3 to = parts[i].middle() - p;
         every = dot(to, to) < parts[i].area * kNear;
     }
     for (const Part &part : parts) {

@@ -33,6 +33,7 @@ private:
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
+        Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
     };
     double shining = 0;
     std::vector<Part> parts;
