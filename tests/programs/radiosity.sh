@@ -111,14 +111,19 @@ printf 'newmtl panel\nKd 0 0 0\nKe 1000 1000 1000\n' >>out.mtl
 panel() { # panel HALF HEIGHT
     lit "${plate}usemtl panel\nv -$1 $2 -$1\nv $1 $2 -$1\nv $1 $2 $1\nv -$1 $2 $1\nf 5 6 7 8\n"
 }
-below() { # below HALF HEIGHT PERCENT: what the panel gives, everywhere
+below() { # below HALF HEIGHT PERCENT [COLUMN KD]: what the panel gives, everywhere
     table out.csv 'if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = ('"$1"' + (i % 2 ? $2 : -$2)) / '"$2"'; Y = ('"$1"' + (i < 2 ? $4 : -$4)) / '"$2"'; p = sqrt(1 + X * X); q = sqrt(1 + Y * Y)
-        F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } d = $9 / (0.5 * 1000 * F) - 1; ++n; if (d < -0.01 * '"$3"' || d > 0.01 * '"$3"') ++off }' 'n > 1000 && off + 0 == 0'
+        F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } d = $'"${4-9}"' / ('"${5-0.5}"' * 1000 * F) - 1; ++n; if (d < -0.01 * '"$3"' || d > 0.01 * '"$3"') ++off }' 'n > 1000 && off + 0 == 0'
 }
 check "a square that shines" panel 0.5 1
 check "... everywhere as its form factor says" below 0.5 1 0.5
 check "... one that is near" panel 0.5 0.125
 check "... near it" below 0.5 0.125 1
+# Beneath a board that keeps off a lamp ten thousand times as bright, a small one in blue
+printf 'newmtl bright\nKd 0 0 0\nKe 1e7 1e7 1e7\nnewmtl weak\nKd 0 0 0\nKe 0 0 1000\n' >>out.mtl
+check "a weak lamp in the shadow of a strong one" lit "${plate}usemtl weak\nv -.5 1 -.5\nv .5 1 -.5\nv .5 1 .5\nv -.5 1 .5\nf 5 6 7 8\nusemtl black\nv -1.5 2 -1.5\nv 1.5 2 -1.5\nv 1.5 2 1.5\nv -1.5 2 1.5\nf 9 10 11 12\nusemtl bright\nv -.2 3 -.2\nv .2 3 -.2\nv .2 3 .2\nv -.2 3 .2\nf 13 14 15 16\n"
+check "... gives all of its light" below 0.5 1 1 11 0.8
+check "... and the strong one none" table out.csv 'if ($6 == 1) s += $9' 's == 0'
 check "... a grain of one" panel 0.0005 10
 check "... far away" table out.csv 'if ($6 == 1) { r2 = $2 * $2 + $4 * $4 + 100; d = $9 / (0.5 * 1000 * 1e-6 * 100 / (3.14159265 * r2 * r2)) - 1; ++n; if (d < -0.001 || d > 0.001) ++off }' 'n > 1000 && off + 0 == 0'
 check "backs are black" lit "$plate" --sun -30,90,10,10,10

@@ -26,93 +26,18 @@ float polygonFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 *corner, int co
     return std::max(sum, 0.f) * (0.5f / kPi);
 }
 
-// A triangle as a disc; in its plane, or in the place's, there is nothing but rounding.
-float discFormFactor(const Vec3 &to, float square, float area, const Vec3 &n, const Vec3 &its) {
-    float here = dot(to, n), there = -dot(to, its), least = 1e-6f * std::sqrt(square);
-    return here > least && there > least ? here * there / square * area / (kPi * square + area) : 0;
-}
-
-} // namespace
-
-Rgb LampRays::unshadowed(const Vec3 &p, const Vec3 &n) const {
-    Rgb sum = {};
-    for (const Part &lamp : wholes) {
-        if (dot(p - lamp.corner[0], lamp.n) <= 0) continue;
-        Vec3 to = lamp.middle() - p;
-        if (float square = dot(to, to); square > lamp.area * kNearWhole) {
-            sum += lamp.radiance * discFormFactor(to, square, lamp.area, n, lamp.n);
-            continue;
-        }
-        // What of it is above the horizon
-        Vec3 corner[4];
-        int corners = 0;
-        for (int k = 0; k < 3; ++k) {
-            const Vec3 &a = lamp.corner[k], &b = lamp.corner[(k + 1) % 3];
-            float here = dot(a - p, n), there = dot(b - p, n);
-            if (here > 0) corner[corners++] = a;
-            if ((here > 0) != (there > 0)) corner[corners++] = a + (b - a) * (here / (here - there));
-        }
-        if (corners > 2) sum += lamp.radiance * polygonFormFactor(p, n, corner, corners);
-    }
-    return sum;
-}
-
-LampRays::Light LampRays::from(const Part &part, const RayTree &tree, const Vec3 &p, const Vec3 &n, float a,
-                               float b) const {
-    if (dot(p - part.corner[0], part.n) <= 0) return {};
-    if (a + b > 1) a = 1 - a, b = 1 - b;
-    Vec3 target =
-        part.corner[0] + (part.corner[1] - part.corner[0]) * a + (part.corner[2] - part.corner[0]) * b;
-    Vec3 to = part.middle() - p;
-    float square = dot(to, to), factor;
-    if (square < part.area * kNear) {
-        factor = polygonFormFactor(p, n, part.corner, 3);
-        if (!(factor > 1e-7f)) return {}; // a rounding: in its plane nothing is seen of it
-    } else {
-        factor = discFormFactor(to, square, part.area, n, part.n);
-        if (!(factor > 0)) return {};
-    }
+bool open(const RayTree &tree, const Vec3 &p, const Vec3 &target) {
     Vec3 d = target - p;
     float far = length(d);
-    Rgb light = part.radiance * factor;
-    bool open = far > 0 && !tree.blocked(p, d * (1 / far), far * 0.9999f);
-    return {light, open ? light : Rgb{}};
+    return far > 0 && !tree.blocked(p, d * (1 / far), far * 0.9999f);
 }
 
-Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p, const Vec3 &n, uint32_t seed,
-                 float shift, int sharers) const {
-    Rgb sum = {}, all = {};
+// From suns and balls.
+Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, const Vec3 &n,
+                uint32_t seed) {
+    Rgb sum = {};
     uint32_t state = pcg(seed);
     auto random = [&] { return unitFloat(state = pcg(state)); };
-    // From near every part counts; from afar some of them do, others from every place
-    int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
-    bool every = (size_t)some >= parts.size();
-    for (size_t i = 0; i < parts.size() && parts.size() <= (size_t)kMost && !every; ++i) {
-        Vec3 to = parts[i].middle() - p;
-        every = dot(to, to) < parts[i].area * kNear;
-    }
-    for (const Part &part : parts) {
-        if (!every) break;
-        float a = random(), b = random();
-        Light light = from(part, tree, p, n, a, b);
-        all += light.all, sum += light.open;
-    }
-    float power = parts.empty() ? 0 : until.back();
-    for (int k = 0; k < some && !every; ++k) {
-        float at = ((float)k + shift) / (float)some * power;
-        auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
-                          parts.size() - 1);
-        const Part &part = parts[i];
-        float a = random(), b = random();
-        Light light = from(part, tree, p, n, a, b);
-        float share = power / ((float)some * part.area * bright(part.radiance));
-        all += light.all * share, sum += light.open * share;
-    }
-    if (!wholes.empty() && maxComponent(sum) > 0) {
-        Rgb whole = unshadowed(p, n);
-        auto open = [](float part, float of) { return of > 0 ? part / of : 0; };
-        sum = whole * Rgb{open(sum.x, all.x), open(sum.y, all.y), open(sum.z, all.z)};
-    }
     for (const Sun &sun : around.suns) {
         float cosine = dot(sun.towards, n);
         if (cosine > 0 && !tree.blocked(p, sun.towards, kInfinity)) sum += sun.light * cosine;
@@ -140,6 +65,98 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 &p,
     return sum;
 }
 
+} // namespace
+
+// Without a shadow; a disc from farther than sqrt(near area).
+float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near) {
+    if (dot(p - part.corner[0], part.n) <= 0) return 0;
+    Vec3 to = part.middle() - p;
+    float square = dot(to, to);
+    if (square > part.area * near) {
+        // In its plane, or in the place's, there is nothing but rounding
+        float here = dot(to, n), there = -dot(to, part.n), least = 1e-6f * std::sqrt(square);
+        return here > least && there > least ? here * there / square * part.area / (kPi * square + part.area)
+                                             : 0;
+    }
+    // What of it is above the horizon
+    Vec3 corner[4];
+    int corners = 0;
+    for (int k = 0; k < 3; ++k) {
+        const Vec3 &a = part.corner[k], &b = part.corner[(k + 1) % 3];
+        float here = dot(a - p, n), there = dot(b - p, n);
+        if (here > 0) corner[corners++] = a;
+        if ((here > 0) != (there > 0)) corner[corners++] = a + (b - a) * (here / (here - there));
+    }
+    float factor = corners > 2 ? polygonFormFactor(p, n, corner, corners) : 0;
+    return factor > 1e-7f ? factor : 0; // a rounding: in its plane nothing is seen of it
+}
+
+Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
+                      int rays) const {
+    Rgb light[kMostWhole];
+    float sum = 0;
+    for (size_t i = 0; i < wholes.size(); ++i) {
+        float factor = 0;
+        for (int k = 0; k < places; ++k) factor += formFactor(wholes[i], p[k], n, kNearWhole);
+        light[i] = wholes[i].radiance * (factor / (float)places);
+        sum += bright(light[i]);
+    }
+    Rgb all = {};
+    for (size_t i = 0; i < wholes.size(); ++i) {
+        if (!(maxComponent(light[i]) > 0)) continue;
+        // Rays by what it gives, to points spread over it (Roberts, 2018: the R2 sequence), from one place
+        // after the other
+        int own = std::max(1, (int)std::lround((float)rays * bright(light[i]) / sum));
+        uint32_t state = pcg(seed + (uint32_t)i * 64);
+        float a = unitFloat(state), b = unitFloat(pcg(state));
+        float seen = 0, weights = 0;
+        for (int k = 0; k < own; ++k) {
+            const Vec3 &from = p[(seed + (uint32_t)k) % (uint32_t)places];
+            Vec3 target = wholes[i].point(a, b), to = target - from;
+            float square = std::max(dot(to, to), 1e-30f);
+            float weight =
+                std::max(dot(to, n), 0.f) * std::max(-dot(to, wholes[i].n), 0.f) / (square * square);
+            if (weights += weight; weight > 0 && open(tree, from, target)) seen += weight;
+            a = std::fmod(a + 0.7548777f, 1.f), b = std::fmod(b + 0.5698403f, 1.f);
+        }
+        if (seen > 0) all += light[i] * (seen / weights);
+    }
+    return all;
+}
+
+Rgb LampRays::fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
+                       int some) const {
+    Rgb sum = {};
+    uint32_t state = pcg(seed);
+    auto random = [&] { return unitFloat(state = pcg(state)); };
+    for (int k = 0; k < some; ++k) {
+        float at = ((float)k + shift) / (float)some * until.back();
+        auto i = std::min((size_t)(std::upper_bound(until.begin(), until.end(), at) - until.begin()),
+                          parts.size() - 1);
+        const Part &part = parts[i];
+        float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
+        if (factor > 0 && open(tree, p, part.point(a, b)))
+            sum +=
+                part.radiance * (factor * until.back() / ((float)some * part.area * bright(part.radiance)));
+    }
+    return sum;
+}
+
+Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 *p, int places, const Vec3 &n,
+                 uint32_t seed, float shift, int sharers) const {
+    Rgb sum = {};
+    int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
+    for (int k = 0; k < places; ++k) {
+        uint32_t own = seed * 4 + (uint32_t)k;
+        if (wholes.empty() && some > 0)
+            sum += fromSome(tree, p[k], n, own, std::fmod(shift + (float)k / (float)sharers, 1.f), some);
+        sum += fromOutside(around, tree, p[k], n, own);
+    }
+    sum = sum * (1 / (float)places);
+    if (!wholes.empty()) sum += fromAll(tree, p, places, n, seed, some * places);
+    return sum;
+}
+
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
                              const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers) {
     std::vector<Rgb> light(grid.texels.size());
@@ -155,17 +172,15 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
             for (uint32_t k = 0; k < s.places; ++k) sharers += counts(k);
             float base = unitFloat(pcg((uint32_t)i));
             for (uint32_t k = 0, next; k < s.places; k = next) {
-                Rgb sum = {};
+                Vec3 at[4];
                 int count = 0;
                 for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next)
-                    if (counts(next)) {
-                        uint32_t place = s.firstPlace + next;
-                        float shift = std::fmod(base + (float)places++ / (float)sharers, 1.f);
-                        sum += lamps.at(tree, around, grid.places[place].p, n, place, shift, sharers);
-                        ++count;
-                    }
-                all += sum;
-                if (count) light[texelOf(k)] = sum * (1 / (float)count);
+                    if (counts(next)) at[count++] = grid.places[s.firstPlace + next].p;
+                if (!count) continue;
+                float shift = base + (float)places / (float)sharers;
+                light[texelOf(k)] =
+                    lamps.at(tree, around, at, count, n, (uint32_t)texelOf(k), shift, sharers);
+                all += light[texelOf(k)] * (float)count, places += count;
             }
             // Texels that have none are like the rest
             for (uint32_t k = 0, next; k < s.places; k = next) {
