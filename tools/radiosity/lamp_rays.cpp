@@ -146,14 +146,16 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 *p,
                  uint32_t seed, float shift, int sharers) const {
     Rgb sum = {};
     int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
+    // One ray to each, at least, is not to be many more than there would be
+    bool all = !wholes.empty() && (int)wholes.size() <= std::max(kFew, 2 * some * places);
     for (int k = 0; k < places; ++k) {
         uint32_t own = seed * 4 + (uint32_t)k;
-        if (wholes.empty() && some > 0)
+        if (!all && some > 0)
             sum += fromSome(tree, p[k], n, own, std::fmod(shift + (float)k / (float)sharers, 1.f), some);
         sum += fromOutside(around, tree, p[k], n, own);
     }
     sum = sum * (1 / (float)places);
-    if (!wholes.empty()) sum += fromAll(tree, p, places, n, seed, some * places);
+    if (all) sum += fromAll(tree, p, places, n, seed, some * places);
     return sum;
 }
 

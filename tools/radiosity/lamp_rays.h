@@ -1,8 +1,9 @@
 // Direct light on a mesh by rays: from what shines in it, from balls and suns. The sky comes with the light
 // of other surfaces (gather.h).
 //
-// Where few triangles shine, what a place would get of each without a shadow is its form factor, by Lambert's
-// formula or, from afar, a disc's; rays to points of it, to all at least one, tell what share of it is open.
+// Where few triangles shine, 256 at most, what a place would get of each without a shadow is its form factor,
+// by Lambert's formula or, from afar, a disc's; rays to points of it, to all at least one, tell what share of
+// it is open.
 //
 // Of many, divided into parts, a place looks at some, chosen by what they give off and spread over where they
 // lie, at another point of a part every time. Places of one texel, or of a small polygon, share the work.
@@ -15,7 +16,7 @@ namespace odraz {
 
 class LampRays {
 public:
-    static constexpr int kMost = 128, kMostWhole = 32;
+    static constexpr int kMost = 128, kFew = 32, kMostWhole = 256;
 
     // The largest polygon that shines has about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
