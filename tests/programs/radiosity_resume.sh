@@ -4,36 +4,68 @@ radiosity=$BUILD/radiosity
 needs_built radiosity
 cd "$WORK" || exit 1
 
-"$radiosity" generate terrain -o hills.obj >/dev/null
-check "a solution that nobody stops" "$radiosity" solve hills.obj -o whole.rad
-check "... leaves no state" test ! -e whole.rad.state
-stopped() { # stopped SIGNAL STATES: after so many states were kept
-    rm -f hills.rad*
-    "$radiosity" solve hills.obj -o hills.rad --keep-every 0.01 >out 2>&1 &
-    local pid=$! seen=0 last= now
-    while [ $seen -lt "$2" ] && ! gone $pid; do
-        now=$(stat -c %i hills.rad.state 2>/dev/null)
-        [ "$now" = "$last" ] || { last=$now; seen=$((seen + 1)); }
-    done
-    kill -"$1" $pid
+for kind in terrain columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
+sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps
+# stopped SIGNAL STATES MODEL WORDS...: after so many states were kept, or, where that is the name of a step, when it has
+# begun and some were
+stopped() {
+    local signal=$1 until=$2 pid seen=0 last='' now
+    shift 2
+    rm -f part.rad* err
+    "$radiosity" solve "$@" -o part.rad --keep-every 0.01 --progress >out 2>err &
+    pid=$!
+    if [[ $until = [a-z]* ]]; then
+        until { [ -e part.rad.state ] && grep -q "^progress: $until" err; } 2>/dev/null || gone $pid; do :; done
+    else
+        while [ $seen -lt "$until" ] && ! gone $pid; do
+            now=$(stat -c %i part.rad.state 2>/dev/null)
+            [ "$now" = "$last" ] || { last=$now; seen=$((seen + 1)); }
+        done
+    fi
+    kill -"$signal" $pid
     wait $pid
-    [ -e hills.rad.state ]
+    [ -e part.rad.state ]
 }
-for how in "INT 1" "INT 40" "KILL 3" "KILL 60"; do
+goes_on() { # SIGNAL STATES WORDS...
+    check "$*" stopped "$@"
+    [ "$1" = KILL ] || check "... it tells how to go on" grep -q 'solve --resume part.rad.state goes on' out
+    check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
+    check "... to the same bytes" cmp whole.rad part.rad
+    check "... and leaves no state" test ! -e part.rad.state
+}
+check "a solution that nobody stops" "$radiosity" solve terrain.obj -o whole.rad
+check "... leaves no state" test ! -e whole.rad.state
+for how in "INT 20" "KILL 40"; do
     # shellcheck disable=SC2086
-    check "$how" stopped $how
-    check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume hills.rad.state
-    check "... to the same bytes" cmp whole.rad hills.rad
-    check "... and leaves no state" test ! -e hills.rad.state
+    goes_on $how terrain.obj
 done
-stopped INT 2
-check "what Ctrl-C wrote can be shown" "$radiosity" export hills.rad --csv hills.csv
-check "... and it tells how to go on" grep -q 'solve --resume hills.rad.state goes on' out
-check "--resume with more" refuses 2 "stands alone" "$radiosity" solve hills.obj --resume hills.rad.state
-check "no state" refuses 2 "was not left by" "$radiosity" solve --resume hills.rad
-head -c 100000 hills.rad.state >cut.state
+rays=(columns.obj --element 0.5 --residual 1e-7)
+check "of few elements" "$radiosity" solve -o whole.rad "${rays[@]}"
+for how in "INT 1" "KILL 2" "INT solving" "KILL solving"; do
+    # shellcheck disable=SC2086
+    goes_on $how "${rays[@]}"
+done
+
+# Between patches
+patches=(columns.obj --hemicube 64 --patch 1 --residual 1e-7)
+check "between patches" "$radiosity" solve -o whole.rad "${patches[@]}"
+check "... no state is left" test ! -e whole.rad.state
+for how in "INT 1" "INT 4" "KILL 2" "KILL 6" "INT solving" "KILL solving"; do
+    # shellcheck disable=SC2086
+    goes_on $how "${patches[@]}"
+done
+check "stopped" stopped INT 2 "${patches[@]}"
+check "... and once more" eval '{ "$radiosity" solve --resume part.rad.state >out 2>err & pid=$!; sleep 0.5; kill -INT $pid; wait $pid; [ -e part.rad.state ]; }'
+check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
+check "... to the same bytes" cmp whole.rad part.rad
+
+stopped INT 2 terrain.obj
+check "what Ctrl-C wrote can be shown" "$radiosity" export part.rad --csv part.csv
+check "--resume with more" refuses 2 "stands alone" "$radiosity" solve terrain.obj --resume part.rad.state
+check "no state" refuses 2 "was not left by" "$radiosity" solve --resume part.rad
+head -c 100000 part.rad.state >cut.state
 check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut.state
-echo 'v 9 9 9' >>hills.obj
-sed -i '0,/^v /s/^v [^ ]*/v 0.5/' hills.obj
-check "a model that changed" refuses 2 "another model" "$radiosity" solve --resume hills.rad.state
+echo 'v 9 9 9' >>terrain.obj
+sed -i '0,/^v /s/^v [^ ]*/v 0.5/' terrain.obj
+check "a model that changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
 finish

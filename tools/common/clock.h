@@ -1,4 +1,4 @@
-// Processor time, user and system: what measurements count, since neighbours disturb it least.
+// Clocks. Processor time, user and system, is what measurements count, since neighbours disturb it least.
 #pragma once
 
 #include <functional>
@@ -7,6 +7,7 @@ namespace odraz {
 
 double processorSeconds(); // of all threads of this process
 double threadSeconds();    // of this thread
+double wallSeconds();      // since some moment
 
 // The median time of a call on this process's processors, in milliseconds: of `rounds` rounds, each of as
 // many calls as take 10 ms together.

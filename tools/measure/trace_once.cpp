@@ -10,7 +10,6 @@
 #include "tools/measure/subject.h"
 #include "trace/picture/development.h"
 
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
@@ -75,12 +74,10 @@ void time(const std::string &scene, const Quality &setting, int threads) {
     subject.pose(camera);
     std::vector<double> clock, processors;
     for (int round = 0; round < 16; ++round) {
-        auto began = std::chrono::steady_clock::now();
-        double before = processorSeconds();
+        double began = wallSeconds(), before = processorSeconds();
         subject.trace(setting);
         processors.push_back((processorSeconds() - before) * 1e3);
-        clock.push_back(
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count());
+        clock.push_back((wallSeconds() - began) * 1e3);
     }
     std::printf("%.1f %.1f\n", median(clock), median(processors));
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <sys/mman.h>
 
 namespace odraz {
@@ -30,6 +31,10 @@ double cellOf(const Mesh &mesh, const BakeSettings &s) {
     // Final rays are for quality, which small elements are, too
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.final > 0 ? 120000 : 30000);
     return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
+}
+
+void refuseKept() {
+    throw std::runtime_error("what was kept of it is damaged, or of another model: solve it anew");
 }
 
 namespace {

@@ -48,7 +48,7 @@ struct BakeSettings {
     Growing growing;
     // By rays: hears how much memory is needed, before it is taken
     std::function<void(size_t bytes)> needs;
-    // By rays: keeps what there is, now and then and when it is stopped (state.h); `resumed` is what was kept
+    // Keeps what there is, now and then and when it is stopped (state.h); `resumed` is what was kept
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60; // seconds
     std::string resumed;
@@ -81,7 +81,7 @@ struct Bake {
     std::vector<Glow> glows;
     Radiosity radiosity; // its bases are red, green and blue, each reflected in its own channel alone
     float *light[3];     // planes of texels: all that arrives; irradiance / pi
-    bool whole;          // false: it was stopped, and some rows are missing
+    bool whole;          // false: it was stopped, and rows are missing or it is not solved to its end
     int sweeps;
     float left;                     // the residual
     double seconds[5];              // of processor time: dividing, form factors, direct, solving, all
@@ -103,6 +103,9 @@ std::unique_ptr<Bake> bake(const Mesh &mesh, const BakeSettings &settings, const
 inline constexpr int kDivided = 2;
 static_assert(kDivided <= kFinest);
 double cellOf(const Mesh &mesh, const BakeSettings &settings);
+
+// Tells that `resumed` is none of this model's.
+[[noreturn]] void refuseKept();
 
 // What it goes through; regions, materials and settings are there.
 void bakeByPatches(Bake &b, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,

@@ -4,6 +4,7 @@
 #include "tools/common/machine.h"
 #include "tools/radiosity/lamps.h"
 #include "tools/radiosity/light_grid.h"
+#include "tools/radiosity/patch_rows.h"
 
 #include <algorithm>
 #include <climits>
@@ -46,7 +47,7 @@ public:
         gatherFromOutside();
         if (s.growing) s.growing(b, nullptr);
         lap(2);
-        findRows();
+        findPatchRows(b, gl, workers, stop, told);
         lap(1);
         solveBounces();
         lap(3);
@@ -172,22 +173,6 @@ private:
             throw std::runtime_error("there are too many elements to count: ask for larger ones");
     }
 
-    void findRows() {
-        auto *lit = takeOrRefuse<uint8_t>(b.arena, (size_t)m.patchCount);
-        for (int i = 0; i < m.patchCount; ++i) {
-            const Patch &p = m.patches[i];
-            // Lamps too where hemicubes are to see them
-            bool seen = !s.analytic && maxComponent(b.emits(p.chart)) > 0;
-            lit[i] = maxComponent(p.reflects) > 0 || seen ? kReflects : kUnlit;
-        }
-        RowFinder find = s.rows;
-        if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
-        workers.abort = stop;
-        b.whole = find(m, *b.scene, lit, workers, b.arena, r.factors, tell(1));
-        workers.abort = &kNever;
-        for (int i = 0; i < m.patchCount; ++i) b.rows += r.factors.rows[i].known;
-    }
-
     void takePlanes() {
         size_t texels = (size_t)m.texelRoom + 8;
         for (int k = 3; k < r.lights.bases(); ++k) r.direct[k] = takeOrRefuse<float>(b.arena, texels);
@@ -234,6 +219,7 @@ private:
     }
 
     void solveToResidual() {
+        b.left = kInfinity; // it may be stopped before the first sweep
         workers.abort = stop;
         b.sweeps = solve(r.system, workers, s.residual, 10000,
                          {[](float residual, void *p) {
@@ -249,6 +235,9 @@ private:
                           },
                           this});
         workers.abort = &kNever;
+        if (!b.whole || b.left <= s.residual || !__atomic_load_n(stop, __ATOMIC_RELAXED)) return;
+        b.whole = false;
+        keepPatchRows(b);
     }
 };
 

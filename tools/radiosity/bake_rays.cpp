@@ -6,7 +6,6 @@
 #include "tools/radiosity/lamp_rays.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <stdexcept>
 
@@ -18,10 +17,6 @@ namespace {
 // passes from site to site
 constexpr double kLarge = 0.25; // of the model's area: what shines is no lamp
 constexpr float kError = 0.014f, kShared = 0.2f, kFinalShared = 0.1f;
-
-double secondsNow() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 class RayBaker {
 public:
@@ -93,7 +88,7 @@ private:
     const int *stop;
     const Told &told;
     double last; // when the last step ended
-    double kept = secondsNow();
+    double kept = wallSeconds();
     double begin = 0; // the logarithm of the first residual
     std::vector<Rgb> atSites, reflects;
 
@@ -136,7 +131,7 @@ private:
         std::vector<uint8_t> refined;
         if (!get(s.resumed, at, refined) || refined.size() != 1 || !gather.restore(s.resumed, at) ||
             at != s.resumed.size())
-            throw std::runtime_error("what was kept of it is damaged, or of another model: solve it anew");
+            refuseKept();
         s.resumed.clear();
         return refined[0];
     }
@@ -147,7 +142,7 @@ private:
         put(rows, std::vector<uint8_t>{refined});
         gather.save(rows);
         s.keep(rows);
-        kept = secondsNow();
+        kept = wallSeconds();
     }
 
     // Finds rows of so many rays, where they are not there.
@@ -158,7 +153,7 @@ private:
             size_t end = std::min(first + piece, count);
             tell(1, (float)done / (float)std::max(missing, (size_t)1));
             if (stopped()) b.whole = false;
-            if (stopped() || secondsNow() - kept > s.keepEvery) keep(gather, refined);
+            if (stopped() || wallSeconds() - kept > s.keepEvery) keep(gather, refined);
             if (!b.whole) return;
             for (size_t i = first; i < end; ++i) done += !gather.found[i];
             gather.findRows(first, end, workers);
@@ -199,13 +194,19 @@ private:
             b.left = left;
             double now = std::log(std::max((double)left, 1e-12)), end = std::log((double)s.residual);
             if (begin == 0) begin = now;
+            if (b.whole && wallSeconds() - kept > s.keepEvery) keep(gather, s.rays == 0);
             tell(3, (float)std::clamp(begin <= end ? 1 : (begin - now) / (begin - end), 0., 1.), left);
             if (s.growing) show(settled(gather, grid, direct, kShared));
             return !stopped();
         };
         b.sweeps =
             gather.solve(atSites, reflects, counted, s.residual, counted ? s.bounces : 10000, workers, swept);
-        if (!counted && b.left > s.residual && !stopped())
+        bool done = counted ? b.sweeps == s.bounces : b.left <= s.residual;
+        if (b.whole && !done && stopped()) {
+            b.whole = false;
+            keep(gather, s.rays == 0);
+        }
+        if (!counted && !done && !stopped())
             b.notes.push_back("it does not converge: what reflects all light, Kd 1, never comes to an end");
     }
 

@@ -1,24 +1,19 @@
 #include "tools/radiosity/bar.h"
 
+#include "tools/common/clock.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <unistd.h>
 
 namespace odraz {
 
-static double now() {
-    timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
-Bar::Bar(bool lines) : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(now()) {}
+Bar::Bar(bool lines) : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(wallSeconds()) {}
 
 void Bar::show(const char *name, float done, float residual) {
     if (!terminal && !lines) return;
-    double time = now();
+    double time = wallSeconds();
     bool fresh = name != step;
     if (fresh) step = name, began = time, ended = false;
     char rest[90] = "";

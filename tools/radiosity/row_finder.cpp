@@ -65,6 +65,26 @@ size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
     return links * rows / eyes.size() * (size_t)h.turns * 5 / 4 + 1000;
 }
 
+// What tells of rows that are drawn, putting those beside them that were there before.
+struct Merging {
+    const Model &m;
+    FormFactors &factors;
+    const Row *before; // null: none
+    const Progress &told;
+
+    void merge() const {
+        for (int i = 0; before && i < m.patchCount; ++i)
+            if (before[i].known) factors.rows[i] = before[i];
+    }
+    Progress progress() {
+        return {[](float done, void *p) {
+                    ((Merging *)p)->merge();
+                    ((Merging *)p)->told(done);
+                },
+                this};
+    }
+};
+
 // Hemicubes that are closed whatever happens.
 struct Opened {
     Hemicubes h;
@@ -87,8 +107,14 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
         if (turns > h.batch)
             throw std::runtime_error("so many hemicubes for each patch do not fit one picture");
         h.turns = turns;
+        // Those that are known are in the rows of others alone
+        const Row *before = factors.rows;
+        std::vector<uint8_t> missing(lit, lit + m.patchCount);
+        size_t had = 0;
+        for (int i = 0; before && i < m.patchCount; ++i)
+            if (before[i].known) missing[(size_t)i] = kShines, had += (size_t)before[i].count;
         // With what comes later
-        size_t links = estimateLinks(h, m, lit),
+        size_t all = estimateLinks(h, m, lit), links = all - std::min(all, had),
                rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40,
                needed = links * sizeof(Link) + rest;
         if (arena.used + needed > arena.size) refuseMemory(arena, needed);
@@ -97,7 +123,10 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
         h.turn = turn;
         int step = (int)(m.patchCount * 0.6180339) | 1;
         while (std::gcd(step, m.patchCount) != 1) step += 2;
-        bool done = findFormFactors(h, m, lit, workers, arena, factors, progress, step);
+        Merging merging = {m, factors, before, progress};
+        bool done =
+            findFormFactors(h, m, missing.data(), workers, arena, factors, merging.progress(), step);
+        if (factors.rows) merging.merge();
         if (!done && !workers.aborted())
             throw std::runtime_error("the rows took more memory than estimated: raise --memory");
         return done;

@@ -8,8 +8,9 @@
 
 namespace odraz {
 
-// Fills `factors` with memory of the arena; `model` is posed in the scene. False where workers.abort ended
-// it: what there is then is whole. Throws std::runtime_error where memory is short.
+// Fills `factors` with memory of the arena; `model` is posed in the scene. Where it has rows already, those
+// that are known stay. False where workers.abort ended it: what there is then is whole. Throws
+// std::runtime_error where memory is short.
 using RowFinder =
     std::function<bool(const Model &model, const Scene &scene, const uint8_t *lit, Workers &workers,
                        Arena &arena, FormFactors &factors, const Progress &progress)>;

@@ -161,14 +161,14 @@ int runSolve(Arguments &words) {
         baked = solve();
     }
     baked.save(job.out);
-    if (b->whole && b->byRays) std::remove(stateFile.c_str());
+    if (b->whole) std::remove(stateFile.c_str());
     int elements = 0, last = -1;
     baked.forPieces([&](int, int cell, const std::vector<BakedPoint> &) {
         elements += cell != last;
         last = cell;
     });
     report(mesh, *b, elements);
-    if (!b->whole && b->byRays) std::printf("radiosity solve --resume %s goes on\n", stateFile.c_str());
+    if (!b->whole) std::printf("radiosity solve --resume %s goes on\n", stateFile.c_str());
     return 0;
 }
 
