@@ -68,4 +68,13 @@ check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut
 echo 'v 9 9 9' >>terrain.obj
 sed -i '0,/^v /s/^v [^ ]*/v 0.5/' terrain.obj
 check "a model that changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
+# A picture on a material is of the model, too
+paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # one texel; its red
+echo 'map_Kd paint.tga' >>columns.mtl
+paint '\0200'
+check "a picture, stopped" stopped INT 1 "${rays[@]}"
+paint '\0300'
+check "... that changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
+paint '\0200'
+check "... and has changed back" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
 finish

@@ -124,8 +124,7 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
         int step = (int)(m.patchCount * 0.6180339) | 1;
         while (std::gcd(step, m.patchCount) != 1) step += 2;
         Merging merging = {m, factors, before, progress};
-        bool done =
-            findFormFactors(h, m, missing.data(), workers, arena, factors, merging.progress(), step);
+        bool done = findFormFactors(h, m, missing.data(), workers, arena, factors, merging.progress(), step);
         if (factors.rows) merging.merge();
         if (!done && !workers.aborted())
             throw std::runtime_error("the rows took more memory than estimated: raise --memory");

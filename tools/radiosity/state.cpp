@@ -3,6 +3,8 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/arrays.h"
 
+#include <map>
+
 namespace odraz {
 
 namespace {
@@ -42,8 +44,19 @@ SolveState SolveState::read(const std::string &path) {
     return s;
 }
 
+// Of what a picture's file holds; 0 where it cannot be read.
+static uint64_t sumOfFile(const std::string &path) {
+    try {
+        std::string all = readWhole(path);
+        return checksum(all.data(), all.size());
+    } catch (const Refused &) {
+        return 0;
+    }
+}
+
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     std::string all;
+    std::map<std::string, uint64_t> pictures;
     put(all, mesh.points);
     for (const Triangle &t : mesh.triangles) {
         const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
@@ -52,6 +65,13 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     for (const MeshMaterial &m : mesh.materials) {
         all.append((const char *)m.reflects.data(), sizeof m.reflects);
         all.append((const char *)m.emits.data(), sizeof m.emits);
+        const MeshPicture &p = m.picture;
+        if (p.path.empty()) continue;
+        auto [known, fresh] = pictures.try_emplace(p.path, 0);
+        if (fresh) known->second = sumOfFile(p.path);
+        put(all, std::vector<float>{p.tint[0], p.tint[1], p.tint[2], p.scale[0], p.scale[1], p.offset[0],
+                                    p.offset[1], (float)p.clamp});
+        put(all, std::vector<uint64_t>{known->second});
     }
     put(all, mesh.coordinates);
     put(all, sky.pixels);

@@ -22,7 +22,7 @@ struct SolveState {
     static SolveState read(const std::string &path);
 };
 
-// The same for the same points, triangles, materials and sky.
+// The same for the same points, triangles, materials with their pictures, and sky.
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky);
 
 } // namespace odraz
