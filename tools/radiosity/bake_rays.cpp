@@ -16,6 +16,7 @@ namespace {
 // What of a site's light its rays and its neighbours' may leave open, and what may be wrong of it where light
 // passes from site to site
 constexpr double kLarge = 0.25; // of the model's area: what shines is no lamp
+constexpr float kFirst = 0.25f; // what share of all rays' time the first ones take, about
 constexpr float kError = 0.014f, kShared = 0.2f, kFinalShared = 0.1f;
 
 class RayBaker {
@@ -33,11 +34,14 @@ public:
         LightGrid grid(b.regions, tree, workers);
         b.sites = (int)grid.sites.size();
         b.pictured.find(mesh, b.regions.chartOf, b.regions.charts, grid.cells, b.notes);
+        tell(0, 1);
         lap(0);
         Gather gather(b.regions, grid, tree, s.surroundings);
         bool refined = resume(gather);
         auto first = (uint16_t)(s.rays > 0 ? s.rays : Gather::kLeastRays);
-        if (!refined) findRows(gather, std::vector<uint16_t>(grid.sites.size(), first), false);
+        if (!refined)
+            findRows(gather, std::vector<uint16_t>(grid.sites.size(), first), false, 0,
+                     s.rays > 0 ? 1 : kFirst);
         gather.judges = false;
         lap(1);
         tell(2, 0);
@@ -49,6 +53,7 @@ public:
         std::vector<Rgb> direct = directLight(lamps, s.surroundings, grid, gather.behind, tree, workers);
         prepare(gather, grid, direct);
         lap(2);
+        tell(2, 1);
         b.cells = grid.cells, b.texels = grid.texels;
         if (s.growing) {
             std::vector<Rgb> light = direct;
@@ -64,7 +69,7 @@ public:
                 lap(3);
                 rays = gather.raysFor(atSites, reflects, kError, kShared, workers);
             }
-            findRows(gather, rays, true);
+            findRows(gather, rays, true, kFirst, 1);
             lap(1);
         }
         b.rays = gather.rows.size() / std::max(grid.sites.size(), (size_t)1);
@@ -75,6 +80,7 @@ public:
             auto reflectsAt = [&](int cell) { return b.reflectsOf(cell); };
             gather.gatherFinal(s.final, b.arrives, reflectsAt, workers);
             b.arrives = settled(gather, grid, direct, kFinalShared);
+            tell(4, 1);
         }
         lap(3);
         if (told) told(nullptr, 1, b.left);
@@ -145,13 +151,13 @@ private:
         kept = wallSeconds();
     }
 
-    // Finds rows of so many rays, where they are not there.
-    void findRows(Gather &gather, const std::vector<uint16_t> &rays, bool refined) {
+    // Finds rows of so many rays, where they are not there; of the whole step that is from .. to.
+    void findRows(Gather &gather, const std::vector<uint16_t> &rays, bool refined, float from, float to) {
         size_t missing = gather.setRays(rays), count = rays.size(), done = 0;
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
         for (size_t first = 0; first < count; first += piece) {
             size_t end = std::min(first + piece, count);
-            tell(1, (float)done / (float)std::max(missing, (size_t)1));
+            tell(1, from + (to - from) * (float)done / (float)std::max(missing, (size_t)1));
             if (stopped()) b.whole = false;
             if (stopped() || wallSeconds() - kept > s.keepEvery) keep(gather, refined);
             if (!b.whole) return;
@@ -159,6 +165,7 @@ private:
             gather.findRows(first, end, workers);
             b.rows = (int)end;
         }
+        tell(1, to);
     }
 
     // What the sites get directly, and reflect.

@@ -15,13 +15,13 @@ void Bar::show(const char *name, float done, float residual) {
     if (!terminal && !lines) return;
     double time = wallSeconds();
     bool fresh = name != step;
-    if (fresh) step = name, began = time, ended = false;
+    if (fresh) step = name, began = time, first = done, ended = false;
     char rest[90] = "";
     int at = 0;
     if (residual >= 0) at = std::snprintf(rest, sizeof rest, ", residual %.1e", (double)residual);
-    if (done > 0.02f && done < 1)
+    if (done > first + 0.02f && done < 1)
         std::snprintf(rest + at, sizeof rest - (size_t)at, ", %.0f s left",
-                      (time - began) * (1 / (double)done - 1));
+                      (time - began) * (double)((1 - done) / (done - first)));
     if (terminal) {
         char bar[31] = {};
         for (int i = 0; i < 30; ++i) bar[i] = (float)i < done * 30 ? '#' : '.';
