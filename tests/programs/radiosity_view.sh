@@ -123,6 +123,20 @@ for layer in patches elements wireframe; do
     xdotool key $number
     check "... and no more" await shows plain.png
 done
+# The keys over the picture: so many lines of letters on dark in its upper left corner, all else as it was
+helped() { # the lines in that corner
+    shot && convert shot.png -crop 200x270+20+14 +repage -threshold 35% -scale '1x!' -fill white +opaque black txt: |
+        awk '/^[0-9]/ { ink = !/#000000|black/; n += ink && !on; on = ink } END { print n + 0 }'
+}
+tells_keys() { [ "$(helped)" = 15 ]; } 2>/dev/null
+for key in h F1; do
+    xdotool key $key
+    check "key $key shows the keys" await tells_keys
+    check "... beside them the plain picture" eval '[ "$(convert shot.png -crop 120x300+360+0 +repage -format "%#" info:)" = "$(convert plain.png -crop 120x300+360+0 +repage -format "%#" info:)" ]'
+    xdotool key $key
+    check "... and no more" await shows plain.png
+done
+check "the title tells of them" titled 'H help'
 xdotool key t
 check "key T: the logarithm" await shows log.png
 xdotool key t

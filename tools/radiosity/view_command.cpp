@@ -4,6 +4,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/camera_options.h"
 #include "tools/radiosity/solve_options.h"
+#include "tools/radiosity/view_help.h"
 #include "tools/radiosity/view_window.h"
 
 #include <algorithm>
@@ -71,7 +72,7 @@ Job readJob(Arguments &words) {
 int runView(Arguments &words) {
     Job job = readJob(words);
     auto keys = [&] {
-        if (job.view.screenshot.empty()) std::printf("%s\n", kViewKeys), std::fflush(stdout);
+        if (job.view.screenshot.empty()) std::printf("%s\n", viewKeysAsTold().c_str()), std::fflush(stdout);
     };
     if (!isModel(job.in)) {
         Baked baked(job.in);

@@ -63,7 +63,7 @@ bool ViewWindow::glide(float seconds) {
 void ViewWindow::present() {
     int width, height;
     glfwGetFramebufferSize(window, &width, &height);
-    picture->show(tone, s.layers, patch, height);
+    picture->show(tone, s.layers, patch, height, help);
     glfwSwapBuffers(window);
     toned = false;
     if (s.screenshot.empty() || !solved || size == 0) return;
@@ -84,7 +84,7 @@ void ViewWindow::title(const std::string &step) {
                             {l.backs, "backs"},
                             {tone.logarithmic, "log"}})
         if (on) text += std::string("  ") + name;
-    text += std::string(stops) + "   [W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
+    text += std::string(stops) + "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
     if (text != titled) glfwSetWindowTitle(window, text.c_str());
     titled = text;
 }

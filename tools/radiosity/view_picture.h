@@ -34,8 +34,8 @@ public:
     int patchAt(int x, int y) const;
     // Draws what the patch's hemicube sees, unfolded.
     void drawHemicube(int patch, bool upIsZ);
-    // Makes the picture of both, and puts it into the upper left corner of the window.
-    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight);
+    // Makes the picture of both, and puts it into the upper left corner of the window; with the keys over it.
+    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight, bool helped);
     Picture read() const;
 
 private:
@@ -47,6 +47,7 @@ private:
     void drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, const Vec3 &ahead, int lines,
                   bool backs) const;
     void clear(float number) const;
+    void layHelp(int width, int height);
     GLuint program(const char *vertex, const char *fragment, bool reversed);
     void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
 
@@ -55,7 +56,8 @@ private:
     GLuint sceneProgram, meanProgram, showProgram, arrays[3], buffers[5];
     std::shared_ptr<const ViewMesh> mesh;
     bool outlined = false; // the outlines are in their buffer
-    Target scene, hemicube, small, final;
+    Target scene, hemicube, small, final, help;
+    int helpFor[2] = {}; // the size of the picture that `help` was made for
     int samples = 1;
 };
 

@@ -2,6 +2,7 @@
 #include "tools/radiosity/view_picture.h"
 
 #include "tools/common/statistics.h"
+#include "tools/radiosity/view_help.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,8 @@ int ViewPicture::patchAt(int x, int y) const {
     return mesh && patch <= (int)mesh->patches.size() ? patch : 0;
 }
 
-void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight) {
+void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
+                       bool helped) {
     int width = scene.width / samples, height = scene.height / samples;
     shape(final, width, height, GL_RGBA8, false);
     auto at = [&](const char *name) { return gl.glGetUniformLocation(showProgram, name); };
@@ -65,10 +67,31 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
     pass(scene, 0, 0, samples, layers.hemicube ? patch : 0);
     if (layers.hemicube && patch)
         pass(hemicube, width - hemicube.width - 8, std::min(8, height - hemicube.height), 1, 0);
+    if (helped) layHelp(width, height);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, final.framebuffer);
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     gl.glBlitFramebuffer(0, 0, width, height, 0, windowHeight - height, width, windowHeight,
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+// Into the upper left corner of the picture.
+void ViewPicture::layHelp(int width, int height) {
+    static constexpr int kAside = 8;
+    if (width <= 2 * kAside || height <= 2 * kAside) return;
+    if (helpFor[0] != width || helpFor[1] != height) {
+        Picture keys = viewHelp(width - 2 * kAside, height - 2 * kAside);
+        shape(help, keys.width, keys.height, GL_RGBA8, false);
+        gl.glBindTexture(GL_TEXTURE_2D, help.colour);
+        gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, keys.width, keys.height, GL_RGB, GL_UNSIGNED_BYTE,
+                           keys.rgb.data());
+        helpFor[0] = width, helpFor[1] = height;
+    }
+    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, help.framebuffer);
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, final.framebuffer);
+    int top = height - kAside;
+    gl.glBlitFramebuffer(0, help.height, help.width, 0, kAside, top - help.height, kAside + help.width, top,
+                         GL_COLOR_BUFFER_BIT, GL_NEAREST); // its first row is the lowest to OpenGL
 }
 
 Picture ViewPicture::read() const {

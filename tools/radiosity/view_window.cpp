@@ -81,6 +81,8 @@ void ViewWindow::key(int key) {
         s.camera.eye = start.eye, s.camera.target = start.target, redraw = true;
     else if (key == GLFW_KEY_C)
         std::printf("%s\n", cameraAsTold(s.camera).c_str()), std::fflush(stdout);
+    else if (key == GLFW_KEY_H || key == GLFW_KEY_F1)
+        help ^= true;
     else if (key == GLFW_KEY_ESCAPE)
         glfwSetWindowShouldClose(window, 1);
 }

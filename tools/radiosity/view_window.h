@@ -18,11 +18,6 @@ struct ViewSettings {
     std::string screenshot; // a file: then the window ends once it is written
 };
 
-inline constexpr char kViewKeys[] = "W A S D Q E fly (Shift: faster), mouse with its left button looks, "
-                                    "wheel exposes, 1 patches, 2 elements, "
-                                    "3 wireframe, 4 hemicube under the pointer, B backs, T tone, C camera "
-                                    "line, R back to the start, Esc ends";
-
 class ViewWindow {
 public:
     // Opens it. Throws std::runtime_error that tells what is missing. There is one at a time.
@@ -62,6 +57,7 @@ private:
     int patch = 0, pictures = 0;
     double mouseX = 0, mouseY = 0;
     bool looking = false; // the left button is held
+    bool help = false;    // lies over the picture
     float lookX = 0, lookY = 0;
     int pointerX = 0, pointerY = 0;
     std::string titled;
