@@ -46,6 +46,7 @@ struct BakeSettings {
     RowFinder rows;    // null: by hemicubes, as is faster
     Surroundings surroundings;
     Growing growing;
+    std::function<bool()> looks; // whether it would look now, since making light takes time; null: yes
     // By rays: hears how much memory is needed, before it is taken
     std::function<void(size_t bytes)> needs;
     // Keeps what there is, now and then and when it is stopped (state.h); `resumed` is what was kept

@@ -203,7 +203,7 @@ private:
             if (begin == 0) begin = now;
             if (b.whole && wallSeconds() - kept > s.keepEvery) keep(gather, s.rays == 0);
             tell(3, (float)std::clamp(begin <= end ? 1 : (begin - now) / (begin - end), 0., 1.), left);
-            if (s.growing) show(settled(gather, grid, direct, kShared));
+            if (s.growing && (!s.looks || s.looks())) show(settled(gather, grid, direct, kShared));
             return !stopped();
         };
         b.sweeps =

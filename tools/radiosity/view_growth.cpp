@@ -1,6 +1,6 @@
 #include "tools/radiosity/view_growth.h"
 
-#include "host/clock.h"
+#include "tools/common/clock.h"
 #include "tools/common/machine.h"
 #include "tools/radiosity/growing.h"
 
@@ -10,6 +10,7 @@ namespace odraz {
 
 ViewGrowth::ViewGrowth(Mesh mesh, BakeSettings settings, const RenderSettings &camera, void (*wake)())
     : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
+    this->settings.looks = [this] { return looks(); };
     this->settings.growing = [this](const Bake &b, const float *radiosity) { look(b, radiosity); };
     std::unique_lock held(lock);
     thread = std::thread([this] { run(); });
@@ -54,17 +55,23 @@ void ViewGrowth::run() {
     wake();
 }
 
+// Making light that is asked for then is part of looking.
+bool ViewGrowth::looks() {
+    if (wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
+    if (!looking) began = wallSeconds();
+    return looking = true;
+}
+
 void ViewGrowth::look(const Bake &b, const float *radiosity) {
-    auto now = [] { return (double)nanoseconds() * 1e-9; };
-    double began = now();
-    if (began < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return;
+    if (!looks()) return;
     bool first = !baked;
     if (first) baked = std::make_unique<Baked>(b);
     baked->light = lightSoFar(b, radiosity);
     hand(first, false);
     // A fifth of the time at most: small models show every sweep
-    double end = now();
+    double end = wallSeconds();
     next = end + 4 * (end - began);
+    looking = false;
     wake();
 }
 

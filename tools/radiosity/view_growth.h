@@ -38,6 +38,7 @@ public:
 
 private:
     void run();
+    bool looks();
     void look(const Bake &bake, const float *radiosity);
     void hand(bool geometry, bool done);
 
@@ -49,7 +50,8 @@ private:
     // Of the thread alone: what was shown last, and when to look again
     std::unique_ptr<Baked> baked;
     std::shared_ptr<const ViewMesh> shown;
-    double next = 0;
+    double next = 0, began = 0;
+    bool looking = false; // since `began`
     // Of both, under the lock
     std::mutex lock;
     std::condition_variable opened;
