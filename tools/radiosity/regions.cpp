@@ -13,6 +13,9 @@ namespace {
 
 Vec3 toFloat(Vec3d a) { return {(float)a.x, (float)a.y, (float)a.z}; }
 
+constexpr double kEven = 0.999995; // the cosine of an angle between normals in one plane
+constexpr size_t kBothSides = 4;   // edges of triangles that meet in a sheet that is lit from both sides
+
 struct Edge {
     int low, high, triangle;
     bool forward; // from low to high
@@ -171,12 +174,24 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     double tiny = mesh.size() * 5e-6;
     auto joins = [&](int a, int b) {
         const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
-        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < 0.999995) return false;
+        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kEven) return false;
         for (int c : t.corners)
             if (std::fabs(dot(mesh.points[(size_t)c] - mesh.points[(size_t)s.corners[0]],
                               normals[(size_t)a])) > tiny)
                 return false;
         return true;
+    };
+
+    auto oneSheet = [&](std::span<const Edge> all) {
+        if (all.size() == 2) return true;
+        if (all.size() != kBothSides) return false;
+        size_t fronts = 0;
+        for (const Edge &e : all) {
+            double angle = dot(normals[(size_t)all[0].triangle], normals[(size_t)e.triangle]);
+            if (std::fabs(angle) < kEven) return false;
+            fronts += angle > 0;
+        }
+        return fronts == kBothSides / 2;
     };
 
     // Grow regions over edges that two triangles share, turning the same way
@@ -188,14 +203,15 @@ Regions joinRegions(const Mesh &mesh, double cell) {
         size_t end = i + 1;
         while (end < edges.size() && edges[end].low == edges[i].low && edges[end].high == edges[i].high)
             ++end;
-        bool pair = end == i + 2 && edges[i].forward != edges[i + 1].forward;
-        if (pair) {
-            int a = sets.root(edges[i].triangle), b = sets.root(edges[i + 1].triangle);
-            // Against the region's first triangle: no drift along a bent surface
-            if (a != b && joins(std::min(a, b), edges[i].triangle) &&
-                joins(std::min(a, b), edges[i + 1].triangle))
-                sets.parent[(size_t)std::max(a, b)] = std::min(a, b);
-        }
+        // Of one sheet, or of one that is lit from both sides: front to front, back to back
+        for (size_t k = i; k + 1 < end && oneSheet({&edges[i], end - i}); ++k)
+            for (size_t l = k + 1; l < end; ++l) {
+                int s = edges[k].triangle, t = edges[l].triangle, a = sets.root(s), b = sets.root(t);
+                // Against the region's first triangle: no drift along a bent surface
+                if (edges[k].forward != edges[l].forward && a != b && joins(std::min(a, b), s) &&
+                    joins(std::min(a, b), t))
+                    sets.parent[(size_t)std::max(a, b)] = std::min(a, b);
+            }
         i = end;
     }
 
@@ -206,7 +222,7 @@ Regions joinRegions(const Mesh &mesh, double cell) {
         count, count, [&](size_t i) { return roots[i]; }, [](size_t i) { return (int)i; });
     auto borderOf = [&](size_t i) {
         int root = roots[(size_t)edges[i].triangle];
-        for (size_t k = i > 0 ? i - 1 : 0; k <= i + 1 && k < edges.size(); ++k)
+        for (size_t k = i - std::min(i, kBothSides - 1); k < std::min(i + kBothSides, edges.size()); ++k)
             if (k != i && edges[k].low == edges[i].low && edges[k].high == edges[i].high &&
                 edges[k].forward != edges[i].forward && roots[(size_t)edges[k].triangle] == root)
                 return -1;

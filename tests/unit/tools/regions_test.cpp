@@ -77,6 +77,41 @@ TEST(Regions, OtherMaterialsBendsAndBacksStayApart) {
     EXPECT_EQ(four.model->chartCount, 5); // its other half touches no more than a corner of the rest
 }
 
+// Lit from both sides, as `--two-sided` reads it.
+static void addBacks(Mesh &mesh) {
+    for (size_t i = mesh.triangles.size(); i-- > 0;) {
+        Triangle back = mesh.triangles[i];
+        std::swap(back.corners[1], back.corners[2]);
+        mesh.triangles.push_back(back);
+    }
+}
+
+TEST(Regions, FrontsJoinFrontsAndBacksBacks) {
+    Mesh mesh = grid(9, 9, [](int i, int k) { return i >= 3 && i < 6 && k >= 2 && k < 5; });
+    addBacks(mesh);
+    Joined j(mesh);
+    ASSERT_EQ(j.model->chartCount, 2);
+    EXPECT_EQ(j.model->facetCount, 8);
+    EXPECT_NEAR(j.facetsArea(), 2 * 72, 1e-3);
+    EXPECT_NEAR(j.model->charts[0].n.y * j.model->charts[1].n.y, -1, 1e-6f);
+    for (size_t i = 0; i < mesh.triangles.size(); ++i)
+        EXPECT_GT((double)j.model->charts[j.regions.chartOf[i]].n.y * normalOf(mesh, mesh.triangles[i]).y, 0);
+}
+
+// Light changes where one plane goes through another: what is joined ends there.
+TEST(Regions, PlanesThatCrossAreCutThere) {
+    Mesh mesh = grid(2, 1, [](int, int) { return false; });
+    mesh.points.push_back({1, 1, 0}), mesh.points.push_back({1, 1, -1}); // 6, 7: above the middle
+    mesh.points.push_back({1, -1, 0}), mesh.points.push_back({1, -1, -1});
+    mesh.triangles.push_back({{1, 4, 7}, 0}), mesh.triangles.push_back({{1, 7, 6}, 0});
+    mesh.triangles.push_back({{1, 9, 4}, 0}), mesh.triangles.push_back({{1, 8, 9}, 0});
+    Joined crossing(mesh);
+    EXPECT_EQ(crossing.model->chartCount, 4);
+    addBacks(mesh);
+    Joined both(mesh);
+    EXPECT_EQ(both.model->chartCount, 8);
+}
+
 TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
     Mesh mesh = grid(2, 2, [](int, int) { return false; });
     mesh.points[4] = {0.8, 0, -0.9}; // the middle, moved: still a square outside
