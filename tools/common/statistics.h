@@ -35,6 +35,12 @@ inline double linearOfSrgb(uint8_t value) {
     return all[value];
 }
 
+// The other way, 0 .. 1, not rounded to bits.
+inline float srgbOfLinear(float x) {
+    x = std::clamp(x, 0.f, 1.f);
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
 // Of eight-bit sRGB in linear light, which weighs what is bright: as much in both.
 inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;

@@ -1,6 +1,8 @@
 // Vectors in double precision: models as they are read, and oracles for what the engine does in floats.
 #pragma once
 
+#include "base/vec3.h"
+
 #include <cmath>
 #include <compare>
 #include <cstddef>
@@ -25,5 +27,6 @@ inline Vec3d cross(Vec3d a, Vec3d b) {
 }
 inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }
 inline Vec3d normalize(Vec3d a) { return a / length(a); }
+inline Vec3 toFloat(const Vec3d &a) { return {(float)a.x, (float)a.y, (float)a.z}; }
 
 } // namespace odraz

@@ -81,14 +81,6 @@ void hemicubes(const Gl &gl, Workers &workers) {
     std::printf("\nThe film's hall, as it ships: %.2f s.\n", hall.seconds);
 }
 
-size_t elementsOf(const Bake &b) {
-    size_t count = 0;
-    int last = -1;
-    Baked(b).forPieces(
-        [&](int, int cell, const std::vector<BakedPoint> &) { count += cell != last, last = cell; });
-    return count;
-}
-
 // A line of the table of whole solutions. `thesis`: its seconds; 0: none.
 void solution(const char *name, const Mesh &mesh, const BakeSettings &settings, double thesis, bool quick,
               const Gl &gl, Workers &workers) {
@@ -99,7 +91,7 @@ void solution(const char *name, const Mesh &mesh, const BakeSettings &settings, 
         b = bake(mesh, settings, gl, workers, &kNever, {});
         times.push_back(b->seconds[4]);
     }
-    std::printf("| %s | %zu | %zu | %d | %zu |", name, mesh.triangles.size(), elementsOf(*b), b->sites,
+    std::printf("| %s | %zu | %zu | %d | %zu |", name, mesh.triangles.size(), Baked(*b).elements(), b->sites,
                 b->rays);
     if (thesis > 0) std::printf(" %.0f", thesis);
     std::printf(" | %.2f | %.2f |", median(times), median(times) * 1e6 / (double)mesh.triangles.size());

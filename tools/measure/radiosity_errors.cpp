@@ -1,5 +1,5 @@
-// How far a solution of `radiosity solve` is from path tracing: radiosity_errors MODEL.obj SOLUTION [PROBES
-// [PATHS]]
+// How far a solution of `radiosity solve` is from path tracing: at random places, or at the middles of
+// elements, each with so many paths as a square's side says.
 #include "tools/common/arguments.h"
 #include "tools/common/machine.h"
 #include "tools/measure/mesh_reference.h"
@@ -8,7 +8,8 @@
 
 using namespace odraz;
 
-static constexpr char kUsage[] = "usage: radiosity_errors MODEL.obj SOLUTION [--probes N] [--side N]\n";
+static constexpr char kUsage[] =
+    "usage: radiosity_errors MODEL.obj SOLUTION [--probes N] [--side N] [--middles] [--list]\n";
 
 static int run(Arguments &words) {
     std::string files[2];
@@ -34,12 +35,7 @@ static int run(Arguments &words) {
     Mesh mesh = readObj(files[0], {}, notes);
     Baked baked(files[1]);
     Surroundings around;
-    bool shines = false;
-    for (const Triangle &t : mesh.triangles) {
-        const auto &e = mesh.materials[(size_t)t.material].emits;
-        shines |= e[0] + e[1] + e[2] > 0;
-    }
-    if (!shines) around.sky = evenSky({1, 1, 1});
+    if (!shines(mesh)) around.sky = evenSky({1, 1, 1});
     Workers workers = allProcessors();
     auto all = placeMeshProbes(baked, probes, middles);
     tracePaths(mesh, around, all, side, workers);

@@ -20,6 +20,20 @@ inline uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
     return sum;
 }
 
+// A file: a line that says what it is, the checksum of all that follows, and that.
+inline std::string withChecksum(const std::string &magic, const std::string &body) {
+    uint64_t sum = checksum(body.data(), body.size());
+    return magic + std::string((const char *)&sum, sizeof sum) + body;
+}
+// Where what follows begins: npos where that is damaged, 0 where it is another file.
+inline size_t bodyOf(const std::string &file, const std::string &magic) {
+    size_t at = magic.size() + sizeof(uint64_t);
+    if (file.size() < at || file.compare(0, magic.size(), magic) != 0) return 0;
+    uint64_t sum;
+    std::memcpy(&sum, file.data() + magic.size(), sizeof sum);
+    return sum == checksum(file.data() + at, file.size() - at) ? at : std::string::npos;
+}
+
 // Every array goes in as its count, the size of what it holds, and its bytes.
 template <class T> void put(std::string &to, const std::vector<T> &from) {
     const uint64_t head[2] = {from.size(), sizeof(T)};

@@ -159,7 +159,7 @@ private:
         case Held::Light:
             return b.lightIn(cell, u, v);
         case Held::Radiosity:
-            return b.lightIn(cell, u, v) * b.reflectsOf(cell) + b.emits[(size_t)chart];
+            return b.radiosityIn(cell, u, v);
         case Held::Reflectance:
             return b.reflectsOf(cell);
         }

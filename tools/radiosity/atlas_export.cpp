@@ -74,16 +74,12 @@ float standsForOne(const Baked &b, bool radiosity) {
     return all.empty() ? 1 : std::max(quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
 }
 
-uint8_t srgb(float x) {
-    x = std::clamp(x, 0.f, 1.f);
-    return (uint8_t)((x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f) * 255 + 0.5f);
-}
-
 void writePng(const Folder &folder, const std::string &name, const AtlasPage &size,
               const std::vector<float> &texels, float one) {
     Picture picture = {size.width, size.height, {}};
     picture.rgb.resize(texels.size());
-    for (size_t i = 0; i < texels.size(); ++i) picture.rgb[i] = srgb(texels[i] / one);
+    for (size_t i = 0; i < texels.size(); ++i)
+        picture.rgb[i] = (uint8_t)(srgbOfLinear(texels[i] / one) * 255 + 0.5f);
     if (!::writePng(folder / name, picture))
         throw std::runtime_error("cannot write " + folder / name + ": " + std::strerror(errno));
 }

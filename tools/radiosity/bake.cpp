@@ -27,6 +27,12 @@ Rgb Bake::emits(int chart) const {
     return {e[0], e[1], e[2]};
 }
 
+float SolvedShare::operator()(float left, float asked) {
+    double now = std::log(std::max((double)left, 1e-12)), end = std::log((double)asked);
+    if (begin == 0) begin = now;
+    return (float)std::clamp(begin <= end ? 1 : (begin - now) / (begin - end), 0., 1.);
+}
+
 double cellOf(const Mesh &mesh, const BakeSettings &s) {
     // Final rays are for quality, which small elements are, too
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.final > 0 ? 120000 : 30000);
@@ -55,48 +61,46 @@ void join(Bake &b, const Mesh &mesh) {
 }
 
 // With an even sky where nothing shines.
-void lightUp(Bake &b) {
-    bool shines = false;
-    for (int material : b.material) {
-        const auto &e = b.materials[(size_t)material].emits;
-        shines |= e[0] + e[1] + e[2] > 0;
-    }
-    if (shines || b.settings.surroundings.shine()) return;
+void lightUp(Bake &b, const Mesh &mesh) {
+    if (shines(mesh) || b.settings.surroundings.shine()) return;
     b.settings.surroundings.sky = evenSky({1, 1, 1});
     b.notes.push_back("nothing shines in it: lit by an even sky (--sky, --sun and --lamp give other light)");
 }
 
-} // namespace
-
-// Puts a model that lies far from the origin there, where floats are finest. Returns by how much it is moved.
-static Vec3d moveHome(Mesh &mesh, Surroundings &around) {
+// How far from the origin, where floats are finest, a model lies; nothing, where that is near enough.
+Vec3d away(const Mesh &mesh) {
     Vec3d middle = mesh.middle();
-    if (length(middle) < 4 * mesh.size()) return {};
-    for (Vec3d &p : mesh.points) p = p - middle;
-    for (BallLamp &lamp : around.lamps)
-        lamp.centre = lamp.centre - Vec3{(float)middle.x, (float)middle.y, (float)middle.z};
-    return middle;
+    return length(middle) < 4 * mesh.size() ? Vec3d{} : middle;
 }
+Mesh moveHome(const Mesh &mesh, const Vec3d &from, Surroundings &around) {
+    Mesh moved = mesh;
+    for (Vec3d &p : moved.points) p = p - from;
+    for (BallLamp &lamp : around.lamps) lamp.centre = lamp.centre - toFloat(from);
+    return moved;
+}
+
+} // namespace
 
 std::unique_ptr<Bake> bake(const Mesh &given, const BakeSettings &settings, const Gl &gl, Workers &workers,
                            const int *stop, const Told &told) {
     auto b = std::make_unique<Bake>();
     b->settings = settings;
-    Mesh mesh = given;
-    Vec3d moved = moveHome(mesh, b->settings.surroundings);
+    Vec3d moved = away(given);
+    Mesh home;
+    if (length(moved) > 0) home = moveHome(given, moved, b->settings.surroundings);
+    const Mesh &mesh = length(moved) > 0 ? home : given;
     if (mesh.size() < length(moved) * 1e-5)
         b->notes.push_back("it lies so far from the origin that its coordinates are coarse: move it there");
     b->materials = mesh.materials;
     join(*b, mesh);
-    lightUp(*b);
+    lightUp(*b, mesh);
     b->byRays = settings.way == Way::kRays;
     if (b->byRays)
         bakeByRays(*b, mesh, workers, stop, told);
     else
         bakeByPatches(*b, mesh, gl, workers, stop, told);
     Chart *charts = b->byRays ? b->regions.charts.data() : b->model->charts;
-    for (size_t i = 0; i < b->regions.charts.size(); ++i)
-        charts[i].corner += Vec3{(float)moved.x, (float)moved.y, (float)moved.z};
+    for (size_t i = 0; i < b->regions.charts.size(); ++i) charts[i].corner += toFloat(moved);
     return b;
 }
 

@@ -58,6 +58,15 @@ struct BakeSettings {
 // What is told while it works: which step, how far it is, and while solving what is left to change.
 using Told = std::function<void(const char *step, float done, float residual)>;
 
+// How much of solving is done, 0 .. 1: by the logarithm of residuals, from the first to what is asked.
+class SolvedShare {
+public:
+    float operator()(float left, float asked);
+
+private:
+    double begin = 0;
+};
+
 struct Bake {
     struct Free {
         void operator()(void *memory) const;

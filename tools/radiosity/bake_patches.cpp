@@ -5,6 +5,7 @@
 #include "tools/radiosity/lamps.h"
 #include "tools/radiosity/light_grid.h"
 #include "tools/radiosity/patch_rows.h"
+#include "tools/radiosity/sees_backs.h"
 
 #include <algorithm>
 #include <climits>
@@ -14,6 +15,8 @@
 namespace odraz {
 
 namespace {
+
+constexpr int kSkyRays = 1024; // of each texel
 
 // Goes through the stages. Finding form factors and solving may be cut short; all else is done to its end,
 // whatever happens.
@@ -67,7 +70,7 @@ private:
     const int *watched;
     double patch = 0; // its area
     const char *step = nullptr;
-    double begin = 0; // the logarithm of the first residual
+    SolvedShare share;
 
     Progress tell(int which) {
         step = Bake::kSteps[which];
@@ -95,7 +98,7 @@ private:
         refuseTooMany(levels);
         if (!m.divide(*b.scene, b.arena, workers, block, levels))
             refuseMemory(b.arena, texelBytes((size_t)m.texelRoom));
-        m.solid = !seesBacks();
+        m.solid = !seesBacks(m, mesh);
         findPictured(b.notes);
         for (int i = 0; i < m.patchCount; ++i) m.patches[i].reflects = b.reflects(m.patches[i].chart);
         b.pictured.toPatches(m);
@@ -107,24 +110,6 @@ private:
                         {m.cells, (size_t)m.cellCount}, notes);
     }
 
-    // Whether some patch sees the back of something: where none does, hemicubes may leave backs out. Looks
-    // around from 500 patches or so.
-    bool seesBacks() {
-        static constexpr int kPlaces = 500, kAround = 96;
-        RayTree tree(cornersOf(mesh));
-        for (int i = 0, every = std::max(1, m.patchCount / kPlaces); i < m.patchCount; i += every) {
-            const Patch &p = m.patches[i];
-            const Chart &c = m.charts[p.chart];
-            for (int k = 0; p.share > 0 && k < kAround; ++k) {
-                float up = 1 - ((float)k + 0.5f) / kAround, out = std::sqrt(1 - up * up),
-                      turn = 2.3999632f * (float)k;
-                Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up;
-                if (tree.nearest(p.p + c.n * c.off(), d).back) return true;
-            }
-        }
-        return false;
-    }
-
     // What shines: seen from the texels or, where that is too much, by hemicubes.
     void findGlows(const Regions &regions) {
         b.glows = findLamps(mesh, regions, m, s.lampSamples);
@@ -132,8 +117,7 @@ private:
         if (b.glows.size() > kManyLamps) s.analytic = false;
         r.lights.skyCount = 3;
         // Suns and lamps are bases of their own until their light has arrived
-        Vec3d centre = mesh.middle();
-        Vec3 middle = {(float)centre[0], (float)centre[1], (float)centre[2]};
+        Vec3 middle = toFloat(mesh.middle());
         float far = (float)(1000 * mesh.size());
         for (const Sun &sun : around.suns) r.lights.suns[r.lights.sunCount++] = middle + sun.towards * far;
         for (const BallLamp &lamp : around.lamps)
@@ -155,7 +139,7 @@ private:
         for (size_t i = 0; i < around.lamps.size(); ++i)
             fold(r.lights.firstLamp() + (int)i, around.lamps[i].radiance);
         r.lights.sunCount = r.lights.lampCount = 0;
-        if (around.sky.width) addSky(m, *b.scene, around.sky, around.skyRays, workers, r.direct);
+        if (around.sky.width) addSky(m, *b.scene, around.sky, kSkyRays, workers, r.direct);
     }
 
     static size_t texelBytes(size_t texels) {
@@ -225,11 +209,7 @@ private:
                          {[](float residual, void *p) {
                               Baker &k = *(Baker *)p;
                               k.b.left = residual;
-                              double now = std::log(std::max((double)residual, 1e-12));
-                              if (k.begin == 0) k.begin = now;
-                              double end = std::log((double)k.s.residual),
-                                     done = k.begin <= end ? 1 : (k.begin - now) / (k.begin - end);
-                              if (k.told) k.told(Bake::kSteps[3], (float)std::clamp(done, 0., 1.), residual);
+                              if (k.told) k.told(Bake::kSteps[3], k.share(residual, k.s.residual), residual);
                               // Of one block: its values are kept in what is gathered
                               if (k.s.growing) k.s.growing(k.b, k.r.system.gathered);
                           },

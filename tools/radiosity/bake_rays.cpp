@@ -95,7 +95,7 @@ private:
     const Told &told;
     double last; // when the last step ended
     double kept = wallSeconds();
-    double begin = 0; // the logarithm of the first residual
+    SolvedShare share;
     std::vector<Rgb> atSites, reflects;
 
     // Tells what memory it takes, and refuses what is more than there shall be.
@@ -109,14 +109,11 @@ private:
         double first = s.rays > 0 ? s.rays : Gather::kLeastRays, sent = (double)sites * first;
         if (s.rays == 0)
             sent += std::max(sent, std::min((double)sites * Gather::kMostRays, Gather::kAllRays));
-        size_t bytes = mesh.points.size() * sizeof(Vec3d) +
-                       mesh.triangles.size() * (sizeof(Triangle) + 40 + 270) +
+        size_t bytes = mesh.points.size() * sizeof(Vec3d) + mesh.triangles.size() * (sizeof(Triangle) + 40) +
+                       RayTree::bytesFor(mesh.triangles.size()) +
                        charts * (sizeof(Chart) + 2 * sizeof(Facet)) + cells * 2 * sizeof(Cell) +
                        texels * (2 * sizeof(Texel) + 5 * sizeof(Rgb) + 24) + sites * 260 + (size_t)sent * 4;
-        if (bytes > s.memory)
-            throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
-                                     std::to_string(s.memory >> 20) +
-                                     " of --memory: larger elements or fewer rays need less");
+        if (bytes > s.memory) refuseMemory(bytes, s.memory, "larger elements or fewer rays need less");
         if (s.needs) s.needs(bytes);
     }
 
@@ -199,10 +196,8 @@ private:
         bool counted = s.bounces >= 0;
         auto swept = [&](float left) {
             b.left = left;
-            double now = std::log(std::max((double)left, 1e-12)), end = std::log((double)s.residual);
-            if (begin == 0) begin = now;
             if (b.whole && wallSeconds() - kept > s.keepEvery) keep(gather, s.rays == 0);
-            tell(3, (float)std::clamp(begin <= end ? 1 : (begin - now) / (begin - end), 0., 1.), left);
+            tell(3, share(left, s.residual), left);
             if (s.growing && (!s.looks || s.looks())) show(settled(gather, grid, direct, kShared));
             return !stopped();
         };

@@ -14,63 +14,6 @@ namespace odraz {
 namespace {
 
 constexpr char kMagic[] = "odraz radiosity 2\n";
-constexpr size_t kMagicSize = sizeof kMagic - 1;
-
-// No number that is not finite, nor so large that products of some are not.
-bool moderate(float x) { return std::fabs(x) < 1e18f; }
-bool moderate(const Vec3 &v) { return moderate(v.x) && moderate(v.y) && moderate(v.z); }
-// `count` things from `first` on, of `all`
-bool within(int first, int64_t count, size_t all) {
-    return first >= 0 && count >= 0 && (int64_t)first + count <= (int64_t)all;
-}
-
-bool sound(const Chart &c, const Baked &b) {
-    uint8_t open; // no bool may be read that is neither
-    std::memcpy(&open, &c.open, 1);
-    return moderate(c.corner) && moderate(c.u) && moderate(c.v) && moderate(c.n) && moderate(c.width) &&
-           moderate(c.height) && c.width > 0 && c.height > 0 && open <= 1 && c.across > 0 && c.down > 0 &&
-           within(c.firstCell, (int64_t)c.across * c.down, b.cells.size()) &&
-           within(c.firstFacet, c.facetsCount, b.facets.size());
-}
-
-bool sound(const Facet &f, const Baked &b) {
-    bool good = within(f.chart, 1, b.charts.size());
-    for (int k = 0; k < 4; ++k) good &= moderate(f.u[k]) && moderate(f.v[k]);
-    return good;
-}
-
-// Children stand behind their parents, so that whoever goes down arrives.
-bool sound(const Cell &c, size_t number, const Baked &b) {
-    if (!within(c.chart, 1, b.charts.size()) || !moderate(c.area) || c.level < 0 || c.level > kFinest)
-        return false;
-    if (c.divided()) return ~c.corner[0] > (int64_t)number && within(~c.corner[0], 4, b.cells.size());
-    for (int corner : c.corner)
-        if (!within(corner, 1, b.texels.size()) || b.texels[(size_t)corner].chart != c.chart) return false;
-    const Texel &low = b.texels[(size_t)c.corner[0]], &high = b.texels[(size_t)c.corner[3]];
-    return low.x < high.x && low.y < high.y;
-}
-
-bool sound(const Texel &t, const Baked &b) {
-    if (!within(t.chart, 1, b.charts.size())) return false;
-    const Chart &c = b.charts[(size_t)t.chart];
-    return t.x >= 0 && t.y >= 0 && t.x <= c.across * kSteps && t.y <= c.down * kSteps;
-}
-
-// Whether all that a file holds can be worked with. Its checksum tells of accidents, not of intent.
-bool sound(const Baked &b) {
-    auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
-    auto finite = [&](const std::vector<Rgb> &list) {
-        return all(list, [](const Rgb &c) { return moderate(c); });
-    };
-    size_t number = 0;
-    return !b.charts.empty() && b.light.size() == b.texels.size() && b.reflects.size() == b.charts.size() &&
-           b.emits.size() == b.charts.size() && finite(b.light) && finite(b.reflects) && finite(b.emits) &&
-           finite(b.pictured) && (b.pictured.empty() || b.pictured.size() == b.cells.size()) &&
-           all(b.charts, [&](const Chart &c) { return sound(c, b); }) &&
-           all(b.facets, [&](const Facet &f) { return sound(f, b); }) &&
-           all(b.texels, [&](const Texel &t) { return sound(t, b); }) &&
-           all(b.cells, [&](const Cell &c) { return sound(c, number++, b); });
-}
 
 } // namespace
 
@@ -98,20 +41,14 @@ void Baked::save(const std::string &path) const {
     writeWhole(path, withChecksum(body));
 }
 
-std::string Baked::withChecksum(const std::string &body) {
-    uint64_t sum = checksum(body.data(), body.size());
-    return std::string(kMagic, kMagicSize) + std::string((const char *)&sum, sizeof sum) + body;
-}
+std::string Baked::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
 
 Baked::Baked(const std::string &path) {
     std::string all = readWhole(path);
-    size_t at = kMagicSize + 8;
-    if (all.size() < at || all.compare(0, kMagicSize, kMagic) != 0)
-        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
-    uint64_t sum;
-    std::memcpy(&sum, all.data() + kMagicSize, 8);
-    bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, charts) &&
-                get(all, at, facets) && get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
+    size_t at = bodyOf(all, kMagic);
+    if (!at) throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    bool good = at != std::string::npos && get(all, at, charts) && get(all, at, facets) &&
+                get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
                 get(all, at, reflects) && get(all, at, emits) && get(all, at, pictured) && at == all.size() &&
                 sound(*this);
     if (!good)
@@ -136,19 +73,32 @@ Rgb Baked::lightIn(int cell, float u, float v) const {
     return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
 }
 
-Rgb Baked::lightAt(int chart, const Vec3 &p) const {
+Rgb Baked::radiosityIn(int cell, float u, float v) const {
+    return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)cells[(size_t)cell].chart];
+}
+
+Baked::Spot Baked::spotAt(int chart, const Vec3 &p) const {
     const Chart &c = charts[(size_t)chart];
     float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
           v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
-    return lightIn(cellAt(cells.data(), c, {u, v}), u, v);
+    return {cellAt(cells.data(), c, {u, v}), u, v};
+}
+
+Rgb Baked::lightAt(int chart, const Vec3 &p) const {
+    Spot s = spotAt(chart, p);
+    return lightIn(s.cell, s.u, s.v);
 }
 
 Rgb Baked::radiosityAt(int chart, const Vec3 &p) const {
-    const Chart &c = charts[(size_t)chart];
-    float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
-          v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
-    int cell = cellAt(cells.data(), c, {u, v});
-    return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)chart];
+    Spot s = spotAt(chart, p);
+    return radiosityIn(s.cell, s.u, s.v);
+}
+
+size_t Baked::elements() const {
+    size_t count = 0;
+    int last = -1;
+    forPieces([&](int, int cell, const std::vector<BakedPoint> &) { count += cell != last, last = cell; });
+    return count;
 }
 
 namespace {
@@ -229,7 +179,6 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
         const Cell &cell = cells[i];
         if (cell.divided()) continue;
         const Chart &c = charts[(size_t)cell.chart];
-        const Rgb reflects = reflectsOf((int)i), emits = this->emits[(size_t)cell.chart];
         const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
         float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
         // Its outline, counter-clockwise, with what hangs in it
@@ -253,8 +202,7 @@ void Baked::forPieces(const std::function<void(int, int, const std::vector<Baked
                 left = cut(left, facet[k], facet[(k + 1) % facet.size()]);
             if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
             piece.clear();
-            for (const PlanePoint &p : left)
-                piece.push_back({c.at(p.u, p.v), lightIn((int)i, p.u, p.v) * reflects + emits});
+            for (const PlanePoint &p : left) piece.push_back({c.at(p.u, p.v), radiosityIn((int)i, p.u, p.v)});
             visit(cell.chart, (int)i, piece);
         }
     }

@@ -28,8 +28,12 @@ public:
     void
     forPieces(const std::function<void(int chart, int cell, const std::vector<BakedPoint> &)> &visit) const;
 
+    size_t elements() const; // that something lies on
+
     // At a place of a chart that lies in that cell, in world units along its axes: what arrives there.
     Rgb lightIn(int cell, float u, float v) const;
+    // What it shows there.
+    Rgb radiosityIn(int cell, float u, float v) const;
     // What share of it a cell reflects.
     Rgb reflectsOf(int cell) const;
     // What arrives at a place of a chart.
@@ -44,7 +48,17 @@ public:
     std::vector<Rgb> light;           // of each texel: what arrives
     std::vector<Rgb> reflects, emits; // of each chart; on average, where it has a picture
     std::vector<Rgb> pictured;        // what each cell reflects; empty where there are no pictures
+
+private:
+    struct Spot {
+        int cell;
+        float u, v;
+    };
+    Spot spotAt(int chart, const Vec3 &p) const;
 };
+
+// Whether all that a file holds can be worked with. Its checksum tells of accidents, not of intent.
+bool sound(const Baked &baked);
 
 void exportCsv(const Baked &baked, const std::string &path);
 void exportPly(const Baked &baked, const std::string &path);

@@ -26,10 +26,7 @@ struct Shown {
         float high = quantile(std::move(all), 0.99);
         if (high > 1e-30f) scale = 0.9f / high; // less has no inverse
     }
-    float operator()(float x) const {
-        x = std::clamp(x * scale, 0.f, 1.f);
-        return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
-    }
+    float operator()(float x) const { return srgbOfLinear(x * scale); }
 };
 
 struct Corners {

@@ -31,7 +31,6 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     for (double a : areas) all += a;
     shining = all / std::max(areaOf(mesh), 1e-300);
     double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
-    auto toFloat = [](Vec3d v) { return Vec3{(float)v.x, (float)v.y, (float)v.z}; };
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
         const Triangle &t = mesh.triangles[i];
         Rgb radiance = emits(t);

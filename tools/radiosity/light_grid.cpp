@@ -7,11 +7,7 @@
 
 namespace odraz {
 
-namespace {
-
-Vec3 toFloat(const Vec3d &v) { return {(float)v.x, (float)v.y, (float)v.z}; }
-
-} // namespace
+namespace {} // namespace
 
 std::vector<RayTree::Corners> cornersOf(const Mesh &mesh) {
     std::vector<RayTree::Corners> all(mesh.triangles.size());

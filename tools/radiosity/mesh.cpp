@@ -45,6 +45,13 @@ Vec3d normalOf(const Mesh &m, const Triangle &t) {
     return cross(m.points[(size_t)t.corners[1]] - a, m.points[(size_t)t.corners[2]] - a);
 }
 
+bool shines(const Mesh &m) {
+    return std::any_of(m.triangles.begin(), m.triangles.end(), [&](const Triangle &t) {
+        const auto &e = m.materials[(size_t)t.material].emits;
+        return e[0] + e[1] + e[2] > 0;
+    });
+}
+
 double areaOf(const Mesh &m) {
     double area = 0;
     for (const Triangle &t : m.triangles) area += length(normalOf(m, t)) / 2;

@@ -57,5 +57,8 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
 // Twice the area of a triangle, as a vector along its normal.
 odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);
 
+// Whether some triangle emits light.
+bool shines(const Mesh &mesh);
+
 // Of all triangles.
 double areaOf(const Mesh &mesh);

@@ -34,7 +34,6 @@ public:
     // Whether anything is met before `end`, from whichever side.
     bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
 
-    size_t bytes() const { return nodes.size() * sizeof(Node) + leaves.size() * sizeof(Leaf); }
     // What a tree of so many triangles takes, and while it is made.
     static size_t bytesFor(size_t triangles) { return triangles * 270; }
 

@@ -11,8 +11,6 @@ namespace odraz {
 
 namespace {
 
-Vec3 toFloat(Vec3d a) { return {(float)a.x, (float)a.y, (float)a.z}; }
-
 constexpr double kEven = 0.999995; // the cosine of an angle between normals in one plane
 constexpr size_t kBothSides = 4;   // edges of triangles that meet in a sheet that is lit from both sides
 

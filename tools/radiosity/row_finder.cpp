@@ -8,9 +8,11 @@
 namespace odraz {
 
 void refuseMemory(const Arena &arena, size_t more) {
-    throw std::runtime_error("needs about " + std::to_string((arena.used + more) >> 20) +
-                             " MB, more than the " + std::to_string(arena.size >> 20) +
-                             " of --memory: larger patches or elements need less");
+    refuseMemory(arena.used + more, arena.size, "larger patches or elements need less");
+}
+void refuseMemory(size_t bytes, size_t most, const char *remedy) {
+    throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
+                             std::to_string(most >> 20) + " of --memory: " + remedy);
 }
 
 void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors) {

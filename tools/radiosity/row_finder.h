@@ -30,6 +30,7 @@ uint32_t patchAt(const Model &model, int chart, Vec3 at);
 
 // Memory of an arena, or a line that tells how much is needed.
 [[noreturn]] void refuseMemory(const Arena &arena, size_t more);
+[[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
 template <class T> T *takeOrRefuse(Arena &arena, size_t count) {
     if (T *p = arena.take<T>(count)) return p;
     refuseMemory(arena, count * sizeof(T));

@@ -59,12 +59,12 @@ void tell(const std::vector<std::string> &notes) {
     for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
 }
 
-void report(const Mesh &mesh, const Bake &b, int elements) {
+void report(const Mesh &mesh, const Bake &b, size_t elements) {
     std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(), b.material.size());
     if (b.byRays)
-        std::printf("%d elements, %d sites with %zu rays\n", elements, b.sites, b.rays);
+        std::printf("%zu elements, %d sites with %zu rays\n", elements, b.sites, b.rays);
     else
-        std::printf("%d patches, %d elements\n", b.model->patchCount, elements);
+        std::printf("%d patches, %zu elements\n", b.model->patchCount, elements);
     std::printf("processor seconds: dividing %.2f, form factors %.2f", b.seconds[0], b.seconds[1]);
     if (!b.byRays) std::printf(" (%d hemicubes)", b.rows);
     std::printf(", direct light %.2f, solving %.2f\n", b.seconds[2], b.seconds[3]);
@@ -162,12 +162,7 @@ int runSolve(Arguments &words) {
     }
     baked.save(job.out);
     if (b->whole) std::remove(stateFile.c_str());
-    int elements = 0, last = -1;
-    baked.forPieces([&](int, int cell, const std::vector<BakedPoint> &) {
-        elements += cell != last;
-        last = cell;
-    });
-    report(mesh, *b, elements);
+    report(mesh, *b, baked.elements());
     if (!b->whole) std::printf("radiosity solve --resume %s goes on\n", stateFile.c_str());
     return 0;
 }

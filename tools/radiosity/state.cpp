@@ -10,7 +10,6 @@ namespace odraz {
 namespace {
 
 constexpr char kMagic[] = "odraz radiosity state 1\n";
-constexpr size_t kMagicSize = sizeof kMagic - 1;
 
 } // namespace
 
@@ -19,20 +18,16 @@ void SolveState::save(const std::string &path) const {
     put(body, std::vector<uint64_t>{model, words.size()});
     for (const std::string &word : words) put(body, std::vector<char>(word.begin(), word.end()));
     body += rows;
-    uint64_t sum = checksum(body.data(), body.size());
-    writeWhole(path, std::string(kMagic, kMagicSize) + std::string((const char *)&sum, sizeof sum) + body);
+    writeWhole(path, withChecksum(kMagic, body));
 }
 
 SolveState SolveState::read(const std::string &path) {
     std::string all = readWhole(path);
-    size_t at = kMagicSize + 8;
-    if (all.size() < at || all.compare(0, kMagicSize, kMagic) != 0)
-        throw Refused(path + ": was not left by 'radiosity solve'");
-    uint64_t sum;
-    std::memcpy(&sum, all.data() + kMagicSize, 8);
+    size_t at = bodyOf(all, kMagic);
+    if (!at) throw Refused(path + ": was not left by 'radiosity solve'");
     SolveState s;
     std::vector<uint64_t> head;
-    bool good = sum == checksum(all.data() + at, all.size() - at) && get(all, at, head) && head.size() == 2;
+    bool good = at != std::string::npos && get(all, at, head) && head.size() == 2;
     for (uint64_t k = 0; good && k < head[1]; ++k) {
         std::vector<char> word;
         good = get(all, at, word);

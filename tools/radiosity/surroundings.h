@@ -39,7 +39,6 @@ struct Surroundings {
     SkyPicture sky;
     std::vector<Sun> suns;
     std::vector<BallLamp> lamps;
-    int skyRays = 1024; // of each texel
 
     bool shine() const { return sky.width || !suns.empty() || !lamps.empty(); }
 };

@@ -116,8 +116,7 @@ std::vector<Rgb> ViewMesh::light(const Baked &baked) const {
     std::vector<Rgb> light(places.size());
     for (size_t i = 0; i < light.size(); ++i) {
         const Place &at = places[i];
-        auto chart = (size_t)baked.cells[(size_t)at.cell].chart;
-        light[i] = baked.lightIn(at.cell, at.u, at.v) * baked.reflectsOf(at.cell) + baked.emits[chart];
+        light[i] = baked.radiosityIn(at.cell, at.u, at.v);
     }
     return light;
 }
