@@ -1,4 +1,6 @@
-// The functions of OpenGL 3.3 that we use, as a table, and one of ARB_clip_control; the host fills it.
+// The functions of OpenGL 3.3 that we use, as a table, and one of ARB_clip_control; the host fills it. On
+// Windows with functions that pass on to Windows's, which is why none has a float behind an integer here: the
+// two conventions pass such a one in different registers.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -15,7 +17,7 @@ namespace odraz {
     F(glGetIntegerv) F(glGetString) F(glGetStringi) F(glGenRenderbuffers) F(glBindRenderbuffer) F(glRenderbufferStorage) \
     F(glFramebufferRenderbuffer) F(glCreateProgram) F(glCreateShader) F(glShaderSource) F(glCompileShader) \
     F(glAttachShader) F(glLinkProgram) F(glGetProgramiv) F(glUseProgram) F(glGetUniformLocation) \
-    F(glUniform1f) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
+    F(glUniform1fv) F(glGenVertexArrays) F(glBindVertexArray) F(glGenBuffers) F(glBindBuffer) \
     F(glBufferData) F(glVertexAttribPointer) F(glVertexAttribIPointer) F(glEnableVertexAttribArray) \
     F(glViewport) F(glEnable) F(glDisable) F(glDepthFunc) F(glClearBufferuiv) \
     F(glClearBufferfv) F(glDrawArrays) F(glScissor) F(glDeleteFramebuffers) F(glDeleteRenderbuffers) \

@@ -204,7 +204,8 @@ void drawHemicubes(Hemicubes &h, const Model &model, const Eye *eyes, int count)
     gl.glClearBufferuiv(GL_COLOR, 0, kZero);
     gl.glClearBufferfv(GL_DEPTH, 0, &kFarthest);
     gl.glUseProgram(h.program);
-    gl.glUniform1f(gl.glGetUniformLocation(h.program, "n"), size * 1e-7f);
+    float near = size * 1e-7f;
+    gl.glUniform1fv(gl.glGetUniformLocation(h.program, "n"), 1, &near);
     gl.glBindVertexArray(h.vertexArray);
     gl.glBindBuffer(GL_ARRAY_BUFFER, h.buffer);
     Writer out = {h, 1.f / (float)h.columns, 1.f / (float)(3 * h.lines), 0};
