@@ -5,6 +5,7 @@
 #include "host/headless.h"
 #include "host/process.h"
 #include "host/sound.h"
+#include "host/threads.h"
 #include "start/early.h"
 
 namespace odraz {

@@ -1,4 +1,4 @@
-// The processor: whether it will do, what it is called, how many of it there are.
+// The processor: whether it will do, and what it is called.
 #pragma once
 
 namespace odraz {
@@ -9,8 +9,5 @@ bool cpuSuffices();
 
 // Its name without trademarks and clock rate, at most 48 characters and a zero.
 void cpuName(char name[49]);
-
-// Processors that this process may run on; >= 1.
-int cpuCount();
 
 } // namespace odraz

@@ -5,6 +5,9 @@
 
 namespace odraz {
 
+// Processors that this process may run on; >= 1.
+int cpuCount();
+
 // Starts count - 1 threads, kMaxWorkers - 1 at most, which sleep until there is work; they live as long as
 // the process. Returns null, or what is missing. `abort` is watched as Workers has it.
 const char *startWorkers(Workers &workers, int count, const int *abort);

@@ -7,11 +7,14 @@
 
 namespace odraz {
 
-struct WindowState;
+struct WindowState; // the system's own
 
 struct FilmWindow {
     WindowState *state;
-    Gl gl; // current on the thread that opened the window
+    Gl gl;             // current on the thread that opened the window
+    int width, height; // as last told by the system, on a thread of its own
+    GLuint picture, framebuffer;
+    int64_t loadingShown; // when, in nanoseconds
 };
 
 // Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the close
@@ -21,6 +24,9 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
 
 // Lets go of the context, so that this thread can have another.
 void leaveContext(FilmWindow &window);
+
+// Shows what was drawn.
+void swapBuffers(FilmWindow &window);
 
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);

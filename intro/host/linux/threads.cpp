@@ -76,6 +76,16 @@ Pool thePool; // the host's, not the engine's: one process has one set of thread
 
 } // namespace
 
+int cpuCount() {
+    uint64_t
+        mask[128]; // as many as Linux can be built for: 8,192; the kernel refuses a mask that is too short
+    long bytes = sys::call(sys::kGetAffinity, 0, sizeof mask, (long)mask);
+    int count = 0;
+    for (long i = 0; i < bytes / 8; ++i)
+        for (uint64_t m = mask[i]; m; m &= m - 1) ++count;
+    return count ? count : 1;
+}
+
 const char *startThread(void *(*body)(void *), void *context) {
     Pthread p;
     if (const char *missing = loadPthread(p)) return missing;

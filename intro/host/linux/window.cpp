@@ -30,10 +30,8 @@ struct WindowState {
     Display *events;
     Window window;
     Atom closeRequest;
+    FilmWindow *film;
     int *leave;
-    int width, height; // of the window, as last told
-    GLuint picture, framebuffer;
-    int64_t loadingShown; // when, in nanoseconds
 };
 
 namespace {
@@ -62,8 +60,8 @@ bool isLeaving(WindowState &w, XEvent &event) {
             XEvent event;
             w.x.XNextEvent(w.events, &event);
             if (event.type == ConfigureNotify) {
-                __atomic_store_n(&w.width, event.xconfigure.width, __ATOMIC_RELAXED);
-                __atomic_store_n(&w.height, event.xconfigure.height, __ATOMIC_RELAXED);
+                __atomic_store_n(&w.film->width, event.xconfigure.width, __ATOMIC_RELAXED);
+                __atomic_store_n(&w.film->height, event.xconfigure.height, __ATOMIC_RELAXED);
             }
             if (isLeaving(w, event)) {
                 __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
@@ -114,12 +112,13 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     Xlib &x = w.x;
     int screen = DefaultScreen(w.events);
     Window root = RootWindow(w.events, screen);
-    w.width = fullScreen ? DisplayWidth(w.events, screen) : width;
-    w.height = fullScreen ? DisplayHeight(w.events, screen) : height;
+    if (fullScreen) width = DisplayWidth(w.events, screen), height = DisplayHeight(w.events, screen);
+    w.film->width = width;
+    w.film->height = height;
     XSetWindowAttributes attributes = {};
     attributes.colormap = x.XCreateColormap(w.events, root, visual->visual, AllocNone);
     attributes.event_mask = KeyPressMask | StructureNotifyMask;
-    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)w.width, (unsigned)w.height, 0, visual->depth,
+    w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)width, (unsigned)height, 0, visual->depth,
                                InputOutput, visual->visual,
                                CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
     x.XStoreName(w.events, w.window, "odraz");
@@ -149,6 +148,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave) {
     WindowState &w = theWindow;
     window.state = &w;
+    w.film = &window;
     w.leave = leave;
     if (loadXlib(w.x)) return "libX11.so.6 is missing: install libx11-6, or use --dump";
     if (loadFunctions("libGL.so.1", ODRAZ_GLX(ODRAZ_NAME), (void **)&w.glx))
@@ -202,61 +202,8 @@ void leaveContext(FilmWindow &window) {
     w.glx.glXMakeCurrent(w.drawing, None, nullptr);
 }
 
-void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
+void swapBuffers(FilmWindow &window) {
     WindowState &w = *window.state;
-    const Gl &gl = window.gl;
-    if (!w.picture) {
-        // A texture to fill and a framebuffer to read it through. In the order of the window's own bytes,
-        // which only a format without a size leaves to the driver: what is as large as the window is copied
-        // then, not drawn (software OpenGL: 1.2 ms of processor time for 9.2)
-        gl.glGenTextures(1, &w.picture);
-        gl.glBindTexture(GL_TEXTURE_2D, w.picture);
-        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
-                        nullptr);
-        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-        gl.glGenFramebuffers(1, &w.framebuffer);
-        gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, w.framebuffer);
-        gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, w.picture, 0);
-        gl.glClearColor(0, 0, 0, 1);
-    }
-    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
-
-    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is
-    // first
-    int toWidth = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
-        toHeight = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
-    int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
-    int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
-    int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;
-    if (w1 < toWidth || h1 < toHeight) gl.glClear(GL_COLOR_BUFFER_BIT);
-    gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
-                         w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
-    w.glx.glXSwapBuffers(w.drawing, w.window);
-}
-
-void showLoading(float done, void *context) {
-    FilmWindow &window = *(FilmWindow *)context;
-    WindowState &w = *window.state;
-    int64_t now = nanoseconds();
-    if (done < 1 && now - w.loadingShown < 33000000) return;
-    w.loadingShown = now;
-    // A line in the middle, two fifths of the window long
-    const Gl &gl = window.gl;
-    int width = __atomic_load_n(&w.width, __ATOMIC_RELAXED),
-        height = __atomic_load_n(&w.height, __ATOMIC_RELAXED);
-    int full = width * 2 / 5, thick = height / 240 + 1;
-    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    auto bar = [&](int length, float red, float green, float blue) {
-        gl.glScissor((width - full) / 2, (height - thick) / 2, length, thick);
-        gl.glClearColor(red, green, blue, 1);
-        gl.glClear(GL_COLOR_BUFFER_BIT);
-    };
-    gl.glClearColor(0, 0, 0, 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
-    gl.glEnable(GL_SCISSOR_TEST);
-    bar(full, 0.1f, 0.1f, 0.11f);
-    bar((int)((float)full * done), 0.8f, 0.42f, 0.24f);
-    gl.glDisable(GL_SCISSOR_TEST);
     w.glx.glXSwapBuffers(w.drawing, w.window);
 }
 

@@ -1,7 +1,5 @@
 #include "host/cpu.h"
 
-#include "host/linux/sys.h"
-
 #include <cpuid.h>
 
 namespace odraz {
@@ -35,16 +33,6 @@ void cpuName(char name[49]) {
     }
     while (size && name[size - 1] == ' ') --size;
     name[size] = 0;
-}
-
-int cpuCount() {
-    uint64_t
-        mask[128]; // as many as Linux can be built for: 8,192; the kernel refuses a mask that is too short
-    long bytes = sys::call(sys::kGetAffinity, 0, sizeof mask, (long)mask);
-    int count = 0;
-    for (long i = 0; i < bytes / 8; ++i)
-        for (uint64_t m = mask[i]; m; m &= m - 1) ++count;
-    return count ? count : 1;
 }
 
 } // namespace odraz

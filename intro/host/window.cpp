@@ -1,0 +1,65 @@
+// What is shown in the window, by OpenGL, on any system.
+#include "host/window.h"
+
+#include "host/clock.h"
+
+namespace odraz {
+
+void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
+    const Gl &gl = window.gl;
+    if (!window.picture) {
+        // A texture to fill and a framebuffer to read it through. In the order of the window's own bytes,
+        // which only a format without a size leaves to the driver: what is as large as the window is copied
+        // then, not drawn (software OpenGL: 1.2 ms of processor time for 9.2)
+        gl.glGenTextures(1, &window.picture);
+        gl.glBindTexture(GL_TEXTURE_2D, window.picture);
+        gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
+                        nullptr);
+        gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+        gl.glGenFramebuffers(1, &window.framebuffer);
+        gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, window.framebuffer);
+        gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, window.picture,
+                                  0);
+        gl.glClearColor(0, 0, 0, 1);
+    }
+    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
+
+    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is
+    // first
+    int toWidth = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
+        toHeight = __atomic_load_n(&window.height, __ATOMIC_RELAXED);
+    int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
+    int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
+    int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;
+    if (w1 < toWidth || h1 < toHeight) gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
+                         w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
+    swapBuffers(window);
+}
+
+void showLoading(float done, void *context) {
+    FilmWindow &window = *(FilmWindow *)context;
+    int64_t now = nanoseconds();
+    if (done < 1 && now - window.loadingShown < 33000000) return;
+    window.loadingShown = now;
+    // A line in the middle, two fifths of the window long
+    const Gl &gl = window.gl;
+    int width = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
+        height = __atomic_load_n(&window.height, __ATOMIC_RELAXED);
+    int full = width * 2 / 5, thick = height / 240 + 1;
+    gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    auto bar = [&](int length, float red, float green, float blue) {
+        gl.glScissor((width - full) / 2, (height - thick) / 2, length, thick);
+        gl.glClearColor(red, green, blue, 1);
+        gl.glClear(GL_COLOR_BUFFER_BIT);
+    };
+    gl.glClearColor(0, 0, 0, 1);
+    gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glEnable(GL_SCISSOR_TEST);
+    bar(full, 0.1f, 0.1f, 0.11f);
+    bar((int)((float)full * done), 0.8f, 0.42f, 0.24f);
+    gl.glDisable(GL_SCISSOR_TEST);
+    swapBuffers(window);
+}
+
+} // namespace odraz
