@@ -93,8 +93,10 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
 }
 
 // Finds the two imports, refuses all else, and wipes what only the loader reads.
-void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
+void readDynamic(const Elf64_Phdr &dynamic, const System &system, Program &program) {
     Memory memory = {program};
+    std::string two = std::string(system.functions[0]) + " and " + system.functions[1],
+                onlyThem = "it must import " + two + " and nothing else";
     uint64_t strings = 0, symbols = 0, relocations = 0, relocationSize = 0, stringSize = 0, hash = 0;
     std::vector<uint64_t> needed;
     need(dynamic.p_memsz < 4096, "its dynamic section makes no sense");
@@ -133,24 +135,25 @@ void readDynamic(const Elf64_Phdr &dynamic, Program &program) {
             throw Unsuitable("it has constructors or destructors, which would not run");
         }
     }
-    need(needed.size() == 1 && memory.text(strings + needed[0]) == "libdl.so.2",
-         "it must need libdl.so.2 and no other library");
-    need(relocationSize == 2 * sizeof(Elf64_Rela), "it must import dlopen and dlsym and nothing else");
+    need(needed.size() == 1 && memory.text(strings + needed[0]) == system.library,
+         "it must need " + std::string(system.library) + " and no other library");
+    need(relocationSize == 2 * sizeof(Elf64_Rela), onlyThem);
     bool found[2] = {};
     for (int i = 0; i < 2; ++i) {
         auto r = memory.at<Elf64_Rela>(relocations + (uint64_t)i * sizeof(Elf64_Rela));
         auto symbol = memory.at<Elf64_Sym>(symbols + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
         std::string name = memory.text(strings + symbol.st_name);
-        need(name == "dlopen" || name == "dlsym", "it must import dlopen and dlsym and nothing else");
+        bool second = name == system.functions[1];
+        need(second || name == system.functions[0], onlyThem);
         need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
              "an import is not of type GLOB_DAT");
         need(program.readOnly < program.span &&
                  within(r.r_offset, 8, program.base + program.readOnly, program.span - program.readOnly),
              "an import's slot is not in writable memory");
-        program.slots[name == "dlsym"] = (uint32_t)r.r_offset;
-        found[name == "dlsym"] = true;
+        program.slots[second] = (uint32_t)r.r_offset;
+        found[second] = true;
     }
-    need(found[0] && found[1], "it must import both dlopen and dlsym");
+    need(found[0] && found[1], "it must import both " + two);
     need(program.slots[0] + 8 == program.slots[1] || program.slots[1] + 8 == program.slots[0],
          "the slots of its two imports do not lie side by side: link it without other GOT entries");
     memory.wipe(relocations, relocationSize);
@@ -198,7 +201,7 @@ void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector
 
 } // namespace
 
-Program readProgram(const std::vector<uint8_t> &file) {
+Program readProgram(const std::vector<uint8_t> &file, const System &system) {
     ElfFile in = {file};
     Elf64_Ehdr header;
     std::vector<Elf64_Phdr> headers = readHeaders(in, header);
@@ -209,15 +212,17 @@ Program readProgram(const std::vector<uint8_t> &file) {
         if (h.p_type == PT_DYNAMIC) dynamic = &h;
         if (h.p_type == PT_INTERP) interpreter = &h;
     }
-    need(interpreter && dynamic, "statically linked: it must import dlopen and dlsym from libdl.so.2");
+    need((interpreter || !system.interpreter) && dynamic,
+         std::string("statically linked: it must import ") + system.functions[0] + " and " +
+             system.functions[1] + " from " + system.library);
     Memory memory = {program};
-    need(memory.text(interpreter->p_vaddr) == kInterpreter,
+    need(!system.interpreter || memory.text(interpreter->p_vaddr) == system.interpreter,
          "its interpreter is not /lib64/ld-linux-x86-64.so.2");
     need(header.e_entry >= program.base && header.e_entry < program.base + program.readOnly,
          "its entry point lies outside its code");
     program.entry = (uint32_t)header.e_entry;
-    readDynamic(*dynamic, program);
-    memory.wipe(interpreter->p_vaddr, interpreter->p_memsz);
+    readDynamic(*dynamic, system, program);
+    if (interpreter) memory.wipe(interpreter->p_vaddr, interpreter->p_memsz);
     // The headers, where they are part of the image
     for (const Elf64_Phdr &h : headers)
         if (h.p_type == PT_LOAD && h.p_offset == 0) {

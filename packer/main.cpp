@@ -2,6 +2,7 @@
 #include "elf_reader.h"
 #include "elf_writer.h"
 #include "files.h"
+#include "pe_writer.h"
 #include "report.h"
 #include "search.h"
 #include "shape.h"
@@ -21,6 +22,8 @@ constexpr char kUsage[] =
     "usage: pack IN.elf -o OUT [OPTION...]   pack it\n"
     "       pack --test FILE                 decode a packed file and say whether it is whole\n"
     "       pack -d FILE -o OUT              the program in a packed file, not packed\n"
+    "--pe                          OUT is for Windows, of an IN.elf that is linked for it\n"
+    "--plain                       OUT is not packed\n"
     "--budget BYTES                how large OUT may be; 65536\n"
     "--effort fast|normal|best|SECONDS   how long to search for contexts that suit the program; fast: not at "
     "all\n"
@@ -32,6 +35,7 @@ constexpr char kUsage[] =
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
                *map = nullptr, *saveModel = nullptr, *report = nullptr;
+    bool pe = false, plain = false;
     long budget = 65536;
     double seconds = 0;
     const char *onlyToPack = nullptr; // an option given that has no meaning otherwise
@@ -88,6 +92,11 @@ Options parse(int argc, char **argv) {
                 if (file.onlyToPack) o.onlyToPack = file.name;
             }
         if (taken) continue;
+        if (word == "--pe" || word == "--plain") {
+            (word == "--pe" ? o.pe : o.plain) = true;
+            o.onlyToPack = word == "--pe" ? "--pe" : "--plain";
+            continue;
+        }
         double number;
         if (word == "--help") {
             std::fputs(kUsage, stdout);
@@ -147,7 +156,12 @@ pack::Shape findShape(const Options &o, const pack::Program &program) {
 
 void makePacked(const Options &o) {
     std::vector<uint8_t> file = read(o.in);
-    pack::Program program = pack::readProgram(file);
+    pack::Program program = pack::readProgram(file, o.pe ? pack::kWindows : pack::kLinux);
+    if (o.plain) {
+        std::vector<uint8_t> plain = o.pe ? pack::writePlainPe(program) : pack::writePlain(program);
+        return write(o.out, plain.data(), plain.size(), true);
+    }
+    if (o.pe) throw Refusal{"--pe needs --plain: what is packed is for Linux", 2};
     std::string map = o.map ? readText(o.map) : "";
     if (o.map && !pack::isMap(map))
         throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};

@@ -14,9 +14,17 @@ inline constexpr uint64_t kMostMemory = 64 << 20; // no program of ours is large
 struct Unsuitable : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
-inline void need(bool condition, const char *otherwise) {
+inline void need(bool condition, const std::string &otherwise) {
     if (!condition) throw Unsuitable(otherwise);
 }
+
+// What a program may take for granted where it runs: one library, and its two functions that find all others.
+struct System {
+    const char *library, *functions[2]; // that open a library, and find a function in it
+    const char *interpreter;            // null where there is none
+};
+inline constexpr System kLinux = {"libdl.so.2", {"dlopen", "dlsym"}, kInterpreter};
+inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAddress"}, nullptr};
 
 // As it lies in memory when it starts.
 struct Program {
@@ -25,7 +33,7 @@ struct Program {
         bytes;         // up to the last one that is not 0, at least one; the loader's tables are zeroed
     uint32_t readOnly; // bytes from base that are never written: code and constants; whole pages
     uint32_t span;     // bytes of memory, with the zeros behind the bytes
-    uint32_t slots[2]; // addresses where it expects dlopen and dlsym
+    uint32_t slots[2]; // addresses where it expects System::functions
     uint32_t entry;
     uint32_t early, earlyEntry;   // as in Parameters
     uint32_t codeBegin, codeSize; // the stretch of `bytes` that is instructions

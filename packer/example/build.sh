@@ -1,11 +1,15 @@
 #!/usr/bin/env bash
-# build.sh PACK FOLDER: makes FOLDER/hello.elf and packs it to FOLDER/hello.
+# build.sh PACK FOLDER [--pe]: makes FOLDER/hello.elf and packs it to FOLDER/hello; with --pe the same for Windows,
+# FOLDER/hello_windows.elf and hello.exe.
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-# What the linker sees of libdl.so.2
-printf 'void dlopen(void) {}\nvoid dlsym(void) {}\n' >"$2/libdl.c"
-gcc -shared -nostdlib -Wl,-soname,libdl.so.2,--build-id=none "$2/libdl.c" -o "$2/libdl.so"
+name=hello out=hello library=libdl.so.2 functions=(dlopen dlsym) packing=()
+[ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe --plain)
+# What the linker sees of the library
+printf 'void %s(void) {}\n' "${functions[@]}" >"$2/$library.c"
+gcc -shared -nostdlib -Wl,-soname,$library,--build-id=none "$2/$library.c" -o "$2/$library.so"
 g++ -Os -ffreestanding -fno-exceptions -fno-asynchronous-unwind-tables -fno-stack-protector -fcf-protection=none \
-    -fno-pic -no-pie -nostdlib -Wl,--hash-style=sysv,--build-id=none,-z,noseparate-code,-z,norelro,-z,noexecstack \
-    "$here/hello.cpp" "$2/libdl.so" -o "$2/hello.elf"
-"$1" "$2/hello.elf" -o "$2/hello"
+    -mno-red-zone -fno-pic -no-pie -nostdlib \
+    -Wl,--hash-style=sysv,--build-id=none,-z,noseparate-code,-z,norelro,-z,noexecstack \
+    "$here/$name.cpp" "$2/$library.so" -o "$2/$name.elf"
+"$1" "$2/$name.elf" -o "$2/$out" "${packing[@]}"

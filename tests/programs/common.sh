@@ -4,7 +4,7 @@
 # after PATIENCE seconds it gives up. ctest's time-out stands beside the test's name in CMakeLists.txt.
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
-[ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/
+[ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/
 PATIENCE=${PATIENCE:-300}
 WORK=$(mktemp -d)
 PIDS=()

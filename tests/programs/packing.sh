@@ -1,5 +1,6 @@
 # The packer's command line. With the film where its bytes count, with the small example otherwise.
 . "$(dirname "$0")/common.sh"
+skip_unless objdump
 pack=$BUILD/pack in=$BUILD/odraz-safe model=$SOURCE/intro/odraz.model
 bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" >/dev/null || exit 1
 hello=$WORK/bare size=$(stat -c %s "$WORK/hello")
@@ -16,6 +17,13 @@ check "... which adds up to the payload" awk -F'[:}]' '
     /"file"/ { file = $2 + 0 } /"overhead"/ { over = $2 + 0 }
     END { d = file - over - sum / 8; exit !(lines > 2 && file > 10000 && d > -40 && d < 40) }' "$WORK/report"
 check "tells how it compares to the file before" prints ' [0-9]+ bytes .*before [0-9]+ \(\+0\), ' "$pack" "$hello" -o "$WORK/hello"
+
+# For Windows, not packed; and for Linux
+check "makes an example for Windows" bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" --pe
+check "... PE for x86-64" prints 'pei-x86-64' objdump -p "$WORK/hello.exe"
+check "... which Linux's packing does not take" refuses 2 "it must need libdl.so.2" "$pack" "$WORK/hello_windows.elf" -o "$WORK/x"
+check "a plain one for Linux" "$pack" "$hello" -o "$WORK/plain" --plain
+check "... runs" test "$("$WORK/plain" a b)" = "hello, 3 words, 42"
 
 # A search from contexts that do not suit, so that there is something to find; the example is too small for luck
 awk '$1 == "code" { $2 = "byte4+byte5+instruction1" ($2 == "-" ? "" : "+" $2) } 1' "$model" >"$WORK/unsuited"
@@ -82,6 +90,8 @@ check "unwritable output" refuses 2 "cannot write" "$pack" "$hello" -o "$WORK/no
 check "not an ELF file" refuses 2 "not an ELF file" "$pack" "$SOURCE/README.md" -o "$WORK/x"
 check "a position-independent program" refuses 2 "position-independent" "$pack" /bin/true -o "$WORK/x"
 check "a packed program" refuses 2 "linked below" "$pack" "$BUILD/odraz" -o "$WORK/x"
+check "a program for Linux, as one for Windows" refuses 2 "it must need kernel32.dll and no other library" "$pack" "$hello" -o "$WORK/x" --pe --plain
+check "what is for packing alone" refuses 2 "--plain is for packing alone" "$pack" -d "$WORK/hello" -o "$WORK/x" --plain
 check "a hosted program" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x"
 head -c 3000 "$in" >"$WORK/short"
 check "a file cut short" refuses 2 "cut short" "$pack" "$WORK/short" -o "$WORK/x"

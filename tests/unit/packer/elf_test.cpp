@@ -26,7 +26,7 @@ struct Example {
         Elf64_Dyn dynamic[7];
         Elf64_Sym symbols[3];
         Elf64_Rela relocations[2];
-        char strings[32];
+        char strings[48];
         uint64_t slots[2];
     };
     Image image = {};
@@ -73,9 +73,9 @@ struct Example {
     }
 };
 
-std::string complaint(const Bytes &file) {
+std::string complaint(const Bytes &file, const System &system = kLinux) {
     try {
-        readProgram(file);
+        readProgram(file, system);
     } catch (const Unsuitable &e) {
         return e.what();
     }
@@ -175,6 +175,21 @@ TEST(Reader, SaysWhatIsUnsuitable) {
 }
 
 // Every file cut short and every byte damaged: a complaint or a program, never a crash (run it under ASan).
+TEST(Reader, TakesAProgramForWindows) {
+    Example e;
+    EXPECT_EQ(complaint(e.file(), kWindows), "it must need kernel32.dll and no other library");
+    std::memcpy(e.data.strings, "\0kernel32.dll\0LoadLibraryA\0GetProcAddress", 42);
+    e.data.symbols[1].st_name = 0;
+    EXPECT_EQ(complaint(e.file(), kWindows).substr(0, 48), "it must import LoadLibraryA and GetProcAddress a");
+    EXPECT_EQ(complaint(e.file()), "it must need libdl.so.2 and no other library");
+    e.data.symbols[1].st_name = 14;
+    e.data.symbols[2].st_name = 27;
+    e.image.segments[0].p_type = PT_NULL; // and no interpreter
+    EXPECT_EQ(complaint(e.file(), kWindows), "");
+    Program p = readProgram(e.file(), kWindows);
+    EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
+}
+
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
     for (size_t size = 0; size < whole.size(); ++size)

@@ -1,0 +1,17 @@
+// Executables for Windows (PE32+) of programs that were linked as ELF: same code, same addresses. What calls
+// Windows does so by its calling convention (ms_abi), the rest is as it is on Linux.
+#pragma once
+
+#include "program.h"
+
+namespace pack {
+
+// The main thread's stack and that of every thread that asks for no other, all of it committed: code that was
+// not compiled for Windows steps over the page that would make it grow.
+constexpr uint64_t kPeStack = 1 << 20;
+
+// An executable that lies in memory exactly like `program`, not packed: a section with its imports, one of
+// code and constants, one of data. It is loaded at its address or not at all. Throws Unsuitable.
+std::vector<uint8_t> writePlainPe(const Program &program);
+
+} // namespace pack

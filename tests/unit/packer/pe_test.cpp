@@ -1,0 +1,109 @@
+#include "files.h"
+#include "pe_writer.h"
+#include "tests/support/pe_rules.h"
+
+#include <cstring>
+#include <filesystem>
+#include <gtest/gtest.h>
+
+using namespace pack;
+using Bytes = std::vector<uint8_t>;
+
+namespace {
+
+// A page of code, then one of data whose first words are the slots of what is imported.
+Program example() {
+    Program p = {};
+    p.base = 0x400000;
+    p.readOnly = 0x1000;
+    p.span = 0x1000 + 0x2345;
+    p.bytes = Bytes(0x1100, 0x90);
+    p.slots[0] = 0x401008;
+    p.slots[1] = 0x401000;
+    p.entry = 0x400010;
+    return p;
+}
+
+template <class T> void put(Bytes &bytes, size_t offset, T value) {
+    std::memcpy(bytes.data() + offset, &value, sizeof value);
+}
+
+constexpr size_t kOptional = 64 + 24, kSections = kOptional + 112 + 16 * 8;
+
+} // namespace
+
+TEST(Pe, AWindowsOfTodayTakesWhatIsWritten) {
+    Program p = example();
+    EXPECT_EQ(brokenPeRule(writePlainPe(p)), "");
+    EXPECT_EQ(peImports(writePlainPe(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // as their slots lie
+    std::swap(p.slots[0], p.slots[1]);
+    EXPECT_EQ(peImports(writePlainPe(p)), "kernel32.dll: LoadLibraryA GetProcAddress");
+    // Any page of 31 bits; data without bytes but those that the loader writes
+    for (uint32_t by : {0u, 0x1000u, 0xf000u, 0x10000u}) {
+        Program moved = example();
+        moved.base += by, moved.entry += by, moved.slots[0] += by, moved.slots[1] += by;
+        moved.bytes.resize(0x800);
+        EXPECT_EQ(brokenPeRule(writePlainPe(moved)), "") << by;
+    }
+    // All of the stack is there from the start
+    Bytes file = writePlainPe(p);
+    EXPECT_EQ(std::memcmp(file.data() + kOptional + 72, file.data() + kOptional + 80, 8), 0);
+    p.span = p.readOnly;
+    EXPECT_THROW(writePlainPe(p), Unsuitable);
+}
+
+// The shipped program, where it has been built: beside the folder of this test.
+TEST(Pe, AWindowsOfTodayTakesTheFilm) {
+    std::string path =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / "odraz-safe.exe";
+    Bytes file;
+    if (!readFile(path.c_str(), file)) GTEST_SKIP() << path << " is not built";
+    EXPECT_EQ(brokenPeRule(file), "");
+    EXPECT_TRUE(peImports(file) == "kernel32.dll: LoadLibraryA GetProcAddress" ||
+                peImports(file) == "kernel32.dll: GetProcAddress LoadLibraryA")
+        << peImports(file);
+}
+
+// What the rules are for: each is seen to be broken.
+TEST(Pe, TheRulesFindWhatIsWrong) {
+    struct {
+        const char *rule;
+        size_t offset;
+        uint32_t value;
+    } faults[] = {
+        {"the header overlaps the one of DOS", 0x3c, 4},
+        {"not PE32+ for x86-64", 64 + 4, 0x3014c},
+        {"odd alignment", kOptional + 36, 16},
+        {"the size of the headers", kOptional + 60, 0x1ff},
+        {"the base is not a multiple of 64 KB", kOptional + 24, 0x3f1000},
+        {"it could be moved", kOptional + 68, 0x81400002},
+        {"for a Windows before Vista", kOptional + 48, 5},
+        {"Win32VersionValue", kOptional + 52, 1},
+        {"data may be executed", kOptional + 68, 0x80000002},
+        {"not for a graphical session", kOptional + 68, 0x81000003},
+        {"commits more than it reserves", kOptional + 80, 0x100001},
+        {"a gap before a section", kSections + 40 + 12, 0x11000},
+        {"an empty section", kSections + 80 + 8, 0},
+        {"a section's place in the file", kSections + 40 + 20, 0x401},
+        {"a section beyond the file's end", kSections + 80 + 16, 0x2000},
+        {"more bytes than memory", kSections + 80 + 8, 0x1},
+        {"writable and executable", kSections + 40 + 36, 0xe0000020},
+        {"the size of the image", kOptional + 56, 0x11000},
+        {"the entry is not in code", kOptional + 16, 0x1000},
+        {"no imports in a section's bytes", kOptional + 112 + 8, 0x100},
+        {"names in the headers", 512, 0x100},
+        {"slots that are empty at first are passed over", 512 + 16, 0x11010},
+        {"a slot outside the directory of slots", kOptional + 112 + 12 * 8, 0x11008},
+    };
+    Program p = example();
+    p.bytes.resize(0x2300, 1); // so that a page more of data has bytes
+    Bytes sound = writePlainPe(p);
+    ASSERT_EQ(brokenPeRule(sound), "");
+    for (auto &fault : faults) {
+        Bytes file = sound;
+        put(file, fault.offset, fault.value);
+        if (fault.rule == std::string("slots that are empty at first are passed over"))
+            put(file, 0x400 + 0x1010, uint64_t(0));
+        EXPECT_EQ(brokenPeRule(file), fault.rule);
+    }
+}
