@@ -11,9 +11,7 @@ namespace pack {
 namespace {
 
 // Where things lie in a packed file
-constexpr size_t kStubAt = sizeof(Front), kParametersAt = kStubAt + sizeof kStub,
-                 kMasksAt = kParametersAt + sizeof(Parameters), kCheckSize = 4;
-size_t masksSize(const Shape &shape) { return sizeof shape.masks[0][0] * 2 * shape.hashes(); }
+constexpr size_t kStubAt = sizeof(Front), kPartsAt = kStubAt + sizeof kStub;
 
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {
@@ -59,7 +57,7 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
 
 } // namespace
 
-size_t overhead(const Shape &shape) { return kMasksAt + masksSize(shape) + kCheckSize; }
+size_t overhead(const Shape &shape) { return kPartsAt + partsSize(shape); }
 
 std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
                                  const std::vector<uint8_t> &payload) {
@@ -74,89 +72,35 @@ std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
 
-    Parameters p = {};
-    p.words = (uint32_t)(size / 4);
-    p.image = program.base;
-    p.readOnly = program.readOnly;
-    p.imports = std::min(program.slots[0], program.slots[1]);
-    p.entry = program.entry;
-    p.early = program.early;
-    p.earlyEntry = program.earlyEntry;
-    p.layout = program.layout();
-    p.memory = stubMemory(shape, p.layout.size);
-    p.contexts = (uint8_t)shape.contexts;
-    p.slotShift = (uint8_t)(32 - shape.slotBits);
-
     std::vector<uint8_t> out;
     auto append = [&](const void *bytes, size_t count) {
         out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
     };
     append(&f, sizeof f);
     append(kStub, sizeof kStub);
-    append(&p, sizeof p);
-    std::vector<uint16_t> masks = packMasks(shape);
-    append(masks.data(), masksSize(shape));
-    append(payload.data(), payload.size());
-    out.resize(size);
-    uint32_t check = -checksum(out.data(), p.words - 1);
-    std::memcpy(out.data() + size - kCheckSize, &check, kCheckSize);
+    appendParts(out, program, shape, payload, 0, size);
     return out;
 }
 
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
-    std::vector<uint8_t> copy = packed;
-    copy.resize(copy.size() + 8); // it may read on a little
-    Parameters p;
-    std::memcpy(&p, copy.data() + kParametersAt, sizeof p);
-    p.early = kNothingEarly; // not here
-    std::memcpy(copy.data() + kParametersAt, &p, sizeof p);
-    Workspace workspace;
-    std::vector<uint8_t> image(p.layout.size);
-    stubDecode(copy.data() + kParametersAt, image.data(), workspace.zeroed(p.memory));
-    return image;
+    return decodeParts(packed, kPartsAt, stubDecode);
 }
 
 Packed openPacked(const std::vector<uint8_t> &file) {
     constexpr char kForeign[] = "not packed by this version of pack";
-    need(file.size() > kMasksAt, kForeign);
+    need(file.size() > kPartsAt + sizeof(Parameters), kForeign);
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
     need(!std::memcmp(file.data() + kStubAt, kStub, sizeof kStub), kForeign);
-    Parameters p;
-    const uint8_t *at = file.data() + kMasksAt, *end = file.data() + file.size();
-    std::memcpy(&p, file.data() + kParametersAt, sizeof p);
-    constexpr char kDamaged[] = "damaged: get it again";
-    need((uint64_t)p.words * 4 <= file.size() && checksum(file.data(), p.words) == 0, kDamaged);
-
-    Shape shape = {};
-    shape.contexts = p.contexts;
-    shape.slotBits = 32u - p.slotShift;
-    need(shape.sane() && (size_t)(end - at) >= masksSize(shape), kDamaged);
-    for (auto &masks : shape.masks) {
-        std::memcpy(masks, at, masksSize(shape) / 2);
-        at += masksSize(shape) / 2;
-    }
     uint64_t span = f.segments[2].p_memsz;
-    need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
-             p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
-             p.image % kPage == 0 && p.image > kBelow && p.image < kAddressEnd - span &&
-             p.readOnly % kPage == 0,
-         kDamaged);
-
-    Program program = {};
-    program.base = p.image;
-    program.readOnly = p.readOnly;
-    program.span = (uint32_t)span;
-    program.entry = p.entry;
-    program.early = p.early;
-    program.earlyEntry = p.earlyEntry;
-    program.codeBegin = p.layout.codeBegin;
-    program.codeSize = p.layout.codeSize;
+    Packed packed = openParts(file, kPartsAt, 0, span);
+    Program &program = packed.program;
     for (int i = 0; i < 2; ++i) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
-        need(program.slots[i] >= p.image && program.slots[i] - p.image + 8 <= span, kDamaged);
+        need(program.slots[i] >= program.base && program.slots[i] - program.base + 8 <= span,
+             "damaged: get it again");
     }
-    return {program, p.layout, shape, {at, end}};
+    return packed;
 }
 
 Program readPacked(const std::vector<uint8_t> &file) {

@@ -1,8 +1,7 @@
 // Packed programs: written, proved, opened, and made plain again. The format is in format.h.
 #pragma once
 
-#include "encoder.h"
-#include "program.h"
+#include "packed_parts.h"
 
 namespace pack {
 
@@ -15,14 +14,6 @@ size_t overhead(const Shape &shape);
 
 // Runs the stub's own code on a packed file in memory, which writePacked has made.
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);
-
-// A packed file taken apart: the program but for its bytes, and how to decode them.
-struct Packed {
-    Program program;
-    Layout layout;
-    Shape shape;
-    std::vector<uint8_t> payload;
-};
 
 // From any source. Throws Unsuitable.
 Packed openPacked(const std::vector<uint8_t> &file);

@@ -161,7 +161,6 @@ void makePacked(const Options &o) {
         std::vector<uint8_t> plain = o.pe ? pack::writePlainPe(program) : pack::writePlain(program);
         return write(o.out, plain.data(), plain.size(), true);
     }
-    if (o.pe) throw Refusal{"--pe needs --plain: what is packed is for Linux", 2};
     std::string map = o.map ? readText(o.map) : "";
     if (o.map && !pack::isMap(map))
         throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
@@ -171,12 +170,14 @@ void makePacked(const Options &o) {
     pack::Workspace workspace;
     pack::Layout layout = program.layout();
     pack::Encoded encoded = pack::encode(program.bytes, layout, shape, workspace);
-    std::vector<uint8_t> packed = pack::writePacked(program, shape, encoded.payload);
-    if (pack::decodeWithStub(packed) != program.bytes || pack::readPacked(packed).bytes != program.bytes)
+    std::vector<uint8_t> packed =
+        (o.pe ? pack::writePackedPe : pack::writePacked)(program, shape, encoded.payload);
+    size_t overhead = (o.pe ? pack::overheadPe : pack::overhead)(shape);
+    if ((o.pe ? pack::decodeWithStubPe : pack::decodeWithStub)(packed) != program.bytes ||
+        (o.pe ? pack::readPackedPe : pack::readPacked)(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
-    pack::Report report =
-        pack::makeReport(file, map, program, encoded.bits, packed.size(), pack::overhead(shape));
+    pack::Report report = pack::makeReport(file, map, program, encoded.bits, packed.size(), overhead);
     std::fputs(pack::printReport(report).c_str(), stdout);
     if (o.saveModel)
         write(o.saveModel, "# contexts that suit " +
@@ -186,7 +187,7 @@ void makePacked(const Options &o) {
     long size = (long)packed.size(), before = pack::fileSize(o.out);
     if (size > o.budget) throw Refusal{"over budget by " + std::to_string(size - o.budget) + " bytes", 1};
     write(o.out, packed.data(), packed.size(), true);
-    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out, size, pack::overhead(shape),
+    std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out, size, overhead,
                 program.bytes.size());
     if (before >= 0) std::printf(", before %ld (%+ld)", before, size - before);
     std::printf(", %ld bytes left of %ld\n", o.budget - size, o.budget);
@@ -197,13 +198,14 @@ void run(const Options &o) {
     try {
         if (o.in) return makePacked(o);
         std::vector<uint8_t> file = read(name);
-        pack::Program program = pack::readPacked(file);
+        bool pe = pack::isPe(file);
+        pack::Program program = (pe ? pack::readPackedPe : pack::readPacked)(file);
         if (o.test) {
             std::printf("%s: whole; %zu bytes of a program of %u in memory\n", name, program.bytes.size(),
                         program.span);
             return;
         }
-        std::vector<uint8_t> plain = pack::writePlain(program);
+        std::vector<uint8_t> plain = (pe ? pack::writePlainPe : pack::writePlain)(program);
         write(o.out, plain.data(), plain.size(), true);
     } catch (const pack::Unsuitable &e) {
         throw Refusal{std::string(name) + ": " + e.what(), 2};

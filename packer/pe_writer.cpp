@@ -1,8 +1,11 @@
 #include "pe_writer.h"
 
-#include "pe_file.h"
+#include "pe_format.h"
+#include "stub.h"
+#include "stub_windows_bytes.h"
 
 #include <cstring>
+#include <iterator>
 
 namespace pack {
 
@@ -64,7 +67,91 @@ Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
     return i;
 }
 
+// Where things lie in a packed file
+constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
+                 kPartsAt = kStubAt + sizeof kStubWindows, kCheckedFrom = kStartAt + sizeof(PeStart::slots);
+
+// What a packed file imports: for the program in the order of its slots, then for the stub.
+PeStart makeStart(const Program &program) {
+    uint32_t first = program.slots[1] < program.slots[0];
+    const char *functions[] = {kWindows.functions[first],
+                               kWindows.functions[1 - first],
+                               "LoadLibraryA",
+                               "GetProcAddress",
+                               "VirtualAlloc",
+                               "VirtualFree",
+                               "VirtualProtect",
+                               "GetStdHandle",
+                               "WriteFile",
+                               "ExitProcess"};
+    static_assert(std::size(functions) == PeStart::kImports);
+    PeStart s = {};
+    auto at = [](size_t offset) { return kFirst + (uint32_t)offset; };
+    size_t end = 0;
+    for (int i = 0; i < PeStart::kImports; ++i) {
+        for (int k = 0; k < i; ++k)
+            if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
+        if (s.slots[i]) continue;
+        s.slots[i] = at(offsetof(PeStart, names) + end);
+        std::strcpy(s.names + end + 2, functions[i]); // behind a hint of two bytes, which may be wrong
+        end += 2 + std::strlen(functions[i]) + 1;
+    }
+    std::strcpy(s.libraryName, kWindows.library);
+    s.library = {0, 0, 0, at(offsetof(PeStart, libraryName)), at(0)};
+    return s;
+}
+
 } // namespace
+
+size_t overheadPe(const Shape &shape) { return kPartsAt + partsSize(shape); }
+
+std::vector<uint8_t> writePackedPe(const Program &program, const Shape &shape,
+                                   const std::vector<uint8_t> &payload) {
+    uint32_t size = fileWhole(overheadPe(shape) + payload.size());
+    need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
+    uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
+             programAt = program.base - base;
+    PeFront f = {makeHeader(base, 2),
+                 {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
+                  {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}}};
+    f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
+    f.header.imageSize = programAt + f.sections[1].memorySize;
+    f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
+    f.header.directories[kPeImportSlots] = {kFirst, sizeof(PeStart::slots)};
+    PeStart start = makeStart(program);
+
+    std::vector<uint8_t> out(kPartsAt);
+    std::memcpy(out.data(), &f, sizeof f);
+    std::memcpy(out.data() + kStartAt, &start, sizeof start);
+    std::memcpy(out.data() + kStubAt, kStubWindows, sizeof kStubWindows);
+    appendParts(out, program, shape, payload, kCheckedFrom, size);
+    return out;
+}
+
+std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
+    return decodeParts(packed, kPartsAt, stubDecodeWindows);
+}
+
+bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
+
+Program readPackedPe(const std::vector<uint8_t> &file) {
+    constexpr char kForeign[] = "not packed by this version of pack";
+    need(file.size() > kPartsAt + sizeof(Parameters), kForeign);
+    need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
+    PeFront f;
+    PeStart start;
+    std::memcpy(&f, file.data(), sizeof f);
+    std::memcpy(&start, file.data() + kStartAt, sizeof start);
+    Packed packed = openParts(file, kPartsAt, kCheckedFrom, f.sections[1].memorySize);
+    Program &program = packed.program;
+    need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span,
+         "damaged: get it again");
+    if (start.slots[0] != start.slots[2]) std::swap(program.slots[0], program.slots[1]);
+    Workspace workspace;
+    program.bytes =
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace);
+    return program;
+}
 
 std::vector<uint8_t> writePlainPe(const Program &program) {
     // The section of the imports fills what is left between the header and the program

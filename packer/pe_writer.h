@@ -2,7 +2,7 @@
 // Windows does so by its calling convention (ms_abi), the rest is as it is on Linux.
 #pragma once
 
-#include "program.h"
+#include "packed_parts.h"
 
 namespace pack {
 
@@ -13,5 +13,14 @@ constexpr uint64_t kPeStack = 1 << 20;
 // An executable that lies in memory exactly like `program`, not packed: a section with its imports, one of
 // code and constants, one of data. It is loaded at its address or not at all. Throws Unsuitable.
 std::vector<uint8_t> writePlainPe(const Program &program);
+
+// Packed, as pe_format.h says; `payload` encodes `program.bytes`. The others are as in elf_writer.h. All of
+// them throw Unsuitable.
+std::vector<uint8_t> writePackedPe(const Program &program, const Shape &shape,
+                                   const std::vector<uint8_t> &payload);
+size_t overheadPe(const Shape &shape); // but for the zeros that make the file a multiple of 512
+std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed);
+bool isPe(const std::vector<uint8_t> &file);
+Program readPackedPe(const std::vector<uint8_t> &file);
 
 } // namespace pack

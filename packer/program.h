@@ -42,8 +42,3 @@ struct Program {
 };
 
 } // namespace pack
-
-// For who includes this header alone
-#include "elf_reader.h"
-#include "elf_writer.h"
-#include "stub.h"

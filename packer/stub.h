@@ -1,8 +1,8 @@
-// The stub as the packer runs it: the decoder in stub.S, called with what a packed file contains. And the
-// proof that the numbers which the assembler takes from stub_numbers.h are those of C++.
+// The stub as the packer runs it: the decoder in stub.S and stub_windows.S, called with what a packed file
+// contains. And the proof that the numbers which the assembler takes from stub_numbers.h are those of C++.
 #pragma once
 
-#include "format.h"
+#include "pe_format.h"
 
 #include <bit>
 
@@ -11,6 +11,7 @@ namespace pack {
 // What run() in decoder.h does. `parameters`: Parameters as they lie in a file, between stub and
 // masks. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
 extern "C" void stubDecode(const uint8_t *parameters, uint8_t *image, void *memory);
+extern "C" void stubDecodeWindows(const uint8_t *parameters, uint8_t *image, void *memory);
 
 extern "C" const uint32_t kStubMemory; // bytes in front of the slots
 inline uint32_t stubMemory(const Shape &shape, uint32_t size) {

@@ -24,6 +24,11 @@ STUB_NUMBER(MASK, 2, sizeof(Shape::masks[0][0]))
 STUB_NUMBER(PAGE, 4096, kPage)
 STUB_NUMBER(EARLY_STEP, 2048, kEarlyStep)
 
+// On Windows
+STUB_NUMBER(PE_START, 264, sizeof(PeStart))
+STUB_NUMBER(PE_SLOTS, 88, sizeof(PeStart::slots))
+STUB_NUMBER(PE_FILE_SIZE, 344, offsetof(PeFront, sections[0].fileSize))
+
 // Hashes
 STUB_NUMBER(HASH, 0x2c9277b5, kHash)
 STUB_NUMBER(HASH_SHIFT, 15, kHashShift)

@@ -4,7 +4,7 @@
 set -euo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 name=hello out=hello library=libdl.so.2 functions=(dlopen dlsym) packing=()
-[ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe --plain)
+[ "${3-}" != --pe ] || name=hello_windows out=hello.exe library=kernel32.dll functions=(LoadLibraryA GetProcAddress) packing=(--pe)
 # What the linker sees of the library
 printf 'void %s(void) {}\n' "${functions[@]}" >"$2/$library.c"
 gcc -shared -nostdlib -Wl,-soname,$library,--build-id=none "$2/$library.c" -o "$2/$library.so"

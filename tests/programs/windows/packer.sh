@@ -8,6 +8,51 @@ says() { # says STATUS TEXT COMMAND...: exit status and standard output
     got=$("$@" 2>"$WORK/err")
     [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
 }
-check "it runs" says 7 "hello, 42" "$wine" "$WORK/hello.exe"
+exe=$WORK/hello.exe
+check "it runs" says 7 "hello, 42" "$wine" "$exe"
 check "by another path" says 7 "hello, 42" bash -c "cd '$WORK' && exec '$wine' ./hello.exe"
+check "--test says that it is whole" prints ': whole; ' "$pack" --test "$exe"
+check "-d gives it back" "$pack" -d "$exe" -o "$WORK/plain.exe"
+check "... and that runs" says 7 "hello, 42" "$wine" "$WORK/plain.exe"
+check "... as --plain makes it" "$pack" "$WORK/hello_windows.elf" -o "$WORK/again.exe" --pe --plain
+check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
+
+# Damage
+broken=$WORK/broken.exe
+total=$(stat -c %s "$exe")
+checked=$((512 + 264 + 392)) # behind headers, imports, and the check with what it says
+flip() { # flip OFFSET BIT
+    cp "$exe" "$broken"
+    local byte=$(od -An -tu1 -j "$1" -N 1 "$exe")
+    printf "\\x$(printf %02x $((byte ^ 1 << $2)))" | dd of="$broken" bs=1 seek="$1" conv=notrunc status=none
+}
+is_refused() { refuses 1 "damaged: get it afresh" "$wine" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
+flipped() {
+    local at
+    [ "$total" -gt 3000 ] || return 1
+    for at in $(seq $checked 97 $((total - 1))) $((total - 1)); do
+        flip "$at" $((at % 8)) && is_refused || { echo "at $at"; return 1; }
+    done
+}
+check "a flipped bit anywhere is refused" flipped
+{ cat "$exe"; echo "more bytes"; } >"$broken"
+check "bytes behind its end do not matter" says 7 "hello, 42" "$wine" "$broken"
+
+# Without standard error it is told in a box
+skip_unless Xvfb xdotool
+Xvfb -noreset -displayfd 5 -screen 0 640x480x24 -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
+PIDS+=($!)
+await test -s "$WORK/display"
+export DISPLAY=:$(cat "$WORK/display")
+flip $((total - 1)) 0
+"$wine" "$broken" 2>&- &
+pid=$!
+PIDS+=($pid)
+check "a box opens" await xdotool search --onlyvisible --name 'damaged: get it afresh'
+xdotool search --onlyvisible --name 'damaged: get it afresh' windowfocus key Return
+closes() {
+    ended $pid
+    [ $? = 1 ]
+}
+check "... and Return closes it, with status 1" closes
 finish
