@@ -36,7 +36,7 @@ int examine() {
     tellGl("OpenGL", missing);
     if (!missing) leaveContext(window);
     tellGl("OpenGL for --dump", openHeadlessGl(window.gl));
-    tell("sound", kSystemSound.open() ? nullptr : "no libasound.so.2, or no device: silence");
+    tell("sound", kSystemSound.open() ? nullptr : kNoSound);
     return lacking | unwritten;
 }
 

@@ -64,7 +64,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     if (!arena.base) {
         Message m;
         m << "not enough memory: " << (int64_t)(bytes >> 20)
-          << " MB are needed: end other programs, or raise ulimit -v";
+          << " MB are needed: " << kMoreMemory;
         return refuseOrComplain(m.data);
     }
     Intro *intro;

@@ -199,8 +199,11 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     double from = seconds(o.from), to = seconds(o.to);
     Player &p = thePlayer;
     p.intro = &intro, p.options = &o, p.leave = leave;
-    if (startThread(make, nullptr))
-        return refuse("no thread to trace on: raise the limit on processes (ulimit -u)");
+    if (startThread(make, nullptr)) {
+        Message m;
+        m << "no thread to trace on: " << kMoreThreads;
+        return refuse(m.data);
+    }
 
     // The film begins when its first pictures are there, and its sound with it
     while (p.ready() < 3 && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves()) sleepFor(kNap);

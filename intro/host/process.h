@@ -6,6 +6,7 @@
 namespace odraz {
 
 void *takeMemory(size_t bytes); // zeroed; null when there is none
+extern const char kMoreMemory[]; // what to do then
 
 // Null, or a line where the system lets nothing run that was written (MemoryDenyWriteExecute, SELinux).
 const char *mayNotRunWritten();

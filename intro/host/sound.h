@@ -19,5 +19,6 @@ struct SoundOutput {
 
 // The system's usual output. Says nothing on standard error, whatever happens.
 extern const SoundOutput kSystemSound;
+extern const char kNoSound[]; // what is missing where it does not open
 
 } // namespace odraz

@@ -33,6 +33,22 @@ for part in early entry start memory; do
 done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
 
+# For Windows, from the same objects
+check "odraz.exe is within its budget" test "$(stat -c %s "$BUILD/odraz.exe")" -le 65536
+objdump -d --no-show-raw-insn "$BUILD/odraz-windows.elf" >"$WORK/windows"
+objdump -d --no-show-raw-insn "$BUILD/libhost_windows.a" >"$WORK/host"
+check "its host is free of AVX" lacks "$avx" "$WORK/host"
+for code in code windows; do
+    check "nothing is kept below the stack's end" lacks '[^x]-0x[0-9a-f]+\(%rsp' "$WORK/$code"
+    check "nothing goes by fs or gs" lacks '%[fg]s:' "$WORK/$code"
+done
+g++ -O2 -fno-pic -fstack-protector-all -x c++ -c -o "$WORK/red.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
+g++ -O2 -fno-pic -fno-stack-protector -x c++ -c -o "$WORK/zone.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
+check "(both would be found)" test "$(objdump -d "$WORK/red.o" | grep -c '%fs:')" -gt 0 -a "$(objdump -d --no-show-raw-insn "$WORK/zone.o" | grep -cE '[^x]-0x[0-9a-f]+\(%rsp')" -gt 0
+# Windows calls one function of ours, and wants all of these back
+awk '/^[0-9a-f]+ <.*receive.*>:/ { on = 1 } /^$/ { on = 0 } on' "$WORK/host" | grep -oE 'movaps +%xmm[0-9]+,[(0-9]' | grep -oE 'xmm[0-9]+' | sort -u >"$WORK/kept"
+check "what Windows calls keeps ten registers" test "$(tr '\n' ' ' <"$WORK/kept")" = "xmm10 xmm11 xmm12 xmm13 xmm14 xmm15 xmm6 xmm7 xmm8 xmm9 "
+
 # While it runs, nothing of its own is both writable and executable (drivers of OpenGL that compile shaders for the
 # processor may have such memory: so an interval without them). Looked at when its first picture is there
 "$BUILD/odraz" --dump "$WORK/running" --to 60 --size 64x36 2>/dev/null &

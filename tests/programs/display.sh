@@ -1,5 +1,5 @@
 # Sourced by tests of the film in a window: a display of their own, and what is on it.
-. "$(dirname "$0")/common.sh"
+declare -F check >/dev/null || . "$(dirname "$0")/common.sh"
 skip_unless Xvfb xdotool xwininfo import identify
 
 start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY

@@ -18,6 +18,9 @@ transfer        base trace radiosity
 show            base timeline trace sound radiosity transfer
 host            base
 host/linux      base host
+host/windows    base host
+start/linux     base host
+start/windows   base host host/windows start
 start           base host options.h show/length.h timeline/track.h
 options.h       base trace/quality.h base
 options.cpp     base trace/quality.h trace/picture/frame.h options.h
@@ -48,6 +51,7 @@ cat >"$WORK/system" <<'END'
 .               stddef.h stdint.h immintrin.h initializer_list
 base/gl.h       GL
 host            stddef.h stdint.h
+host/cpu.cpp    cpuid.h
 host/linux      *
 start           stddef.h stdint.h
 main_debug.cpp  *
@@ -111,7 +115,7 @@ finds() { [ "$(judge "$1" <<<"$2" | wc -l)" = 1 ]; }
 for violation in "base/text.h host/files.h" "timeline/shot.h show/show.h" "trace/texture/noise.cpp trace/scene/scene.h" \
     "trace/quality.h trace/scene/shape.h" "trace/rays/view.h trace/picture/frame.h" "host/window.h start/early.h" "sound/score.h timeline/track.h" \
     "radiosity/solve.h transfer/relight.h" "transfer/room.h show/hall.h" "show/hall.cpp host/headless.h" "start/start.cpp trace/picture/frame.h" \
-    "start/early.cpp show/show.h" "play.cpp inside.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
+    "start/early.cpp show/show.h" "play.cpp inside.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "host/windows/files.cpp host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "start/start.cpp host/windows/windows.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
     check "(it would be found that ${violation/ / includes })" finds "$WORK/rules" "$violation"
 done
 for violation in "host/window.h X11/Xlib.h" "show/hall.cpp GL/gl.h" "start/start.cpp unistd.h" "trace/picture/frame.cpp vector"; do

@@ -6,6 +6,8 @@ namespace odraz {
 
 static long theErrors = 2; // where complaints go
 
+const char kMoreMemory[] = "end other programs, or raise ulimit -v";
+
 void *takeMemory(size_t bytes) { return sys::map(bytes, sys::kReadWrite); }
 
 static bool mayMap(size_t bytes, sys::Protection protection) {

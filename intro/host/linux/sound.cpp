@@ -69,5 +69,6 @@ int64_t delay() {
 } // namespace
 
 const SoundOutput kSystemSound = {open, write, delay};
+const char kNoSound[] = "no libasound.so.2, or no device: silence";
 
 } // namespace odraz

@@ -86,6 +86,8 @@ int cpuCount() {
     return count ? count : 1;
 }
 
+const char kMoreThreads[] = "raise the limit on processes (ulimit -u)";
+
 const char *startThread(void *(*body)(void *), void *context) {
     Pthread p;
     if (const char *missing = loadPthread(p)) return missing;

@@ -48,7 +48,7 @@ flip $((total - 1)) 0
 "$wine" "$broken" 2>&- &
 pid=$!
 PIDS+=($pid)
-check "a box opens" await xdotool search --onlyvisible --name 'damaged: get it afresh'
+check "a box opens" await eval "xdotool search --onlyvisible --name 'damaged: get it afresh' >/dev/null"
 xdotool search --onlyvisible --name 'damaged: get it afresh' windowfocus key Return
 closes() {
     ended $pid

@@ -1,0 +1,48 @@
+#include "host/windows/context.h"
+
+#include "host/library.h"
+#include "host/windows/calls.h"
+
+extern "C" __attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
+extern "C" __attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
+
+namespace odraz::windows {
+
+// wglGetProcAddress knows what came after OpenGL 1.1, the library what was there before. Drivers say no by
+// small numbers, too.
+static void *find(const char *name) {
+    void *found = wglGetProcAddress(name);
+    return (uintptr_t)found + 1 > 4 ? found : GetProcAddress(LoadLibraryA("opengl32.dll"), name);
+}
+
+const char *openGlLibraries() {
+    if (const char *missing = loadFunctions("user32.dll", ODRAZ_USER32(ODRAZ_NAME), odrazFunctions.user32))
+        return missing;
+    if (const char *missing = loadFunctions("gdi32.dll", ODRAZ_GDI32(ODRAZ_NAME), odrazFunctions.gdi32))
+        return missing;
+    return loadFunctions("opengl32.dll", ODRAZ_OPENGL32(ODRAZ_NAME), odrazFunctions.opengl32);
+}
+
+const char *createContext(Handle dc, Gl &gl) {
+    static const char kContext[] = "wglCreateContextAttribsARB";
+    PixelFormat format = {};
+    format.size = sizeof format;
+    format.version = 1;
+    format.flags = 0x25; // a window's, of OpenGL, two buffers
+    format.colourBits = 24;
+    if (!SetPixelFormat(dc, ChoosePixelFormat(dc, &format), &format)) return "a pixel format";
+    // What can make a context of a version is told by one of any
+    if (!wglMakeCurrent(dc, wglCreateContext(dc))) return "OpenGL";
+    auto create = (__attribute__((ms_abi)) Handle(*)(Handle, Handle, const int *))find(kContext);
+    static const int kVersion[] = {0x2091 /* WGL_CONTEXT_MAJOR_VERSION_ARB */,
+                                   3,
+                                   0x2092 /* WGL_CONTEXT_MINOR_VERSION_ARB */,
+                                   3,
+                                   0x9126 /* WGL_CONTEXT_PROFILE_MASK_ARB */,
+                                   1 /* core */,
+                                   0};
+    if (!create || !wglMakeCurrent(dc, create(dc, nullptr, kVersion))) return kContext;
+    return findGl(find, gl);
+}
+
+} // namespace odraz::windows

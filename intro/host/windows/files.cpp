@@ -1,0 +1,120 @@
+#include "host/files.h"
+
+#include "base/text.h"
+#include "host/windows/windows.h"
+
+namespace odraz {
+
+using namespace windows;
+
+namespace {
+
+constexpr int kLongest = 4096; // of a path, in units of UTF-16
+constexpr uint32_t kRead = 0x80000000, kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3,
+                   kDisk = 1 /* GetFileType */, kDirectory = 16;
+
+const char *reason() {
+    switch (GetLastError()) {
+    case kFileNotFound:
+    case kPathNotFound:
+        return "no such directory";
+    case kAccessDenied:
+        return "permission denied";
+    case kInvalidHandle:
+        return "it is closed";
+    case kWriteProtect:
+        return "the file system is read-only";
+    case kHandleDiskFull:
+    case kDiskFull:
+        return "no space left on the device";
+    case kFileExists:
+    case kAlreadyExists:
+    case kNoDirectory:
+        return "not a directory";
+    case kBrokenPipe:
+    case kNoData:
+    case kNotConnected:
+        return "the pipe was closed";
+    case kNameTooLong:
+        return "the name is too long";
+    default:
+        return "the system refused";
+    }
+}
+
+// A path as Windows takes it.
+struct WidePath {
+    WCHAR units[kLongest];
+    WidePath(const char *path) { MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest); }
+};
+
+const char *writeTo(HANDLE file, const void *data, size_t size) {
+    const char *p = (const char *)data;
+    while (size) {
+        uint32_t n = size < 1 << 24 ? (uint32_t)size : 1 << 24;
+        if (!WriteFile(file, p, n, &n, nullptr)) return reason();
+        p += n;
+        size -= n;
+    }
+    return nullptr;
+}
+
+bool isDirectory(const WidePath &path) {
+    FileAttributes found;
+    return GetFileAttributesExW(path.units, 0, &found) && found.attributes & kDirectory;
+}
+
+} // namespace
+
+const char *writeAll(int descriptor, const void *data, size_t size) {
+    return writeTo(standard(descriptor), data, size);
+}
+
+const char *writeFile(const char *path, const void *data, size_t size) {
+    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    WidePath target(path);
+    HANDLE file = CreateFileW(target.units, kWrite, kShare, nullptr, kExisting, 0, nullptr);
+    bool stays = file != kInvalid && GetFileType(file) != kDisk;
+    Text<kLongest> part;
+    if (!stays) {
+        CloseHandle(file);
+        // A name that nobody else has
+        uint32_t id = GetCurrentProcessId(), last = id + 100;
+        do {
+            part.size = 0;
+            part << path << '.' << (int64_t)id << ".part";
+            if (part.size >= kLongest - 1) return "the name is too long";
+            file = CreateFileW(WidePath(part.data).units, kWrite, 0, nullptr, kNew, 0, nullptr);
+        } while (file == kInvalid && GetLastError() == kFileExists && ++id < last);
+        if (file == kInvalid) return reason();
+    }
+    const char *wrong = writeTo(file, data, size);
+    if (!CloseHandle(file) && !wrong) wrong = reason();
+    if (stays) return wrong;
+    WidePath from(part.data);
+    if (!wrong && !MoveFileExW(from.units, target.units, 1 /* replace */))
+        wrong = isDirectory(target) ? "it is a directory" : reason();
+    if (wrong) DeleteFileW(from.units);
+    return wrong;
+}
+
+const char *makeDirectory(const char *path) {
+    WidePath wide(path);
+    if (CreateDirectoryW(wide.units, nullptr)) return nullptr;
+    const char *wrong = reason();
+    return isDirectory(wide) ? nullptr : wrong;
+}
+
+bool isTerminal(int descriptor) {
+    uint32_t mode;
+    return GetConsoleMode(standard(descriptor), &mode);
+}
+
+long ownSize() {
+    WCHAR name[kLongest];
+    FileAttributes found;
+    GetModuleFileNameW(nullptr, name, kLongest);
+    return GetFileAttributesExW(name, 0, &found) ? found.sizeLow : 0;
+}
+
+} // namespace odraz

@@ -1,0 +1,40 @@
+#include "host/library.h"
+
+#include "host/windows/calls.h"
+
+// The program's only two imports, in Windows's own convention.
+extern "C" {
+__attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
+__attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
+}
+
+namespace odraz {
+
+static const char *next(const char *name) {
+    while (*name++) {
+    }
+    return name;
+}
+
+const char *loadFunctions(const char *file, const char *names, void **table) {
+    void *library = LoadLibraryA(file);
+    if (!library) return file;
+    for (const char *name = names; *name; name = next(name))
+        if (!(*table++ = GetProcAddress(library, name))) return name;
+    return nullptr;
+}
+
+const char *findFunctions(void *(*find)(const char *), const char *names, void **table) {
+    for (const char *name = names; *name; name = next(name))
+        if (!(*table++ = find(name))) return name;
+    return nullptr;
+}
+
+const char *findGl(void *(*find)(const char *), Gl &gl) {
+    void **table = odrazFunctions.gl, **clip = table + windows::kGlFunctions - 1;
+    for (int i = 0; i < windows::kGlFunctions; ++i) ((void **)&gl)[i] = odrazGlCalls + 8 * i;
+    if (!(*clip = find("glClipControl"))) gl.glClipControl = nullptr;
+    return findFunctions(find, ODRAZ_GL(ODRAZ_NAME), table);
+}
+
+} // namespace odraz

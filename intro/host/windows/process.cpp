@@ -1,0 +1,70 @@
+#include "host/process.h"
+
+#include "host/windows/windows.h"
+
+namespace odraz {
+
+using namespace windows;
+
+namespace {
+
+constexpr uint32_t kReserve = 0x2000, kCommit = 0x1000, kRelease = 0x8000, kNothing = 1, kReadWrite = 4,
+                   kReadWriteExecute = 0x40;
+
+bool mayTake(size_t bytes, uint32_t how, uint32_t protection) {
+    void *memory = VirtualAlloc(nullptr, bytes, how, protection);
+    return memory && VirtualFree(memory, 0, kRelease);
+}
+
+constexpr uint32_t which(int descriptor) { return (uint32_t)(-10 - descriptor); }
+
+} // namespace
+
+HANDLE windows::standard(int descriptor) { return GetStdHandle(which(descriptor)); }
+
+const char kMoreMemory[] = "end other programs";
+
+void *takeMemory(size_t bytes) { return VirtualAlloc(nullptr, bytes, kReserve | kCommit, kReadWrite); }
+
+const char *mayNotRunWritten() {
+    return mayTake(4096, kReserve | kCommit, kReadWriteExecute)
+               ? nullptr
+               : "nothing may run here that was written (arbitrary code guard), as software OpenGL must: "
+                 "allow it, or dump what needs no hall";
+}
+
+bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }
+
+int complain(const char *line) {
+    char text[512] = "odraz: ";
+    uint32_t size = 7;
+    // One line, whatever it repeats of what users gave
+    for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
+    text[size++] = '\n';
+    WriteFile(standard(2), text, size, &size, nullptr);
+    return 1;
+}
+
+Quiet::Quiet() {} // libraries say nothing there
+Quiet::~Quiet() {}
+
+int prepareDescriptors() {
+    int closed = 0;
+    for (int fd = 0; fd < 3; ++fd)
+        if (!GetFileType(standard(fd))) closed |= 1 << fd;
+    // Started from a console as a program with windows: it is there to write to all the same
+    static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
+    if (closed & 6 && AttachConsole(~0u /* that of who started us */))
+        for (int fd = 1; fd < 3; ++fd)
+            if (closed >> fd & 1) {
+                HANDLE console = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);
+                if (console != kInvalid && SetStdHandle(which(fd), console)) closed ^= 1 << fd;
+            }
+    return closed;
+}
+
+void endProcess(int status) {
+    for (;;) TerminateProcess(kInvalid, (uint32_t)status);
+}
+
+} // namespace odraz

@@ -1,0 +1,84 @@
+// By waveOut, which every Windows has. It plays from a ring of small buffers, each a block of the film's.
+#include "host/sound.h"
+
+#include "host/library.h"
+#include "host/windows/calls.h"
+
+namespace odraz {
+
+using namespace windows;
+
+namespace {
+
+constexpr int kBuffers = 36, kFrames = 240; // 180 ms in all: Wine, for one, holds 100 ms itself
+constexpr uint32_t kDone = 1;
+
+struct Buffer {
+    WaveHeader header;
+    int16_t samples[2 * kFrames];
+};
+
+HANDLE theDevice; // the host's: one process has one sound
+Buffer theBuffers[kBuffers];
+int theNext;      // buffer to fill
+int64_t theTaken; // frames, since it was opened
+
+void close() {
+    waveOutReset(theDevice);
+    for (Buffer &b : theBuffers) waveOutUnprepareHeader(theDevice, &b.header, sizeof b.header);
+    waveOutClose(theDevice);
+}
+
+bool open() {
+    if (loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) return false;
+    WaveFormat format = {1 /* PCM */, 2, kDeviceRate, 4 * kDeviceRate, 4, 16, 0};
+    if (waveOutOpen(&theDevice, ~0u /* the usual device */, &format, nullptr, nullptr, 0)) return false;
+    theNext = 0;
+    theTaken = 0;
+    for (Buffer &b : theBuffers) {
+        b.header = {};
+        b.header.data = b.samples;
+        b.header.size = sizeof b.samples;
+        if (waveOutPrepareHeader(theDevice, &b.header, sizeof b.header)) {
+            close();
+            return false;
+        }
+        b.header.flags |= kDone;
+    }
+    return true;
+}
+
+int write(const int16_t *samples, int frames) {
+    int taken = 0;
+    while (taken < frames) {
+        Buffer &b = theBuffers[theNext];
+        if (!(__atomic_load_n(&b.header.flags, __ATOMIC_ACQUIRE) & kDone)) break;
+        int n = frames - taken < kFrames ? frames - taken : kFrames;
+        __builtin_memcpy(b.samples, samples + 2 * taken, (size_t)n * 4);
+        b.header.size = (uint32_t)n * 4;
+        b.header.flags &= ~kDone;
+        if (waveOutWrite(theDevice, &b.header, sizeof b.header)) {
+            b.header.flags |= kDone;
+            close();
+            return -1;
+        }
+        theNext = (theNext + 1) % kBuffers;
+        taken += n;
+    }
+    theTaken += taken;
+    return taken;
+}
+
+int64_t delay() {
+    WaveTime time = {};
+    time.kind = 2; // TIME_SAMPLES
+    if (waveOutGetPosition(theDevice, &time, sizeof time) || time.kind != 2) return -1;
+    return theTaken - time.samples;
+}
+
+} // namespace
+
+const SoundOutput kSystemSound = {open, write, delay};
+const char kNoSound[] = "no device: silence";
+
+} // namespace odraz

@@ -1,0 +1,108 @@
+// By Windows's own window manager and WGL. The window belongs to the thread that listens, as Windows has it;
+// its context of OpenGL to the one that traces and draws.
+#include "host/window.h"
+
+#include "host/clock.h"
+#include "host/library.h"
+#include "host/process.h"
+#include "host/threads.h"
+#include "host/windows/calls.h"
+#include "host/windows/context.h"
+
+namespace odraz {
+
+using namespace windows;
+
+struct WindowState {
+    FilmWindow *film;
+    int *leave;
+    int width, height; // asked for; 0: the full screen
+    HANDLE dc, opened; // opened: a semaphore, given when the window is there or cannot be
+};
+
+namespace {
+
+WindowState theWindow; // one process shows one window
+
+constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256;
+constexpr uint64_t kEscape = 27;
+
+void leave() {
+    __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
+    // The film ends by itself where it can; a driver that is slow to answer must not hold it up
+    sleepFor(80000000);
+    endProcess(0);
+}
+
+// Windows calls it, and finds all registers as its convention has it.
+[[gnu::ms_abi, gnu::force_align_arg_pointer]] int64_t receive(HANDLE window, uint32_t message, uint64_t a,
+                                                              uint64_t b) {
+    FilmWindow &film = *theWindow.film;
+    if (message == kSize) {
+        __atomic_store_n(&film.width, (int)(b & 0xffff), __ATOMIC_RELAXED);
+        __atomic_store_n(&film.height, (int)(b >> 16 & 0xffff), __ATOMIC_RELAXED);
+    }
+    // The system turns Alt-F4 and the close button into the same message
+    if (message == kClose || (message == kKeyDown && a == kEscape)) leave();
+    if (message == kSetCursor && (b & 0xffff) == 1 /* within */) {
+        SetCursor(nullptr);
+        return 1;
+    }
+    return DefWindowProcA(window, message, a, b);
+}
+
+[[gnu::force_align_arg_pointer]] void *listen(void *) {
+    WindowState &w = theWindow;
+    WindowClass kind = {};
+    kind.style = 32; // CS_OWNDC
+    kind.receive = (void *)receive;
+    kind.name = "odraz";
+    RegisterClassA(&kind);
+    constexpr uint32_t kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000;
+    int full[4] = {0, 0, GetSystemMetrics(0), GetSystemMetrics(1)}, framed[4] = {0, 0, w.width, w.height};
+    AdjustWindowRect(framed, kOverlapped, 0);
+    int *area = w.width ? framed : full;
+    HANDLE window = CreateWindowExA(0, kind.name, kind.name, (w.width ? kOverlapped : kPopUp) | kVisible,
+                                    w.width ? 40 : 0, w.width ? 40 : 0, area[2] - area[0], area[3] - area[1],
+                                    nullptr, nullptr, nullptr, nullptr);
+    w.dc = window ? GetDC(window) : nullptr;
+    SetForegroundWindow(window);
+    SetThreadExecutionState(
+        0x80000003); // neither the display sleeps nor the machine, as long as this thread lives
+    ReleaseSemaphore(w.opened, 1, nullptr);
+    uint64_t message[6];
+    while (window && GetMessageA(message, nullptr, 0, 0) > 0) DispatchMessageA(message);
+    return nullptr;
+}
+
+} // namespace
+
+const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave) {
+    static const char kNoGl[] =
+        "no OpenGL 3.3 on this display: install the graphics card's driver, or use --dump";
+    WindowState &w = theWindow;
+    window.state = &w;
+    w.film = &window;
+    w.leave = leave;
+    w.width = fullScreen ? 0 : width;
+    w.height = height;
+    if (openGlLibraries()) return kNoGl;
+    SetProcessDPIAware();
+    // Sleep by the millisecond, not by the clock's sixty-fourth of a second
+    if (!loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) timeBeginPeriod(1);
+    w.opened = CreateSemaphoreA(nullptr, 0, 1, nullptr);
+    if (startThread(listen, nullptr)) return "no thread to listen for keys: end other programs";
+    WaitForSingleObject(w.opened, ~0u);
+    if (!w.dc) return "no display: log in to one, or use --dump";
+    if (createContext(w.dc, window.gl)) return kNoGl;
+    // A picture is shown when the display begins a new one: whole, and at its pace
+    auto every = (__attribute__((ms_abi)) int (*)(int))wglGetProcAddress("wglSwapIntervalEXT");
+    if (every) every(1);
+    return nullptr;
+}
+
+void leaveContext(FilmWindow &) { wglMakeCurrent(nullptr, nullptr); }
+
+void swapBuffers(FilmWindow &window) { SwapBuffers(window.state->dc); }
+
+} // namespace odraz

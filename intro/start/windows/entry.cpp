@@ -1,0 +1,17 @@
+// Where the shipped program starts on Windows: as a thread does, but for the arguments.
+#include "host/process.h"
+#include "start/windows/command_line.h"
+
+// Functions expect rsp 32-aligned where they are called.
+__asm__(".globl _start\n"
+        ".type _start, @function\n"
+        "_start:\n"
+        "    and $-32, %rsp\n"
+        "    call odrazStart\n");
+
+int odrazMain(int argc, char **argv);
+
+extern "C" [[noreturn]] void odrazStart() {
+    odraz::Arguments &arguments = odraz::commandLine();
+    odraz::endProcess(odrazMain((int)arguments.count, arguments.values));
+}

@@ -1,0 +1,79 @@
+# The film on Windows, in a window, as Wine shows it: it starts, draws, resizes, fills the screen, and leaves when asked.
+. "$(dirname "$0")/wine.sh"
+. "$(dirname "$0")/../display.sh"
+film=$BUILD/odraz.exe
+
+load() { begin "$wine" "$film" "$@"; }
+play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
+leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
+    "$@" >/dev/null 2>&1
+    ended $pid
+}
+to_window() { xdotool windowfocus --sync "$window" && xdotool key "$@"; }
+start_display 1000x700
+
+check "plays on the full screen" play --from 100
+check "its window is as large as the screen" measures 1000 700
+check "... in its corner" prints 'geometry 1000x700\+0\+0' xwininfo -id "$window"
+shot && mv "$WORK/shot.png" "$WORK/first.png"
+differs() { shot && [ -s "$WORK/first.png" ] && ! cmp -s "$WORK/first.png" "$WORK/shot.png"; }
+check "the picture changes" await differs
+check "the aspect is kept, bars are black" is_black 1000x67+0+0
+check "below too" is_black 1000x67+0+633
+check "ESC leaves" leaves to_window Escape
+
+# Loading: a bar that grows, and that can be left, while the film is unpacked and when it is
+grows() { # the share of the window's middle row that is copper, until the film comes, which begins with black
+    local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
+    while [ $SECONDS -lt $end ]; do
+        shot -crop 1000x1+0+350 && now=$(measured 'int(1000*mean.r)')
+        [ "$now" -gt "$before" ] && steps=$((steps + 1))
+        [ "$now" -lt "$before" ] && break
+        before=$now
+        sleep 0.1
+    done
+    echo "    the bar was seen to grow $steps times, and to $before"
+    [ $steps -ge 3 ] && [ "$now" -lt "$before" ]
+}
+check "opens a window" load
+check "a bar grows while it loads" grows
+check "ESC leaves" leaves to_window Escape
+check "opens a window" load --from 100
+check "ESC leaves while it loads" leaves to_window Escape
+
+check "plays in a window" play --window --size 640x360 --from 60 --stats
+check "its window has the film's size" measures 640 360
+xdotool windowsize "$window" 900 300
+check "draws at another size" await is_black 180x300+0+0
+check "with bars at both sides" await is_black 180x300+720+0
+check "... and the picture between" await is_bright
+check "Alt-F4 leaves" leaves to_window alt+F4
+check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
+check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --mute --stats
+film=$BUILD/odraz-safe.exe
+check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --mute --stats
+
+# Under a window manager
+skip_unless openbox wmctrl
+openbox >/dev/null 2>&1 &
+PIDS+=($!)
+managed() { wmctrl -l | grep -q ' odraz$'; }
+check "plays in a window there" play --window --size 640x360 --from 30
+check "... managed" await managed
+check "the close button leaves" leaves wmctrl -i -c "$window"
+
+# What is missing is told on standard error, and where there is none in a box
+check "an OpenGL that is too old is refused" refuses 1 "no OpenGL 3.3 on this display: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film"
+MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film" 2>&- &
+pid=$!
+PIDS+=($pid)
+check "... in a box where nobody sees it" await eval "xdotool search --onlyvisible --class 'odraz-safe.exe' >/dev/null"
+closes() {
+    xdotool search --onlyvisible --class 'odraz-safe.exe' windowfocus key Return 2>/dev/null
+    gone $pid
+}
+check "... which Return closes" await closes
+wait $pid
+check "... with status 1" test $? = 1
+check "without a display" refuses 1 "no display: log in to one" env -u DISPLAY "$wine" "$film" --window
+finish
