@@ -1,5 +1,6 @@
 # The film's music as it is played: into ALSA's file device, into a PulseAudio that stops and dies, and into nothing.
 . "$(dirname "$0")/display.sh"
+. "$(dirname "$0")/heard.sh"
 [ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
 odraz=$BUILD/odraz-safe # the packed film is the same program and takes seconds more to start
 start_display 640x400
@@ -10,29 +11,6 @@ device() { printf '%s\n' "$@" >"$WORK/alsa.conf"; export ALSA_CONFIG_PATH=$WORK/
 play() { "$odraz" --window --size 160x90 "$@" >"$WORK/out" 2>"$WORK/err"; }
 says_nothing() { [ ! -s "$WORK/err" ]; }
 frames() { echo $(($(stat -c %s "$1") / 4)); }
-loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
-# is_music RECORDING SECONDS MOST: from its first loud frame on it is the film's music, so long, sample for sample. (The film
-# sounds from its first sample on; what a server lost before it was awake is looked for in its first second.)
-is_music() {
-    awk -v most="$3" -v wanted=$(($2 * 48000)) '
-        function far(d) { return d < 0 ? -d : d }
-        function apart(i, k,  x, y) { x = far(a[i] - l[k]); y = far(b[i] - r[k]); return x > y ? x : y }
-        BEGIN { n = m = off = 0 }
-        NR == FNR { l[n] = $1; r[n++] = $2; next }
-        { a[m] = $1; b[m++] = $2 }
-        END {
-            for (k = 0; k < 48000; ++k) {
-                for (i = 0; i < 64 && apart(i, k + i) <= most; ++i) {}
-                if (i == 64) break
-            }
-            if (k == 48000) k = 0
-            for (i = 0; i < wanted && i < m && k + i < n; ++i) if (apart(i, k + i) > off) off = apart(i, k + i)
-            print "    " i + 0 " frames, from frame " k " on, off by at most " off + 0
-            exit !(i == wanted && off <= most)
-        }' <(loud_from "$WORK/film") <(loud_from "$1" | head -n $(($2 * 48000)))
-}
-is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = 1 ]; }
-
 "$odraz" --wav - --to 12 | tail -c +45 >"$WORK/film"
 device 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
 # What a busy machine was too late for is left out, rightly: then again
@@ -68,23 +46,11 @@ freezes() { # prints the whole seconds that it took
 }
 check "a film stopped for 3 of its 5 seconds takes 8" test "$(freezes)" -ge 7
 
-if ! command -v pulseaudio >/dev/null || ! command -v parec >/dev/null || ! ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1; then
+if ! can_serve || ! ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1; then
     echo "    PulseAudio is not installed: not tried"
     finish
 fi
 device 'pcm.!default { type pulse }'
-serve() { # starts the server, sets server
-    pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &
-    server=$!
-    PIDS+=($server)
-    await pactl info >/dev/null 2>&1
-}
-record() { # record FILE: sets recorder
-    parec --device=null.monitor --format=s16le --rate=48000 --channels=2 --latency-msec=20 >"$1" 2>/dev/null &
-    recorder=$!
-    PIDS+=($recorder)
-    await test -s "$1"
-}
 check "a server starts" serve
 into_server() {
     for _ in {1..10}; do

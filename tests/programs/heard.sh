@@ -1,0 +1,38 @@
+# Sourced by tests of what is heard of the film, whose music is in WORK/film: recordings are 48 kHz, 16 bits, stereo.
+loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
+# is_music RECORDING SECONDS MOST: from its first loud frame on it is the film's music, so long, sample for sample. (The film
+# sounds from its first sample on; what a server lost before it was awake is looked for in its first second.)
+is_music() {
+    awk -v most="$3" -v wanted=$(($2 * 48000)) '
+        function far(d) { return d < 0 ? -d : d }
+        function apart(i, k,  x, y) { x = far(a[i] - l[k]); y = far(b[i] - r[k]); return x > y ? x : y }
+        BEGIN { n = m = off = 0 }
+        NR == FNR { l[n] = $1; r[n++] = $2; next }
+        { a[m] = $1; b[m++] = $2 }
+        END {
+            for (k = 0; k < 48000; ++k) {
+                for (i = 0; i < 64 && apart(i, k + i) <= most; ++i) {}
+                if (i == 64) break
+            }
+            if (k == 48000) k = 0
+            for (i = 0; i < wanted && i < m && k + i < n; ++i) if (apart(i, k + i) > off) off = apart(i, k + i)
+            print "    " i + 0 " frames, from frame " k " on, off by at most " off + 0
+            exit !(i == wanted && off <= most)
+        }' <(loud_from "$WORK/film") <(loud_from "$1" | head -n $(($2 * 48000)))
+}
+is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = 1 ]; }
+
+# --- A server of PulseAudio that plays into nothing ---
+can_serve() { command -v pulseaudio >/dev/null && command -v parec >/dev/null; }
+serve() { # starts the server, sets server
+    pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &
+    server=$!
+    PIDS+=($server)
+    await pactl info >/dev/null 2>&1
+}
+record() { # record FILE: sets recorder
+    parec --device=null.monitor --format=s16le --rate=48000 --channels=2 --latency-msec=20 >"$1" 2>/dev/null &
+    recorder=$!
+    PIDS+=($recorder)
+    await test -s "$1"
+}
