@@ -16,36 +16,38 @@ name=$(basename "$tgz" .tar.gz)
 check "the name tells the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
 
 # unpacked HOW COMMAND...: each way that a viewer may unpack
-modes() { (cd "$WORK/$1/$name" && find . -type f -printf '%m %f\n' | sort | tr '\n' ,); }
-unpacked() {
-    local how=$1
-    shift
+modes() { (cd "$WORK/$1/$name" && find . -type f -printf '%m %f\n' | LC_ALL=C sort | tr '\n' ,); }
+unpacked() { # unpacked HOW PROGRAMS-FOR-WINDOWS COMMAND...
+    local how=$1 exe=${2#0} files=$((7 + $2))
+    shift 2
     mkdir "$WORK/$how"
     check "$how unpacks" eval "(umask 022; cd '$WORK/$how' && $*)"
-    check "... with its modes" test "$(modes "$how")" = "644 LICENSE.txt,644 README.txt,644 SHA256SUMS,644 file_id.diz,644 odraz.nfo,644 poster.png,755 odraz,755 odraz-safe,"
+    check "... with its modes" test "$(modes "$how")" = "644 LICENSE.txt,644 README.txt,644 SHA256SUMS,644 file_id.diz,${exe:+644 odraz-safe.exe,644 odraz.exe,}644 odraz.nfo,644 poster.png,755 odraz,755 odraz-safe,"
     check "... whole" eval "(cd '$WORK/$how/$name' && sha256sum -c --quiet --strict SHA256SUMS)"
-    check "... all of it in the checksums" test "$(wc -l <"$WORK/$how/$name/SHA256SUMS")" = 7
+    check "... all of it in the checksums" test "$(wc -l <"$WORK/$how/$name/SHA256SUMS")" = $files
 }
-unpacked tar tar -xzf "$tgz"
-unpacked unzip unzip -q "$zip"
-if command -v bsdtar >/dev/null; then unpacked bsdtar bsdtar -xf "$zip"; fi
+unpacked tar 0 tar -xzf "$tgz"
+unpacked unzip 2 unzip -q "$zip"
+if command -v bsdtar >/dev/null; then unpacked bsdtar 2 bsdtar -xf "$zip"; fi
 inside=$WORK/unzip/$name
 check "the film is the one that was built" cmp "$inside/odraz" "$BUILD/odraz"
+for exe in odraz odraz-safe; do check "... for Windows, too, $exe.exe" cmp "$inside/$exe.exe" "$BUILD/$exe.exe"; done
 check "... and starts" prints '^odraz ' "$inside/odraz" --version
 check "... and dumps" "$inside/odraz" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
 
 # The texts
-filled() { ! grep -rn '@[A-Z][A-Z]*@' "$inside"/*.{txt,nfo,diz}; }
+filled() { ! grep -rn '@[A-Z][A-Z_]*@' "$inside"/*.{txt,nfo,diz}; }
 plain() { ! LC_ALL=C grep -naP '[^\x20-\x7e\r]' "$inside"/*.{txt,nfo,diz}; }
 check "nothing is left to fill in" filled
 check "every character is one of ASCII, and so of CP437" plain
 columns() { tr -d '\r' <"$inside/$1" | wc -L; }
 check "the NFO has 80 columns" test "$(columns odraz.nfo)" -le 80
 check "... which end as DOS has it" test "$(grep -c $'\r$' "$inside/odraz.nfo")" = "$(wc -l <"$inside/odraz.nfo")"
+check "... and tells the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 check "... and tells the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 check "file_id.diz has 45 columns" test "$(columns file_id.diz)" -le 45
 check "... and 10 lines" test "$(wc -l <"$inside/file_id.diz")" -le 10
-for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2; do check "README.txt tells of $word" grep -qF -e "$word" "$inside/README.txt"; done
+for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt tells of $word" grep -qF -e "$word" "$inside/README.txt"; done
 
 # What is refused
 check "an unknown option" refuses 2 "cannot use '--nope'" "$release" --nope
@@ -62,11 +64,13 @@ refuses_unclean() { # a program that says that its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
     chmod +x "$WORK/other/odraz"
-    cp "$WORK/other/odraz" "$WORK/other/odraz-safe"
+    for other in odraz-safe odraz.exe odraz-safe.exe; do cp "$WORK/other/odraz" "$WORK/other/$other"; done
     BUILD=$WORK/other refuses 1 "the tree differs from its commit" "$release" --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three"
 }
 check "a build of a tree that differs from its commit" refuses_unclean
 sed -i 's/ab+/ab/' "$WORK"/other/odraz*
 check "a build of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "is of commit 0123456789ab, not of"' - "$release" --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three"
+cp "$BUILD/odraz" "$BUILD/odraz-safe" "$WORK/other"
+check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz-safe.exe is of another build"' - "${made[@]}" --to "$WORK/three"
 check "... and leaves nothing" test -z "$(ls -A "$WORK/three")"
 finish

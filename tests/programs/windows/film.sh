@@ -74,6 +74,18 @@ check "packed: an unknown option" alike_refused 2 "unknown option '--nope'" --no
 check "packed: a frame" alike --dump - --from 24 --to 24.04 --size 160x90
 check "packed: the hall" alike --dump - --from 121 --to 121.04 --size 160x90
 check "packed: the music" alike --wav - --to 2
+
+# ... and not whole
+broken=$WORK/odraz.exe size=$(stat -c %s "$BUILD/odraz.exe")
+damaged() { # damaged AT: a bit there is another
+    cp "$BUILD/odraz.exe" "$broken"
+    printf "\\x$(printf %02x $(($(od -An -tu1 -j "$1" -N 1 "$broken") ^ 16)))" | dd of="$broken" bs=1 seek="$1" conv=notrunc status=none
+    refuses 1 "damaged: get it afresh" "$wine" "$broken" --version
+}
+for at in 2000 9000 30000 50001 60000 $((size - 500)); do check "a wrong bit at $at" damaged "$at"; done
+head -c 60000 "$BUILD/odraz.exe" >"$broken"
+cut() { ! timeout "$PATIENCE" "$wine" "$broken" --version >"$WORK/out" 2>&1 </dev/null && lacks "^odraz " "$WORK/out"; }
+check "one cut short does not run" cut
 ls -A "$WORK" >"$WORK/list"
 check "refusals leave nothing behind" lacks part "$WORK/list"
 finish
