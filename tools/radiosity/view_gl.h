@@ -7,7 +7,7 @@ namespace odraz {
 
 // clang-format off
 #define ODRAZ_VIEW_GL(F) \
-    F(glUniform1i) F(glUniform3f) F(glUniform2f) F(glDrawElements) F(glPolygonOffset) F(glDeleteTextures) \
+    F(glUniform1i) F(glUniform1f) F(glUniform3f) F(glUniform2f) F(glDrawElements) F(glPolygonOffset) F(glDeleteTextures) \
     F(glBufferSubData) F(glPixelStorei)
 // clang-format on
 
