@@ -6,6 +6,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/measure/corpus.h"
 
+#include "elf_writer.h"
 #include "files.h"
 #include "search.h"
 #include "shape.h"

@@ -3,6 +3,7 @@
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
 
+#include "elf_reader.h"
 #include "files.h"
 
 #include <cstring>

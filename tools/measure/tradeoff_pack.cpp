@@ -4,8 +4,10 @@
 #include "tools/measure/corpus.h"
 #include "tools/measure/tradeoff.h"
 
+#include "elf_writer.h"
 #include "search.h"
 #include "shape.h"
+#include "stub.h"
 
 using namespace pack;
 using odraz::processorSeconds;
