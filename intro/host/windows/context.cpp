@@ -10,7 +10,7 @@ namespace odraz::windows {
 
 // wglGetProcAddress knows what came after OpenGL 1.1, the library what was there before. Drivers say no by
 // small numbers, too.
-static void *find(const char *name) {
+void *glFunction(const char *name) {
     void *found = wglGetProcAddress(name);
     return (uintptr_t)found + 1 > 4 ? found : GetProcAddress(LoadLibraryA("opengl32.dll"), name);
 }
@@ -33,7 +33,7 @@ const char *createContext(Handle dc, Gl &gl) {
     if (!SetPixelFormat(dc, ChoosePixelFormat(dc, &format), &format)) return "a pixel format";
     // What can make a context of a version is told by one of any
     if (!wglMakeCurrent(dc, wglCreateContext(dc))) return "OpenGL";
-    auto create = (__attribute__((ms_abi)) Handle(*)(Handle, Handle, const int *))find(kContext);
+    auto create = (__attribute__((ms_abi)) Handle(*)(Handle, Handle, const int *))glFunction(kContext);
     static const int kVersion[] = {0x2091 /* WGL_CONTEXT_MAJOR_VERSION_ARB */,
                                    3,
                                    0x2092 /* WGL_CONTEXT_MINOR_VERSION_ARB */,
@@ -41,8 +41,9 @@ const char *createContext(Handle dc, Gl &gl) {
                                    0x9126 /* WGL_CONTEXT_PROFILE_MASK_ARB */,
                                    1 /* core */,
                                    0};
-    if (!create || !wglMakeCurrent(dc, create(dc, nullptr, kVersion))) return kContext;
-    return findGl(find, gl);
+    Handle made = create ? create(dc, nullptr, kVersion) : nullptr;
+    if (!made || !wglMakeCurrent(dc, made)) return kContext;
+    return findGl(glFunction, gl);
 }
 
 } // namespace odraz::windows

@@ -19,6 +19,7 @@ const char *reason() {
     case kPathNotFound:
         return "no such directory";
     case kAccessDenied:
+    case kSharing: // another program has it open
         return "permission denied";
     case kInvalidHandle:
         return "it is closed";
@@ -45,7 +46,9 @@ const char *reason() {
 // A path as Windows takes it.
 struct WidePath {
     WCHAR units[kLongest];
-    WidePath(const char *path) { MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest); }
+    WidePath(const char *path) {
+        if (!MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest)) *units = 0; // too long
+    }
 };
 
 const char *writeTo(HANDLE file, const void *data, size_t size) {
@@ -92,8 +95,14 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     if (!CloseHandle(file) && !wrong) wrong = reason();
     if (stays) return wrong;
     WidePath from(part.data);
-    if (!wrong && !MoveFileExW(from.units, target.units, 1 /* replace */))
-        wrong = isDirectory(target) ? "it is a directory" : reason();
+    // Scanners of viruses may look at what is new for a while
+    for (int tries = 0; !wrong && !MoveFileExW(from.units, target.units, 1 /* replace */); Sleep(50)) {
+        const char *why = reason();
+        if (isDirectory(target))
+            wrong = "it is a directory";
+        else if (++tries == 20)
+            wrong = why;
+    }
     if (wrong) DeleteFileW(from.units);
     return wrong;
 }

@@ -50,16 +50,17 @@ Quiet::~Quiet() {}
 
 int prepareDescriptors() {
     int closed = 0;
+    HANDLE to[3];
     for (int fd = 0; fd < 3; ++fd)
-        if (!GetFileType(standard(fd))) closed |= 1 << fd;
+        if (!GetFileType(to[fd] = standard(fd))) closed |= 1 << fd;
     // Started from a console as a program with windows: it is there to write to all the same
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
+    // (which takes the place of a pipe or a file, too: these are put back)
     if (closed & 6 && AttachConsole(~0u /* that of who started us */))
-        for (int fd = 1; fd < 3; ++fd)
-            if (closed >> fd & 1) {
-                HANDLE console = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);
-                if (console != kInvalid && SetStdHandle(which(fd), console)) closed ^= 1 << fd;
-            }
+        for (int fd = 1; fd < 3; ++fd) {
+            if (closed >> fd & 1) to[fd] = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);
+            if (to[fd] != kInvalid && SetStdHandle(which(fd), to[fd])) closed &= ~(1 << fd);
+        }
     return closed;
 }
 

@@ -89,7 +89,7 @@ int cpuCount() {
     GetProcessAffinityMask(kInvalid, &mask, &all);
     int count = 0;
     for (; mask; mask &= mask - 1) ++count;
-    return count ? count : 1;
+    return count ? count : kMaxWorkers; // it does not count beyond a group of 64
 }
 
 const char kMoreThreads[] = "end other programs";

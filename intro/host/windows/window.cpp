@@ -24,7 +24,8 @@ namespace {
 
 WindowState theWindow; // one process shows one window
 
-constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256;
+constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256, kCommand = 0x112,
+                   kScreenSaver = 0xf140, kMonitorPower = 0xf170;
 constexpr uint64_t kEscape = 27;
 
 void leave() {
@@ -48,6 +49,7 @@ void leave() {
         SetCursor(nullptr);
         return 1;
     }
+    if (message == kCommand && ((a & 0xfff0) == kScreenSaver || (a & 0xfff0) == kMonitorPower)) return 0;
     return DefWindowProcA(window, message, a, b);
 }
 
@@ -96,7 +98,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     if (!w.dc) return "no display: log in to one, or use --dump";
     if (createContext(w.dc, window.gl)) return kNoGl;
     // A picture is shown when the display begins a new one: whole, and at its pace
-    auto every = (__attribute__((ms_abi)) int (*)(int))wglGetProcAddress("wglSwapIntervalEXT");
+    auto every = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");
     if (every) every(1);
     return nullptr;
 }

@@ -22,6 +22,7 @@ enum Error : uint32_t {
     kAccessDenied = 5,
     kInvalidHandle = 6,
     kWriteProtect = 19,
+    kSharing = 32,
     kHandleDiskFull = 39,
     kFileExists = 80,
     kBrokenPipe = 109,
