@@ -11,6 +11,13 @@ namespace odraz {
 // zero, an empty one at the end). Returns null, or the name of what is missing: the library or a function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
+// In such a list.
+inline const char *nextName(const char *name) {
+    while (*name++) {
+    }
+    return name;
+}
+
 // The same, from an already known way to find a function.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
 

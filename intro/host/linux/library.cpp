@@ -8,23 +8,11 @@ __attribute__((noplt)) void *dlsym(void *library, const char *name);
 
 namespace odraz {
 
-static const char *next(const char *name) {
-    while (*name++) {
-    }
-    return name;
-}
-
 const char *loadFunctions(const char *soname, const char *names, void **table) {
     void *library = dlopen(soname, 2 /* RTLD_NOW */);
     if (!library) return soname;
-    for (const char *name = names; *name; name = next(name))
+    for (const char *name = names; *name; name = nextName(name))
         if (!(*table++ = dlsym(library, name))) return name;
-    return nullptr;
-}
-
-const char *findFunctions(void *(*find)(const char *), const char *names, void **table) {
-    for (const char *name = names; *name; name = next(name))
-        if (!(*table++ = find(name))) return name;
     return nullptr;
 }
 

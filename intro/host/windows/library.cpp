@@ -10,23 +10,11 @@ __attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *n
 
 namespace odraz {
 
-static const char *next(const char *name) {
-    while (*name++) {
-    }
-    return name;
-}
-
 const char *loadFunctions(const char *file, const char *names, void **table) {
     void *library = LoadLibraryA(file);
     if (!library) return file;
-    for (const char *name = names; *name; name = next(name))
+    for (const char *name = names; *name; name = nextName(name))
         if (!(*table++ = GetProcAddress(library, name))) return name;
-    return nullptr;
-}
-
-const char *findFunctions(void *(*find)(const char *), const char *names, void **table) {
-    for (const char *name = names; *name; name = next(name))
-        if (!(*table++ = find(name))) return name;
     return nullptr;
 }
 

@@ -1,0 +1,11 @@
+#include "host/library.h"
+
+namespace odraz {
+
+const char *findFunctions(void *(*find)(const char *), const char *names, void **table) {
+    for (const char *name = names; *name; name = nextName(name))
+        if (!(*table++ = find(name))) return name;
+    return nullptr;
+}
+
+} // namespace odraz
