@@ -27,9 +27,9 @@ check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"
 avx='%ymm|\bv[a-z0-9]+[ps][sd] '
 objdump -d --no-show-raw-insn "$BUILD/libhost.a" >"$WORK/host"
 check "the host is free of AVX" lacks "$avx" "$WORK/host"
-for part in early entry start memory; do
-    objdump -d --no-show-raw-insn "$BUILD/intro/CMakeFiles/odraz.elf.dir/start/$part.cpp.o" >"$WORK/start"
-    check "start/$part too" lacks "$avx" "$WORK/start"
+for part in odraz/{early,linux/entry,start,memory} odraz-windows/{windows/entry,windows/command_line}; do
+    objdump -d --no-show-raw-insn "$BUILD/intro/CMakeFiles/${part%%/*}.elf.dir/start/${part#*/}.cpp.o" >"$WORK/start"
+    check "start/${part#*/} too" lacks "$avx" "$WORK/start"
 done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
 
