@@ -76,7 +76,7 @@ Packed openParts(const std::vector<uint8_t> &file, size_t from, size_t checkedFr
     program.codeBegin = p.layout.codeBegin;
     program.codeSize = p.layout.codeSize;
     for (uint32_t i = 0; i < 2; ++i) program.slots[i] = p.imports + 8 * i;
-    return {program, p.layout, shape, {at, end}};
+    return {program, p.layout, shape, {at, end}, p.words};
 }
 
 std::vector<uint8_t> decodeParts(const std::vector<uint8_t> &file, size_t at, StubDecode &decode) {

@@ -13,6 +13,7 @@ struct Packed {
     Layout layout;
     Shape shape;
     std::vector<uint8_t> payload;
+    uint32_t words; // of the file that the check covers
 };
 
 // The bytes that they take without the payload.

@@ -3,7 +3,7 @@
 //
 // THE FILE is an executable (PE32+ for x86-64) of a fixed address:
 //
-//     PeFront        408 bytes, then zeros up to 512: headers, two sections
+//     PeFront        512 bytes: headers, two sections, texts
 //     PeStart        begins the first section: what is imported
 //     stub           machine code, the same in every file
 //     Parameters, masks, payload, zeros up to a multiple of 512 less four bytes, check
@@ -28,11 +28,18 @@
 
 namespace pack {
 
+// What the stub says, and in what box: where the file has room all the same.
+struct PeTexts {
+    char guarded[24] = "use odraz-safe instead\n", damaged[24] = "damaged: get it afresh\n",
+         noMemory[24] = "not enough free memory\n", user32[7] = "user32", messageBox[25] = "MessageBoxA";
+};
+
 struct PeFront {
     PeHeader header;
     PeSection sections[2];
+    PeTexts texts;
 };
-static_assert(sizeof(PeFront) <= kPeFileAlign);
+static_assert(sizeof(PeFront) == kPeFileAlign);
 
 // At the begin of the first section. Slots hold the addresses of names until the loader has been there.
 struct PeStart {

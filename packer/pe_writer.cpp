@@ -101,6 +101,21 @@ PeStart makeStart(const Program &program) {
     return s;
 }
 
+// The headers of a packed file of `size` bytes.
+PeFront makeFront(const Program &program, uint32_t size) {
+    uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
+             programAt = program.base - base;
+    PeFront f = {makeHeader(base, 2),
+                 {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
+                  {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}},
+                 {}};
+    f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
+    f.header.imageSize = programAt + f.sections[1].memorySize;
+    f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
+    f.header.directories[kPeImportSlots] = {kFirst, sizeof(PeStart::slots)};
+    return f;
+}
+
 } // namespace
 
 size_t overheadPe(const Shape &shape) { return kPartsAt + partsSize(shape); }
@@ -109,15 +124,7 @@ std::vector<uint8_t> writePackedPe(const Program &program, const Shape &shape,
                                    const std::vector<uint8_t> &payload) {
     uint32_t size = fileWhole(overheadPe(shape) + payload.size());
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
-    uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
-             programAt = program.base - base;
-    PeFront f = {makeHeader(base, 2),
-                 {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
-                  {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}}};
-    f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
-    f.header.imageSize = programAt + f.sections[1].memorySize;
-    f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
-    f.header.directories[kPeImportSlots] = {kFirst, sizeof(PeStart::slots)};
+    PeFront f = makeFront(program, size);
     PeStart start = makeStart(program);
 
     std::vector<uint8_t> out(kPartsAt);
@@ -135,7 +142,7 @@ std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
 bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
 
 Program readPackedPe(const std::vector<uint8_t> &file) {
-    constexpr char kForeign[] = "not packed by this version of pack";
+    constexpr char kForeign[] = "not packed by this version of pack", kDamaged[] = "damaged: get it again";
     need(file.size() > kPartsAt + sizeof(Parameters), kForeign);
     need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
     PeFront f;
@@ -144,9 +151,12 @@ Program readPackedPe(const std::vector<uint8_t> &file) {
     std::memcpy(&start, file.data() + kStartAt, sizeof start);
     Packed packed = openParts(file, kPartsAt, kCheckedFrom, f.sections[1].memorySize);
     Program &program = packed.program;
-    need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span,
-         "damaged: get it again");
+    need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span, kDamaged);
     if (start.slots[0] != start.slots[2]) std::swap(program.slots[0], program.slots[1]);
+    // Headers and slots are not in the check: the loader reads them
+    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words));
+    PeStart slots = makeStart(program);
+    need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
     Workspace workspace;
     program.bytes =
         decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace);

@@ -28,6 +28,13 @@ STUB_NUMBER(EARLY_STEP, 2048, kEarlyStep)
 STUB_NUMBER(PE_START, 264, sizeof(PeStart))
 STUB_NUMBER(PE_SLOTS, 88, sizeof(PeStart::slots))
 STUB_NUMBER(PE_FILE_SIZE, 344, offsetof(PeFront, sections[0].fileSize))
+STUB_NUMBER(PE_TEXTS, 408, offsetof(PeFront, texts))
+STUB_NUMBER(PE_TEXT, 23, sizeof(PeTexts::damaged) - 1)
+STUB_NUMBER(PE_GUARDED, 0, offsetof(PeTexts, guarded))
+STUB_NUMBER(PE_DAMAGED, 24, offsetof(PeTexts, damaged))
+STUB_NUMBER(PE_NO_MEMORY, 48, offsetof(PeTexts, noMemory))
+STUB_NUMBER(PE_USER32, 72, offsetof(PeTexts, user32))
+STUB_NUMBER(PE_MESSAGE_BOX, 79, offsetof(PeTexts, messageBox))
 
 // Hashes
 STUB_NUMBER(HASH, 0x2c9277b5, kHash)

@@ -1,7 +1,7 @@
 // The code in front of every program packed for Windows: checks the file, decodes the program, starts it. What
 // stub.S does on Linux, by the same decoder, with the functions of kernel32.dll that the file imports (Start in
 // pe_format.h). These are called by Microsoft's convention: 32 bytes of stack belong to them. Decoder and program
-// keep to System V's. What it finds, does and leaves is described in pe_format.h.
+// keep to System V's. What it finds, does and leaves is described in pe_format.h, where its texts are, too.
 
 #include "stub_memory.S"
 
@@ -15,6 +15,7 @@
 #define GET_STD_HANDLE IMPORT(7)
 #define WRITE_FILE IMPORT(8)
 #define EXIT_PROCESS IMPORT(9)
+#define FRONT rip + start - PE_START - PAGE
 
 .section .stub, "ax"
 start:
@@ -23,7 +24,7 @@ start:
 
     // Check all of the section that comes behind the slots. How long it is the header says, as the loader has
     // checked it
-    mov ecx, [rip + start - PE_START - PAGE + PE_FILE_SIZE]
+    mov ecx, [FRONT + PE_FILE_SIZE]
     shr ecx, 2
     sub ecx, PE_SLOTS / 4
     lea esi, [rip + start - PE_START + PE_SLOTS]
@@ -79,18 +80,19 @@ protect:
     test eax, eax
     je 1f
     ret
-1:  call refuse
-    .asciz "use odraz-safe instead\n"
+1:  push PE_GUARDED
+    jmp refuse
 damaged:
-    call refuse
-    .asciz "damaged: get it afresh\n"
+    push PE_DAMAGED
+    jmp refuse
 no_memory:
-    call refuse
-    .asciz "not enough free memory\n"
+    push PE_NO_MEMORY
 
 // On standard error; where there is none, in a box.
 refuse:
     pop rsi
+    lea edi, [FRONT + PE_TEXTS]
+    add esi, edi
     and rsp, -16
     sub rsp, 48
     push -12 // standard error
@@ -98,16 +100,16 @@ refuse:
     call GET_STD_HANDLE
     mov rcx, rax
     mov rdx, rsi
-    push 23 // the text's size
+    push PE_TEXT // its size
     pop r8
     lea r9, [rsp + 40]
     and qword ptr [rsp + 32], 0
     call WRITE_FILE
     test eax, eax
     jne 1f
-    lea rcx, [rip + user32]
+    lea ecx, [rdi + PE_USER32]
     call LOAD_LIBRARY
-    lea rdx, [rip + message_box]
+    lea edx, [rdi + PE_MESSAGE_BOX]
     mov rcx, rax
     call GET_PROC_ADDRESS
     xor ecx, ecx
@@ -119,10 +121,6 @@ refuse:
 1:  push 1
     pop rcx
     call EXIT_PROCESS
-user32:
-    .asciz "user32"
-message_box:
-    .asciz "MessageBoxA"
 
 #define STUB_DECODE stubDecodeWindows
 #include "stub_rest.S"

@@ -20,7 +20,7 @@ check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
 # Damage
 broken=$WORK/broken.exe
 total=$(stat -c %s "$exe")
-checked=$((512 + 264 + 392)) # behind headers, imports, and the check with what it says
+checked=$((512 + 264 + 300)) # behind headers, imports, and the check with what tells of it
 flip() { # flip OFFSET BIT
     cp "$exe" "$broken"
     local byte=$(od -An -tu1 -j "$1" -N 1 "$exe")
