@@ -3,6 +3,7 @@
 
 #include "host/library.h"
 #include "host/linux/sys.h"
+#include "host/work.h"
 
 #include <pthread.h>
 
@@ -20,54 +21,33 @@ const char *loadPthread(Pthread &p) {
     return loadFunctions("libpthread.so.0", ODRAZ_PTHREAD(ODRAZ_NAME), (void **)&p);
 }
 
-struct Pool {
-    void (*body)(const void *, int, int, int);
-    const void *context;
-    const int *abort;
-    int count, size; // of all that is to be done, and of a piece
-    int next;        // the first that nobody has taken
-    int busy;        // threads not yet done with this round
-    int round;       // counts rounds; threads sleep on it
-    int idNext;      // hands out worker numbers
+struct Pool : Work {
+    int round; // counts rounds; threads sleep on it
 };
 
 void sleepWhile(int *word, int value) { sys::call(sys::kFutex, (long)word, 128 /* WAIT | PRIVATE */, value); }
 void wake(int *word, int count) { sys::call(sys::kFutex, (long)word, 129 /* WAKE | PRIVATE */, count); }
 
-void work(Pool &pool, int worker) {
-    while (!__atomic_load_n(pool.abort, __ATOMIC_RELAXED)) {
-        int first = __atomic_fetch_add(&pool.next, pool.size, __ATOMIC_RELAXED), end = first + pool.size;
-        if (first >= pool.count) return;
-        pool.body(pool.context, first, end < pool.count ? end : pool.count, worker);
-    }
-}
-
 [[gnu::force_align_arg_pointer]] void *threadMain(void *context) {
     Pool &pool = *(Pool *)context;
-    int worker = __atomic_add_fetch(&pool.idNext, 1, __ATOMIC_RELAXED);
+    int worker = pool.newWorker();
     for (int seen = 0;;) {
         int round;
         while ((round = __atomic_load_n(&pool.round, __ATOMIC_ACQUIRE)) == seen)
             sleepWhile(&pool.round, seen);
         seen = round;
-        work(pool, worker);
-        if (__atomic_sub_fetch(&pool.busy, 1, __ATOMIC_ACQ_REL) == 0) wake(&pool.busy, 1);
+        pool.take(worker);
+        if (pool.done()) wake(&pool.busy, 1);
     }
 }
 
 void run(Workers &workers, int count, int size, void (*body)(const void *, int, int, int),
          const void *context) {
     Pool &pool = *(Pool *)workers.host;
-    pool.body = body;
-    pool.context = context;
-    pool.abort = workers.abort;
-    pool.count = count;
-    pool.size = size;
-    pool.next = 0;
-    pool.busy = workers.count - 1;
+    pool.begin(workers, count, size, body, context);
     __atomic_add_fetch(&pool.round, 1, __ATOMIC_RELEASE);
     wake(&pool.round, workers.count);
-    work(pool, 0);
+    pool.take(0);
     int left;
     while ((left = __atomic_load_n(&pool.busy, __ATOMIC_ACQUIRE)) > 0) sleepWhile(&pool.busy, left);
 }

@@ -2,6 +2,7 @@
 
 #include "host/process.h"
 #include "host/windows/windows.h"
+#include "host/work.h"
 
 namespace odraz {
 
@@ -11,34 +12,19 @@ namespace {
 
 constexpr uint32_t kForever = ~0u;
 
-// A piece of work is done by `count - 1` turns beside the caller's. Who is quick takes more than one of them,
-// which then finds nothing to do.
-struct Pool {
-    void (*body)(const void *, int, int, int);
-    const void *context;
-    const int *abort;
-    int count, size; // of all that is to be done, and of a piece
-    int next;        // the first that nobody has taken
-    int busy;        // turns not yet done
-    int idNext;      // hands out worker numbers
-    HANDLE turns, done;
+// Each piece of work is as many turns beside the caller's as there are other workers. Who is quick takes
+// more than one of them, which then finds nothing to do.
+struct Pool : Work {
+    HANDLE turns, allDone;
 };
-
-void work(Pool &pool, int worker) {
-    while (!__atomic_load_n(pool.abort, __ATOMIC_RELAXED)) {
-        int first = __atomic_fetch_add(&pool.next, pool.size, __ATOMIC_RELAXED), end = first + pool.size;
-        if (first >= pool.count) return;
-        pool.body(pool.context, first, end < pool.count ? end : pool.count, worker);
-    }
-}
 
 [[gnu::force_align_arg_pointer]] void *threadMain(void *context) {
     Pool &pool = *(Pool *)context;
-    int worker = __atomic_add_fetch(&pool.idNext, 1, __ATOMIC_RELAXED);
+    int worker = pool.newWorker();
     for (;;) {
         WaitForSingleObject(pool.turns, kForever);
-        work(pool, worker);
-        if (__atomic_sub_fetch(&pool.busy, 1, __ATOMIC_ACQ_REL) == 0) ReleaseSemaphore(pool.done, 1, nullptr);
+        pool.take(worker);
+        if (pool.done()) ReleaseSemaphore(pool.allDone, 1, nullptr);
     }
 }
 
@@ -46,16 +32,10 @@ void run(Workers &workers, int count, int size, void (*body)(const void *, int, 
          const void *context) {
     Pool &pool = *(Pool *)workers.host;
     int turns = workers.count - 1;
-    pool.body = body;
-    pool.context = context;
-    pool.abort = workers.abort;
-    pool.count = count;
-    pool.size = size;
-    pool.next = 0;
-    pool.busy = turns;
+    pool.begin(workers, count, size, body, context);
     if (turns) ReleaseSemaphore(pool.turns, turns, nullptr);
-    work(pool, 0);
-    if (turns) WaitForSingleObject(pool.done, kForever);
+    pool.take(0);
+    if (turns) WaitForSingleObject(pool.allDone, kForever);
 }
 
 Pool thePool; // the host's, not the engine's: one process has one set of threads
@@ -105,7 +85,7 @@ const char *startThread(void *(*body)(void *), void *context) {
 const char *startWorkers(Workers &workers, int count, const int *abort) {
     workers = {count < kMaxWorkers ? count : kMaxWorkers, run, abort, &thePool};
     thePool.turns = CreateSemaphoreA(nullptr, 0, kMaxWorkers, nullptr);
-    thePool.done = CreateSemaphoreA(nullptr, 0, 1, nullptr);
+    thePool.allDone = CreateSemaphoreA(nullptr, 0, 1, nullptr);
     for (int i = 1; i < workers.count; ++i)
         if (const char *missing = startThread(threadMain, &thePool)) return missing;
     return nullptr;

@@ -1,0 +1,44 @@
+// Work that several threads share, taken piece by piece; how they wait for it and for each other is the
+// system's.
+#pragma once
+
+#include "base/parallel.h"
+
+namespace odraz {
+
+// A worker's turns are done when nothing is left; who is quick takes more pieces.
+struct Work {
+    void (*body)(const void *, int, int, int);
+    const void *context;
+    const int *abort;
+    int count, size; // of all that is to be done, and of a piece
+    int next;        // the first that nobody has taken
+    int busy;        // turns not yet done, beside that of who asked
+    int idNext;      // hands out worker numbers
+
+    void begin(const Workers &workers, int all, int piece, void (*f)(const void *, int, int, int),
+               const void *data) {
+        body = f;
+        context = data;
+        abort = workers.abort;
+        count = all;
+        size = piece;
+        next = 0;
+        busy = workers.count - 1;
+    }
+
+    int newWorker() { return __atomic_add_fetch(&idNext, 1, __ATOMIC_RELAXED); }
+
+    void take(int worker) {
+        while (!__atomic_load_n(abort, __ATOMIC_RELAXED)) {
+            int first = __atomic_fetch_add(&next, size, __ATOMIC_RELAXED), end = first + size;
+            if (first >= count) return;
+            body(context, first, end < count ? end : count, worker);
+        }
+    }
+
+    // True for the last one.
+    bool done() { return __atomic_sub_fetch(&busy, 1, __ATOMIC_ACQ_REL) == 0; }
+};
+
+} // namespace odraz
