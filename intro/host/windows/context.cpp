@@ -3,9 +3,6 @@
 #include "host/library.h"
 #include "host/windows/calls.h"
 
-extern "C" __attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
-extern "C" __attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
-
 namespace odraz::windows {
 
 // wglGetProcAddress knows what came after OpenGL 1.1, the library what was there before. Drivers say no by

@@ -2,12 +2,6 @@
 
 #include "host/windows/calls.h"
 
-// The program's only two imports, in Windows's own convention.
-extern "C" {
-__attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
-__attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
-}
-
 namespace odraz {
 
 const char *loadFunctions(const char *file, const char *names, void **table) {

@@ -103,6 +103,11 @@ extern "C" {
 typedef odraz::windows::Handle HANDLE;
 typedef odraz::windows::Wide WCHAR;
 
+// The program's only two imports, in Windows's own convention
+__attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
+__attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
+
+// kernel32
 int AttachConsole(uint32_t process);
 int CloseHandle(HANDLE);
 int CreateDirectoryW(const WCHAR *path, void *security);
