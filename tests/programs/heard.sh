@@ -1,20 +1,20 @@
 # Sourced by tests of what is heard of the film, whose music is in WORK/film: recordings are 48 kHz, 16 bits, stereo.
 loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
-# is_music RECORDING SECONDS MOST: from its first loud frame on it is the film's music, so long, sample for sample. (The film
-# sounds from its first sample on; what a server lost before it was awake is looked for in its first second.)
+# is_music RECORDING SECONDS MOST [LOST]: from its first loud frame on it is the film's music, so long, sample for sample. (The
+# film sounds from its first sample on; what a server lost before it was awake is looked for in its first LOST frames, a second.)
 is_music() {
-    awk -v most="$3" -v wanted=$(($2 * 48000)) '
+    awk -v most="$3" -v lost="${4-48000}" -v wanted=$(($2 * 48000)) '
         function far(d) { return d < 0 ? -d : d }
         function apart(i, k,  x, y) { x = far(a[i] - l[k]); y = far(b[i] - r[k]); return x > y ? x : y }
         BEGIN { n = m = off = 0 }
         NR == FNR { l[n] = $1; r[n++] = $2; next }
         { a[m] = $1; b[m++] = $2 }
         END {
-            for (k = 0; k < 48000; ++k) {
+            for (k = 0; k < lost; ++k) {
                 for (i = 0; i < 64 && apart(i, k + i) <= most; ++i) {}
                 if (i == 64) break
             }
-            if (k == 48000) k = 0
+            if (k == lost) k = 0
             for (i = 0; i < wanted && i < m && k + i < n; ++i) if (apart(i, k + i) > off) off = apart(i, k + i)
             print "    " i + 0 " frames, from frame " k " on, off by at most " off + 0
             exit !(i == wanted && off <= most)
@@ -31,6 +31,7 @@ serve() { # starts the server, sets server
     await pactl info >/dev/null 2>&1
 }
 record() { # record FILE: sets recorder
+    rm -f "$1"
     parec --device=null.monitor --format=s16le --rate=48000 --channels=2 --latency-msec=20 >"$1" 2>/dev/null &
     recorder=$!
     PIDS+=($recorder)

@@ -45,6 +45,7 @@ bool open() {
         }
         b.header.flags |= kDone;
     }
+    waveOutPause(theDevice); // until the ring is full, so that it does not run dry at once
     return true;
 }
 
@@ -65,7 +66,7 @@ int write(const int16_t *samples, int frames) {
         theNext = (theNext + 1) % kBuffers;
         taken += n;
     }
-    theTaken += taken;
+    if ((theTaken += taken) == kBuffers * kFrames) waveOutRestart(theDevice);
     return taken;
 }
 

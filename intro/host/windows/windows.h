@@ -54,8 +54,8 @@ Handle standard(int descriptor);
 #define ODRAZ_GDI32(F) F(ChoosePixelFormat) F(SetPixelFormat) F(SwapBuffers)
 #define ODRAZ_OPENGL32(F) F(wglCreateContext) F(wglGetProcAddress) F(wglMakeCurrent)
 #define ODRAZ_WINMM(F) \
-    F(timeBeginPeriod) F(waveOutClose) F(waveOutGetPosition) F(waveOutOpen) F(waveOutPrepareHeader) \
-    F(waveOutReset) F(waveOutUnprepareHeader) F(waveOutWrite)
+    F(timeBeginPeriod) F(waveOutClose) F(waveOutGetPosition) F(waveOutOpen) F(waveOutPause) F(waveOutPrepareHeader) \
+    F(waveOutReset) F(waveOutRestart) F(waveOutUnprepareHeader) F(waveOutWrite)
 // clang-format on
 
 struct PixelFormat {
@@ -171,8 +171,10 @@ uint32_t waveOutClose(HANDLE);
 uint32_t waveOutGetPosition(HANDLE, odraz::windows::WaveTime *, uint32_t size);
 uint32_t waveOutOpen(HANDLE *, uint32_t device, const odraz::windows::WaveFormat *, void *callback,
                      void *context, uint32_t flags);
+uint32_t waveOutPause(HANDLE);
 uint32_t waveOutPrepareHeader(HANDLE, odraz::windows::WaveHeader *, uint32_t size);
 uint32_t waveOutReset(HANDLE);
+uint32_t waveOutRestart(HANDLE);
 uint32_t waveOutUnprepareHeader(HANDLE, odraz::windows::WaveHeader *, uint32_t size);
 uint32_t waveOutWrite(HANDLE, odraz::windows::WaveHeader *, uint32_t size);
 }
