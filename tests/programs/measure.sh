@@ -15,8 +15,8 @@ check "... and so do processor, compiler and Mesa" test "$(grep -cE '^\| (proces
 check "sections are listed" test "$(wc -l <"$WORK/list")" -gt 3
 check "... and every one is there" test "$(grep -c '^## ' "$to")" = "$(wc -l <"$WORK/list")"
 check "what was not measured says how" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
-check "the film's size is told" grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") |" "$to"
-check "... with the command that makes it" prints 'By `cmake --build build --target film`:' section size
+check "the film's size is told" grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
+check "... with the command that makes it" prints 'By `cmake --build build --target film film_windows`:' section size
 section transfer >"$WORK/transfer"
 check "transfer is told" test "$(grep -cE '^\| [a-z].*\| [0-9.]+ \|' "$WORK/transfer")" -ge 10
 check "one section is renewed" renew --only size

@@ -1,0 +1,20 @@
+# Sourced by what runs programs for Windows: "$wine" PROGRAM OPTION..., with what Wine keeps of Windows, some 700 MB, in
+# $BUILD/wine, which the first one makes. Only one may use it at a time.
+wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
+wine_server=$(command -v wineserver64 || echo /usr/lib/wine/wineserver64)
+have_wine() { [ -x "$wine" ] && [ -x "$wine_server" ]; }
+
+# Sets WINE_PID, a server for the caller to end: without it each program starts another, which would inherit the pipes
+# that its output is read from
+start_wine() {
+    export WINEPREFIX=$BUILD/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=;winemenubuilder.exe=d'
+    mkdir -p "$WINEPREFIX"
+    "$wine_server" -k || true # of who was stopped before its end: it would show windows where nobody looks
+    "$wine_server" -f -p </dev/null >/dev/null 2>&1 &
+    WINE_PID=$!
+    if [ ! -e "$WINEPREFIX/system.reg" ] && ! env -u DISPLAY "$wine" wineboot -i </dev/null >"$WINEPREFIX/wineboot" 2>&1; then
+        cat "$WINEPREFIX/wineboot" >&2
+        return 1
+    fi
+    env -u DISPLAY "$wine" cmd /c exit </dev/null >/dev/null 2>&1 # starts its services
+}
