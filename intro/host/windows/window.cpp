@@ -53,6 +53,13 @@ void leave() {
     return DefWindowProcA(window, message, a, b);
 }
 
+// The desktop shall not scale what we draw: on no display as from Windows 10 on, on the first one before.
+void beAware() {
+    auto aware = (__attribute__((ms_abi)) int (*)(int64_t))GetProcAddress(LoadLibraryA("user32.dll"),
+                                                                          "SetProcessDpiAwarenessContext");
+    if (!aware || !aware(-4 /* DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2 */)) SetProcessDPIAware();
+}
+
 [[gnu::force_align_arg_pointer]] void *listen(void *) {
     WindowState &w = theWindow;
     WindowClass kind = {};
@@ -89,7 +96,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.width = fullScreen ? 0 : width;
     w.height = height;
     if (openGlLibraries()) return kNoGl;
-    SetProcessDPIAware();
+    beAware();
     // Sleep by the millisecond, not by the clock's sixty-fourth of a second
     if (!loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) timeBeginPeriod(1);
     w.opened = CreateSemaphoreA(nullptr, 0, 1, nullptr);
