@@ -35,3 +35,31 @@ begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
     await eval "seen || gone $pid"
     seen && echo "    seen after $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) ms"
 }
+
+# The film on the full screen of a display of 1000x700, which is taller than 16:9: 68 or 69 black rows above and below
+differs() { shot && [ -s "$WORK/first.png" ] && ! cmp -s "$WORK/first.png" "$WORK/shot.png"; }
+check_full_screen() {
+    check "its window is as large as the screen" measures 1000 700
+    check "... in its corner" prints 'geometry 1000x700\+0\+0' xwininfo -id "$window"
+    shot && mv "$WORK/shot.png" "$WORK/first.png"
+    check "the picture changes" await differs
+    check "the aspect is kept, bars are black" is_black 1000x67+0+0
+    check "below too" is_black 1000x67+0+633
+    check "... and the picture is not" await is_bright
+}
+# grows TIMES [PID]: the share of its middle row that is copper, until the film comes, which begins with black. PID is held
+# while we look: so how often we can does not depend on what else the machine does
+grows() {
+    local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
+    while [ $SECONDS -lt $end ]; do
+        [ $# -lt 2 ] || kill -STOP "$2"
+        shot -crop 1000x1+0+350 && now=$(measured 'int(1000*mean.r)')
+        [ $# -lt 2 ] || kill -CONT "$2"
+        [ "$now" -gt "$before" ] && steps=$((steps + 1))
+        [ "$now" -lt "$before" ] && break
+        before=$now
+        sleep 0.1
+    done
+    echo "    the bar was seen to grow $steps times, and to $before"
+    [ $steps -ge "$1" ] && [ "$now" -lt "$before" ]
+}

@@ -26,35 +26,12 @@ start_display 1000x700
 
 # Without a window manager: full screen by size alone, with the keyboard
 check "plays on the full screen" play --from 100
-check "its window is as large as the screen" measures 1000 700
-check "... in its corner" prints 'geometry 1000x700\+0\+0' xwininfo -id "$window"
-shot && mv "$WORK/shot.png" "$WORK/first.png"
-differs() { shot && [ -s "$WORK/first.png" ] && ! cmp -s "$WORK/first.png" "$WORK/shot.png"; }
-check "the picture changes" await differs
-# 1000x700 is taller than 16:9: 68 or 69 black rows above and below
-check "the aspect is kept, bars are black" is_black 1000x67+0+0
-check "below too" is_black 1000x67+0+633
-check "... and the picture is not" await is_bright
+check_full_screen
 check "ESC leaves" leaves xdotool key Escape
 
 # Loading: a bar that grows, and that can be left
-grows() { # the share of the window's middle row that is copper, until the film comes, which begins with black
-    local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
-    while [ $SECONDS -lt $end ]; do
-        # It holds while we look: how often we can does not depend on what else the machine does
-        kill -STOP $pid
-        shot -crop 1000x1+0+350 && now=$(measured 'int(1000*mean.r)')
-        kill -CONT $pid
-        [ "$now" -gt "$before" ] && steps=$((steps + 1))
-        [ "$now" -lt "$before" ] && break
-        before=$now
-        sleep 0.1
-    done
-    echo "    the bar was seen to grow $steps times, and to $before"
-    [ $steps -ge 5 ] && [ "$now" -lt "$before" ]
-}
 check "opens a window" load
-check "a bar grows while it loads" grows
+check "a bar grows while it loads" grows 5 $pid
 check "ESC leaves" leaves xdotool key Escape
 check "opens a window" load --from 100
 check "ESC leaves while it loads" leaves xdotool key Escape
