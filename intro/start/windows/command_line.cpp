@@ -15,9 +15,8 @@ Arguments &commandLine() {
     WideCharToMultiByte(windows::kUtf8, 0, GetCommandLineW(), -1, theText, sizeof theText, nullptr, nullptr);
     // In place: what is written is never longer than what was read
     char *from = theText, *to = theText;
-    for (;;) {
-        while (*from == ' ' || *from == '\t') ++from;
-        if (!*from || a.count + 1 == sizeof a.values / sizeof *a.values) return a;
+    // Where it begins with a blank, the program's own name is empty
+    do {
         a.values[a.count++] = to;
         for (bool quoted = false; *from && (quoted || (*from != ' ' && *from != '\t'));) {
             // Backslashes count by two in front of a quotation mark, where an odd one makes it a letter
@@ -35,8 +34,10 @@ Arguments &commandLine() {
         bool last = !*from;
         *to++ = 0;
         if (last) return a;
-        ++from;
-    }
+        do ++from;
+        while (*from == ' ' || *from == '\t');
+    } while (*from && a.count + 1 < (long)(sizeof a.values / sizeof *a.values));
+    return a;
 }
 
 } // namespace odraz
