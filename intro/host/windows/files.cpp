@@ -13,11 +13,14 @@ constexpr int kLongest = 4096; // of a path, in units of UTF-16
 constexpr uint32_t kRead = 0x80000000, kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3,
                    kDisk = 1 /* GetFileType */, kDirectory = 16;
 
-const char *reason() {
+// `size`: of the path in units of UTF-16 with its zero, 0 where it did not fit; 1 where it matters no more.
+const char *reason(int size = 1) {
+    const char *tooLong = "the name is too long";
     switch (GetLastError()) {
     case kFileNotFound:
     case kPathNotFound:
-        return "no such directory";
+        // Beyond 247, 259 for files, Windows finds nothing
+        return (unsigned)size - 1 > 247 ? tooLong : "no such directory";
     case kAccessDenied:
     case kSharing: // another program has it open
         return "permission denied";
@@ -37,7 +40,7 @@ const char *reason() {
     case kNotConnected:
         return "the pipe was closed";
     case kNameTooLong:
-        return "the name is too long";
+        return tooLong;
     default:
         return "the system refused";
     }
@@ -46,8 +49,10 @@ const char *reason() {
 // A path as Windows takes it.
 struct WidePath {
     WCHAR units[kLongest];
+    int size; // with the zero; 0: it is too long
     WidePath(const char *path) {
-        if (!MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest)) *units = 0; // too long
+        size = MultiByteToWideChar(kUtf8, 0, path, -1, units, kLongest);
+        if (!size) *units = 0;
     }
 };
 
@@ -89,7 +94,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
             if (part.size >= kLongest - 1) return "the name is too long";
             file = CreateFileW(WidePath(part.data).units, kWrite, 0, nullptr, kNew, 0, nullptr);
         } while (file == kInvalid && GetLastError() == kFileExists && ++id < last);
-        if (file == kInvalid) return reason();
+        if (file == kInvalid) return reason(target.size);
     }
     const char *wrong = writeTo(file, data, size);
     if (!CloseHandle(file) && !wrong) wrong = reason();
@@ -110,7 +115,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
 const char *makeDirectory(const char *path) {
     WidePath wide(path);
     if (CreateDirectoryW(wide.units, nullptr)) return nullptr;
-    const char *wrong = reason();
+    const char *wrong = reason(wide.size);
     return isDirectory(wide) ? nullptr : wrong;
 }
 
