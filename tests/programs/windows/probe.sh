@@ -1,0 +1,35 @@
+# What the film's host and start keep on Windows, seen from within by a program made as the film is (probe/), packed and not.
+. "$(dirname "$0")/wine.sh"
+. "$(dirname "$0")/../display.sh"
+start_display 640x400
+needs_built tests/probe.exe
+needs_built tests/probe-safe.exe
+
+# probe PART LEAST ARGUMENT...: so many of its lines at least say ok, and none anything else. They are told here, too
+probe() {
+    local part=$1 least=$2 status
+    shift 2
+    timeout "$PATIENCE" "$wine" "$program" "$part" "$@" >"$WORK/told" 2>"$WORK/err" </dev/null
+    status=$?
+    grep -v '^ok: ' "$WORK/told" | sed 's/^/    /' >&2
+    head -c 300 "$WORK/err" >&2
+    [ $status = 0 ] && [ ! -s "$WORK/err" ] && [ "$(grep -c '^ok: ' "$WORK/told")" -ge "$least" ]
+}
+whole() { # what `names` leaves in its folder
+    [ "$(cat "$folder/a")" = three ] && [ "$(cat "$folder/b")" = ours ] && [ "$(cat "$folder"/b.*.part)" = "somebody's" ] &&
+        [ "$(ls -A "$folder" | wc -l)" = 4 ] && [ ! -s "$folder/held" ]
+}
+for program in "$BUILD/tests/probe-safe.exe" "$BUILD/tests/probe.exe"; do
+    name=$(basename "$program")
+    folder=$WORK/$name.d
+    mkdir "$folder"
+    check "$name: floats are rounded as on Linux, stacks are there" probe floats 33
+    check "$name: calls get to Windows whole" probe passing 14
+    check "$name: arguments are split as Windows does" probe arguments 7 "$(printf '%031000d' 0)"
+    check "$name: files are whole or absent" probe names 18 "$folder"
+    check "... nothing else is left there" whole
+    check "$name: clocks" probe times 13
+    check "$name: Windows's calls of ours find their registers kept" probe shown 28
+done
+check "the packed one was called before it was decoded" grep -q '^ok: the stub has called what is early' "$WORK/told"
+finish

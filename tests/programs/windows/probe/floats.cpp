@@ -1,0 +1,165 @@
+// How floats are rounded, and how deep the stack is: in the main thread, in workers, in a thread of our own.
+#include "probe.h"
+
+#include "host/process.h"
+#include "host/threads.h"
+
+using namespace odraz;
+
+namespace probe {
+
+namespace {
+
+struct Found {
+    uint32_t mxcsr;
+    bool denormals;
+    int64_t off;       // of the stack's alignment
+    int64_t committed; // bytes of the stack below, up to what is asked
+    int deep;          // what a large frame comes to
+    bool done;
+};
+
+constexpr int64_t kFrame = 256 << 10;
+
+// 1e-38 * 0.01 is denormal; 0 where these are flushed
+bool keepsDenormals() {
+    volatile float small = 1e-38f, less = 0.01f;
+    volatile float product = small * less;
+    volatile float denormal = product;
+    return product > 0 && denormal * 2 > product;
+}
+
+// Its far end first, where no guard page would have been touched
+[[gnu::noinline]] int deep() {
+    volatile char frame[kFrame];
+    frame[0] = 1;
+    for (int64_t i = 4096; i < kFrame; i += 4096) frame[i] = frame[i - 4096] + 1;
+    return frame[kFrame - 4096];
+}
+
+// How much of the stack below may be written to, at least kFrame.
+int64_t committed() {
+    struct Memory {
+        uint64_t base, first;
+        uint32_t firstProtection, partition;
+        uint64_t size;
+        uint32_t state, protection, kind, more;
+    } memory;
+    static_assert(sizeof(Memory) == 48);
+    auto query =
+        (PROBE_WINDOWS uint64_t(*)(uint64_t, Memory *, uint64_t))function("kernel32.dll", "VirtualQuery");
+    uint64_t here = (uint64_t)__builtin_frame_address(0), low = here;
+    while (here - low < 2 * kFrame && query(low - 1, &memory, sizeof memory) == sizeof memory &&
+           memory.state == 0x1000 && memory.protection == 4 /* to be written to, and no guard */)
+        low = memory.base;
+    return (int64_t)(here - low);
+}
+
+[[gnu::noinline]] void look(Found &found) {
+    found.mxcsr = mxcsr();
+    found.denormals = keepsDenormals();
+    found.committed = committed();
+    found.deep = deep();
+    __atomic_store_n(&found.done, true, __ATOMIC_RELEASE);
+}
+
+void tell(const char *mxcsrName, const char *denormals, const char *committed, const char *deep,
+          const Found &f) {
+    check(mxcsrName, f.mxcsr == kUsual, f.mxcsr);
+    check(denormals, f.denormals);
+    check(committed, f.committed >= kFrame, f.committed);
+    check(deep, f.deep == kFrame / 4096, f.deep);
+}
+#define TELL(who, found)                                                                                     \
+    tell("floats are rounded as on Linux in " who, "denormal ones survive in " who,                          \
+         "the stack is committed in " who, "a large frame is written to in " who, found)
+
+// Threads begin as if a library had spoilt them before
+struct Start {
+    void *body, *context;
+} theStarts[kMaxWorkers];
+int theStarted;
+Instead *theCreateThread;
+
+} // namespace
+
+extern "C" void odrazProbeSpoilt();
+__asm__("odrazProbeSpoilt:\n" // rcx: a Start
+        "    push $0xffc0\n"
+        "    ldmxcsr (%rsp)\n"
+        "    pop %rax\n"
+        "    mov (%rcx), %rax\n"
+        "    mov 8(%rcx), %rcx\n"
+        "    jmp *%rax\n");
+
+namespace {
+
+typedef PROBE_WINDOWS void *CreateThreadFunction(void *, uint64_t, void *, void *, uint32_t, uint32_t *);
+PROBE_WINDOWS void *createSpoilt(void *security, uint64_t stack, void *body, void *context, uint32_t flags,
+                                 uint32_t *id) {
+    Start &start = theStarts[theStarted++];
+    start = {body, context};
+    return ((CreateThreadFunction *)theCreateThread->usual)(security, stack, (void *)odrazProbeSpoilt, &start,
+                                                            flags, id);
+}
+
+// Not as bodies are: the start of a thread alone aligns its stack
+void *threadBody(void *context) {
+    Found &found = *(Found *)context;
+    found.off = stackIsOff();
+    look(found);
+    return nullptr;
+}
+
+constexpr int kWorkers = 5;
+struct Work {
+    Found found[kWorkers];
+    int arrived;
+};
+void workBody(const void *context, int piece, int, int worker) {
+    Work &work = *(Work *)context;
+    work.found[worker].off = stackIsOff();
+    look(work.found[worker]);
+    // A worker takes one piece alone
+    __atomic_add_fetch(&work.arrived, 1, __ATOMIC_ACQ_REL);
+    while (__atomic_load_n(&work.arrived, __ATOMIC_ACQUIRE) < kWorkers) Sleep(1);
+    (void)piece;
+}
+
+} // namespace
+
+void floats() {
+    static Found main, thread;
+    look(main);
+    TELL("the main thread", main);
+
+    static Work work;
+    static Workers workers;
+    static const int never = 0;
+    {
+        Instead create(kernelSlot("CreateThread"), (void *)createSpoilt);
+        theCreateThread = &create;
+        setMxcsr(kSpoilt);
+        const char *missing = startThread(threadBody, &thread);
+        if (!missing) missing = startWorkers(workers, kWorkers, &never);
+        setMxcsr(kUsual);
+        check("threads start", !missing && theStarted == kWorkers, theStarted);
+    }
+    while (!__atomic_load_n(&thread.done, __ATOMIC_ACQUIRE)) Sleep(1);
+    TELL("a thread", thread);
+    check("the stack is aligned for the engine in a thread", !thread.off, thread.off);
+    workers.run(workers, kWorkers, 1, workBody, &work);
+    for (int i = 1; i < kWorkers; ++i) {
+        TELL("a worker", work.found[i]);
+        check("the stack is aligned for the engine in a worker", !work.found[i].off, work.found[i].off);
+    }
+
+    // What the file asks for: of the main thread's stack and of every other, all of it committed
+    auto module = (PROBE_WINDOWS char *(*)(const char *))function("kernel32.dll", "GetModuleHandleA");
+    char *image = module(nullptr), *header = image + *(uint32_t *)(image + 0x3c) + 24;
+    uint64_t reserved = *(uint64_t *)(header + 72), asked = *(uint64_t *)(header + 80);
+    check("the file asks for a stack of 1 MB", reserved >= 1 << 20, (int64_t)reserved);
+    check("... committed whole", asked == reserved, (int64_t)asked);
+}
+
+} // namespace probe

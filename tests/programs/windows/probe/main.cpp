@@ -1,0 +1,90 @@
+// A program that looks at Windows from within, as the film sees it: by the film's own host and start.
+//   probe arguments FILLER | floats | names FOLDER | passing | shown | times
+// It tells what it found in lines "ok: ..." and "FAILED: ..."; its status is 1 when there is one of the
+// latter.
+#include "probe.h"
+
+#include "base/text.h"
+#include "host/files.h"
+#include "host/process.h"
+
+extern "C" {
+__attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
+__attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
+void _start();
+}
+
+using namespace odraz;
+
+namespace probe {
+
+int failures;
+
+void check(const char *what, bool good, int64_t found) {
+    Text<300> line;
+    line << (good ? "ok: " : "FAILED: ") << what;
+    if (!good) {
+        ++failures;
+        line << ", but " << found;
+    }
+    line << '\n';
+    writeAll(1, line.data, (size_t)line.size);
+}
+
+void *function(const char *library, const char *name) {
+    void *found = GetProcAddress(LoadLibraryA(library), name);
+    if (!found) {
+        complain(name);
+        endProcess(3);
+    }
+    return found;
+}
+
+void **kernelSlot(const char *wanted) {
+    void *found = function("kernel32.dll", wanted);
+    for (void *&slot : odrazFunctions.kernel32)
+        if (slot == found) return &slot;
+    complain(wanted);
+    endProcess(3);
+}
+
+static bool is(const char *a, const char *b) {
+    while (*a && *a == *b) ++a, ++b;
+    return *a == *b;
+}
+
+} // namespace probe
+
+int odrazMain(int argc, char **argv) {
+    using namespace probe;
+    // What has been loaded might have left anything there: it starts once more
+    static bool again;
+    if (!again) {
+        again = true;
+        setMxcsr(kSpoilt);
+        _start();
+    }
+    prepareDescriptors();
+    const char *part = argc > 1 ? argv[1] : "";
+    check("the stack is aligned for the engine in main", !stackIsOff(), stackIsOff());
+    if (theEarly.calls) {
+        check("the stub has called what is early", theEarly.calls > 1 && !theEarly.wrong, theEarly.calls);
+        check("... with the arguments", theEarly.arguments == argc, theEarly.arguments);
+        check("... with the stack aligned for the engine", !theEarly.off, theEarly.off);
+    }
+    if (is(part, "arguments"))
+        arguments();
+    else if (is(part, "floats"))
+        floats();
+    else if (is(part, "names") && argc == 3)
+        names(argv[2]);
+    else if (is(part, "passing"))
+        passing();
+    else if (is(part, "shown"))
+        shown();
+    else if (is(part, "times"))
+        times();
+    else
+        return complain("usage: probe arguments FILLER | floats | names FOLDER | passing | shown | times"), 2;
+    return failures != 0;
+}

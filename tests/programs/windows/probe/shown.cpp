@@ -1,0 +1,75 @@
+// The window: what Windows calls of ours keeps its registers, the display stays awake, pixels are pixels.
+#include "probe.h"
+
+#include "host/window.h"
+
+using namespace odraz;
+
+namespace probe {
+
+namespace {
+
+uint32_t theState, theAnswer, theCalls;
+void *theUsual;
+
+PROBE_WINDOWS uint32_t stayAwake(uint32_t state) {
+    theState = state;
+    ++theCalls;
+    return theAnswer = ((PROBE_WINDOWS uint32_t(*)(uint32_t))theUsual)(state);
+}
+
+} // namespace
+
+void shown() {
+    auto aware = (PROBE_WINDOWS int (*)())function("user32.dll", "IsProcessDPIAware");
+    static FilmWindow film;
+    static int leave;
+    {
+        Instead state(kernelSlot("SetThreadExecutionState"), (void *)stayAwake);
+        theUsual = state.usual;
+        const char *wrong = openWindow(film, false, 320, 180, &leave);
+        check(wrong ? wrong : "a window opens", !wrong);
+        if (wrong) return;
+        for (int i = 0; i < 5000 && (film.width != 320 || film.height != 180); ++i) Sleep(2);
+    }
+    check("it is as wide as asked for", film.width == 320, film.width);
+    check("... as high", film.height == 180, film.height);
+    check("display and machine are asked to stay awake, once, until it ends",
+          theState == 0x80000003 && theCalls == 1, theState);
+    check("... which is granted", theAnswer != 0);
+    check("pixels are the display's", aware());
+    check("OpenGL tells what it is", film.gl.glGetString(GL_VERSION) != nullptr);
+
+    auto find = (PROBE_WINDOWS HANDLE(*)(const char *, const char *))function("user32.dll", "FindWindowA");
+    auto get = (PROBE_WINDOWS void *(*)(HANDLE, int))function("user32.dll", "GetWindowLongPtrA");
+    HANDLE window = find("odraz", nullptr);
+    void *receive = window ? get(window, -4 /* GWLP_WNDPROC */) : nullptr;
+    check("what Windows calls is found", receive);
+    if (!receive) return;
+
+    static const struct {
+        const char *what;
+        uint64_t message, a, b, result;
+    } kMessages[] = {
+        {"a size", 5, 0, 123 | 77 << 16, 0},
+        {"a cursor within", 32, 0, 1, 1},
+        {"the screen saver", 0x112, 0xf140, 0, 0},
+        {"a display to be switched off", 0x112, 0xf170, 2, 0},
+        {"a question for the title's length", 14, 0, 0, 5},
+        {"nothing", 0, 0, 0, 0},
+    };
+    for (auto &m : kMessages) {
+        Kept after;
+        uint64_t arguments[4] = {(uint64_t)window, m.message, m.a, m.b};
+        setMxcsr(kSpoilt & ~0x40u); // Windows's own state is kept as well
+        callAsWindows(receive, arguments, after);
+        uint32_t rounding = mxcsr();
+        setMxcsr(kUsual);
+        check(m.what, after.result == m.result, (int64_t)after.result);
+        check("... is answered with the registers kept", keptByWindows(after), after.stack);
+        check("... and the rounding of floats", rounding == (kSpoilt & ~0x40u), rounding);
+    }
+    check("the size is taken over", film.width == 123 && film.height == 77, film.width);
+}
+
+} // namespace probe
