@@ -12,6 +12,25 @@ namespace {
 uint32_t theState, theAnswer, theCalls;
 void *theUsual;
 
+// GetProcAddress, as this program imports it; what it finds for SetProcessDpiAwarenessContext is ours
+typedef PROBE_WINDOWS void *FindFunction(void *library, const char *name);
+void *theUsualFind;
+typedef PROBE_WINDOWS int AwareFunction(int64_t);
+AwareFunction *theAware;
+int64_t theAwareness;
+PROBE_WINDOWS int beAware(int64_t context) {
+    theAwareness = context;
+    return theAware(context);
+}
+PROBE_WINDOWS void *find(void *library, const char *name) {
+    void *found = ((FindFunction *)theUsualFind)(library, name);
+    static const char kWanted[] = "SetProcessDpiAwarenessContext";
+    for (size_t i = 0; i < sizeof kWanted; ++i)
+        if (name[i] != kWanted[i]) return found;
+    theAware = (AwareFunction *)found;
+    return (void *)beAware;
+}
+
 PROBE_WINDOWS uint32_t stayAwake(uint32_t state) {
     theState = state;
     ++theCalls;
@@ -25,8 +44,12 @@ void shown() {
     static FilmWindow film;
     static int leave;
     {
+        void **imported;
+        __asm__("lea GetProcAddress@GOTPCREL(%%rip), %0" : "=r"(imported));
         Instead state(kernelSlot("SetThreadExecutionState"), (void *)stayAwake);
         theUsual = state.usual;
+        theUsualFind = *imported;
+        Instead found(imported, (void *)find);
         const char *wrong = openWindow(film, false, 320, 180, &leave);
         check(wrong ? wrong : "a window opens", !wrong);
         if (wrong) return;
@@ -37,12 +60,13 @@ void shown() {
     check("display and machine are asked to stay awake, once, until it ends",
           theState == 0x80000003 && theCalls == 1, theState);
     check("... which is granted", theAnswer != 0);
-    check("pixels are the display's", aware());
+    check("pixels are the display's", aware() && theAwareness == -4, theAwareness);
     check("OpenGL tells what it is", film.gl.glGetString(GL_VERSION) != nullptr);
 
-    auto find = (PROBE_WINDOWS HANDLE(*)(const char *, const char *))function("user32.dll", "FindWindowA");
+    auto findWindow =
+        (PROBE_WINDOWS HANDLE(*)(const char *, const char *))function("user32.dll", "FindWindowA");
     auto get = (PROBE_WINDOWS void *(*)(HANDLE, int))function("user32.dll", "GetWindowLongPtrA");
-    HANDLE window = find("odraz", nullptr);
+    HANDLE window = findWindow("odraz", nullptr);
     void *receive = window ? get(window, -4 /* GWLP_WNDPROC */) : nullptr;
     check("what Windows calls is found", receive);
     if (!receive) return;
