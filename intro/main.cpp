@@ -24,8 +24,9 @@ int run(int argc, char **argv, bool stdoutClosed) {
         complain(wrong.data);
         return 2;
     }
+    if (stdoutClosed && (o.help || o.version || o.doctor || o.stats))
+        return cannotWrite("standard output", "it is closed");
     if (o.help || o.version || o.doctor) {
-        if (stdoutClosed) return cannotWrite("standard output", "it is closed");
         Text<4096> t;
         if (o.help)
             writeHelp(t);

@@ -1,7 +1,7 @@
 #include "play.h"
 
+#include "dump.h"
 #include "host/clock.h"
-#include "host/files.h"
 #include "host/process.h"
 #include "host/threads.h"
 #include "music.h"
@@ -158,7 +158,7 @@ Player thePlayer;
     return nullptr;
 }
 
-void printStats(double untilFirst) {
+int printStats(double untilFirst) {
     Text<2048> t;
     (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
     t << "                                            trace ms        between ms      present ms\n"
@@ -190,7 +190,7 @@ void printStats(double untilFirst) {
     }
     if (count) t << "sound off by ms: median below " << median + 1 << ", p95 below " << most + 1 << '\n';
     t << "(missed: sixtieths of a second without a new picture)\n";
-    writeAll(1, t.data, (size_t)t.size);
+    return writeOutput("-", t.data, (size_t)t.size);
 }
 
 } // namespace
@@ -244,8 +244,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         __atomic_store_n(&p.shown, p.shown + 1, __ATOMIC_RELEASE);
     }
     endMusic(theMusic);
-    if (o.stats && firstShown) printStats((double)(firstShown - began) * 1e-9);
-    return 0;
+    return o.stats && firstShown ? printStats((double)(firstShown - began) * 1e-9) : 0;
 }
 
 } // namespace odraz

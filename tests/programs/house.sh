@@ -28,7 +28,7 @@ intro.h         base timeline trace/quality.h base
 inside.h        base timeline trace sound radiosity transfer show intro.h
 intro.cpp       base timeline trace sound radiosity transfer show intro.h inside.h
 play.h          base host intro.h options.h
-play.cpp        base host intro.h options.h play.h music.h
+play.cpp        base host intro.h options.h play.h dump.h music.h
 samples.h       base intro.h
 samples.cpp     base intro.h samples.h
 film_clock.h    base
