@@ -64,6 +64,8 @@ int odrazMain(int argc, char **argv) {
         setMxcsr(kSpoilt);
         _start();
     }
+    if (argc == 5 && is(argv[1], "start")) return (int)start(argv[2], argv[3], argv[4]);
+    if (argc == 4 && is(argv[1], "console")) return (int)startInConsole(argv[2], argv[3]);
     prepareDescriptors();
     const char *part = argc > 1 ? argv[1] : "";
     check("the stack is aligned for the engine in main", !stackIsOff(), stackIsOff());

@@ -67,4 +67,11 @@ void passing();
 void shown();
 void times();
 
+// starting.cpp: the status of a program that is started by a command line, without the standard handles
+// `which`
+// ("012"), as `how` says: null, invalid, stale. In a console of its own: its screen is written to standard
+// output.
+uint32_t start(const char *how, const char *which, const char *line);
+uint32_t startInConsole(const char *which, const char *line);
+
 } // namespace probe

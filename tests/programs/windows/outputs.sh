@@ -1,0 +1,119 @@
+# Where the film on Windows writes to, when that is closed, full, or a console: status and line are Linux's, nothing crashes
+# or hangs, nothing is half-written. Programs start others as Windows does (probe start, probe console): closed
+# descriptors of Linux's come to be Wine's own.
+. "$(dirname "$0")/wine.sh"
+. "$(dirname "$0")/../display.sh"
+start_display 640x400
+needs_built tests/probe-safe.exe
+linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe probe=$BUILD/tests/probe-safe.exe
+cd "$WORK" || exit 1
+small=(--size 64x36 --from 20 --to 20.04 --quality draft)
+lines=("--version" "--nope" "--to 999" "--dump - ${small[*]}" "--wav - --to 0.1" "--dump no/where ${small[*]}")
+films=("--window --mute --stats --size 64x36 --from 161.9") # they play
+run() { timeout "$PATIENCE" "$@"; } # 124: it hangs
+
+# --- Closed ---
+
+# as_linux HOW CLOSED LINE...: status, and what came to descriptors that are open
+as_linux() {
+    local how=$1 closed=$2 line=$3 in=/dev/null out=out.linux err=err.linux status wanted by
+    rm -f out.* err.*
+    touch out.{linux,windows} err.{linux,windows}
+    (
+        case $closed in *0*) exec <&- ;; esac
+        case $closed in *1*) exec >&- ;; esac
+        case $closed in *2*) exec 2>&- ;; esac
+        # shellcheck disable=SC2086 # a line is several words
+        run "$linux" $line
+    ) </dev/null >out.linux 2>err.linux
+    wanted=$?
+    run "$wine" "$probe" start "$how" "$closed" "\"Z:${windows//\//\\}\" $line" </dev/null >out.windows 2>err.windows
+    status=$?
+    [[ $line != *--stats* ]] || sed -i 's/[0-9.]*//g; /^credits/!d; s/ .*//' out.*
+    [ $status = $wanted ] && cmp out.linux out.windows && { [ -s out.linux ] || [ -s err.linux ] || [[ $closed = *1* || $closed = *2* ]]; } &&
+        cmp err.linux err.windows && [ "$(wc -l <err.windows)" -le 1 ] && return
+    echo "$line without $closed ($how): status $status, Linux's $wanted; $(head -c 200 err.windows)" >&2
+    return 1
+}
+all_as_linux() { # all_as_linux HOW CLOSED: every line
+    local line bad=0
+    for line in "${lines[@]}" "${films[@]}"; do as_linux "$1" "$2" "$line" || bad=1; done
+    return $bad
+}
+for closed in "" 0 1 2 01 02 12 012; do
+    check "standard handles that are null: ${closed:-none}" all_as_linux null "$closed"
+done
+films=()
+for closed in 1 2 12 012; do check "... that are invalid: $closed" all_as_linux invalid "$closed"; done
+check "... that are no more: 12" all_as_linux stale 12
+whole() {
+    run "$wine" "$probe" start null 012 "\"Z:${windows//\//\\}\" --dump frames ${small[*]} --wav frames/a.wav" </dev/null >out 2>err &&
+        run "$linux" --dump wanted "${small[@]}" && run "$linux" --wav wanted/a.wav "${small[@]:2:4}" && diff -r frames wanted
+}
+mkdir frames wanted
+check "what is dumped without any is whole" whole
+
+# --- Full ---
+
+refused_alike() { # refused_alike STATUS TEXT COMMAND: of $film, whose output it says; the same line by both
+    local film
+    for film in "$linux" "$wine $windows"; do
+        refuses "$1" "$2" bash -c "set -o pipefail; film='$film'; $3" || return
+        [[ $film = *.exe ]] || mv err err.linux
+    done
+    cmp err.linux err
+}
+full="cannot write standard output: no space left on the device"
+check "--help into a full disk" refused_alike 1 "$full" 'exec $film --help >/dev/full'
+check "--version, too" refused_alike 1 "$full" 'exec $film --version >/dev/full'
+check "--stats, too" refused_alike 1 "$full" 'exec $film --window --mute --stats --size 64x36 --from 161.9 >/dev/full'
+check "--stats into a pipe that nobody reads" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --window --mute --stats --size 64x36 --from 161.9; } | true'
+check "music into one" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --wav -; } | true'
+
+mkdir disk
+left() { # left FILM OPTION...: dumps there until it is full; the names that are left, and their sizes
+    local film=$1
+    shift
+    rm -rf disk/*
+    # shellcheck disable=SC2086 # Wine is two words
+    refuses 1 "no space left on the device" $film "$@" || return
+    (cd disk && find . -printf '%p %s %y\n' | sed 's/ [0-9]* d$//' | sort)
+}
+left_alike() {
+    left "$linux" "$@" >left.linux && mv err err.linux && left "$wine $windows" "$@" >left.windows && cmp left.linux left.windows && cmp err err.linux && lacks part left.windows
+}
+if mount -t tmpfs -o size=64k odraz disk 2>/dev/null; then
+    trap 'status=$?; umount "$WORK/disk"; (exit $status); end_wine; leave' EXIT
+    check "frames on a disk that gets full" left_alike --dump disk/frames --size 64x36 --from 20 --to 21 --quality draft
+    check "... leave those that are whole" test "$(wc -l <left.windows)" -gt 5
+    check "music on a disk that is too small" left_alike --wav disk/a.wav --to 1
+    check "... leaves nothing" test "$(wc -l <left.windows)" = 1
+else
+    echo "not checked: a full disk, which only root can make"
+fi
+
+# --- A console ---
+
+# in_console CLOSED STATUS OPTION...: started from one, without those; rows of it, each after a '|', in `told`
+in_console() {
+    local closed=$1 wanted=$2
+    shift 2
+    run "$wine" "$probe" console "$closed" "\"Z:${windows//\//\\}\" $*" </dev/null >told 2>err
+    [ $? = "$wanted" ] || { echo "not $wanted: $(head -c 300 told err)" >&2; return 1; }
+}
+says() { diff <("$linux" "$@" 2>&1 | sed 's/^/|/') told; } # the console shows it, and nothing else is told
+check "from a console, --version" in_console 012 0 --version
+check "... gets there" says --version
+check "an unknown option" in_console 12 2 --nope
+check "... is told there" says --nope
+check "with a file for standard output, --version" in_console 2 0 --version
+check "... gets into that" cmp told <("$linux" --version)
+check "... what is wrong gets to the console" in_console 2 2 --nope
+check "... in its line" says --nope
+check "with both, --version" in_console "" 0 --version
+check "... gets into the file" cmp told <("$linux" --version)
+check "... an unknown option" in_console "" 2 --nope
+check "... into the other" test ! -s told -a "$(cat err)" = "$("$linux" --nope 2>&1)"
+check "pictures do not get into a console" in_console 12 2 --dump - "${small[@]}"
+check "... which is told" grep -q 'what goes to - is not text' told
+finish
