@@ -1,0 +1,58 @@
+# The film's window on Windows, as its viewers may treat it: tiny, odd, quickly resized, moved, minimised; a display of
+# another aspect.
+. "$(dirname "$0")/wine.sh"
+. "$(dirname "$0")/../display.sh"
+skip_unless openbox wmctrl
+film=$BUILD/odraz-safe.exe
+play() { begin "$wine" "$film" --mute "$@" && await eval "is_bright || gone $pid" && is_bright; }
+leaves() { xdotool windowfocus --sync "$window" key Escape && ended $pid; }
+resized() { xdotool windowsize "$window" "$1" "$2"; }
+
+start_display 1000x700
+check "plays at an odd size" play --window --size 641x359 --from 60
+check "... which its window has" measures 641 359
+resized 1 1
+check "gets as tiny as can be" await measures 1 1
+check "... and plays on" worked $pid 30
+resized 3 2
+check "gets tiny" await measures 3 2
+check "... and plays on" worked $pid 30
+often() {
+    local i
+    for i in {1..60}; do resized $((20 + i * 13 % 700)) $((20 + i * 29 % 500)) || return; done
+    resized 700 500
+}
+check "is resized often and quickly" often
+check "... and has the last of the sizes" await measures 700 500
+check "... with bars above" await is_black 700x52+0+0
+check "... and a picture" await is_bright
+xdotool windowmove "$window" 250 150
+check "is moved" await eval 'xwininfo -id "$window" | grep -q "Absolute upper-left X: *250"'
+check "... and draws" await is_bright
+check "ESC leaves" leaves
+
+# Under a window manager
+openbox >/dev/null 2>&1 &
+PIDS+=($!)
+check "plays there" play --window --size 640x360 --from 60
+check "... managed" await eval "wmctrl -l | grep -q ' odraz$'"
+hidden() { xwininfo -id "$window" | grep -q 'Map State: IsUn'; }
+xdotool windowminimize "$window"
+check "is minimised" await hidden
+check "... and plays on" worked $pid 30
+wmctrl -i -a "$window"
+check "is restored" await eval '! hidden'
+check "... as large as before" await measures 640 360
+check "... and draws" await is_bright
+check "ESC leaves" leaves
+
+# A display that is higher than wide. Wine keeps the first that it has seen: it starts afresh
+"$server" -k
+"$server" -f -p </dev/null >/dev/null 2>&1 &
+start_display 500x700
+check "fills a high display" play --from 60
+check "... whole" measures 500 700
+check "... with bars above" await is_black 500x208+0+0
+check "... and below" is_black 500x208+0+492
+check "ESC leaves" leaves
+finish
