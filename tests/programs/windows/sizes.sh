@@ -47,8 +47,8 @@ check "... and draws" await is_bright
 check "ESC leaves" leaves
 
 # A display that is higher than wide. Wine keeps the first that it has seen: it starts afresh
-"$server" -k
-"$server" -f -p </dev/null >/dev/null 2>&1 &
+"$wine_server" -k
+"$wine_server" -f -p </dev/null >/dev/null 2>&1 &
 start_display 500x700
 check "fills a high display" play --from 60
 check "... whole" measures 500 700

@@ -7,7 +7,7 @@ unset DISPLAY
 # What it has started ends with the test, too: devices of its own would stay, and keep the processor busy
 end_wine() {
     local status=$?
-    "$server" -k
+    "$wine_server" -k
     return $status
 }
 trap 'end_wine; leave' EXIT
