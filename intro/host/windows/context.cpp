@@ -1,9 +1,28 @@
 #include "host/windows/context.h"
 
 #include "host/library.h"
+#include "host/threads.h"
 #include "host/windows/calls.h"
 
 namespace odraz::windows {
+
+static void *listen(void *context) {
+    Surface &s = *(Surface *)context;
+    s.window = CreateWindowExA(0, s.kind, "odraz", s.style, s.x, s.y, s.width, s.height, nullptr, nullptr,
+                               nullptr, nullptr);
+    if (s.window) s.dc = GetDC(s.window);
+    ReleaseSemaphore(s.opened, 1, nullptr);
+    uint64_t message[6];
+    while (s.window && GetMessageA(message, nullptr, 0, 0) > 0) DispatchMessageA(message);
+    return nullptr;
+}
+
+const char *openSurface(Surface &s) {
+    s.opened = CreateSemaphoreA(nullptr, 0, 1, nullptr);
+    if (!s.opened || startThread(listen, &s)) return "no thread to listen for keys: end other programs";
+    WaitForSingleObject(s.opened, ~0u);
+    return nullptr;
+}
 
 // wglGetProcAddress knows what came after OpenGL 1.1, the library what was there before. Drivers say no by
 // small numbers, too.

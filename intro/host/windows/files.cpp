@@ -10,8 +10,8 @@ using namespace windows;
 namespace {
 
 constexpr int kLongest = 4096; // of a path, in units of UTF-16
-constexpr uint32_t kRead = 0x80000000, kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3,
-                   kDisk = 1 /* GetFileType */, kDirectory = 16;
+constexpr uint32_t kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3, kDisk = 1 /* GetFileType */,
+                   kDirectory = 16;
 
 // `size`: of the path in units of UTF-16 with its zero, 0 where it did not fit; 1 where it matters no more.
 const char *reason(int size = 1) {

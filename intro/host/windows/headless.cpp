@@ -11,9 +11,8 @@ using namespace windows;
 const char *openHeadlessGl(Gl &gl) {
     if (const char *line = mayNotRunWritten()) return line;
     if (!openGlLibraries()) {
-        HANDLE window = CreateWindowExA(0, "STATIC", "odraz", 0x80000000 /* WS_POPUP */, 0, 0, 16, 16,
-                                        nullptr, nullptr, nullptr, nullptr);
-        if (window && !createContext(GetDC(window), gl)) return nullptr;
+        static Surface s = {"STATIC", 0x80000000 /* WS_POPUP */, 0, 0, 16, 16};
+        if (!openSurface(s) && s.dc && !createContext(s.dc, gl)) return nullptr;
     }
     return "no OpenGL 3.3: install the driver of the graphics card";
 }

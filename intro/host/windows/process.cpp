@@ -35,16 +35,6 @@ const char *mayNotRunWritten() {
 
 bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }
 
-int complain(const char *line) {
-    char text[512] = "odraz: ";
-    uint32_t size = 7;
-    // One line, whatever it repeats of what users gave
-    for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
-    text[size++] = '\n';
-    WriteFile(standard(2), text, size, &size, nullptr);
-    return 1;
-}
-
 Quiet::Quiet() {} // libraries say nothing there
 Quiet::~Quiet() {}
 

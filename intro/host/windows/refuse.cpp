@@ -1,16 +1,49 @@
+// Saying no: on standard error, and where nobody sees that, in a box.
+#include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
+#include "host/threads.h"
 #include "host/windows/calls.h"
 
 namespace odraz {
 
-// In a box only where nobody sees standard error: no script that has it shall wait for a viewer.
-int refuse(const char *line) {
-    complain(line);
-    if (!GetFileType(windows::standard(2)) &&
-        !loadFunctions("user32.dll", ODRAZ_USER32(ODRAZ_NAME), odrazFunctions.user32))
-        MessageBoxA(nullptr, line, "odraz", 0x10 /* an error's sign */);
+using namespace windows;
+
+namespace {
+
+// Whoever runs us where nobody sees a box shall not wait for ever.
+[[gnu::force_align_arg_pointer]] void *endLater(void *) {
+    sleepFor(30000000000);
+    endProcess(1);
+}
+
+int say(const char *line, bool box) {
+    char text[512] = "odraz: ";
+    uint32_t size = 7;
+    // One line, whatever it repeats of what users gave
+    for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
+    text[size++] = '\n';
+    // Consoles and boxes take bytes for letters of an alphabet of their own
+    WCHAR wide[513];
+    int units = MultiByteToWideChar(kUtf8, 0, text, (int)size, wide, 512);
+    wide[units] = 0;
+    HANDLE to = standard(2);
+    uint32_t mode;
+    if (GetConsoleMode(to, &mode))
+        WriteConsoleW(to, wide, (uint32_t)units, &mode, nullptr);
+    else if (GetFileType(to))
+        WriteFile(to, text, size, &size, nullptr);
+    else if (box && !loadFunctions("user32.dll", ODRAZ_USER32(ODRAZ_NAME), odrazFunctions.user32) &&
+             !startThread(endLater, nullptr))
+        MessageBoxW(nullptr, wide, nullptr, 0x10 /* an error's sign */);
     return 1;
 }
+
+} // namespace
+
+// A script has standard output, if nothing else.
+int complain(const char *line) { return say(line, !GetFileType(standard(1))); }
+
+int refuse(const char *line) { return say(line, true); }
 
 } // namespace odraz

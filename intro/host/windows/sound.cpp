@@ -22,6 +22,7 @@ HANDLE theDevice; // the host's: one process has one sound
 Buffer theBuffers[kBuffers];
 int theNext;      // buffer to fill
 int64_t theTaken; // frames, since it was opened
+bool theLost;     // the device went away
 
 void close() {
     waveOutReset(theDevice);
@@ -35,6 +36,7 @@ bool open() {
     if (waveOutOpen(&theDevice, ~0u /* the usual device */, &format, nullptr, nullptr, 0)) return false;
     theNext = 0;
     theTaken = 0;
+    theLost = false;
     for (Buffer &b : theBuffers) {
         b.header = {};
         b.header.data = b.samples;
@@ -51,7 +53,7 @@ bool open() {
 
 int write(const int16_t *samples, int frames) {
     int taken = 0;
-    while (taken < frames) {
+    while (taken < frames && !theLost) {
         Buffer &b = theBuffers[theNext];
         if (!(__atomic_load_n(&b.header.flags, __ATOMIC_ACQUIRE) & kDone)) break;
         int n = frames - taken < kFrames ? frames - taken : kFrames;
@@ -59,12 +61,15 @@ int write(const int16_t *samples, int frames) {
         b.header.size = (uint32_t)n * 4;
         b.header.flags &= ~kDone;
         if (waveOutWrite(theDevice, &b.header, sizeof b.header)) {
-            b.header.flags |= kDone;
-            close();
-            return -1;
+            theLost = true;
+            break;
         }
         theNext = (theNext + 1) % kBuffers;
         taken += n;
+    }
+    if (theLost) {
+        close();
+        return -1;
     }
     if ((theTaken += taken) == kBuffers * kFrames) waveOutRestart(theDevice);
     return taken;
@@ -73,7 +78,9 @@ int write(const int16_t *samples, int frames) {
 int64_t delay() {
     WaveTime time = {};
     time.kind = 2; // TIME_SAMPLES
-    if (waveOutGetPosition(theDevice, &time, sizeof time) || time.kind != 2) return -1;
+    // Some drivers tell by this alone that what it played to was pulled out
+    theLost |= waveOutGetPosition(theDevice, &time, sizeof time) != 0;
+    if (time.kind != 2) return -1;
     return theTaken - time.samples;
 }
 

@@ -18,7 +18,7 @@ struct Pool : Work {
     HANDLE turns, allDone;
 };
 
-[[gnu::force_align_arg_pointer]] void *threadMain(void *context) {
+void *threadMain(void *context) {
     Pool &pool = *(Pool *)context;
     int worker = pool.newWorker();
     for (;;) {
@@ -72,20 +72,22 @@ int cpuCount() {
     return count ? count : kMaxWorkers; // it does not count beyond a group of 64
 }
 
+static const char kNoRoom[] = "room for another thread";
 const char kMoreThreads[] = "end other programs";
 
 const char *startThread(void *(*body)(void *), void *context) {
     Start *start = (Start *)takeMemory(sizeof(Start)); // a page, for as long as the process lives
-    if (!start) return "room for another thread";
+    if (!start) return kNoRoom;
     *start = {body, context};
     HANDLE thread = CreateThread(nullptr, 0, (void *)odrazThread, start, 0, nullptr);
-    return thread ? nullptr : "room for another thread";
+    return thread ? nullptr : kNoRoom;
 }
 
 const char *startWorkers(Workers &workers, int count, const int *abort) {
     workers = {count < kMaxWorkers ? count : kMaxWorkers, run, abort, &thePool};
     thePool.turns = CreateSemaphoreA(nullptr, 0, kMaxWorkers, nullptr);
     thePool.allDone = CreateSemaphoreA(nullptr, 0, 1, nullptr);
+    if (!thePool.turns || !thePool.allDone) return kNoRoom;
     for (int i = 1; i < workers.count; ++i)
         if (const char *missing = startThread(threadMain, &thePool)) return missing;
     return nullptr;

@@ -1,11 +1,9 @@
-// By Windows's own window manager and WGL. The window belongs to the thread that listens, as Windows has it;
-// its context of OpenGL to the one that traces and draws.
+// By Windows's own window manager and WGL.
 #include "host/window.h"
 
 #include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
-#include "host/threads.h"
 #include "host/windows/calls.h"
 #include "host/windows/context.h"
 
@@ -16,8 +14,7 @@ using namespace windows;
 struct WindowState {
     FilmWindow *film;
     int *leave;
-    int width, height; // asked for; 0: the full screen
-    HANDLE dc, opened; // opened: a semaphore, given when the window is there or cannot be
+    Surface surface;
 };
 
 namespace {
@@ -60,30 +57,6 @@ void beAware() {
     if (!aware || !aware(-4 /* DPI_AWARENESS_CONTEXT_PER_MONITOR_AWARE_V2 */)) SetProcessDPIAware();
 }
 
-[[gnu::force_align_arg_pointer]] void *listen(void *) {
-    WindowState &w = theWindow;
-    WindowClass kind = {};
-    kind.style = 32; // CS_OWNDC
-    kind.receive = (void *)receive;
-    kind.name = "odraz";
-    RegisterClassA(&kind);
-    constexpr uint32_t kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000;
-    int full[4] = {0, 0, GetSystemMetrics(0), GetSystemMetrics(1)}, framed[4] = {0, 0, w.width, w.height};
-    AdjustWindowRect(framed, kOverlapped, 0);
-    int *area = w.width ? framed : full;
-    HANDLE window = CreateWindowExA(0, kind.name, kind.name, (w.width ? kOverlapped : kPopUp) | kVisible,
-                                    w.width ? 40 : 0, w.width ? 40 : 0, area[2] - area[0], area[3] - area[1],
-                                    nullptr, nullptr, nullptr, nullptr);
-    w.dc = window ? GetDC(window) : nullptr;
-    SetForegroundWindow(window);
-    SetThreadExecutionState(
-        0x80000003); // neither the display sleeps nor the machine, as long as this thread lives
-    ReleaseSemaphore(w.opened, 1, nullptr);
-    uint64_t message[6];
-    while (window && GetMessageA(message, nullptr, 0, 0) > 0) DispatchMessageA(message);
-    return nullptr;
-}
-
 } // namespace
 
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave) {
@@ -93,17 +66,29 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     window.state = &w;
     w.film = &window;
     w.leave = leave;
-    w.width = fullScreen ? 0 : width;
-    w.height = height;
     if (openGlLibraries()) return kNoGl;
     beAware();
     // Sleep by the millisecond, not by the clock's sixty-fourth of a second
     if (!loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) timeBeginPeriod(1);
-    w.opened = CreateSemaphoreA(nullptr, 0, 1, nullptr);
-    if (startThread(listen, nullptr)) return "no thread to listen for keys: end other programs";
-    WaitForSingleObject(w.opened, ~0u);
-    if (!w.dc) return "no display: log in to one, or use --dump";
-    if (createContext(w.dc, window.gl)) return kNoGl;
+    WindowClass kind = {};
+    kind.style = 32; // CS_OWNDC
+    kind.receive = (void *)receive;
+    kind.name = "odraz";
+    RegisterClassA(&kind);
+    constexpr uint32_t kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000;
+    Surface &s = w.surface;
+    if (fullScreen) {
+        s = {kind.name, kPopUp | kVisible, 0, 0, GetSystemMetrics(0), GetSystemMetrics(1)};
+    } else {
+        int area[4] = {0, 0, width, height};
+        AdjustWindowRect(area, kOverlapped, 0);
+        s = {kind.name, kOverlapped | kVisible, 40, 40, area[2] - area[0], area[3] - area[1]};
+    }
+    if (const char *line = openSurface(s)) return line;
+    if (!s.dc) return "no display: log in to one, or use --dump";
+    SetForegroundWindow(s.window);
+    SetThreadExecutionState(0x80000003); // neither display nor machine sleep while this thread lives
+    if (createContext(s.dc, window.gl)) return kNoGl;
     // A picture is shown when the display begins a new one: whole, and at its pace
     auto every = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");
     if (every) every(1);
@@ -112,6 +97,6 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
 
 void leaveContext(FilmWindow &) { wglMakeCurrent(nullptr, nullptr); }
 
-void swapBuffers(FilmWindow &window) { SwapBuffers(window.state->dc); }
+void swapBuffers(FilmWindow &window) { SwapBuffers(window.state->surface.dc); }
 
 } // namespace odraz

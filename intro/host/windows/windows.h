@@ -47,10 +47,10 @@ Handle standard(int descriptor);
     F(GetFileType) F(GetLastError) F(GetModuleFileNameW) F(GetProcessAffinityMask) F(GetProcessTimes) \
     F(GetStdHandle) F(MoveFileExW) F(MultiByteToWideChar) F(QueryPerformanceCounter) \
     F(QueryPerformanceFrequency) F(ReleaseSemaphore) F(SetStdHandle) F(SetThreadExecutionState) F(Sleep) F(TerminateProcess) \
-    F(VirtualAlloc) F(VirtualFree) F(WaitForSingleObject) F(WideCharToMultiByte) F(WriteFile)
+    F(VirtualAlloc) F(VirtualFree) F(WaitForSingleObject) F(WideCharToMultiByte) F(WriteConsoleW) F(WriteFile)
 #define ODRAZ_USER32(F) \
     F(AdjustWindowRect) F(CreateWindowExA) F(DefWindowProcA) F(DispatchMessageA) F(GetDC) F(GetMessageA) \
-    F(GetSystemMetrics) F(MessageBoxA) F(RegisterClassA) F(SetCursor) F(SetForegroundWindow) F(SetProcessDPIAware)
+    F(GetSystemMetrics) F(MessageBoxW) F(RegisterClassA) F(SetCursor) F(SetForegroundWindow) F(SetProcessDPIAware)
 #define ODRAZ_GDI32(F) F(ChoosePixelFormat) F(SetPixelFormat) F(SwapBuffers)
 #define ODRAZ_OPENGL32(F) F(wglCreateContext) F(wglGetProcAddress) F(wglMakeCurrent)
 #define ODRAZ_WINMM(F) \
@@ -141,6 +141,7 @@ int VirtualFree(void *at, uint64_t bytes, uint32_t how);
 uint32_t WaitForSingleObject(HANDLE, uint32_t milliseconds);
 int WideCharToMultiByte(uint32_t page, uint32_t flags, const WCHAR *, int units, char *to, int room,
                         const char *otherwise, int *used);
+int WriteConsoleW(HANDLE, const WCHAR *text, uint32_t units, uint32_t *written, void *reserved);
 int WriteFile(HANDLE, const void *data, uint32_t size, uint32_t *written, void *overlapped);
 
 int AdjustWindowRect(int area[4], uint32_t style, int menu);
@@ -151,7 +152,7 @@ int64_t DispatchMessageA(const void *message);
 HANDLE GetDC(HANDLE window);
 int GetMessageA(void *message /* 48 bytes */, HANDLE window, uint32_t first, uint32_t last); // < 0: it fails
 int GetSystemMetrics(int which);
-int MessageBoxA(HANDLE window, const char *text, const char *title, uint32_t flags);
+int MessageBoxW(HANDLE window, const WCHAR *text, const WCHAR *title, uint32_t flags);
 uint16_t RegisterClassA(const odraz::windows::WindowClass *);
 HANDLE SetCursor(HANDLE);
 int SetForegroundWindow(HANDLE window);
