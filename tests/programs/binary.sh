@@ -68,7 +68,9 @@ check "... and no memory is writable and executable" lacks rwx "$WORK/maps"
 # The same commit makes the same bytes, in another place
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$BUILD/CMakeCache.txt")
 check "configure a second build" prints "Build files have been written" cmake -G "$generator" -S "$SOURCE" -B "$WORK/second/build"
-check "build it" prints odraz cmake --build "$WORK/second/build" --target film -j 2
+check "build it" prints odraz cmake --build "$WORK/second/build" --target film film_windows -j 2
 check "both builds are equal to the byte" cmp "$BUILD/odraz" "$WORK/second/build/odraz"
 check "unpacked too" cmp "$BUILD/odraz-safe" "$WORK/second/build/odraz-safe"
+check "those for Windows, too" cmp "$BUILD/odraz.exe" "$WORK/second/build/odraz.exe"
+check "... unpacked" cmp "$BUILD/odraz-safe.exe" "$WORK/second/build/odraz-safe.exe"
 finish

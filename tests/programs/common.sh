@@ -34,9 +34,14 @@ finish() {
     exit $FAILED
 }
 
-skip_unless() { # programs that a test cannot do without
+skip_unless() { # programs that a test cannot do without; one that has failed before fails
     local program
-    for program in "$@"; do command -v "$program" >/dev/null || { echo "SKIPPED: $program is not installed"; exit 77; }; done
+    for program in "$@"; do
+        command -v "$program" >/dev/null && continue
+        [ "$FAILED" = 0 ] || finish
+        echo "SKIPPED: $program is not installed"
+        exit 77
+    done
 }
 # lacking LIBRARY: a folder for LD_LIBRARY_PATH, in which one that is no library stands for one that is missing
 lacking() {

@@ -42,7 +42,10 @@ int prepareDescriptors() {
     int closed = 0;
     HANDLE to[3];
     for (int fd = 0; fd < 3; ++fd)
-        if (!GetFileType(to[fd] = standard(fd))) closed |= 1 << fd;
+        if (!GetFileType(to[fd] = standard(fd))) {
+            closed |= 1 << fd;
+            SetStdHandle(which(fd), nullptr); // no file of ours shall be taken for it
+        }
     // Started from a console as a program with windows: it is there to write to all the same
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
     // (which takes the place of a pipe or a file, too: these are put back)

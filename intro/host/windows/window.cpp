@@ -19,7 +19,7 @@ struct WindowState {
 
 namespace {
 
-WindowState theWindow; // one process shows one window
+WindowState theWindow = {}; // one process shows one window
 
 constexpr uint32_t kSize = 5, kClose = 16, kSetCursor = 32, kKeyDown = 256, kCommand = 0x112,
                    kScreenSaver = 0xf140, kMonitorPower = 0xf170;

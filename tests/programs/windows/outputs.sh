@@ -9,7 +9,7 @@ linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe probe=$BUILD/tests/probe-s
 cd "$WORK" || exit 1
 small=(--size 64x36 --from 20 --to 20.04 --quality draft)
 lines=("--version" "--nope" "--to 999" "--dump - ${small[*]}" "--wav - --to 0.1" "--dump no/where ${small[*]}")
-films=("--window --mute --stats --size 64x36 --from 161.9") # they play
+films=("--window --mute --stats --size 64x36 --from 161") # they play
 run() { timeout "$PATIENCE" "$@"; } # 124: it hangs
 
 # --- Closed ---
@@ -27,7 +27,10 @@ as_linux() {
         run "$linux" $line
     ) </dev/null >out.linux 2>err.linux
     wanted=$?
-    run "$wine" "$probe" start "$how" "$closed" "\"Z:${windows//\//\\}\" $line" </dev/null >out.windows 2>err.windows
+    # Where there is neither output a box opens, for which there must be no display
+    local quiet=()
+    [[ $line = *--window* ]] || quiet=(env -u DISPLAY)
+    run "${quiet[@]}" "$wine" "$probe" start "$how" "$closed" "\"Z:${windows//\//\\}\" $line" </dev/null >out.windows 2>err.windows
     status=$?
     [[ $line != *--stats* ]] || sed -i 's/[0-9.]*//g; /^credits/!d; s/ .*//' out.*
     [ $status = $wanted ] && cmp out.linux out.windows && { [ -s out.linux ] || [ -s err.linux ] || [[ $closed = *1* || $closed = *2* ]]; } &&
@@ -53,6 +56,19 @@ whole() {
 mkdir frames wanted
 check "what is dumped without any is whole" whole
 
+# As from a shortcut: neither output, and no console
+"$wine" "$probe" start null 012 "\"Z:${windows//\//\\}\" --nope" </dev/null >out 2>err &
+pid=$!
+PIDS+=($pid)
+box() { xdotool search --onlyvisible --class 'odraz-safe.exe' "$@" 2>/dev/null; }
+check "what is wrong opens a box where there is neither" await box
+box windowfocus key Return
+closes() {
+    ended $pid
+    [ $? = 2 ]
+}
+check "... which Return closes, with the status that it has" closes
+
 # --- Full ---
 
 refused_alike() { # refused_alike STATUS TEXT COMMAND: of $film, whose output it says; the same line by both
@@ -66,8 +82,8 @@ refused_alike() { # refused_alike STATUS TEXT COMMAND: of $film, whose output it
 full="cannot write standard output: no space left on the device"
 check "--help into a full disk" refused_alike 1 "$full" 'exec $film --help >/dev/full'
 check "--version, too" refused_alike 1 "$full" 'exec $film --version >/dev/full'
-check "--stats, too" refused_alike 1 "$full" 'exec $film --window --mute --stats --size 64x36 --from 161.9 >/dev/full'
-check "--stats into a pipe that nobody reads" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --window --mute --stats --size 64x36 --from 161.9; } | true'
+check "--stats, too" refused_alike 1 "$full" 'exec $film --window --mute --stats --size 64x36 --from 161 >/dev/full'
+check "--stats into a pipe that nobody reads" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --window --mute --stats --size 64x36 --from 161; } | true'
 check "music into one" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --wav -; } | true'
 
 mkdir disk
