@@ -72,5 +72,7 @@ sed -i 's/ab+/ab/' "$WORK"/other/odraz*
 check "a build of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "is of commit 0123456789ab, not of"' - "$release" --built --no-capture --poster "$SOURCE/intro/film.png" --to "$WORK/three"
 cp "$BUILD/odraz" "$BUILD/odraz-safe" "$WORK/other"
 check "a build for Windows of another commit" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz-safe.exe is of another build"' - "${made[@]}" --to "$WORK/three"
+cp "$BUILD/odraz-safe.exe" "$BUILD/pack" "$WORK/other"
+check "... a packed one" env BUILD="$WORK/other" bash -c '"$@" 2>&1 | grep -q "odraz.exe is of another build"' - "${made[@]}" --to "$WORK/three"
 check "... and leaves nothing" test -z "$(ls -A "$WORK/three")"
 finish
