@@ -1,4 +1,5 @@
 // How floats are rounded, and how deep the stack is: in the main thread, in workers, in a thread of our own.
+// What the program's own memory may be used for.
 #include "probe.h"
 
 #include "host/process.h"
@@ -37,17 +38,20 @@ bool keepsDenormals() {
     return frame[kFrame - 4096];
 }
 
+// Pages alike around an address
+struct Memory {
+    uint64_t base, first;
+    uint32_t firstProtection, partition;
+    uint64_t size;
+    uint32_t state, protection, kind, more;
+};
+static_assert(sizeof(Memory) == 48);
+typedef PROBE_WINDOWS uint64_t Query(uint64_t address, Memory *, uint64_t size);
+
 // How much of the stack below may be written to, at least kFrame.
 int64_t committed() {
-    struct Memory {
-        uint64_t base, first;
-        uint32_t firstProtection, partition;
-        uint64_t size;
-        uint32_t state, protection, kind, more;
-    } memory;
-    static_assert(sizeof(Memory) == 48);
-    auto query =
-        (PROBE_WINDOWS uint64_t(*)(uint64_t, Memory *, uint64_t))function("kernel32.dll", "VirtualQuery");
+    Memory memory;
+    auto query = (Query *)function("kernel32.dll", "VirtualQuery");
     uint64_t here = (uint64_t)__builtin_frame_address(0), low = here;
     while (here - low < 2 * kFrame && query(low - 1, &memory, sizeof memory) == sizeof memory &&
            memory.state == 0x1000 && memory.protection == 4 /* to be written to, and no guard */)
@@ -73,6 +77,17 @@ void tell(const char *mxcsrName, const char *denormals, const char *committed, c
 #define TELL(who, found)                                                                                     \
     tell("floats are rounded as on Linux in " who, "denormal ones survive in " who,                          \
          "the stack is committed in " who, "a large frame is written to in " who, found)
+
+// Of the program's pages: how many kinds may be executed, and how many both that and written to.
+void countPages(uint64_t begin, uint64_t end, int &code, int &both) {
+    auto query = (Query *)function("kernel32.dll", "VirtualQuery");
+    Memory memory;
+    for (; begin < end && query(begin, &memory, sizeof memory) == sizeof memory;
+         begin = memory.base + memory.size) {
+        code += (memory.protection & 0xf0) != 0;
+        both += (memory.protection & 0xc0) != 0; // PAGE_EXECUTE_READWRITE, PAGE_EXECUTE_WRITECOPY
+    }
+}
 
 // Threads begin as if a library had spoilt them before
 struct Start {
@@ -160,6 +175,11 @@ void floats() {
     uint64_t reserved = *(uint64_t *)(header + 72), asked = *(uint64_t *)(header + 80);
     check("the file asks for a stack of 1 MB", reserved >= 1 << 20, (int64_t)reserved);
     check("... committed whole", asked == reserved, (int64_t)asked);
+
+    int code = 0, both = 0;
+    countPages((uint64_t)image, (uint64_t)image + *(uint32_t *)(header + 56), code, both);
+    check("pages of its own may be executed", code > 0, code);
+    check("... and none of these written to", !both, both);
 }
 
 } // namespace probe

@@ -8,11 +8,7 @@
 #include "host/files.h"
 #include "host/process.h"
 
-extern "C" {
-__attribute__((noplt, ms_abi)) void *LoadLibraryA(const char *name);
-__attribute__((noplt, ms_abi)) void *GetProcAddress(void *library, const char *name);
-void _start();
-}
+extern "C" void _start();
 
 using namespace odraz;
 

@@ -74,7 +74,8 @@ void passing() {
     ODRAZ_KERNEL32(PASSES)
     ODRAZ_USER32(PASSES)
     ODRAZ_GDI32(PASSES)
-    ODRAZ_OPENGL32(PASSES) ODRAZ_WINMM(PASSES)
+    ODRAZ_OPENGL32(PASSES)
+    ODRAZ_WINMM(PASSES)
 #undef PASSES
         check("each function of Windows gets what ours is given, up to 12 arguments", !wrong && slot > 50,
               slot);
