@@ -49,6 +49,10 @@ lacking() {
     echo "not a library" >"$WORK/$1.d/$1"
     echo "$WORK/$1.d"
 }
+# flip FILE OFFSET [BITS]: these bits of that byte are others; all eight
+flip() {
+    printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
+}
 # "${UNWRITTEN[@]}" COMMAND...: where nothing may run that was written, by prctl(PR_SET_MDWE); status 77 before Linux 6.3
 UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
 can_be_unwritten() {

@@ -128,9 +128,6 @@ keep() { # keep OUT: with what it was made from
 resumes() { # resumes LEFT OUT
     rendered "${small[@]}" --shard 7 --resume "$2" && grep -qx "tools/render: $((5 - $1)) of 5 shards are there, $1 to do" "$WORK/err"
 }
-flip() { # flip FILE OFFSET: another byte
-    printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ 255)))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
-}
 parts=$to/r.mp4.parts
 check "a video is kept in its shards" keep "$to/r.mp4"
 rm "$to/r.mp4" "$parts/000987-000994.nut" "$parts/001008-001010.sums"

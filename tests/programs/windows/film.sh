@@ -1,13 +1,12 @@
 # The film on Windows, as Wine runs it, beside the one on Linux: frames of every scene, the hall, in-betweens and sound are
 # equal to the byte; options and outputs that fail say the same. Most of it not packed, which is sooner there.
 . "$(dirname "$0")/wine.sh"
-skip_unless Xvfb
+. "$(dirname "$0")/../display.sh"
 linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe
 # OpenGL under Wine is X11's
-Xvfb -noreset -displayfd 5 -screen 0 640x480x24 -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
-PIDS+=($!)
-await test -s "$WORK/display" || exit 1
-display=:$(cat "$WORK/display")
+start_display 640x480
+display=$DISPLAY
+unset DISPLAY
 
 both() { # both OPTION...: standard output of both, in out.linux and out.windows; false when a status is not 0
     "$linux" "$@" >"$WORK/out.linux" 2>"$WORK/err.linux" </dev/null || { cat "$WORK/err.linux" >&2; return 1; }
@@ -78,8 +77,7 @@ check "packed: the music" alike --wav - --to 2
 # ... and not whole
 broken=$WORK/odraz.exe size=$(stat -c %s "$BUILD/odraz.exe")
 damaged() { # damaged AT: a bit there is another
-    cp "$BUILD/odraz.exe" "$broken"
-    printf "\\x$(printf %02x $(($(od -An -tu1 -j "$1" -N 1 "$broken") ^ 16)))" | dd of="$broken" bs=1 seek="$1" conv=notrunc status=none
+    cp "$BUILD/odraz.exe" "$broken" && flip "$broken" "$1" 16
     refuses 1 "damaged: get it afresh" "$wine" "$broken" --version
 }
 for at in 2000 9000 30000 50001 60000 $((size - 500)); do check "a wrong bit at $at" damaged "$at"; done
