@@ -25,6 +25,7 @@ often() {
 check "is resized often and quickly" often
 check "... and has the last of the sizes" await measures 700 500
 check "... with bars above" await is_black 700x52+0+0
+check "... and below" await is_black 700x52+0+448
 check "... and a picture" await is_bright
 xdotool windowmove "$window" 250 150
 check "is moved" await eval 'xwininfo -id "$window" | grep -q "Absolute upper-left X: *250"'
@@ -43,6 +44,9 @@ check "... and plays on" worked $pid 30
 wmctrl -i -a "$window"
 check "is restored" await eval '! hidden'
 check "... as large as before" await measures 640 360
+resized 640 500
+check "... and to be resized" await is_black 640x69+0+0
+check "... as it should" await is_black 640x69+0+431
 check "... and draws" await is_bright
 check "ESC leaves" leaves
 
