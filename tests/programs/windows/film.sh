@@ -64,6 +64,7 @@ check "a folder in a file's place" alike_refused 1 "it is a directory" --wav "$W
 check "a full disk" refuses 1 "cannot write standard output: no space left on the device" bash -c "exec '$wine' '$windows' --dump - ${small[*]} >/dev/full"
 check "a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$wine' '$windows' --dump - --from 20 --to 30 --size 320x180 --quality draft | head -c 99 >/dev/null"
 check "no OpenGL for the hall" refuses 1 "no OpenGL 3.3: install" "$wine" "$windows" --dump - --from 100 --to 100.04 --size 64x36
+check "... no opengl32.dll" refuses 1 "no OpenGL 3.3: install" env DISPLAY="$display" WINEDLLOVERRIDES="opengl32=;$WINEDLLOVERRIDES" "$wine" "$windows" --dump - --from 100 --to 100.04 --size 64x36
 check "... an old one" refuses 1 "no OpenGL 3.3: install" env DISPLAY="$display" MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$windows" --dump - --from 100 --to 100.04 --size 64x36
 
 # Packed

@@ -33,6 +33,7 @@ check "Alt-F4 leaves" leaves to_window alt+F4
 check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
 check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --mute --stats
 film=$BUILD/odraz-safe.exe
+check "without winmm.dll it plays in silence" prints ^credits env WINEDLLOVERRIDES="winmm=;$WINEDLLOVERRIDES" timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --stats
 check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --mute --stats
 
 # Under a window manager
@@ -46,6 +47,7 @@ check "the close button leaves" leaves wmctrl -i -c "$window"
 
 # What is missing is told on standard error, and where there is none in a box
 check "an OpenGL that is too old is refused" refuses 1 "no OpenGL 3.3 on this display: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film"
+check "... one without opengl32.dll, too" refuses 1 "no OpenGL 3.3 on this display: install" env WINEDLLOVERRIDES="opengl32=;$WINEDLLOVERRIDES" "$wine" "$film"
 MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film" 2>&- &
 pid=$!
 PIDS+=($pid)
