@@ -1,11 +1,12 @@
 #include "doctor.h"
 
-#include "dump.h"
+#include "base/text.h"
 #include "host/cpu.h"
 #include "host/headless.h"
 #include "host/process.h"
 #include "host/sound.h"
 #include "host/threads.h"
+#include "output/output.h"
 #include "start/early.h"
 
 namespace odraz {
@@ -31,7 +32,7 @@ int examine() {
     processor << cpuCount() << " x " << name;
     tell("processor", nullptr, processor.data);
     tell("memory", couldAddress(kMost) ? nullptr : "too little");
-    tell("write and run", mayNotRunWritten());
+    tell("write and run", jitForbidden());
     const char *missing = openWindow(window, false, 320, 180, &theEarly.viewerLeft);
     tellGl("OpenGL", missing);
     if (!missing) leaveContext(window);

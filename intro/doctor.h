@@ -3,9 +3,9 @@
 
 namespace odraz {
 
-// Prints a line each, as soon as it is known: so many processors of that name, memory, whether what was written
-// may run, what draws for OpenGL on the display (a window opens for a moment), what draws without one, and
-// sound; or what is missing of it and what to do. Exit status: 0 when nothing is missing.
+// Prints a line for each, as soon as it is known: processors, memory, whether code may be made and run,
+// OpenGL on the display (a window opens for a moment) and without one, and sound. Each line tells what is
+// there, or what is missing and what to do. Exit status: 0 when nothing is missing.
 int examine();
 
 } // namespace odraz

@@ -12,20 +12,24 @@
 
 namespace odraz {
 
+// A picture as it was traced, and when.
+struct Slot {
+    Traced traced;
+    const Shot *shot;
+    double seconds;
+    Quality quality;
+};
+
 struct Intro {
     Workers *workers;
     Film film;
     Tracer tracer;
     Frame frame;
     Curve curve;
-    Air air;
-    // Where pictures between others are made: the last two traced, the later one second, and their moments
-    bool pairs;
-    Between between;
-    Traced sides[2];
-    const Shot *shots[2];
-    double seconds[2];
-    Quality quality; // of the later one
+    Glare glare;
+    Slot slots[kSlots];
+    bool pairs;      // false: there is slot 0 alone, and its frame and scene are those above
+    Between between; // where pictures between others are made
 };
 
 struct Sound {

@@ -20,7 +20,7 @@ bool needsHall(double from, double to) {
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs) bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 18) + 4096;
-    bytes += airBytes(s.width, s.height);
+    bytes += glareBytes(s.width, s.height);
     return bytes + pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
 }
@@ -31,16 +31,19 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     Scene *scene = arena.take<Scene>(1);
     Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
     intro->pairs = s.pairs;
-    for (Traced &side : intro->sides) {
+    for (Slot &slot : intro->slots) {
         if (!s.pairs) break;
-        side.scene = arena.take<Scene>(1);
-        makeFrame(side.frame, arena, s.width, s.height);
-        side.frame.shapes = arena.take<uint16_t>((size_t)side.frame.stride * (size_t)s.height);
+        Traced &t = slot.traced;
+        t.scene = arena.take<Scene>(1);
+        makeFrame(t.frame, arena, s.width, s.height);
+        t.frame.shapes = arena.take<uint16_t>((size_t)t.frame.stride * (size_t)s.height);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
-        !makeFrame(intro->frame, arena, s.width, s.height) || !makeAir(intro->air, arena, s.width, s.height))
+        !makeFrame(intro->frame, arena, s.width, s.height) ||
+        !makeGlare(intro->glare, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
+    if (!s.pairs) intro->slots[0].traced = {intro->frame, scene, {}};
     makeCurve(intro->curve);
     intro->workers = &workers;
     intro->film = {scene, hall, {s.bytes, s.machine}};
@@ -73,46 +76,39 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
         now.entry->letter(now.cue, view, frame);
     }
     frame.rgba = rgba;
-    scatterLight(intro.air, frame, *intro.workers);
+    spreadGlare(intro.glare, frame, *intro.workers);
     // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
     // would be seen as a veil
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
-            &intro.air, kFilmAir);
+            &intro.glare, kFilmLook);
     return {frame.width, frame.height, rgba};
 }
 
-Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera) {
-    Traced now = {intro.frame, intro.film.scene, {}};
-    if (intro.pairs) {
-        now = intro.sides[0];
-        intro.sides[0] = intro.sides[1];
-        intro.shots[0] = intro.shots[1];
-        intro.seconds[0] = intro.seconds[1];
-    }
+Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, const CameraKey *camera) {
+    Slot &s = intro.slots[slot];
+    Traced &now = s.traced;
     Film film = intro.film;
     film.scene = now.scene;
     Posed posed = poseAt(film, seconds, camera);
     now.view = posed.view(now.frame.width, now.frame.height);
+    s.shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
+    s.seconds = seconds;
+    s.quality = quality;
     traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, now.frame);
-    if (intro.pairs) {
-        intro.sides[1] = now;
-        intro.shots[1] = momentAt(kFilm, seconds * kRowsPerSecond).shot;
-        intro.seconds[1] = seconds;
-        intro.quality = quality;
-    }
     return finish(intro, posed, now.view, seconds, now.scene->exposure, now.frame, now.frame.rgba);
 }
 
-Picture pictureBetween(Intro &intro) {
+Picture between(Intro &intro, int earlier, int later) {
+    const Slot &a = intro.slots[earlier], &b = intro.slots[later];
     Frame &frame = intro.frame;
     Traced now = {frame, intro.film.scene, {}};
-    double seconds = (intro.seconds[0] + intro.seconds[1]) * 0.5;
+    double seconds = (a.seconds + b.seconds) * 0.5;
     Posed posed = poseAt(intro.film, seconds);
     now.view = posed.view(frame.width, frame.height);
-    if (intro.shots[0] == intro.shots[1] && min(frame.width, frame.height) > 1)
-        traceBetween(intro.between, intro.tracer, *intro.workers, intro.sides, intro.quality, now);
+    if (a.shot == b.shot && min(frame.width, frame.height) > 1)
+        traceBetween(intro.between, intro.tracer, *intro.workers, a.traced, b.traced, b.quality, now);
     else
-        traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, intro.quality, frame);
+        traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, b.quality, frame);
     return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, frame.rgba);
 }
 
@@ -131,8 +127,8 @@ void seekSound(Sound &s, int block) { seekBlock(s.mixer, block); }
 void soundBlock(Sound &s, float *stereo) { renderBlock(s.mixer, stereo); }
 
 const char *outgrown(const Intro &intro) {
-    for (const Traced &side : intro.sides)
-        if (side.scene && side.scene->overflow) return side.scene->overflow;
+    for (const Slot &slot : intro.slots)
+        if (slot.traced.scene && slot.traced.scene->overflow) return slot.traced.scene->overflow;
     return intro.film.scene->overflow;
 }
 

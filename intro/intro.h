@@ -19,7 +19,7 @@ struct IntroSettings {
     // name; 0 and null where they must not enter the picture (dumps)
     int64_t bytes = 0;
     const char *machine = nullptr;
-    bool pairs = false; // whether pictures between traced ones will be asked for
+    bool pairs = false; // whether there are two slots, and pictures between them; else there is slot 0
 };
 
 // Whether some scene in [from, to) seconds plays in the hall, which must then be solved.
@@ -45,21 +45,23 @@ const char *sceneName(int scene);
 CameraKey cameraAt(double seconds);
 
 // A picture to show or to keep: sRGB, four bytes a pixel, top row first. The caller may overwrite it, and the
-// kHeaderRoom bytes before it; it lasts until the next one of its kind is asked for, or where pictures come
-// in pairs a traced one until the second next.
+// kHeaderRoom bytes before it. It lasts until another one is made in its place: in the same slot, or between.
 struct Picture {
     int width, height;
     uint8_t *rgba;
 };
 inline constexpr int kHeaderRoom = 64;
+inline constexpr int kSlots = 2; // places for pictures, 0 and 1
 
-// Traces and develops the picture of a time. It depends on nothing but the time, the quality and the size.
-// With a camera given, that one looks instead of the scripted one.
-Picture picture(Intro &intro, double seconds, const Quality &quality, const CameraKey *camera = nullptr);
+// Traces and develops the picture of a time, in a slot. It depends on nothing but the time, the quality and
+// the size. With a camera given, that one looks instead of the scripted one.
+Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
+                const CameraKey *camera = nullptr);
 
-// Where pictures come in pairs: the picture half-way in time between the last two, made from them, or where
-// they are of different shots, traced. It depends on nothing but these two.
-Picture pictureBetween(Intro &intro);
+// The picture half-way in time between those of two slots: made from them, or where they are of different
+// shots, traced. It depends on nothing but these two; they stay as they are. What must be traced has the
+// quality of the later one.
+Picture between(Intro &intro, int earlier, int later);
 
 // Of the last picture: samples that it took; null, or the constant of scene.h that its scene outgrew, so that
 // it is not what was meant.

@@ -1,20 +1,96 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "doctor.h"
-#include "dump.h"
 #include "host/clock.h"
 #include "host/cpu.h"
 #include "host/files.h"
 #include "host/headless.h"
 #include "host/process.h"
 #include "host/threads.h"
-#include "play.h"
+#include "output/dump.h"
+#include "output/output.h"
+#include "output/wav.h"
+#include "play/player.h"
 #include "start/early.h"
 #include "version.h"
-#include "wav.h"
 
 using namespace odraz;
 
 namespace {
+
+// --help, --version and --doctor.
+int answer(const Options &o) {
+    Text<4096> t;
+    if (o.help)
+        writeHelp(t);
+    else
+        t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
+    int status = writeOutput("-", t.data, (size_t)t.size);
+    return status || !o.doctor ? status : examine();
+}
+
+// What both ways to show the film need.
+struct Prepared {
+    Workers workers;
+    IntroSettings settings;
+    bool hall;  // some of its scenes play there
+    bool heard; // with its music
+    char processor[49];
+    Arena arena;
+    Intro *intro;
+};
+
+// Threads and memory; exit status. What a dump lacks is told to the script that runs it, not in a window.
+int prepare(const Options &o, Prepared &f) {
+    auto refuseOrComplain = o.dump ? complain : refuse;
+    int count = o.threads ? o.threads : cpuCount();
+    if (const char *missing = startWorkers(f.workers, count, &theEarly.viewerLeft)) {
+        Message m;
+        m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
+        return refuseOrComplain(m.data);
+    }
+    // Frames made from others want those beside the first and the last, too
+    double beside = o.live ? 1 / 60.0 : 0;
+    bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps);
+    f.hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
+    f.heard = !o.dump && !o.mute;
+    f.settings = {o.width, o.height};
+    f.settings.pairs = o.live || !o.dump;
+    cpuName(f.processor);
+    if (!o.dump) f.settings.bytes = ownSize(), f.settings.machine = f.processor;
+    size_t bytes = memoryNeeded(f.settings, f.workers.count, f.hall) + (f.heard ? soundMemory() : 0);
+    f.arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
+    if (f.arena.base) return 0;
+    Message m;
+    m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed: " << kMoreMemory;
+    return refuseOrComplain(m.data);
+}
+
+int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
+    Gl gl;
+    if (f.hall) {
+        Quiet libraries;
+        if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
+    }
+    if (const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &gl : nullptr))
+        return complain(wrong);
+    return dump(*f.intro, o, stdoutClosed);
+}
+
+// The window comes first, and shows how far loading is.
+int playFilm(const Options &o, Prepared &f, int64_t began) {
+    FilmWindow &window = theEarly.window;
+    float loaded = theEarly.opened ? kEarlyShare : 0;
+    if (!theEarly.opened) {
+        Quiet libraries;
+        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
+            return refuse(wrong);
+    }
+    const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &window.gl : nullptr,
+                             {showLoading, &window, loaded});
+    if (viewerLeft()) return 0;
+    Sound *sound = f.heard ? loadSound(f.arena) : nullptr;
+    return wrong ? refuse(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
+}
 
 int run(int argc, char **argv, bool stdoutClosed) {
     int64_t began = theEarly.began ? theEarly.began : nanoseconds();
@@ -26,73 +102,14 @@ int run(int argc, char **argv, bool stdoutClosed) {
     }
     if (stdoutClosed && (o.help || o.version || o.doctor || o.stats))
         return cannotWrite("standard output", "it is closed");
-    if (o.help || o.version || o.doctor) {
-        Text<4096> t;
-        if (o.help)
-            writeHelp(t);
-        else
-            t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
-        int status = writeOutput("-", t.data, (size_t)t.size);
-        return status || !o.doctor ? status : examine();
-    }
-
+    if (o.help || o.version || o.doctor) return answer(o);
     if (o.wav) {
         int status = writeWav(o, stdoutClosed);
         if (status || !o.dump) return status;
     }
-
-    // Threads, memory, film. What a dump lacks is told to the script that runs it, not in a window
-    auto refuseOrComplain = o.dump ? complain : refuse;
-    Workers workers;
-    int count = o.threads ? o.threads : cpuCount();
-    if (const char *missing = startWorkers(workers, count, &theEarly.viewerLeft)) {
-        Message m;
-        m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
-        return refuseOrComplain(m.data);
-    }
-    // Frames made from others want those beside the first and the last, too
-    double beside = o.live ? 1 / 60.0 : 0;
-    bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps),
-         hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
-    char name[49];
-    cpuName(name);
-    IntroSettings settings = {o.width, o.height};
-    settings.pairs = o.live || !o.dump;
-    if (!o.dump) settings.bytes = ownSize(), settings.machine = name;
-    bool heard = !o.dump && !o.mute;
-    size_t bytes = memoryNeeded(settings, workers.count, hall) + (heard ? soundMemory() : 0);
-    Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    if (!arena.base) {
-        Message m;
-        m << "not enough memory: " << (int64_t)(bytes >> 20)
-          << " MB are needed: " << kMoreMemory;
-        return refuseOrComplain(m.data);
-    }
-    Intro *intro;
-
-    // Play: the window comes first, and shows how far loading is
-    if (!o.dump) {
-        FilmWindow &window = theEarly.window;
-        float loaded = theEarly.opened ? kEarlyShare : 0;
-        if (!theEarly.opened) {
-            Quiet libraries;
-            if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
-                return refuse(wrong);
-        }
-        const char *wrong = load(intro, settings, arena, workers, hall ? &window.gl : nullptr,
-                                 {showLoading, &window, loaded});
-        if (viewerLeft()) return 0;
-        Sound *sound = heard ? loadSound(arena) : nullptr;
-        return wrong ? refuse(wrong) : play(*intro, sound, o, window, &theEarly.viewerLeft, began);
-    }
-    Gl gl;
-    if (hall) {
-        Quiet libraries;
-        if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
-    }
-    if (const char *wrong = load(intro, settings, arena, workers, hall ? &gl : nullptr))
-        return complain(wrong);
-    return dump(*intro, o, stdoutClosed);
+    Prepared film;
+    if (int status = prepare(o, film)) return status;
+    return o.dump ? dumpFilm(o, film, stdoutClosed) : playFilm(o, film, began);
 }
 
 } // namespace

@@ -12,8 +12,8 @@
 #include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
-#include "music.h"
 #include "options.h"
+#include "play/music.h"
 #include "timeline/track.h"
 
 #define GLFW_INCLUDE_NONE
@@ -182,7 +182,7 @@ int main(int argc, char **argv) {
             m.time = std::fmin(clock.at(moment), duration());
         m.sought = false;
         fly(window, m, (float)passed);
-        Picture p = picture(*intro, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
+        Picture p = picture(*intro, 0, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
         if (const char *limit = outgrown(*intro))
             return fail(
                 (std::string(sceneName(sceneAt(m.time))) + " outgrew a limit; raise in scene.h: " + limit)

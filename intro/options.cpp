@@ -73,9 +73,9 @@ bool readQuality(const char *p, Options &o) {
 
 struct Option {
     char name[10];
-    char value[7];     // what follows it, for the help; "" where nothing does
-    const char *right; // what a value must be, and the begin of what the help says
-    const char *more;  // the rest of that
+    char value[7];        // what follows it, for the help; "" where nothing does
+    const char *expects;  // what a value must be: the refusal of another says so, and the help begins with it
+    const char *helpTail; // the rest of the help
     bool (*read)(const char *p, Options &o);
 };
 
@@ -124,7 +124,7 @@ void writeHelp(AnyText &t) {
         int line = t.size;
         t << "  " << o.name;
         if (*o.value) t << ' ' << o.value;
-        if (*o.right) t.padTo(line + 19) << o.right << o.more;
+        if (*o.expects) t.padTo(line + 19) << o.expects << o.helpTail;
         t << '\n';
     }
 }
@@ -140,7 +140,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
             return false;
         }
         if (!option->read(value, o)) {
-            wrong << name << " needs " << option->right;
+            wrong << name << " needs " << option->expects;
             if (*value) wrong << ", not '" << value << '\'';
             return false;
         }

@@ -14,11 +14,11 @@ struct Layout {
 constexpr uint32_t kPast = 8; // zeros that stand for the bytes before the first one
 static_assert(kPast >= kByte5);
 
-inline uint64_t memoryBehindModel(const Shape &shape, uint32_t size) {
-    return (sizeof(Slot) << shape.slotBits) + kPast + size;
+inline uint64_t memoryBehindModel(const ModelParameters &parameters, uint32_t size) {
+    return (sizeof(Slot) << parameters.slotBits) + kPast + size;
 }
-inline uint64_t modelMemory(const Shape &shape, uint32_t size) {
-    return sizeof(Model) + memoryBehindModel(shape, size);
+inline uint64_t modelMemory(const ModelParameters &parameters, uint32_t size) {
+    return sizeof(Model) + memoryBehindModel(parameters, size);
 }
 
 // Binary range decoding: the code's place within the range, which is kept above 2^24 (as in LZMA).
@@ -45,10 +45,11 @@ struct Decoder {
 // coded as offsets from the start of the image, high byte first, so that one target looks the same wherever
 // it is named. `memory`: modelMemory() bytes of zeros, aligned to 16.
 template <class Coder>
-void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, uint8_t *image) {
+void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, void *memory,
+         uint8_t *image) {
     Model &m = *(Model *)memory;
     Slot *slots = (Slot *)(&m + 1);
-    uint8_t *now = (uint8_t *)(slots + (1u << shape.slotBits)) + kPast; // bytes as they were coded
+    uint8_t *now = (uint8_t *)(slots + (1u << parameters.slotBits)) + kPast; // bytes as they were coded
     uint32_t fields[kFields] = {};
     Parser parser = {};
     expandOpcodes(m.opcodes);
@@ -60,15 +61,15 @@ void run(Coder &coder, const Layout &layout, const Shape &shape, void *memory, u
         fields[kWhere] = parser.left << kPhaseBits | parser.phase;
         fields[kColumn] = i % kColumns;
         uint32_t data = i - layout.codeBegin >= layout.codeSize;
-        begin(m, shape, fields, data);
+        begin(m, parameters, fields, data);
         uint32_t bits = 1;
         do {
-            uint32_t bit = coder.bit(predict(m, shape, slots, bits));
-            learn(m, shape, bit);
+            uint32_t bit = coder.bit(predict(m, parameters, slots, bits));
+            learn(m, parameters, bit);
             bits = bits * 2 + bit;
         } while (bits < 256);
         uint8_t byte = (uint8_t)bits;
-        end(m, shape, byte);
+        end(m, parameters, byte);
         *now++ = image[i] = byte;
         if (data) continue;
         if (uint32_t behind = parser.step(fields, byte, m.opcodes)) {

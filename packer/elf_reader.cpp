@@ -92,38 +92,40 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
                     program.bytes.begin() + (long)(h.p_vaddr - base));
 }
 
-// Finds the two imports, refuses all else, and wipes what only the loader reads.
-void readDynamic(const Elf64_Phdr &dynamic, const System &system, Program &program) {
-    Memory memory = {program};
-    std::string two = std::string(system.functions[0]) + " and " + system.functions[1],
-                onlyThem = "it must import " + two + " and nothing else";
-    uint64_t strings = 0, symbols = 0, relocations = 0, relocationSize = 0, stringSize = 0, hash = 0;
-    std::vector<uint64_t> needed;
-    need(dynamic.p_memsz < 4096, "its dynamic section makes no sense");
-    for (uint64_t a = dynamic.p_vaddr; a + sizeof(Elf64_Dyn) <= dynamic.p_vaddr + dynamic.p_memsz;
+// What the dynamic section says, as far as it matters here.
+struct Dynamic {
+    std::vector<uint64_t> needed; // names of libraries
+    uint64_t strings, stringSize, symbols, relocations, relocationSize, hash;
+};
+
+// Refuses what the packed program would not have: a PLT, constructors, destructors.
+Dynamic readDynamic(const Elf64_Phdr &segment, const Memory &memory) {
+    Dynamic dynamic = {};
+    need(segment.p_memsz < 4096, "its dynamic section makes no sense");
+    for (uint64_t a = segment.p_vaddr; a + sizeof(Elf64_Dyn) <= segment.p_vaddr + segment.p_memsz;
          a += sizeof(Elf64_Dyn)) {
         auto d = memory.at<Elf64_Dyn>(a);
         switch (d.d_tag) {
         case DT_NEEDED:
-            needed.push_back(d.d_un.d_val);
+            dynamic.needed.push_back(d.d_un.d_val);
             break;
         case DT_STRTAB:
-            strings = d.d_un.d_ptr;
+            dynamic.strings = d.d_un.d_ptr;
             break;
         case DT_STRSZ:
-            stringSize = d.d_un.d_val;
+            dynamic.stringSize = d.d_un.d_val;
             break;
         case DT_SYMTAB:
-            symbols = d.d_un.d_ptr;
+            dynamic.symbols = d.d_un.d_ptr;
             break;
         case DT_RELA:
-            relocations = d.d_un.d_ptr;
+            dynamic.relocations = d.d_un.d_ptr;
             break;
         case DT_RELASZ:
-            relocationSize = d.d_un.d_val;
+            dynamic.relocationSize = d.d_un.d_val;
             break;
         case DT_HASH:
-            hash = d.d_un.d_ptr;
+            dynamic.hash = d.d_un.d_ptr;
             break;
         case DT_JMPREL:
             throw Unsuitable("it calls through a PLT: compile with -fno-plt");
@@ -135,14 +137,21 @@ void readDynamic(const Elf64_Phdr &dynamic, const System &system, Program &progr
             throw Unsuitable("it has constructors or destructors, which would not run");
         }
     }
-    need(needed.size() == 1 && memory.text(strings + needed[0]) == system.library,
+    return dynamic;
+}
+
+// Finds the slots of the two imports, and refuses all others.
+void findImports(const Dynamic &dynamic, const Memory &memory, const System &system, Program &program) {
+    std::string two = std::string(system.functions[0]) + " and " + system.functions[1],
+                onlyThem = "it must import " + two + " and nothing else";
+    need(dynamic.needed.size() == 1 && memory.text(dynamic.strings + dynamic.needed[0]) == system.library,
          "it must need " + std::string(system.library) + " and no other library");
-    need(relocationSize == 2 * sizeof(Elf64_Rela), onlyThem);
+    need(dynamic.relocationSize == 2 * sizeof(Elf64_Rela), onlyThem);
     bool found[2] = {};
     for (int i = 0; i < 2; ++i) {
-        auto r = memory.at<Elf64_Rela>(relocations + (uint64_t)i * sizeof(Elf64_Rela));
-        auto symbol = memory.at<Elf64_Sym>(symbols + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
-        std::string name = memory.text(strings + symbol.st_name);
+        auto r = memory.at<Elf64_Rela>(dynamic.relocations + (uint64_t)i * sizeof(Elf64_Rela));
+        auto symbol = memory.at<Elf64_Sym>(dynamic.symbols + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
+        std::string name = memory.text(dynamic.strings + symbol.st_name);
         bool second = name == system.functions[1];
         need(second || name == system.functions[0], onlyThem);
         need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
@@ -156,12 +165,16 @@ void readDynamic(const Elf64_Phdr &dynamic, const System &system, Program &progr
     need(found[0] && found[1], "it must import both " + two);
     need(program.slots[0] + 8 == program.slots[1] || program.slots[1] + 8 == program.slots[0],
          "the slots of its two imports do not lie side by side: link it without other GOT entries");
-    memory.wipe(relocations, relocationSize);
-    memory.wipe(symbols, 3 * sizeof(Elf64_Sym));
-    memory.wipe(strings, stringSize);
-    if (hash)
+}
+
+// Zeros in place of what only the loader reads.
+void wipeDynamic(const Elf64_Phdr &segment, const Dynamic &dynamic, Memory &memory) {
+    memory.wipe(dynamic.relocations, dynamic.relocationSize);
+    memory.wipe(dynamic.symbols, 3 * sizeof(Elf64_Sym));
+    memory.wipe(dynamic.strings, dynamic.stringSize);
+    if (uint64_t hash = dynamic.hash)
         memory.wipe(hash, 4 * (2 + uint64_t(memory.at<uint32_t>(hash)) + memory.at<uint32_t>(hash + 4)));
-    memory.wipe(dynamic.p_vaddr, dynamic.p_memsz);
+    memory.wipe(segment.p_vaddr, segment.p_memsz);
 }
 
 // Where the instructions are and what is to run early, by the section headers if there are any.
@@ -221,7 +234,9 @@ Program readProgram(const std::vector<uint8_t> &file, const System &system) {
     need(header.e_entry >= program.base && header.e_entry < program.base + program.readOnly,
          "its entry point lies outside its code");
     program.entry = (uint32_t)header.e_entry;
-    readDynamic(*dynamic, system, program);
+    Dynamic tables = readDynamic(*dynamic, memory);
+    findImports(tables, memory, system, program);
+    wipeDynamic(*dynamic, tables, memory);
     if (interpreter) memory.wipe(interpreter->p_vaddr, interpreter->p_memsz);
     // The headers, where they are part of the image
     for (const Elf64_Phdr &h : headers)

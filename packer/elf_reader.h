@@ -1,16 +1,17 @@
-// Reading the program to pack.
+// Reads the program to pack.
 #pragma once
 
 #include "program.h"
 
 namespace pack {
 
-// Accepts a fixed-base ET_EXEC for x86-64 with an interpreter, without RWX, TLS or constructors, that needs
-// libdl.so.2 alone and imports only dlopen and dlsym, by GLOB_DAT, into slots side by side. Data lie behind
-// code and constants, on pages of their own; all of it at 0x210000 or above, within 64 MiB. A section
-// `.early` ends on a page of its own: what lies in front of that end is what Parameters calls the early part,
-// the section's first byte the function. For Windows: the same, but that it needs kernel32.dll alone, imports
-// LoadLibraryA and GetProcAddress, and may have any interpreter or none. Throws Unsuitable.
+// Accepts an x86-64 program of type ET_EXEC at a fixed base. It must have an interpreter, need libdl.so.2
+// alone, and import only dlopen and dlsym, by GLOB_DAT, into adjacent slots. RWX segments, TLS and
+// constructors are refused. Data must follow code and constants, on pages of their own; everything must lie
+// at 0x210000 or above, within 64 MiB. If there is a section `.early`, it must end at the end of a page. The
+// image up to there is what PayloadHeader calls the early part, and the section's first byte is its function.
+// For Windows the rules are the same, except that the program needs kernel32.dll alone, imports LoadLibraryA
+// and GetProcAddress, and may have any interpreter or none. Throws Unsuitable.
 Program readProgram(const std::vector<uint8_t> &file, const System &system = kLinux);
 
 } // namespace pack

@@ -11,7 +11,7 @@ namespace pack {
 namespace {
 
 // Where things lie in a packed file
-constexpr size_t kStubAt = sizeof(Front), kPartsAt = kStubAt + sizeof kStub;
+constexpr size_t kStubAt = sizeof(Front), kPayloadSectionAt = kStubAt + sizeof kStub;
 
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {
@@ -57,12 +57,14 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
 
 } // namespace
 
-size_t overhead(const Shape &shape) { return kPartsAt + partsSize(shape); }
+size_t overhead(const ModelParameters &parameters) {
+    return kPayloadSectionAt + payloadSectionOverhead(parameters);
+}
 
-std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
+std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &parameters,
                                  const std::vector<uint8_t> &payload) {
     uint32_t base = program.base - kBelow;
-    size_t size = (overhead(shape) + payload.size() + 3) / 4 * 4;
+    size_t size = (overhead(parameters) + payload.size() + 3) / 4 * 4;
     need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
     auto at = [&](size_t offset) { return base + offset; };
 
@@ -78,22 +80,22 @@ std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
     };
     append(&f, sizeof f);
     append(kStub, sizeof kStub);
-    appendParts(out, program, shape, payload, 0, size);
+    appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
 
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
-    return decodeParts(packed, kPartsAt, stubDecode);
+    return decodePayloadSection(packed, kPayloadSectionAt, stubDecode);
 }
 
 Packed openPacked(const std::vector<uint8_t> &file) {
     constexpr char kForeign[] = "not packed by this version of pack";
-    need(file.size() > kPartsAt + sizeof(Parameters), kForeign);
+    need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
     need(!std::memcmp(file.data() + kStubAt, kStub, sizeof kStub), kForeign);
     uint64_t span = f.segments[2].p_memsz;
-    Packed packed = openParts(file, kPartsAt, 0, span);
+    Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, span);
     Program &program = packed.program;
     for (int i = 0; i < 2; ++i) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
@@ -107,7 +109,7 @@ Program readPacked(const std::vector<uint8_t> &file) {
     Packed packed = openPacked(file);
     Workspace workspace;
     packed.program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace);
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
     return packed.program;
 }
 

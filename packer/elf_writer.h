@@ -1,16 +1,16 @@
 // Packed programs: written, proved, opened, and made plain again. The format is in format.h.
 #pragma once
 
-#include "packed_parts.h"
+#include "payload_section.h"
 
 namespace pack {
 
 // `payload` encodes `program.bytes`. Throws Unsuitable.
-std::vector<uint8_t> writePacked(const Program &program, const Shape &shape,
+std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &parameters,
                                  const std::vector<uint8_t> &payload);
 
 // Bytes of a packed file that are not payload.
-size_t overhead(const Shape &shape);
+size_t overhead(const ModelParameters &parameters);
 
 // Runs the stub's own code on a packed file in memory, which writePacked has made.
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);

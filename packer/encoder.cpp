@@ -123,23 +123,23 @@ std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &lay
     return out;
 }
 
-Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const Shape &shape,
+Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace) {
     Encoded encoded;
     encoded.bits.resize(image.size());
     std::vector<uint8_t> bytes = filter(image, layout), back(image.size());
     Encoder encoder{{bytes.data()}, encoded};
-    run(encoder, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), back.data());
+    run(encoder, layout, parameters, workspace.zeroed(modelMemory(parameters, layout.size)), back.data());
     encoder.finish();
     return encoded;
 }
 
-double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &shape,
+double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace, double enough) {
     std::vector<uint8_t> back(filtered.size());
     Meter meter{{filtered.data()}, enough * 8};
     try {
-        run(meter, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), back.data());
+        run(meter, layout, parameters, workspace.zeroed(modelMemory(parameters, layout.size)), back.data());
     } catch (const TooMuch &) {
         return enough;
     }
@@ -147,10 +147,10 @@ double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const
 }
 
 std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
-                            const Shape &shape, Workspace &workspace) {
+                            const ModelParameters &parameters, Workspace &workspace) {
     std::vector<uint8_t> image(layout.size);
     CarefulDecoder decoder{payload, payload + payloadSize};
-    run(decoder, layout, shape, workspace.zeroed(modelMemory(shape, layout.size)), image.data());
+    run(decoder, layout, parameters, workspace.zeroed(modelMemory(parameters, layout.size)), image.data());
     return image;
 }
 

@@ -28,15 +28,15 @@ struct Encoded {
     std::vector<uint8_t> payload;
     std::vector<float> bits; // what each byte of the image costs
 };
-Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const Shape &shape,
+Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace);
 
 // The payload's size in bytes, without making it. Gives up at `enough`, and returns that then.
-double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &shape,
+double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace, double enough = 1e30);
 
 // Decodes with the C++ model. Never reads behind the payload: what is missing reads as zeros.
 std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
-                            const Shape &shape, Workspace &workspace);
+                            const ModelParameters &parameters, Workspace &workspace);
 
 } // namespace pack

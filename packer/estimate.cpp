@@ -20,7 +20,7 @@ constexpr uint32_t kStretch = 2048; // bytes between two looks at how it goes
 constexpr float kUnit = 1 << 13;    // of inputs, in units of a float's last bit: logarithms end at 24 << 23
 constexpr float kRate = kLearning * kUnit, kFinalRate = kFinalLearning * kUnit;
 
-// What is known about every byte, whatever the shape.
+// What is known about every byte, whatever the parameters.
 struct Place {
     uint32_t fields[kFields];
     uint8_t byte, type;
@@ -168,15 +168,15 @@ struct Estimator::Work {
     std::vector<int16_t> nothing;
 
     // A context's inputs for the bytes from `at` to `end`.
-    void computeInputs(const Shape &shape, uint32_t i, uint32_t slotBits, uint32_t at, uint32_t end,
-                       int16_t *to) {
+    void computeInputs(const ModelParameters &parameters, uint32_t i, uint32_t slotBits, uint32_t at,
+                       uint32_t end, int16_t *to) {
         if (at == 0) {
             slots.assign(1u << slotBits, Slot{});
             std::memset((void *)context.get(), 0, sizeof *context);
         }
         // The next byte's slots are fetched ahead
         auto next = [&](const Place &place) {
-            uint32_t hash = hashOf(shape, place.type, i, place.fields);
+            uint32_t hash = hashOf(parameters, place.type, i, place.fields);
             for (uint32_t start : {1u, 16u + (place.byte >> 4)}) {
                 Slot *first = &slots[mixIn(hash, start) >> (32 - slotBits) & ~(kNibbleSlots - 1)];
                 __builtin_prefetch(first, 1);
@@ -227,26 +227,27 @@ Estimator::Estimator(const std::vector<uint8_t> &filtered, const Layout &layout)
 
 Estimator::~Estimator() = default;
 
-Estimate Estimator::operator()(const Shape &shape, const Estimate *like, double slack) {
+Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate *like, double slack) {
     Work &w = *work;
     uint32_t size = (uint32_t)w.places.size();
     Estimate e;
-    e.shape = shape;
+    e.parameters = parameters;
     auto same = [&](uint32_t i) {
-        return like && shape.contexts == like->shape.contexts &&
-               shape.masks[0][i] == like->shape.masks[0][i] && shape.masks[1][i] == like->shape.masks[1][i];
+        return like && parameters.contexts == like->parameters.contexts &&
+               parameters.masks[0][i] == like->parameters.masks[0][i] &&
+               parameters.masks[1][i] == like->parameters.masks[1][i];
     };
 
     // Each context has its share of the slots
-    uint32_t slotBits = shape.slotBits - (uint32_t)std::bit_width(shape.contexts - 1);
-    Sources from = {{}, {}, shape.contexts};
+    uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
+    Sources from = {{}, {}, parameters.contexts};
     std::vector<int16_t> *late = nullptr; // inputs that are computed as far as they are needed
     uint32_t lateContext = 0;
-    for (uint32_t i = 0; i < shape.contexts; ++i) {
+    for (uint32_t i = 0; i < parameters.contexts; ++i) {
         if (same(i))
             e.inputs.push_back(like->inputs[i]);
         else {
-            if (late) w.computeInputs(shape, lateContext, slotBits, 0, size, late->data());
+            if (late) w.computeInputs(parameters, lateContext, slotBits, 0, size, late->data());
             auto inputs = std::make_shared<std::vector<int16_t>>((size_t)size * (8 * kLanes));
             late = inputs.get();
             lateContext = i;
@@ -255,12 +256,13 @@ Estimate Estimator::operator()(const Shape &shape, const Estimate *like, double 
         from.inputs[i] = e.inputs[i]->data();
     }
     for (uint32_t i = 0; i < kSets - 1; ++i) {
-        if (same(shape.contexts + i))
+        if (same(parameters.contexts + i))
             e.selectors.push_back(like->selectors[i]);
         else {
             auto hashes = std::make_shared<std::vector<uint32_t>>(size);
             for (uint32_t at = 0; at < size; ++at)
-                (*hashes)[at] = hashOf(shape, w.places[at].type, shape.contexts + i, w.places[at].fields);
+                (*hashes)[at] =
+                    hashOf(parameters, w.places[at].type, parameters.contexts + i, w.places[at].fields);
             e.selectors.push_back(hashes);
         }
         from.selectors[i] = e.selectors[i]->data();
@@ -273,7 +275,7 @@ Estimate Estimator::operator()(const Shape &shape, const Estimate *like, double 
     m.bits = 0;
     for (uint32_t at = 0; at < size; at += kStretch) {
         uint32_t end = std::min(size, at + kStretch);
-        if (late) w.computeInputs(shape, lateContext, slotBits, at, end, late->data());
+        if (late) w.computeInputs(parameters, lateContext, slotBits, at, end, late->data());
         mix8(m, from, w.places.data(), at, end);
         e.curve.push_back((float)(m.bits / 8));
         if (like && slack < kTooMany && e.curve.back() > like->curve[e.curve.size() - 1] + slack) {

@@ -6,37 +6,39 @@
 //
 //     Front          528 bytes: ELF header, five program headers, the loader's tables
 //     stub           machine code, the same in every file
-//     Parameters     46 bytes
-//     masks          uint16_t: those of code (Shape::masks[0]), then those of data ([1]), each as many as
-//                    there are contexts, and kSets - 1 more
+//     PayloadHeader  46 bytes
+//     masks          uint16_t: ModelParameters::masks[0] for code, then [1] for data: as many each as there
+//                    are contexts, and kSets - 1 more
 //     payload        the coded program, then zeros up to a multiple of four
 //     check          four bytes
 //
-// Taken as words of 32 bits, the file makes checksum() 0; the check is what makes it so. Bytes behind
-// Parameters::words words do not belong to it. There are no section headers. The stub's size is not written
-// anywhere: a reader knows the stub it has been made for.
+// The payload section is everything from PayloadHeader on; a packed file for Windows has the same section.
+//
+// Taken as words of 32 bits, the file makes checksum() 0; the check is chosen for that. Bytes behind
+// PayloadHeader::words words do not belong to it. There are no section headers. The stub's size is not
+// written anywhere: a reader knows the stub that it was made for.
 //
 // IN MEMORY the file is one R-X segment, kBelow bytes below the program. The program has one RW segment
-// without bytes in the file, from Parameters::image on, whole pages, so that it starts as zeros. The other
+// without bytes in the file, from PayloadHeader::image on, whole pages, so that it starts as zeros. The other
 // headers are an interpreter, a dynamic section (needs libdl.so.2, imports dlopen and dlsym) and a stack that
 // is not executable. The loader writes the two imports into the program's own slots, as the two relocations
 // say, before it goes on at the first byte of the stub.
 //
-// START. The stub computes the checksum of itself and all else, asking the kernel first whether a page is
-// there that a file cut short would lack. Then it maps Parameters::memory bytes for the model, keeps the
-// two slots, decodes, puts the slots back, makes Parameters::readOnly bytes of the image R-X, gives the
-// model's memory back, and jumps to Parameters::entry with rsp, rsi and rdx as the loader left them: the
+// START. The stub computes the checksum of the whole file. It first asks the kernel whether each page is
+// there, because a file cut short lacks some. Then it maps PayloadHeader::memory bytes for the model, saves
+// the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes of the image R-X and unmaps
+// the model's memory. It jumps to PayloadHeader::entry with rsp, rsi and rdx as the loader left them: the
 // program sees argc, arguments, environment and, in rdx, what to call at exit. Nothing is writable and
 // executable at once.
 //
-// IN TWO PHASES. If Parameters::early is not kNothingEarly, then before each byte whose offset in the image
-// is a multiple of kEarlyStep and not less than `early`, the first `early` bytes of the image are made R-X
-// and the function at Parameters::earlyEntry is called, by the C calling convention, as void (void **stack,
-// uint32_t done, uint32_t size): the stack as the kernel made it (argc on top), bytes decoded, bytes in
-// all. So it is first called when `early` bytes stand, and never if there are no more. Its code and
-// constants lie among them. What it writes must lie behind the last byte that is decoded, since decoding
-// goes over all before, and it finds its imports in their slots only as long as `done` has not reached
-// these.
+// IN TWO PHASES. If PayloadHeader::early is not kNothingEarly, the stub calls the function at
+// PayloadHeader::earlyEntry before each byte whose offset in the image is a multiple of kEarlyStep and not
+// less than `early`. Before each call it makes the first `early` bytes of the image R-X. The C calling
+// convention applies: void (void **stack, uint32_t done, uint32_t size) gets the stack as the kernel made it
+// (argc on top), bytes decoded, bytes in all. So the first call comes when `early` bytes are decoded; there
+// is none if the image has no more bytes. The function's code and constants are among those bytes. What it
+// writes must lie behind the last byte that is decoded, because decoding overwrites everything before. Its
+// imports are in their slots only until `done` reaches these.
 //
 // THE PAYLOAD is the first Layout::size bytes of the image; those behind are zeros. Bytes follow each other
 // from the first on, the bits of each from the highest down. Every bit is given to a range decoder (Decoder
@@ -50,10 +52,10 @@
 // of its own, and goes through the parser in x86.h, which starts at codeBegin as if an instruction did; in
 // data the parser stands still, and the fields that it has left stay.
 //
-// ADDRESSES. Where the parser says, after the byte at i, that a field of four bytes ends that is relative
-// to the next instruction, which begins at i + behind (one, and one for each byte of an immediate operand
-// to come), the bytes i - 3 .. i were coded as the offset of what they name from the image's start, highest
-// byte first. The program gets that offset less (i + behind), lowest byte first. Contexts and parser see
+// ADDRESSES. After the byte at i the parser may say that a field of four bytes ends there which is relative
+// to the next instruction. That begins at i + behind (one, plus one for each byte of an immediate operand to
+// come). Then the bytes i - 3 .. i were coded as the offset of their target from the image's start, highest
+// byte first. The program gets that offset less (i + behind), lowest byte first. Contexts and parser see the
 // bytes as they were coded.
 //
 // ERRORS. A checksum that is not 0, or a missing page: "damaged: get it afresh"; no memory: "not enough
@@ -78,7 +80,7 @@ constexpr uint32_t kLeastBase = kBelow + 0x10000; // of a program: the kernel ma
 constexpr uint64_t kAddressEnd = 0x7fffffff;      // of all: programs are linked for addresses of 31 bits
 constexpr uint32_t kEarlyStep = 2048;             // bytes from call to call of the early part, a power of two
 
-// A symbol without what the loader does not read of one that is imported.
+// A symbol without the fields that the loader does not read for an imported one.
 struct Import {
     uint32_t name;
     uint8_t info, other;
@@ -102,8 +104,8 @@ struct Front {
 };
 static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
 
-// Behind the stub's code; the masks follow, then the payload.
-struct Parameters {
+// What the stub must know. It begins the payload section, behind the stub's code.
+struct PayloadHeader {
     uint32_t words;    // its size in units of four bytes, all of which the checksum covers
     uint32_t image;    // address the program starts at; page-aligned
     uint32_t readOnly; // bytes from there that become R-X; whole pages
@@ -114,13 +116,13 @@ struct Parameters {
     uint32_t early, earlyEntry;
     Layout layout;
     uint32_t memory;   // bytes that the stub needs for the model; another decoder may need others
-    uint8_t contexts;  // as in Shape
-    uint8_t slotShift; // 32 - Shape::slotBits
+    uint8_t contexts;  // as in ModelParameters
+    uint8_t slotShift; // 32 - ModelParameters::slotBits
 } __attribute__((packed));
-static_assert(sizeof(Parameters) == 46);
+static_assert(sizeof(PayloadHeader) == 46);
 constexpr uint32_t kNothingEarly = 0xffffffff;
 
-// Over all words of the file, of which the last is chosen so that this is 0: any changed word shows.
+// Over all words of the file. The last word makes this 0, so any changed word shows.
 inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     uint32_t sum = 0, word;
     for (; words--; bytes += 4) {
@@ -130,10 +132,10 @@ inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     return sum;
 }
 
-// The masks as they follow the parameters.
-inline std::vector<uint16_t> packMasks(const Shape &shape) {
+// The masks as they follow the header.
+inline std::vector<uint16_t> packMasks(const ModelParameters &parameters) {
     std::vector<uint16_t> all;
-    for (auto &masks : shape.masks) all.insert(all.end(), masks, masks + shape.hashes());
+    for (auto &masks : parameters.masks) all.insert(all.end(), masks, masks + parameters.hashes());
     return all;
 }
 

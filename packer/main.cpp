@@ -2,10 +2,10 @@
 #include "elf_reader.h"
 #include "elf_writer.h"
 #include "files.h"
+#include "model_parameters.h"
 #include "pe_writer.h"
 #include "report.h"
 #include "search.h"
-#include "shape.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -19,18 +19,19 @@
 namespace {
 
 constexpr char kUsage[] =
-    "usage: pack IN.elf -o OUT [OPTION...]   pack it\n"
+    "usage: pack IN.elf -o OUT [OPTION...]   pack a program\n"
     "       pack --test FILE                 decode a packed file and say whether it is whole\n"
-    "       pack -d FILE -o OUT              the program in a packed file, not packed\n"
-    "--pe                          OUT is for Windows, of an IN.elf that is linked for it\n"
-    "--plain                       OUT is not packed\n"
-    "--budget BYTES                how large OUT may be; 65536\n"
-    "--effort fast|normal|best|SECONDS   how long to search for contexts that suit the program; fast: not at "
-    "all\n"
-    "--model FILE                  start with the contexts in FILE, not with ordinary ones\n"
-    "--save-model FILE             keep the contexts used\n"
-    "--map FILE                    the linker's map, to tell what each object costs\n"
-    "--report FILE                 what each section, object and symbol costs, as JSON\n";
+    "       pack -d FILE -o OUT              write the program of a packed file, not packed\n"
+    "--pe                          write OUT for Windows; IN.elf must be linked for it\n"
+    "--plain                       do not pack: write OUT with the program as it lies in memory\n"
+    "--budget BYTES                write OUT only if it has at most so many bytes; 65536\n"
+    "--effort fast|normal|best|SECONDS\n"
+    "                              search so long for contexts that suit the program: not at all, 30 s,\n"
+    "                              15 minutes, or SECONDS; fast\n"
+    "--model FILE                  start with the contexts in FILE instead of ordinary ones\n"
+    "--save-model FILE             write the contexts that were used to FILE\n"
+    "--map FILE                    print what each object file costs, by the linker's map in FILE\n"
+    "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n";
 
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
@@ -73,70 +74,89 @@ bool parseNumber(const char *text, double &value) {
     return end != text && !*end && value >= 0 && value < 1e9;
 }
 
+// Takes an option that is followed by a file's name; false if `word` is none.
+bool takeFile(Options &o, const std::string &word, const char *file) {
+    struct {
+        const char *name, **value;
+        bool onlyToPack;
+    } options[] = {
+        {"-o", &o.out, false},        {"--test", &o.test, false},           {"-d", &o.unpack, false},
+        {"--model", &o.model, true},  {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
+        {"--report", &o.report, true}};
+    for (auto &option : options)
+        if (word == option.name && file && !*option.value) {
+            *option.value = file;
+            if (option.onlyToPack) o.onlyToPack = option.name;
+            return true;
+        }
+    return false;
+}
+
+long budgetOf(const char *text) {
+    double number;
+    if (!parseNumber(text, number) || number != (long)number)
+        throw Refusal{std::string("--budget needs a number of bytes, not '") + text + "'", 2};
+    return (long)number;
+}
+
+double secondsOf(const std::string &effort) {
+    double number;
+    if (!parseNumber(effort.c_str(), number))
+        number = effort == "fast" ? 0 : effort == "normal" ? 30 : effort == "best" ? 900 : -1;
+    if (number < 0)
+        throw Refusal{"--effort needs fast, normal, best or a number of seconds, not '" + effort + "'", 2};
+    return number;
+}
+
+// One and only one of the three things that pack does must be asked for.
+void checkModes(const Options &o) {
+    int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
+    if (modes != 1 || !o.out != (o.test != nullptr))
+        throw Refusal{"it takes IN.elf -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
+    if (!o.in && o.onlyToPack)
+        throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
+}
+
 Options parse(int argc, char **argv) {
     Options o;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
-        struct {
-            const char *name, **value;
-            bool onlyToPack;
-        } files[] = {
-            {"-o", &o.out, false},        {"--test", &o.test, false},           {"-d", &o.unpack, false},
-            {"--model", &o.model, true},  {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
-            {"--report", &o.report, true}};
-        bool taken = false;
-        for (auto &file : files)
-            if (word == file.name && i + 1 < argc && !*file.value) {
-                *file.value = argv[++i];
-                taken = true;
-                if (file.onlyToPack) o.onlyToPack = file.name;
-            }
-        if (taken) continue;
-        if (word == "--pe" || word == "--plain") {
-            (word == "--pe" ? o.pe : o.plain) = true;
-            o.onlyToPack = word == "--pe" ? "--pe" : "--plain";
-            continue;
-        }
-        double number;
-        if (word == "--help") {
+        const char *next = i + 1 < argc ? argv[i + 1] : nullptr;
+        if (takeFile(o, word, next))
+            ++i;
+        else if (word == "--help") {
             std::fputs(kUsage, stdout);
             std::exit(0);
-        } else if (word == "--budget" && i + 1 < argc) {
-            if (!parseNumber(argv[++i], number) || number != (long)number)
-                throw Refusal{std::string("--budget needs a number of bytes, not '") + argv[i] + "'", 2};
-            o.budget = (long)number;
+        } else if (word == "--pe") {
+            o.pe = true;
+            o.onlyToPack = "--pe";
+        } else if (word == "--plain") {
+            o.plain = true;
+            o.onlyToPack = "--plain";
+        } else if (word == "--budget" && next) {
+            o.budget = budgetOf(argv[++i]);
             o.onlyToPack = "--budget";
-        } else if (word == "--effort" && i + 1 < argc) {
-            std::string effort = argv[++i];
-            if (!parseNumber(argv[i], number))
-                number = effort == "fast" ? 0 : effort == "normal" ? 30 : effort == "best" ? 900 : -1;
-            if (number < 0)
-                throw Refusal{
-                    "--effort needs fast, normal, best or a number of seconds, not '" + effort + "'", 2};
-            o.seconds = number;
+        } else if (word == "--effort" && next) {
+            o.seconds = secondsOf(argv[++i]);
             o.onlyToPack = "--effort";
         } else if (argv[i][0] != '-' && !o.in)
             o.in = argv[i];
         else
             throw Refusal{"cannot use '" + word + "'; see pack --help", 2};
     }
-    int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
-    if (modes != 1 || !o.out != (o.test != nullptr))
-        throw Refusal{"it takes IN.elf -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
-    if (!o.in && o.onlyToPack)
-        throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
+    checkModes(o);
     return o;
 }
 
 volatile std::sig_atomic_t theInterruption;
 
-pack::Shape findShape(const Options &o, const pack::Program &program) {
-    pack::Shape shape = pack::defaultShape();
+pack::ModelParameters findParameters(const Options &o, const pack::Program &program) {
+    pack::ModelParameters parameters = pack::defaultParameters();
     if (o.model) {
-        std::string wrong = pack::parseShape(readText(o.model), shape);
+        std::string wrong = pack::parseParameters(readText(o.model), parameters);
         if (!wrong.empty()) throw Refusal{std::string(o.model) + ": " + wrong, 2};
     }
-    if (o.seconds <= 0) return shape;
+    if (o.seconds <= 0) return parameters;
     double shown = -1e9;
     bool terminal = isatty(2);
     // Ctrl-C ends the search, not the packing
@@ -149,9 +169,9 @@ pack::Shape findShape(const Options &o, const pack::Program &program) {
         return !theInterruption;
     };
     pack::Layout layout = program.layout();
-    shape = pack::search(pack::filter(program.bytes, layout), layout, shape, o.seconds, show);
+    parameters = pack::search(pack::filter(program.bytes, layout), layout, parameters, o.seconds, show);
     if (terminal) std::fputc('\n', stderr);
-    return shape;
+    return parameters;
 }
 
 void makePacked(const Options &o) {
@@ -164,15 +184,15 @@ void makePacked(const Options &o) {
     std::string map = o.map ? readText(o.map) : "";
     if (o.map && !pack::isMap(map))
         throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
-    pack::Shape shape = findShape(o, program);
+    pack::ModelParameters parameters = findParameters(o, program);
 
     // Encode, and prove that both decoders give the program back
     pack::Workspace workspace;
     pack::Layout layout = program.layout();
-    pack::Encoded encoded = pack::encode(program.bytes, layout, shape, workspace);
+    pack::Encoded encoded = pack::encode(program.bytes, layout, parameters, workspace);
     std::vector<uint8_t> packed =
-        (o.pe ? pack::writePackedPe : pack::writePacked)(program, shape, encoded.payload);
-    size_t overhead = (o.pe ? pack::overheadPe : pack::overhead)(shape);
+        (o.pe ? pack::writePackedPe : pack::writePacked)(program, parameters, encoded.payload);
+    size_t overhead = (o.pe ? pack::overheadPe : pack::overhead)(parameters);
     if ((o.pe ? pack::decodeWithStubPe : pack::decodeWithStub)(packed) != program.bytes ||
         (o.pe ? pack::readPackedPe : pack::readPacked)(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
@@ -182,7 +202,7 @@ void makePacked(const Options &o) {
     if (o.saveModel)
         write(o.saveModel, "# contexts that suit " +
                                std::string(o.in).substr(std::string(o.in).rfind('/') + 1) +
-                               ", found by pack --effort\n" + pack::printShape(shape));
+                               ", found by pack --effort\n" + pack::printParameters(parameters));
     if (o.report) write(o.report, pack::printJson(report));
     long size = (long)packed.size(), before = pack::fileSize(o.out);
     if (size > o.budget) throw Refusal{"over budget by " + std::to_string(size - o.budget) + " bytes", 1};

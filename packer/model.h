@@ -24,7 +24,7 @@ constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // of a set but the fir
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
-struct Shape {
+struct ModelParameters {
     uint32_t contexts; // a multiple of four, 4 .. kMostContexts
     uint32_t slotBits; // 2^slotBits slots of eight bytes
     // Fields seen, a bit each from kByte1 on, by each context and then by the selectors of all sets but the
@@ -130,8 +130,8 @@ inline void adapt(Counter &c, uint32_t bit, float settled) {
 }
 
 // What context i of code (0) or data (1) sees, then the selectors of all sets but the first.
-inline uint32_t hashOf(const Shape &shape, uint32_t type, uint32_t i, const uint32_t *fields) {
-    uint32_t hash = mixIn(shape.hashes() - i + type, fields[kWhere]), mask = shape.masks[type][i];
+inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
+    uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kWhere]), mask = parameters.masks[type][i];
     for (uint32_t j = kByte1; mask; mask >>= 1, ++j)
         if (mask & 1) hash = mixIn(hash, fields[j]);
     return hash;
@@ -139,8 +139,8 @@ inline uint32_t hashOf(const Shape &shape, uint32_t type, uint32_t i, const uint
 
 inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
 
-// The slots of one nibble are neighbours, sixteen in two cache lines: its hash says which sixteen, and what has
-// been coded of it which of them.
+// The slots of one nibble are neighbours, sixteen in two cache lines: its hash says which sixteen, and what
+// has been coded of it which of them.
 struct Nibble {
     uint32_t start, step; // the byte's bits before it, behind a leading one; 1 .. 15
 };
@@ -188,30 +188,30 @@ inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits
 }
 
 // A new byte begins, in code (0) or data (1).
-inline void begin(Model &m, const Shape &shape, const uint32_t *fields, uint32_t type) {
-    for (uint32_t i = 0; i < shape.hashes(); ++i) m.hashes[i] = hashOf(shape, type, i, fields);
+inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *fields, uint32_t type) {
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) m.hashes[i] = hashOf(parameters, type, i, fields);
     m.phase = phaseOf(fields);
 }
 
 // The probability of a one, of 2^kShareBits; 1 .. 2^kShareBits - 1. `bits`: the byte so far behind a leading
 // one.
-inline uint32_t predict(Model &m, const Shape &shape, Slot *slots, uint32_t bits) {
-    for (uint32_t i = 0; i < shape.contexts; ++i)
-        find(m.contexts[i], slots, shape.slotBits, m.hashes[i], m.phase, bits);
+inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits) {
+    for (uint32_t i = 0; i < parameters.contexts; ++i)
+        find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, bits);
     float *x = (float *)m.inputs, *results = (float *)m.results;
-    for (uint32_t i = 0; i < shape.contexts; ++i)
+    for (uint32_t i = 0; i < parameters.contexts; ++i)
         for (uint32_t k = 0; k < kContextInputs; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
 
     // Mix. The last set's result lies first
     for (uint32_t i = 0; i < kSets; ++i) {
-        m.rows[i] = m.weights[i][rowOf(i, m.hashes[shape.contexts + i - 1], m.phase, bits)];
-        results[kSets - 1 - i] = mix(m.rows[i], m.inputs, shape.inputs4());
+        m.rows[i] = m.weights[i][rowOf(i, m.hashes[parameters.contexts + i - 1], m.phase, bits)];
+        results[kSets - 1 - i] = mix(m.rows[i], m.inputs, parameters.inputs4());
     }
     float sum = mix(m.finalWeights[m.phase], m.results, kSets / 4);
     m.mixed = squash(sum);
 
     // Correct
-    m.correction = m.corrections[mixIn(m.hashes[shape.contexts], bits) >> (32 - kCorrectionRowBits)] +
+    m.correction = m.corrections[mixIn(m.hashes[parameters.contexts], bits) >> (32 - kCorrectionRowBits)] +
                    (int32_t)(sum * kSteepness + kMiddle);
     int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
     if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
@@ -220,19 +220,19 @@ inline uint32_t predict(Model &m, const Shape &shape, Slot *slots, uint32_t bits
     return (uint32_t)twice >> (kProbabilityBits + 1 - kShareBits) | 1;
 }
 
-inline void learn(Model &m, const Shape &shape, uint32_t bit) {
+inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {
     float y = (float)(int32_t)bit;
     const float *results = (const float *)m.results;
     for (uint32_t i = 0; i < kSets; ++i)
-        train(m.rows[i], m.inputs, shape.inputs4(), (y - squash(results[kSets - 1 - i])) * kLearning);
+        train(m.rows[i], m.inputs, parameters.inputs4(), (y - squash(results[kSets - 1 - i])) * kLearning);
     train(m.finalWeights[m.phase], m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
-    for (uint32_t i = 0; i < shape.contexts; ++i) learn(m.contexts[i], bit);
+    for (uint32_t i = 0; i < parameters.contexts; ++i) learn(m.contexts[i], bit);
     adapt(*m.correction, bit, kSettled[0]);
 }
 
 // The byte was this.
-inline void end(Model &m, const Shape &shape, uint8_t byte) {
-    for (uint32_t i = 0; i < shape.contexts; ++i) m.contexts[i].byteSlot->lastByte = byte;
+inline void end(Model &m, const ModelParameters &parameters, uint8_t byte) {
+    for (uint32_t i = 0; i < parameters.contexts; ++i) m.contexts[i].byteSlot->lastByte = byte;
 }
 
 } // namespace pack

@@ -1,24 +1,25 @@
-// The packed file for Windows. Parameters, masks, payload and check are those of format.h, as is all about
-// decoding; here is what else is in front of them, and how it starts.
+// The packed file for Windows. The payload section and its decoding are those of format.h; here is what lies
+// in front of that section, and how the program starts.
 //
 // THE FILE is an executable (PE32+ for x86-64) of a fixed address:
 //
 //     PeFront        512 bytes: headers, two sections, texts
 //     PeStart        begins the first section: what is imported
 //     stub           machine code, the same in every file
-//     Parameters, masks, payload, zeros up to a multiple of 512 less four bytes, check
+//     PayloadHeader, masks, payload, zeros up to a multiple of 512 less four bytes, check
 //
 // IN MEMORY the headers have a page at the image's base; the first section follows, read and execute, and
 // reaches up to the program; the second is the program's, read and write, without bytes in the file. Of the
-// first section all that comes behind the slots makes checksum() 0; Parameters::words says how many words
+// first section all that comes behind the slots makes checksum() 0; PayloadHeader::words says how many words
 // that are. The stub does not look there, but in the section's own size, which the loader has checked.
 //
 // START. The loader writes the addresses of what is imported into the slots, those of LoadLibraryA and
 // GetProcAddress first, in the order in which the program wants them, and calls the first byte of the stub
-// by Microsoft's convention. It computes the checksum, takes Parameters::memory bytes, copies the two slots
-// to the program's, decodes, copies them again, makes Parameters::readOnly bytes R-X, gives the memory back
-// and jumps to Parameters::entry with the stack as it found it. The function at Parameters::earlyEntry is
-// called as in format.h, by System V's convention; its first argument says nothing here.
+// by Microsoft's convention. It computes the checksum, takes PayloadHeader::memory bytes, copies the two
+// slots to the program's, decodes, copies them again, makes PayloadHeader::readOnly bytes R-X, gives the
+// memory back and jumps to PayloadHeader::entry with the stack as it found it. The function at
+// PayloadHeader::earlyEntry is called as in format.h, by System V's convention; its first argument says
+// nothing here.
 //
 // ERRORS go to standard error, and where there is none, to a box; the exit status is 1.
 #pragma once
@@ -41,10 +42,25 @@ struct PeFront {
 };
 static_assert(sizeof(PeFront) == kPeFileAlign);
 
-// At the begin of the first section. Slots hold the addresses of names until the loader has been there.
+// What is imported, slot by slot: two for the program, in the order in which it wants them, and the stub's
+// own.
+enum PeImport {
+    kPeProgram1,
+    kPeProgram2,
+    kPeLoadLibrary,
+    kPeGetProcAddress,
+    kPeVirtualAlloc,
+    kPeVirtualFree,
+    kPeVirtualProtect,
+    kPeGetStdHandle,
+    kPeWriteFile,
+    kPeExitProcess,
+    kPeImportCount
+};
+
+// The first section begins with it. Slots hold the addresses of names until the loader fills them.
 struct PeStart {
-    static constexpr int kImports = 10; // two for the program, and those of the stub
-    uint64_t slots[kImports + 1];
+    uint64_t slots[kPeImportCount + 1];
     PeImports library, end;
     char names[120], libraryName[16];
 };

@@ -18,7 +18,7 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
 // Where the first section lies; the header has the page before
 constexpr uint32_t kFirst = kPage;
 
-// All of a header but for what depends on the program.
+// The fields of a header that do not depend on the program.
 PeHeader makeHeader(uint32_t base, uint32_t sections) {
     PeHeader h = {};
     h.dosMagic = 0x5a4d;
@@ -69,26 +69,29 @@ Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
 
 // Where things lie in a packed file
 constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
-                 kPartsAt = kStubAt + sizeof kStubWindows, kCheckedFrom = kStartAt + sizeof(PeStart::slots);
+                 kPayloadSectionAt = kStubAt + sizeof kStubWindows,
+                 kCheckedFrom = kStartAt + sizeof(PeStart::slots);
 
 // What a packed file imports: for the program in the order of its slots, then for the stub.
 PeStart makeStart(const Program &program) {
     uint32_t first = program.slots[1] < program.slots[0];
-    const char *functions[] = {kWindows.functions[first],
-                               kWindows.functions[1 - first],
-                               "LoadLibraryA",
-                               "GetProcAddress",
-                               "VirtualAlloc",
-                               "VirtualFree",
-                               "VirtualProtect",
-                               "GetStdHandle",
-                               "WriteFile",
-                               "ExitProcess"};
-    static_assert(std::size(functions) == PeStart::kImports);
+    const char *functions[] = {
+        [kPeProgram1] = kWindows.functions[first],
+        [kPeProgram2] = kWindows.functions[1 - first],
+        [kPeLoadLibrary] = "LoadLibraryA",
+        [kPeGetProcAddress] = "GetProcAddress",
+        [kPeVirtualAlloc] = "VirtualAlloc",
+        [kPeVirtualFree] = "VirtualFree",
+        [kPeVirtualProtect] = "VirtualProtect",
+        [kPeGetStdHandle] = "GetStdHandle",
+        [kPeWriteFile] = "WriteFile",
+        [kPeExitProcess] = "ExitProcess",
+    };
+    static_assert(std::size(functions) == kPeImportCount);
     PeStart s = {};
     auto at = [](size_t offset) { return kFirst + (uint32_t)offset; };
     size_t end = 0;
-    for (int i = 0; i < PeStart::kImports; ++i) {
+    for (int i = 0; i < kPeImportCount; ++i) {
         for (int k = 0; k < i; ++k)
             if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
         if (s.slots[i]) continue;
@@ -118,48 +121,51 @@ PeFront makeFront(const Program &program, uint32_t size) {
 
 } // namespace
 
-size_t overheadPe(const Shape &shape) { return kPartsAt + partsSize(shape); }
+size_t overheadPe(const ModelParameters &parameters) {
+    return kPayloadSectionAt + payloadSectionOverhead(parameters);
+}
 
-std::vector<uint8_t> writePackedPe(const Program &program, const Shape &shape,
+std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
                                    const std::vector<uint8_t> &payload) {
-    uint32_t size = fileWhole(overheadPe(shape) + payload.size());
+    uint32_t size = fileWhole(overheadPe(parameters) + payload.size());
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
     PeFront f = makeFront(program, size);
     PeStart start = makeStart(program);
 
-    std::vector<uint8_t> out(kPartsAt);
+    std::vector<uint8_t> out(kPayloadSectionAt);
     std::memcpy(out.data(), &f, sizeof f);
     std::memcpy(out.data() + kStartAt, &start, sizeof start);
     std::memcpy(out.data() + kStubAt, kStubWindows, sizeof kStubWindows);
-    appendParts(out, program, shape, payload, kCheckedFrom, size);
+    appendPayloadSection(out, program, parameters, payload, kCheckedFrom, size);
     return out;
 }
 
 std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
-    return decodeParts(packed, kPartsAt, stubDecodeWindows);
+    return decodePayloadSection(packed, kPayloadSectionAt, stubDecodeWindows);
 }
 
 bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
 
 Program readPackedPe(const std::vector<uint8_t> &file) {
     constexpr char kForeign[] = "not packed by this version of pack", kDamaged[] = "damaged: get it again";
-    need(file.size() > kPartsAt + sizeof(Parameters), kForeign);
+    need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
     need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
     PeFront f;
     PeStart start;
     std::memcpy(&f, file.data(), sizeof f);
     std::memcpy(&start, file.data() + kStartAt, sizeof start);
-    Packed packed = openParts(file, kPartsAt, kCheckedFrom, f.sections[1].memorySize);
+    Packed packed = openPayloadSection(file, kPayloadSectionAt, kCheckedFrom, f.sections[1].memorySize);
     Program &program = packed.program;
     need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span, kDamaged);
-    if (start.slots[0] != start.slots[2]) std::swap(program.slots[0], program.slots[1]);
+    if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
+        std::swap(program.slots[0], program.slots[1]);
     // Headers and slots are not in the check: the loader reads them
     PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
     Workspace workspace;
     program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace);
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
     return program;
 }
 

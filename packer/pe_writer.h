@@ -2,7 +2,7 @@
 // Windows does so by its calling convention (ms_abi), the rest is as it is on Linux.
 #pragma once
 
-#include "packed_parts.h"
+#include "payload_section.h"
 
 namespace pack {
 
@@ -16,9 +16,10 @@ std::vector<uint8_t> writePlainPe(const Program &program);
 
 // Packed, as pe_format.h says; `payload` encodes `program.bytes`. The others are as in elf_writer.h. All of
 // them throw Unsuitable.
-std::vector<uint8_t> writePackedPe(const Program &program, const Shape &shape,
+std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
                                    const std::vector<uint8_t> &payload);
-size_t overheadPe(const Shape &shape); // but for the zeros that make the file a multiple of 512
+size_t
+overheadPe(const ModelParameters &parameters); // without the zeros that make the file a multiple of 512
 std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed);
 bool isPe(const std::vector<uint8_t> &file);
 Program readPackedPe(const std::vector<uint8_t> &file);

@@ -35,7 +35,7 @@ struct Program {
     uint32_t span;     // bytes of memory, with the zeros behind the bytes
     uint32_t slots[2]; // addresses where it expects System::functions
     uint32_t entry;
-    uint32_t early, earlyEntry;   // as in Parameters
+    uint32_t early, earlyEntry;   // as in PayloadHeader
     uint32_t codeBegin, codeSize; // the stretch of `bytes` that is instructions
 
     Layout layout() const { return {(uint32_t)bytes.size(), codeBegin, codeSize}; }

@@ -108,10 +108,11 @@ std::string printCosts(const std::map<std::string, Cost> &all, const char *title
     if (sorted.size() > most) sorted.resize(most);
     constexpr size_t kWidth = 60;
     std::string text = format("%-60s %7s %7s\n", title, "packed", "before");
-    for (auto &[name, cost] : sorted)
-        text += (name.size() > kWidth ? name.substr(0, kWidth - 3) + "..."
-                                      : name + std::string(kWidth - name.size(), ' ')) +
-                format(" %7.0f %7llu\n", cost.bits / 8, (unsigned long long)cost.bytes);
+    for (auto &[name, cost] : sorted) {
+        std::string label = name.substr(0, kWidth);
+        if (name.size() > kWidth) label.replace(kWidth - 3, 3, "...");
+        text += format("%-60s %7.0f %7llu\n", label.c_str(), cost.bits / 8, (unsigned long long)cost.bytes);
+    }
     return text;
 }
 

@@ -14,7 +14,7 @@ namespace pack {
 
 namespace {
 
-// A change of one mask or two, of code (type 0) or data (1).
+// A change of one or two masks, of code (type 0) or data (1).
 struct Change {
     struct Setting {
         uint32_t i;
@@ -23,18 +23,18 @@ struct Change {
     uint32_t type;
     std::vector<Setting> settings;
 
-    Shape of(const Shape &before) const {
-        Shape shape = before;
-        for (Setting s : settings) shape.masks[type][s.i] = s.mask;
-        return shape;
+    ModelParameters of(const ModelParameters &before) const {
+        ModelParameters parameters = before;
+        for (Setting s : settings) parameters.masks[type][s.i] = s.mask;
+        return parameters;
     }
-    // Not the same as before, nor one that makes two contexts alike, which is a waste
-    bool sensible(const Shape &before) const {
-        Shape shape = of(before);
-        const uint16_t *masks = shape.masks[type], *selectors = masks + shape.contexts;
+    // It must change something, and must not make two contexts alike, which would be a waste
+    bool sensible(const ModelParameters &before) const {
+        ModelParameters parameters = of(before);
+        const uint16_t *masks = parameters.masks[type], *selectors = masks + parameters.contexts;
         for (Setting s : settings) {
-            const uint16_t *first = s.i < shape.contexts ? masks : selectors;
-            const uint16_t *last = s.i < shape.contexts ? selectors : masks + shape.hashes();
+            const uint16_t *first = s.i < parameters.contexts ? masks : selectors;
+            const uint16_t *last = s.i < parameters.contexts ? selectors : masks + parameters.hashes();
             if (s.mask == before.masks[type][s.i] || std::count(first, last, s.mask) > 1) return false;
         }
         return true;
@@ -46,16 +46,15 @@ struct Change {
     }
 };
 
-// Mostly a field more, less or another, sometimes another mask altogether, or two selectors in the other
-// order.
-Change propose(const Shape &shape, const Layout &layout, std::mt19937 &random) {
+// Mostly adds, removes or replaces a field; sometimes takes another mask altogether, or swaps two selectors.
+Change propose(const ModelParameters &parameters, const Layout &layout, std::mt19937 &random) {
     uint32_t data = layout.size - layout.codeSize;
     Change change = {data && (!layout.codeSize || random() % 5 == 0), {}};
-    const uint16_t *masks = shape.masks[change.type];
-    uint32_t i = random() % shape.hashes();
+    const uint16_t *masks = parameters.masks[change.type];
+    uint32_t i = random() % parameters.hashes();
     uint16_t mask = masks[i];
     auto field = [&] { return (uint16_t)(1 << random() % (kFields - 1)); };
-    // One that is in it, or not
+    // A field that is in the mask, or one that is not
     auto fieldOf = [&](uint16_t all) {
         uint16_t one = field();
         while (all && !(one & all)) one = field();
@@ -63,14 +62,15 @@ Change propose(const Shape &shape, const Layout &layout, std::mt19937 &random) {
     };
     switch (random() % 8) {
     case 0:
-        mask = (uint16_t)(masks[random() % shape.hashes()] ^ field());
+        mask = (uint16_t)(masks[random() % parameters.hashes()] ^ field());
         break;
     case 1:
         mask = 0;
         for (uint32_t count = 1 + random() % 4; count; --count) mask |= field();
         break;
     case 2: {
-        uint32_t a = shape.contexts + random() % (kSets - 1), b = shape.contexts + random() % (kSets - 1);
+        uint32_t a = parameters.contexts + random() % (kSets - 1),
+                 b = parameters.contexts + random() % (kSets - 1);
         if (a != b) {
             change.settings = {{a, masks[b]}, {b, masks[a]}};
             return change;
@@ -81,7 +81,7 @@ Change propose(const Shape &shape, const Layout &layout, std::mt19937 &random) {
         mask ^= field();
         mask ^= field();
         break;
-    case 4: // one for another
+    case 4: // replace one field by another
         mask = (uint16_t)(mask & ~fieldOf(mask));
         mask ^= fieldOf((uint16_t)~mask);
         break;
@@ -94,43 +94,47 @@ Change propose(const Shape &shape, const Layout &layout, std::mt19937 &random) {
 
 } // namespace
 
-Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &start, double seconds,
-             const std::function<bool(const Progress &)> &goOn) {
+ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
+                       const ModelParameters &start, double seconds,
+                       const std::function<bool(const Progress &)> &goOn) {
     if (filtered.empty()) return start;
     constexpr double kWorthIt = 0.5;    // bytes that a change must save
-    constexpr double kSlack = 24;       // and how far it may be behind on the way there
-    constexpr double kMeasureEvery = 8; // times as long as measuring takes
-    constexpr int kForget = 10;         // changes after which one may be tried again
+    constexpr double kSlack = 24;       // bytes that it may be behind while it is being estimated
+    constexpr double kMeasureEvery = 8; // times the time that one measurement takes
+    constexpr int kForget = 10;         // kept changes after which a change may be tried again
     auto began = std::chrono::steady_clock::now();
     auto passed = [&] {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     };
     Workspace workspace;
-    Shape measured = start; // the best by measure
+    ModelParameters measured = start; // the best measured
     double least = measure(filtered, layout, start, workspace), measuring = passed();
     int tried = 0, kept = 0;
     bool stopped = !goOn({least, passed(), tried});
     if (stopped || seconds <= passed()) return start;
 
-    // The best by estimate, which the threads take from each other
+    // The best by estimate, shared by the threads
     auto best = std::make_shared<const Estimate>(Estimator(filtered, layout)(start));
-    Shape asked = start; // what was measured last
+    ModelParameters asked = start; // what was measured last
     double nextMeasure = passed() + kMeasureEvery * measuring;
-    std::map<uint64_t, int> triedAt; // changes, and how many had been kept by then
+    std::map<uint64_t, int> triedAt; // for each change tried: how many changes had been kept by then
     std::mutex mutex;
 
-    // Measures the best, while others go on
+    // Measures the best, while other threads go on
     auto confirm = [&](std::unique_lock<std::mutex> &lock) {
-        auto same = [](const Shape &a, const Shape &b) { return packMasks(a) == packMasks(b); };
-        if (same(asked, best->shape)) return;
-        Shape shape = asked = best->shape;
-        nextMeasure = 1e30; // nobody else, not even when the time is over: there is one workspace
+        auto same = [](const ModelParameters &a, const ModelParameters &b) {
+            return packMasks(a) == packMasks(b);
+        };
+        if (same(asked, best->parameters)) return;
+        ModelParameters parameters = asked = best->parameters;
+        // There is one workspace: no other thread may measure, even after the time is over
+        nextMeasure = 1e30;
         lock.unlock();
-        double bytes = measure(filtered, layout, shape, workspace, least);
+        double bytes = measure(filtered, layout, parameters, workspace, least);
         lock.lock();
         if (bytes < least) {
             least = bytes;
-            measured = shape;
+            measured = parameters;
         }
         nextMeasure = passed() + kMeasureEvery * measuring;
     };
@@ -139,17 +143,17 @@ Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const S
         Estimator estimator(filtered, layout);
         std::unique_lock lock(mutex);
         while (!stopped && passed() < seconds) {
-            Change change = propose(best->shape, layout, random);
+            Change change = propose(best->parameters, layout, random);
             auto [at, fresh] = triedAt.try_emplace(change.key(), kept);
             if (!fresh && kept < at->second + kForget) continue;
             at->second = kept;
-            if (!change.sensible(best->shape)) continue;
+            if (!change.sensible(best->parameters)) continue;
             ++tried;
-            // The best may change meanwhile: then what is good must be so there
+            // Another thread may change the best meanwhile: then the change must also improve the new best
             for (bool better = true; better;) {
                 auto base = best;
                 lock.unlock();
-                Estimate estimate = estimator(change.of(base->shape), base.get(), kSlack);
+                Estimate estimate = estimator(change.of(base->parameters), base.get(), kSlack);
                 lock.lock();
                 better = estimate.bytes < base->bytes - kWorthIt;
                 if (better && best == base) {
@@ -157,7 +161,7 @@ Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const S
                     ++kept;
                     break;
                 }
-                better = better && change.sensible(best->shape);
+                better = better && change.sensible(best->parameters);
             }
             if (passed() > nextMeasure) confirm(lock);
             stopped |= !goOn({least, passed(), tried});

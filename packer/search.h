@@ -1,4 +1,4 @@
-// The search for the contexts that suit a program best.
+// The search for the contexts that compress a program best.
 #pragma once
 
 #include "encoder.h"
@@ -13,12 +13,14 @@ struct Progress {
     int tried;
 };
 
-// Changes a mask or two at a time and keeps what makes the estimate smaller (estimate.h), on all processors,
-// until the time is over or `goOn`, called after each try and at the end, returns false. Now and then, and at
-// the end, what has been found is measured. Returns the best that was measured, at worst `start`. Each time the
-// outcome may be another: what is found is kept in a file, not found again. Needs 11 MB for each context and
-// 35 MB for each processor with a program of 165 KB, and as much as decoding.
-Shape search(const std::vector<uint8_t> &filtered, const Layout &layout, const Shape &start, double seconds,
-             const std::function<bool(const Progress &)> &goOn);
+// Changes one or two masks at a time and keeps what makes the estimate smaller (estimate.h), on all
+// processors, until the time is over or `goOn` returns false. `goOn` is called after each try and at the end.
+// The best result so far is measured now and then, and at the end. Returns the best parameters measured, or
+// `start` if none are better. Two runs may give different results, so the result is kept in a file instead of
+// being searched for again. With a program of 165 KB it needs 11 MB for each context, 35 MB for each
+// processor, and the memory that decoding takes.
+ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
+                       const ModelParameters &start, double seconds,
+                       const std::function<bool(const Progress &)> &goOn);
 
 } // namespace pack

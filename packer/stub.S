@@ -1,12 +1,12 @@
 // The code in front of every packed program: checks the file, decodes the program, starts it. Position-
 // independent, baseline x86-64, no library.
 //
-// In assembler, because it is part of every packed file: 1.9 KB, where g++ -Os makes 3.7 KB of the same in C++.
-// It does what decoder.h, model.h and x86.h say, whose names it uses; the packer runs both before it writes a
-// file. What it finds, does and leaves is described in format.h. Numbers that are C++'s as well come from
-// stub_numbers.h; other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
+// It is in assembler because it is part of every packed file: 1.9 KB, where g++ -Os makes 3.7 KB of the same in C++. It
+// does what decoder.h, model.h and x86.h say, and uses their names. The packer runs both versions before it writes a
+// file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
+// Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
-// Registers while decoding: rbx parameters, rbp within the model's memory, r12 the next byte of the image, r13
+// Registers while decoding: rbx the payload header, rbp within the model's memory, r12 the next byte of the image, r13
 // the same in the copy of coded bytes, r14 the payload; r11d the byte so far (bits), r8 the slots. Subroutines
 // clobber what they like of the rest.
 
@@ -16,10 +16,10 @@
 start:
     push rdx // ld.so's function for exit, which the program wants to see
     push rsi
-    lea ebx, [rip + parameters]
+    lea ebx, [rip + payload_header]
 
-    // Check the file. A page that it is too short for must not be touched: access() says which. Nothing is
-    // believed that was not checked: where the file begins follows from where this is
+    // Check the file. If the file is too short for a page, the page must not be touched: access() tells whether it is
+    // there. Nothing unchecked is believed: the file's beginning is found from this code's own address
     lea edi, [rip + start - FRONT]
     mov edx, [rbx + WORDS]
     xor esi, esi

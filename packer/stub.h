@@ -8,14 +8,14 @@
 
 namespace pack {
 
-// What run() in decoder.h does. `parameters`: Parameters as they lie in a file, between stub and
-// masks. `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
-extern "C" void stubDecode(const uint8_t *parameters, uint8_t *image, void *memory);
-extern "C" void stubDecodeWindows(const uint8_t *parameters, uint8_t *image, void *memory);
+// What run() in decoder.h does. `header`: a PayloadHeader as it lies in a file, with what follows it.
+// `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
+extern "C" void stubDecode(const uint8_t *header, uint8_t *image, void *memory);
+extern "C" void stubDecodeWindows(const uint8_t *header, uint8_t *image, void *memory);
 
 extern "C" const uint32_t kStubMemory; // bytes in front of the slots
-inline uint32_t stubMemory(const Shape &shape, uint32_t size) {
-    return kStubMemory + (uint32_t)memoryBehindModel(shape, size);
+inline uint32_t stubMemory(const ModelParameters &parameters, uint32_t size) {
+    return kStubMemory + (uint32_t)memoryBehindModel(parameters, size);
 }
 
 namespace stub {

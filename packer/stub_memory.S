@@ -1,4 +1,4 @@
-// Part of the stubs: what is agreed with C++, and where things lie in memory while decoding.
+// Part of the stubs: numbers shared with C++, and the layout of memory while decoding.
 
 .intel_syntax noprefix
 
@@ -6,7 +6,7 @@
 #define STUB_NUMBER(name, value, meaning) .set name, value;
 #include "stub_numbers.h"
 
-// --- From rbx: Parameters; before them the constants at the end of this file ---
+// --- From rbx: the payload header; in front of it the constants at the end of stub_rest.S ---
 .set MOST, -44
 .set LEAST, -40
 .set ONE, -36

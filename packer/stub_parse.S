@@ -1,6 +1,6 @@
 // Part of stub.S: x86.h.
 
-// Parser::step with the byte in ecx, and what run does with its result. What is left is eax, in and out.
+// Parser::step with the byte in ecx, and what run() does with its result. eax is `left`, in and out.
 parse:
     mov eax, [rbp + SO_FAR]
     mov edx, ecx

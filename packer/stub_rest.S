@@ -1,4 +1,4 @@
-// Part of the stubs: all that is the same on any system. Parameters follow it in the file.
+// Part of the stubs: all code that is the same on any system. The payload section follows in the file.
 
 // mixIn(eax, edx) -> eax; clobbers edx.
 mix_in:
@@ -27,9 +27,9 @@ runs_end:
     .long STEEPNESS_BITS
     .long MIDDLE_BITS
     .long SCALE_BITS
-parameters:
+payload_header:
 
-// For the packer's check: void STUB_DECODE(parameters, image, memory)
+// For the packer's check: void STUB_DECODE(header, image, memory)
 .text
 .globl STUB_DECODE
 STUB_DECODE:

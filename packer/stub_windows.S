@@ -1,29 +1,28 @@
-// The code in front of every program packed for Windows: checks the file, decodes the program, starts it. What
-// stub.S does on Linux, by the same decoder, with the functions of kernel32.dll that the file imports (Start in
-// pe_format.h). These are called by Microsoft's convention: 32 bytes of stack belong to them. Decoder and program
-// keep to System V's. What it finds, does and leaves is described in pe_format.h, where its texts are, too.
+// The code in front of every program packed for Windows: checks the file, decodes the program, starts it. It does what
+// stub.S does on Linux, with the same decoder and with the functions of kernel32.dll that the file imports (Start in
+// pe_format.h). They use Microsoft's calling convention: the caller gives them 32 bytes of stack. Decoder and program
+// use System V's. pe_format.h describes its input, its actions and its results, and holds its texts.
 
 #include "stub_memory.S"
 
-// Slots of what is imported, in their order; the first two are those that the program wants
+// Slots of what is imported
 #define IMPORT(number) [rip + start - PE_START + 8 * (number)]
-#define LOAD_LIBRARY IMPORT(2)
-#define GET_PROC_ADDRESS IMPORT(3)
-#define VIRTUAL_ALLOC IMPORT(4)
-#define VIRTUAL_FREE IMPORT(5)
-#define VIRTUAL_PROTECT IMPORT(6)
-#define GET_STD_HANDLE IMPORT(7)
-#define WRITE_FILE IMPORT(8)
-#define EXIT_PROCESS IMPORT(9)
+#define LOAD_LIBRARY IMPORT(PE_LOAD_LIBRARY)
+#define GET_PROC_ADDRESS IMPORT(PE_GET_PROC_ADDRESS)
+#define VIRTUAL_ALLOC IMPORT(PE_VIRTUAL_ALLOC)
+#define VIRTUAL_FREE IMPORT(PE_VIRTUAL_FREE)
+#define VIRTUAL_PROTECT IMPORT(PE_VIRTUAL_PROTECT)
+#define GET_STD_HANDLE IMPORT(PE_GET_STD_HANDLE)
+#define WRITE_FILE IMPORT(PE_WRITE_FILE)
+#define EXIT_PROCESS IMPORT(PE_EXIT_PROCESS)
 #define FRONT rip + start - PE_START - PAGE
 
 .section .stub, "ax"
 start:
     sub rsp, 40 // aligned to 16, as everywhere below
-    lea ebx, [rip + parameters]
+    lea ebx, [rip + payload_header]
 
-    // Check all of the section that comes behind the slots. How long it is the header says, as the loader has
-    // checked it
+    // Check all of the section behind the slots. Its length comes from the header, which the loader has checked
     mov ecx, [FRONT + PE_FILE_SIZE]
     shr ecx, 2
     sub ecx, PE_SLOTS / 4
@@ -62,7 +61,7 @@ start:
 
 give_imports:
     mov edi, [rbx + IMPORTS]
-    lea rsi, IMPORT(0)
+    lea rsi, IMPORT(PE_PROGRAM1)
     movsq
     movsq
     ret
@@ -88,7 +87,7 @@ damaged:
 no_memory:
     push PE_NO_MEMORY
 
-// On standard error; where there is none, in a box.
+// Writes to standard error; if there is none, shows a message box.
 refuse:
     pop rsi
     lea edi, [FRONT + PE_TEXTS]

@@ -1,16 +1,16 @@
-// An incremental parser of x86-64 code: byte by byte it tells what the next byte is part of. It serves as
-// context for the model and finds the operands that name addresses relative to themselves.
+// An incremental parser of x86-64 code: after each byte it tells what the next byte is part of. The model
+// uses this as context. The parser also finds the operands that name addresses relative to themselves.
 //
-// It knows the instructions that compilers write for user programs up to AVX2; after another one (or data) it
-// may take a wrong turn, and finds back after a few bytes. A wrong turn costs compression, never correctness:
-// packer and stub take it together.
+// It knows the instructions that compilers write for user programs up to AVX2. After an unknown instruction
+// (or data) it may lose its place, and recovers after a few bytes. That costs compression but not
+// correctness, because packer and stub lose their place in the same way.
 #pragma once
 
 #include "fields.h"
 
 namespace pack {
 
-// How an opcode goes on. Bit 0: a ModRM byte follows. Bits 1, 2: the immediate operand.
+// What follows an opcode. Bit 0: a ModRM byte follows. Bits 1, 2: the immediate operand.
 enum OpcodeClass : uint8_t {
     kHasModrm = 1,
     kImmediate8 = 2,  // one byte
@@ -26,8 +26,8 @@ constexpr OpcodeRun kOpcodeRuns[] = {
 #include "opcodes.h"
 };
 
-// The runs written out: the class of an opcode at map << 8 | opcode. The stub has a byte for a run, the count
-// above the class, and counts down to 0 in eight bits: 0 serves as 256.
+// The runs of opcodes.h as a table: the class of an opcode is at map << 8 | opcode. In the stub a run is one
+// byte, its count above its class. The stub counts down to 0 in eight bits, so a count of 0 means 256.
 constexpr void expandOpcodes(uint8_t *classes) {
     for (OpcodeRun run : kOpcodeRuns)
         for (uint32_t i = 0; i < (run.count ? run.count : 256); ++i) *classes++ = (uint8_t)run.kind;
@@ -44,8 +44,8 @@ static_assert([] {
 struct Parser {
     enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand };
     static_assert(kOperand + 1 == kPhases && kPhases <= 1 << kPhaseBits);
-    // `left` at kStart: what has been seen of the instruction, and above it the map of the opcode to come: 1
-    // for 0f, 2 for 0f 38, 3 for 0f 3a
+    // In kStart, `left` holds what has been seen of the instruction, and above it the map of the next opcode:
+    // 1 for 0f, 2 for 0f 38, 3 for 0f 3a
     static constexpr uint32_t kSeenRex = 1, kSeenVex = 2, kMapShift = 2, kSeenMap = 1 << kMapShift;
     static constexpr uint32_t kPrefixShift = 16; // in kOpcode: above map and opcode
 
@@ -53,8 +53,8 @@ struct Parser {
     uint32_t left; // how many bytes of it are to come
     uint32_t map, wide, immediate, relative;
 
-    // Takes the next byte. If a field ends with it that is relative to the address behind the instruction,
-    // how far behind this byte that is; else 0.
+    // Takes the next byte. If this byte ends a field that is relative to the next instruction's address,
+    // returns how far that address is from this byte; otherwise 0.
     uint32_t step(uint32_t *f, uint32_t b, const uint8_t *classes) {
         uint32_t found = 0;
         f[kSoFar] = mixIn(f[kSoFar], b);
@@ -85,7 +85,7 @@ struct Parser {
                 return 0;
             }
             uint32_t opcode = left >> kMapShift << 8 | b;
-            // Eight arithmetic operations, 00 .. 3f, go on alike
+            // The eight arithmetic operations, 00 .. 3f, have the same form
             uint32_t kind = classes[opcode < 0x40 ? opcode & 7 : opcode];
             f[kOpcode] |= opcode;
             relative = kind == kRelative32;
@@ -110,7 +110,7 @@ struct Parser {
         case kModrmByte:
             f[kModrm] = b;
             f[kMode] = b & 0xc7;
-            // of f6 and f7 only TEST has an immediate
+            // of f6 and f7 only TEST has an immediate operand
             if ((f[kOpcode] & 0xfffe) == 0xf6 && b & 0x30) immediate = 0;
             left = b >> 6 == 1 ? 1 : b >> 6 == 2 ? 4 : 0;
             if ((b & 0xc7) == 5) {
@@ -140,7 +140,7 @@ struct Parser {
             immediate = 0;
             return found;
         }
-        // The instruction ends
+        // The end of the instruction
         f[kModrm1] = f[kModrm];
         f[kOpcode3] = f[kOpcode2];
         f[kOpcode2] = f[kOpcode1];

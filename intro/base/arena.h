@@ -10,9 +10,9 @@ struct Arena {
     unsigned char *base;
     size_t size;
     size_t used;
-    bool full = false; // it could not give all that was asked for: who takes many things may ask once
+    bool full = false; // something did not fit. A caller that takes many things may check this once
 
-    // `count` zeroed Ts on a cache line of their own; null when there is not so much left.
+    // `count` zeroed Ts that start on a cache line of their own; null when they do not fit.
     template <class T> T *take(size_t count) { return (T *)take(count, sizeof(T)); }
 
 private:

@@ -1,15 +1,15 @@
 // Eight floats (or eight 32-bit ints, or eight lane masks) in one AVX register, on GCC's vector extensions.
 //
-// Masks are Int8: every bit of a lane set for true, clear for false, as comparisons yield them. The scalar
-// overloads below let one template serve a single float and eight of them with bit-identical results:
-// contraction is off in the whole build, so a fused multiply-add happens exactly where fmadd() stands.
+// Masks are Int8, as comparisons yield them: all bits of a lane are set for true and clear for false. The
+// scalar overloads below let one template serve a single float and eight of them with bit-identical results.
+// Contraction is off in the whole build, so a multiply and an add are fused only where fmadd() stands.
 #pragma once
 
 #include <immintrin.h>
 #include <stdint.h>
 
-// Functions of one or two instructions: -Os calls them through memory, which is larger, and slower many times
-// over.
+// For functions of one or two instructions. Under -Os they would be called, with their arguments in memory:
+// larger, and many times slower.
 #define ODRAZ_INLINE [[gnu::always_inline]] inline
 
 namespace odraz {
@@ -47,7 +47,7 @@ ODRAZ_INLINE Float8 round(Float8 x) {
     return _mm256_round_ps(x, _MM_FROUND_TO_NEAREST_INT | _MM_FROUND_NO_EXC);
 }
 
-// The second operand when either is NaN, as the instructions have it.
+// When either operand is NaN, the result is the second one, as with the instructions.
 ODRAZ_INLINE float min(float a, float b) { return a < b ? a : b; }
 ODRAZ_INLINE Float8 min(Float8 a, Float8 b) { return _mm256_min_ps(a, b); }
 ODRAZ_INLINE float max(float a, float b) { return a > b ? a : b; }
@@ -73,7 +73,7 @@ ODRAZ_INLINE Int8 toInt(Float8 x) { return (Int8)_mm256_cvttps_epi32(x); }
 ODRAZ_INLINE float toFloat(int32_t x) { return (float)x; }
 ODRAZ_INLINE Float8 toFloat(Int8 x) { return _mm256_cvtepi32_ps((__m256i)x); }
 
-// --- Mixed operands, and what only lanes have ---
+// --- Mixed operands, and functions for lanes alone ---
 
 ODRAZ_INLINE Float8 fmadd(Float8 a, float b, Float8 c) { return fmadd(a, broadcast(b), c); }
 ODRAZ_INLINE Float8 fmadd(float a, Float8 b, Float8 c) { return fmadd(broadcast(a), b, c); }

@@ -1,6 +1,7 @@
-// The functions of OpenGL 3.3 that we use, as a table, and one of ARB_clip_control; the host fills it. On
-// Windows with functions that pass on to Windows's, which is why none has a float behind an integer here: the
-// two conventions pass such a one in different registers.
+// The functions of OpenGL 3.3 that we use, and one of ARB_clip_control, as a table. The host fills it.
+//
+// On Windows the table leads to code that passes each call on to Windows's function. So no function here may
+// have a float after an integer: the two calling conventions pass such a float in different registers.
 #pragma once
 
 #define GL_GLEXT_PROTOTYPES
@@ -27,7 +28,7 @@ namespace odraz {
 struct Gl {
 #define ODRAZ_GL_MEMBER(name) decltype(&::name) name;
     ODRAZ_GL(ODRAZ_GL_MEMBER)
-    decltype(&::glClipControl) glClipControl; // found apart: null where there is none
+    decltype(&::glClipControl) glClipControl; // looked up separately; null where there is none
 #undef ODRAZ_GL_MEMBER
 };
 

@@ -1,5 +1,5 @@
-// Parallel-for over independent pieces of work. The host makes the Workers; the engine only uses them.
-// Which worker runs which piece is not defined, so a piece may write nothing that another one reads.
+// Parallel-for over independent pieces of work. The host makes the Workers; the engine only uses them. It is
+// not defined which worker runs which piece, so no piece may write what another one reads.
 #pragma once
 
 namespace odraz {
@@ -7,13 +7,13 @@ namespace odraz {
 inline constexpr int kMaxWorkers = 64;
 
 struct Workers {
-    int count; // threads that work, the caller's among them; 1 .. kMaxWorkers
+    int count; // threads that work, including the caller's; 1 .. kMaxWorkers
     // Runs body(context, first, end, worker) for [0, count) in pieces of `size` and returns when all are
-    // done. What is left after an abort is skipped
+    // done. After an abort the remaining pieces are skipped
     void (*run)(Workers &, int count, int size, void (*body)(const void *, int first, int end, int worker),
                 const void *context);
-    const int *abort; // becomes non-zero when the viewer leaves: the result is void then
-    void *host;       // the host's own
+    const int *abort; // becomes non-zero when the viewer leaves; then the result is useless
+    void *host;       // for the host's own use
 
     bool aborted() const { return __atomic_load_n(abort, __ATOMIC_RELAXED) != 0; }
 };

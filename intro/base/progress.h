@@ -1,4 +1,4 @@
-// Telling how far a long piece of work has come: 0 .. 1.
+// Reports how far a long piece of work has come: 0 .. 1.
 #pragma once
 
 namespace odraz {
@@ -7,7 +7,7 @@ struct Progress {
     // May be null; called on the thread that began the work
     void (*report)(float done, void *context) = nullptr;
     void *context = nullptr;
-    float from = 0, to = 1; // the part of the whole that this work is
+    float from = 0, to = 1; // where this work begins and ends within the whole
 
     void operator()(float done) const {
         if (report) report(from + (to - from) * done, context);

@@ -1,4 +1,4 @@
-// Random numbers that are a pure function of what is asked: PCG's output permutation over an integer.
+// Random numbers that depend on nothing but their argument: PCG's output permutation of an integer.
 // Source: Jarzynski and Olano, "Hash Functions for GPU Rendering", JCGT 9(3), 2020 (pcg).
 #pragma once
 

@@ -1,14 +1,14 @@
-// Text put together without libc, in a fixed buffer: what does not fit is cut off.
+// Builds text without libc, in a fixed buffer. What does not fit is cut off.
 #pragma once
 
 #include <stdint.h>
 
 namespace odraz {
 
-// Of any size: so that there is one copy of what it does.
+// Text of any size: all sizes share one copy of the code.
 struct AnyText {
     char *data;
-    int room; // the zero at the end included
+    int room; // bytes, including the zero at the end
     int size = 0;
 
     AnyText &operator<<(char c);

@@ -57,7 +57,7 @@ ODRAZ_INLINE Vec3x8 select(Int8 m, Vec3x8 a, Vec3x8 b) {
 template <class T> ODRAZ_INLINE T maxComponent(Vec3T<T> a) { return max(a.x, max(a.y, a.z)); }
 template <class T> ODRAZ_INLINE T sumAbs(Vec3T<T> a) { return abs(a.x) + abs(a.y) + abs(a.z); }
 
-// Three components side by side, as structures of arrays have them.
+// Eight points of a structure of arrays, from index `at` on.
 template <int N> ODRAZ_INLINE Vec3x8 load(const float (&values)[3][N], int at) {
     return {load(values[0] + at), load(values[1] + at), load(values[2] + at)};
 }

@@ -8,14 +8,15 @@ namespace odraz {
 void *takeMemory(size_t bytes);  // zeroed; null when there is none
 extern const char kMoreMemory[]; // what to do then
 
-// Null, or a line where the system lets nothing run that was written (MemoryDenyWriteExecute, SELinux).
-const char *mayNotRunWritten();
+// Null, or a line that tells that the system lets no process run code that it wrote (MemoryDenyWriteExecute,
+// SELinux), as software OpenGL does.
+const char *jitForbidden();
 
 // Whether so many bytes more could be had of what a process may address (ulimit -v).
 bool couldAddress(size_t bytes);
 
-// Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure. On Windows, where a
-// program with windows mostly has no standard descriptors, in a box where there is no standard output either.
+// Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure. On Windows, a program with
+// windows often has no standard descriptors: the line then appears in a message box.
 int complain(const char *line);
 
 // While one lives, what libraries write to standard error is swallowed; complain() is heard.
@@ -24,15 +25,15 @@ struct Quiet {
     ~Quiet();
 };
 
-// complain(), and for viewers who double-clicked and see no standard error, the line in a small window until
-// a key, the close button, or for half a minute: on Linux where there is a display, on Windows where there is
-// no standard error. Any processor.
+// Calls complain(), and also shows the line in a small window, for viewers who double-clicked and see no
+// standard error. The window closes by a key, by its button, or after half a minute. It opens on Linux where
+// there is a display, on Windows where there is no standard error. Runs on any processor.
 int refuse(const char *line);
 
-// Prepares what the shell left us, and returns a bit for every standard descriptor that is closed. On Linux
-// these get a file that swallows all, so that no file of ours ends up as standard error, and a closed pipe or
-// a file beyond the limit (ulimit -f) becomes an error of writing; on Windows the console of who started us
-// takes their place, if there is one.
+// Prepares the standard descriptors, and returns a bit for each one that is closed. On Linux a closed one is
+// opened to a file that swallows everything, so that no file of ours becomes standard error. Writing to a
+// closed pipe, or beyond the limit of a file's size (ulimit -f), becomes an ordinary error. On Windows the
+// console of the process that started us takes the place of closed ones, if it has a console.
 int prepareDescriptors();
 
 // Ends all threads at once.

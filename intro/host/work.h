@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-// A worker's turns are done when nothing is left; who is quick takes more pieces.
+// A worker takes pieces until none is left, so a quick one takes more.
 struct Work {
     void (*body)(const void *, int, int, int);
     const void *context;

@@ -1,6 +1,7 @@
-// Facets clipped to the faces of a hemicube, in its frame: z is the surface's normal.
+// Clips facets to the faces of a hemicube, in the frame of the hemicube: z is the surface's normal.
 //
-// A face has four borders: x + w, w - x, y + w (on the four half faces: y) and w - y must not be negative.
+// A face has four borders: x + w, w - x, y + w (just y on the four half faces) and w - y must not be
+// negative.
 #pragma once
 
 #include "base/vec3.h"
@@ -8,15 +9,16 @@
 namespace odraz {
 
 struct Corner {
-    float x, y, w, s, t; // on a face: |x| <= w, y <= w, -w or 0 <= y; place on the chart, in patches
+    float x, y, w; // on a face: |x| <= w, y <= w, -w or 0 <= y
+    float s, t;    // place on the chart, in patches
 };
 
-// Beyond which borders of the five faces a point lies: four bits a face, the top face's lowest, then those
-// that look to +x, +y, -x and -y.
+// The borders of the five faces that a point lies beyond: four bits a face. The top face has the lowest bits,
+// then come the faces that look to +x, +y, -x and -y.
 uint32_t outsideFaces(const Vec3 &p);
 
-// Cuts a convex polygon of 3 or 4 corners, which then has `count`, at the borders of which `crossed` has a
-// bit. Every border adds one corner at most: they are found in the buffers.
+// Cuts a convex polygon of 3 or 4 corners at the borders whose bits are set in `crossed`, and changes
+// `count`. Every border adds one corner at most; the buffers have room for that.
 const Corner *clipToFace(const Corner *polygon, int &count, bool top, uint32_t crossed,
                          Corner (&buffers)[2][8]);
 

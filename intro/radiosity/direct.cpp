@@ -15,15 +15,15 @@ struct Places {
     int round; // 0 .. 3: whose parts of what shines they look at
 };
 
-// A part of what shines: a parallelogram or a triangle, which repeats its last corner. Clockwise, as seen
-// from where it shines.
+// A part of a shining area: a parallelogram, or a triangle that repeats its last corner. The corners are
+// clockwise as seen from the side that shines.
 struct Part {
     Vec3 corner[4], middle;
     int round; // that looks at it from afar
 };
 
-// Lambert's formula, a sum over the edges. What lies under the horizon counts negative: it should be little
-// of it.
+// Lambert's formula, a sum over the edges. What is below the horizon counts as negative, so little of the
+// part should be there.
 Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
     Float8 sum = {};
     Vec3x8 a = normalize(part.corner[3] - p);
@@ -39,13 +39,14 @@ constexpr float kNear = 16; // distance^2 over a part's area within which discs 
 
 constexpr int kParts = 32; // of a window or a lamp of its own
 
-// A part of what shines, from eight places.
+// A part, as seen from eight places.
 struct Seen {
     Vec3x8 d;
     Float8 factor;
 };
 
-// Divides a facet into parts that are as square as can be; a triangle into such as itself. Returns how many.
+// Divides a facet into parts that are as square as possible, a triangle into similar triangles. Returns how
+// many.
 int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
     Vec3 q = f.corner(c, 0), u = f.corner(c, 1) - q, v = f.corner(c, f.triangle() ? 2 : 3) - q;
     int count = 0;
@@ -83,11 +84,11 @@ int dissect(const Chart &c, const Facet &f, int most, Part *parts) {
 struct Context {
     const Model &model;
     const Scene &scene;
-    const Lights &lights;
+    const LightBases &bases;
     int partCount;
     Part parts[kMaxLampCells];
 
-    // What share of the way to points `to` is clear.
+    // What share of the way to the points `to` is clear.
     Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
         to = to - at.p;
         Float8 distance = max(length(to), 1e-20f);
@@ -96,7 +97,7 @@ struct Context {
     }
 
     // Finds the directions and form factors of the parts of a facet that this place looks at: every fourth,
-    // where it is near all of them. Returns how many.
+    // or all where it is near. Returns how many.
     int look(const Places &at, int facet, int most, Seen *seen) {
         const Facet &f = model.facets[facet];
         const Chart &c = model.charts[f.chart];
@@ -144,39 +145,37 @@ struct Context {
 
 void Context::add(const Places &at, Float8 *sums) {
     Seen seen[kMaxLampCells];
-    for (int w = 0; w < model.chartCount && lights.skyCount; ++w)
+    for (int w = 0; w < model.chartCount && bases.skyCount; ++w)
         if (model.charts[w].open)
             lookAtChart(at, w, seen, [&](const Seen &s) {
                 if (!any(s.factor > 0.f)) return;
                 Float8 sky[kMaxSkies];
-                lights.sky(lights.skies, s.d, sky);
-                for (int k = 0; k < lights.skyCount; ++k) sums[k] = fmadd(sky[k], s.factor, sums[k]);
+                bases.sky(bases.skies, s.d, sky);
+                for (int k = 0; k < bases.skyCount; ++k) sums[k] = fmadd(sky[k], s.factor, sums[k]);
             });
-    for (int g = 0; g < lights.glowCount; ++g) {
-        const Glow &glow = lights.glows[g];
+    for (int g = 0; g < bases.glowCount; ++g) {
+        const Glow &glow = bases.glows[g];
         for (int i = look(at, glow.facet, glow.cells, seen) - 1; i >= 0; --i)
             sums[0] = fmadd(seen[i].factor, glow.radiance.x, sums[0]),
             sums[1] = fmadd(seen[i].factor, glow.radiance.y, sums[1]),
             sums[2] = fmadd(seen[i].factor, glow.radiance.z, sums[2]);
     }
-    sums += lights.skyCount;
     Vec3x8 d;
-    for (int k = 0; k < lights.sunCount; ++k) {
-        Vec3 sun = lights.suns[k];
+    for (int k = 0; k < bases.sunCount; ++k) {
+        Vec3 sun = bases.suns[k];
         Int8 faces = at.active & (dot(sun - at.p, at.n) > 0.f);
         if (!any(faces)) continue;
         Float8 share = clear(at, broadcast(sun), faces, d);
-        sums[k] += select(faces, share * dot(d, at.n), 0.f);
+        sums[bases.firstSun() + k] += select(faces, share * dot(d, at.n), 0.f);
     }
-    sums += lights.sunCount;
-    for (int k = 0; k < lights.lampCount; ++k) {
-        const Lamp &lamp = lights.lamps[k];
-        Float8 &sum = sums[k];
+    for (int k = 0; k < bases.lampCount; ++k) {
+        const Lamp &lamp = bases.lamps[k];
+        Float8 &sum = sums[bases.firstLamp() + k];
         if (lamp.radius == 0) {
             lookAtChart(at, lamp.chart, seen, [&](const Seen &s) { sum += s.factor; });
             continue;
         }
-        // Aim at a point of the disc that the ball shows, another from every place
+        // Aim at a point of the ball's disc, a different one from every place
         Vec3x8 to = lamp.centre - at.p;
         Float8 far = max(length(to), 1e-20f);
         Float8 factor = ballFormFactor(dot(to, at.n) / far, lamp.radius * lamp.radius / (far * far));
@@ -192,11 +191,11 @@ void Context::add(const Places &at, Float8 *sums) {
 
 } // namespace
 
-void findDirectLight(const Model &model, const Scene &scene, const Lights &lights, Workers &workers,
+void findDirectLight(const Model &model, const Scene &scene, const LightBases &bases, Workers &workers,
                      float *const *direct, const Progress &progress) {
     int done = 0; // texels
     parallelRanges(workers, model.freshCount, 64, [&](int first, int end, int worker) {
-        Context context = {model, scene, lights, 0, {}};
+        Context context = {model, scene, bases, 0, {}};
         for (int i = first; i < end; i += 8) {
             int count = min(end - i, 8), seen[8] = {};
             Texels8 t = loadTexels(model, model.fresh + i, count);
@@ -210,7 +209,7 @@ void findDirectLight(const Model &model, const Scene &scene, const Lights &light
                 context.add({t.at(places.x, places.y), t.n, places.active, round}, sums);
             }
             Float8 inverse = 1.f / max(looked, 1.f);
-            for (int k = 0; k < lights.bases(); ++k) {
+            for (int k = 0; k < bases.count(); ++k) {
                 Float8 sum = sums[k] * inverse;
                 for (int t = 0; t < count; ++t) direct[k][model.fresh[i + t]] = sum[t];
             }

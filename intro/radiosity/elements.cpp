@@ -11,7 +11,7 @@ uint32_t hashOf(int chart, int x, int y) {
     return pcg((uint32_t)chart ^ pcg((uint32_t)x * 0x9e3779b1u ^ (uint32_t)y));
 }
 
-// Has a texel looked at for cells as small as those of `level`.
+// Marks a texel to be looked at again, for cells as small as those of `level`.
 void wake(Model &m, int number, int level) {
     Texel &t = m.texels[number];
     if (t.level < level) t.level = (uint8_t)level;

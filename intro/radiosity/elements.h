@@ -1,33 +1,34 @@
-// Elements: the cells at the bottom of a divided model's quadtrees, divided on where light asks for it.
+// Elements: the cells at the bottom of a model's quadtrees. They are divided further where the light needs
+// it.
 //
-// The light of an element is that of the texels at its corners. Texels are looked at while they are fresh
-// (visible.h, direct.h), cells are divided until they are fine enough, then frozen and tied (ties.h). Planes
-// are arrays of one float a texel, texelCount + 8 of them.
+// The light of an element is that of the texels at its corners. New texels are fresh until their visibility
+// and direct light have been found (visible.h, direct.h). Cells are divided until they are fine enough, then
+// frozen and tied (ties.h). Planes are arrays of one float a texel, texelCount + 8 of them.
 #pragma once
 
 #include "radiosity/model.h"
 
 namespace odraz {
 
-// The texel at a place of a chart, in kSteps of an undivided cell; -1 where there is none.
+// The texel at a place of a chart, in kSteps of an undivided cell; -1 if there is none.
 int findTexel(const Model &model, int chart, int x, int y);
 
-// They have been looked at.
+// Call it when the fresh texels have been looked at: none is fresh any more.
 void settleFresh(Model &model);
 
-// Divides a cell into four; its level must be below the levels that divide() made room for. Texels that are
-// new, or stand closer now, are fresh.
+// Divides a cell into four; its level must be below the number of levels that divide() made room for. Texels
+// become fresh if they are new, or if their cells are smaller now.
 void split(Model &model, int cell);
 
-// What light may change by over a cell: `least` and a share of what is there.
+// How much light may change over a cell: by `least` plus a share of the light there.
 struct Measure {
     const float *plane;
     float least;
 };
-// With `contrast` times the root mean square of a plane as the least; false where it is dark.
+// Sets `least` to `contrast` times the root mean square of the plane; false if the plane is dark.
 bool measure(const Model &model, const float *plane, float contrast, Measure &measure);
-// Divides the cells of a level over which one of the measured planes changes by more than that and `contrast`
-// of its sum, and those that are hidden in part.
+// Divides those cells of a level over which one of the measured planes changes by more than `least` plus
+// `contrast` times its sum, and those that are partly hidden.
 void refine(Model &model, int level, const Measure *measures, int count, float contrast);
 
 } // namespace odraz

@@ -1,8 +1,8 @@
-// Form factors from hemicubes: what share of its light a patch gets from every other one.
+// Form factors from hemicubes: what share of its light a patch gets from every other patch.
 //
-// Each pixel of a hemicube has the exact form factor of the solid angle it covers, the corner differences of
-// an integral (see form_factor.cpp), so that a hemicube's pixels sum to 1 within 1e-6. Rows are sparse and
-// stored one after the other.
+// Each pixel of a hemicube has the exact form factor of the solid angle that it covers. It is computed from
+// differences of an integral at the pixel's corners (see form_factor.cpp), so the pixels of a hemicube sum to
+// 1 within 1e-6. Rows are sparse and stored one after the other.
 #pragma once
 
 #include "base/parallel.h"
@@ -19,33 +19,33 @@ struct Link {
 struct Row {
     const Link *links;
     int count;
-    bool known; // false where no hemicube was drawn: there is none, or it was not reached
+    bool known; // false if no hemicube was drawn: the patch has none, or drawing stopped before it
 };
 
 struct FormFactors {
     Link *links;
-    Row *rows; // of every patch
+    Row *rows; // one row for every patch
     size_t capacity, used;
 };
 
-// The form factors of a hemicube's pixels, 3 px rows of px as hemicube.h lays them out.
+// The form factors of a hemicube's pixels, 3 px rows of px values in the layout of hemicube.h.
 void deltaFormFactors(int px, float *delta);
 
-// Their sums along every row, from 0 on: px + 1 of each.
+// Their running sums along every row, starting at 0: px + 1 of each row.
 void accumulateFormFactors(int px, const float *delta, float *sums);
 
-// Adds the pixels of one hemicube to row[patch], for all patches of the model, by those sums; returns what
-// saw nothing or the backs of things. A pixel that saw nothing between two that did, in its line or column,
-// is a crack of rasterisation; it gets what its neighbour saw.
+// Adds the pixels of one hemicube to row[patch] for all patches of the model, using those sums. Returns the
+// share that saw nothing or the backs of things. A pixel that saw nothing between two that did, in its line
+// or column, is a crack of rasterisation; it gets what its neighbour saw.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
-// What a patch is to form factors: nothing; it has a row, and is in those of others; or that alone.
+// The role of a patch: it has none; it has a row and appears in the rows of others; or it only appears there.
 enum : uint8_t { kUnlit, kReflects, kShines };
 
-// Draws the hemicubes of all patches that have some share and keeps their rows, as `lit` tells of each.
-// `step`, without a factor in common with the number of patches, is how many patches lie from one to the
-// next, so that rows that are had when it is stopped are spread over the model. False when the viewer left or
-// the links' capacity is too small; what there is then is whole.
+// Draws the hemicubes of all visible patches and keeps their rows; `lit` holds the role of each patch.
+// Patches are taken `step` apart, so that the rows found before a stop are spread over the model. `step` must
+// have no factor in common with the number of patches. False when the viewer left or the capacity for links
+// is too small; the rows found until then are complete.
 bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
                      FormFactors &factors, const Progress &progress, int step = 1);
 

@@ -12,8 +12,8 @@ constexpr int kVertices = 1 << 16; // laid out before they are drawn
 // A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
 constexpr int kFloats = 7;
 
-// Backs lie a little deeper than they are: along a silhouette, where a front has the same edge, the front
-// wins
+// Backs are drawn slightly deeper than they are: along a silhouette, where a front shares their edge, the
+// front wins
 constexpr char kVertexShader[] = "layout(location=0)in vec3 p;"
                                  "layout(location=1)in vec2 q;"
                                  "layout(location=2)in uvec2 c;"
@@ -43,8 +43,8 @@ struct Writer {
     }
 };
 
-// Lays one facet onto one face whose middle (top face) or horizon (the others) lies at (x, y) of the atlas,
-// having cut it at the borders that it crosses.
+// Puts one facet onto one face, cut at the borders that it crosses. The middle (top face) or horizon (other
+// faces) lies at (x, y) of the atlas.
 void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t crossed, float x, float y,
             uint32_t first, uint32_t shape) {
     Corner buffers[2][8];
@@ -55,7 +55,7 @@ void layOut(Writer &out, const Corner *polygon, int count, bool top, uint32_t cr
         for (int k = 0; k < 3; ++k) {
             const Corner &c = polygon[k ? i - 2 + k : 0];
             float *v = out.h.vertices + (size_t)out.vertices++ * kFloats;
-            // Nothing beyond the picture, be it by a rounding: OpenGL would clip all triangles, which is slow
+            // Keep rounding from leaving the picture: OpenGL would then clip all triangles, which is slow
             v[0] = clamp(fmadd(c.x, out.scaleX, x * c.w), -c.w, c.w);
             v[1] = clamp(fmadd(c.y, out.scaleY, y * c.w), -c.w, c.w);
             v[2] = c.w;
@@ -71,7 +71,8 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         const Facet &f = model.facets[i];
         const Chart &c = model.charts[f.chart];
         float height = dot(eye.p - c.corner, c.n);
-        // Leave out what lies in the patch's own plane; walls that it stands beside, however near, are seen
+        // Leave out what lies in the patch's own plane. Walls next to the patch are seen, however near they
+        // are
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
         if (back && model.solid) continue;
@@ -111,7 +112,7 @@ Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number) {
     return {p, {a * c + b * s, b * c - a * s, n}};
 }
 
-// About three quarters of a million pixels, if that is more than one.
+// A batch has about three quarters of a million pixels, or one hemicube if that is more.
 static void shapeAtlas(Hemicubes &h, int px) {
     h.px = px;
     h.columns = clamp(1024 / px, 1, kHemicubeBatch / 4);

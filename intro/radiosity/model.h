@@ -21,6 +21,8 @@ struct Facet {
     int chart;
     float u[4], v[4];
 
+    // (The hall has no triangles. Hemicubes and direct light support them, which costs the film 328 packed
+    // bytes. That stays, so that film, tools and tests share the same objects.)
     bool triangle() const { return u[3] == u[2] && v[3] == v[2]; }
     Vec3 corner(const Chart &c, int k) const { return c.at(u[k], v[k]); }
 };
@@ -34,7 +36,7 @@ struct Patch {
     int chart;
 };
 
-// Where light is kept: a corner of cells. It is looked at from four places about it, a quarter of the cells'
+// A corner of cells, where light is kept. It is sampled at four places around it, a quarter of the cells'
 // sides away along u (bit 0 of a place's number) and v (bit 1).
 struct Texel {
     int chart, x, y; // in kSteps of an undivided cell
@@ -44,7 +46,7 @@ struct Texel {
     bool filled;     // hidden, but with light from its neighbours
 };
 
-// Light of a texel that follows from others': it moves so far towards theirs, one after the other.
+// Moves the light of a texel by `share` towards that of another. Ties are applied one after the other.
 struct Tie {
     int texel, towards;
     float share;

@@ -7,7 +7,7 @@ namespace odraz {
 
 static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
     size_t padded = texels + 8;
-    for (int k = 0; k < r.lights.bases(); ++k) {
+    for (int k = 0; k < r.bases.count(); ++k) {
         for (float *&plane : r.bounced[k]) plane = arena.take<float>(padded);
         r.direct[k] = arena.take<float>(padded);
     }
@@ -16,15 +16,15 @@ static bool takePlanes(Radiosity &r, Arena &arena, size_t texels) {
 
 void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
                 Workers &workers, const Progress &progress) {
-    const Lights &lights = r.lights;
+    const LightBases &bases = r.bases;
     Measure measures[kMaxBases];
     int count = 0;
     for (int level = 0;; ++level) {
-        findDirectLight(model, scene, lights, workers, r.direct, level ? Progress{} : progress);
+        findDirectLight(model, scene, bases, workers, r.direct, level ? Progress{} : progress);
         settleFresh(model);
         // The first light tells what is much; of skies that are functions the first one alone
-        for (int k = 0; k < lights.bases() && level == 0; ++k)
-            if ((k == 0 || k >= lights.functions()) && !(settings.traced >> k & 1))
+        for (int k = 0; k < bases.count() && level == 0; ++k)
+            if ((k == 0 || k >= bases.functions()) && !(settings.traced >> k & 1))
                 count += measure(model, r.direct[k], settings.contrast, measures[count]);
         if (level == settings.levels) break;
         refine(model, level, measures, count, settings.contrast);
@@ -35,7 +35,7 @@ void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiosityS
 
 bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers) {
     System &s = r.system;
-    int bases = r.lights.bases();
+    int bases = r.bases.count();
     if (!makeSystem(s, arena, r.factors, model.patchCount, 3 * bases)) return false;
     size_t columns = (size_t)s.columns;
     for (int i = 0; i < model.patchCount; ++i) {
@@ -54,15 +54,15 @@ bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers
 
 void spreadLight(Radiosity &r, const Model &model, Workers &workers) {
     const System &s = r.system;
-    fillPatches(model, r.factors, s.columns, s.gathered, 0, model.patchCount);
-    addToTexels(model, s.gathered, s.columns, r.bounced[0], 3 * r.lights.bases(), workers,
-                3 * r.lights.functions());
+    fillPatches(model, r.factors, s.columns, s.indirect, 0, model.patchCount);
+    addToTexels(model, s.indirect, s.columns, r.bounced[0], 3 * r.bases.count(), workers,
+                3 * r.bases.functions());
 }
 
 void settleLight(Radiosity &r, const Model &model, Workers &workers) {
-    parallelFor(workers, r.lights.bases(), [&](int k, int) {
+    parallelFor(workers, r.bases.count(), [&](int k, int) {
         for (float *plane : r.bounced[k]) {
-            for (int t = 0; t < model.texelCount && k < r.lights.skyCount; ++t) plane[t] += r.direct[k][t];
+            for (int t = 0; t < model.texelCount && k < r.bases.skyCount; ++t) plane[t] += r.direct[k][t];
             settle(model, plane);
         }
         settle(model, r.direct[k]);
@@ -94,7 +94,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     if (workers.aborted() || !fillSystem(r, model, arena, workers)) return false;
     solve(r.system, workers, settings.residual, settings.sweeps);
     progress(0.965f);
-    gather(r.system, workers);
+    findIndirect(r.system, workers);
     spreadLight(r, model, workers);
     settleLight(r, model, workers);
     progress(1);

@@ -1,8 +1,8 @@
-// A model, solved: for every light its light on every texel, bounces and all; and the stages that lead there.
+// A solved model: the light of every light basis on every texel, with all bounces; and the stages of solving.
 //
 // Light is linear: the picture at any time is a weighted sum of these bases, skies, suns and lamps. Direct
 // light of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer
-// draws it, or put in.
+// draws it.
 //
 // The stages, in their order; solveRadiosity() goes through them for a room that is relit, tools go through
 // them too, with rows, lights and steps between of their own:
@@ -11,7 +11,7 @@
 //   findDirect()       light from all that shines to the texels, which are refined and tied
 //   fillSystem()       what patches reflect, and what of direct light arrives there
 //   solve()            until little changes; or bounce(), so many times
-//   gather()           what arrives at the patches in the end
+//   findIndirect()     what arrives at the patches in the end
 //   spreadLight()      and from there at the texels
 #pragma once
 
@@ -19,9 +19,6 @@
 #include "radiosity/solve.h"
 
 namespace odraz {
-
-using Bases = unsigned __int128; // a set of them: a bit for each
-static_assert(kMaxBases <= 128);
 
 struct RadiositySettings {
     int px = 32;   // of a hemicube
@@ -31,7 +28,7 @@ struct RadiositySettings {
     // draws
     int levels = 0;
     float contrast = 0.3f;
-    Bases traced = 0;
+    BasisSet traced = 0;
     float residual = 1e-4f;
     int sweeps = 100;       // no more than these
     size_t links = 6 << 20; // room for form factors
@@ -40,30 +37,31 @@ struct RadiositySettings {
 struct Radiosity {
     FormFactors factors;
     System system; // of all bases; columns 3 basis + channel
-    Lights lights;
+    LightBases bases;
     float *bounced[kMaxBases][3]; // planes of texels; of skies all that arrives, direct light too
     float *direct[kMaxBases];     // planes: what share arrives from the sky, the sun or the lamp itself
     Hemicubes hemicubes;          // open as long as the context is
 };
 
-// Finds direct light, divides the cells over which it changes much, looks at what is new, and ties. `direct`
-// are planes of zeros, one for each basis.
+// Finds direct light, divides the cells over which it changes much, samples the new texels, and ties.
+// `direct` holds one plane of zeros for each basis.
 void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiositySettings &settings,
                 Workers &workers, const Progress &progress);
 
-// Makes a system of bases whose light is white: patches reflect what arrives, the means of their texels'
-// direct light. False when the arena is full.
+// Makes a system for bases of white light: the direct light of a patch is the mean of its texels. False when
+// the arena is full.
 bool fillSystem(Radiosity &r, const Model &model, Arena &arena, Workers &workers);
 
-// Adds what a system has gathered to the planes of its columns. What skies gave may be negative, if they are
-// functions.
+// Adds the indirect light of a system to the planes of its columns. Light of skies may be negative if they
+// are functions.
 void spreadLight(Radiosity &r, const Model &model, Workers &workers);
 
 // Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
 void settleLight(Radiosity &r, const Model &model, Workers &workers);
 
-// All stages: divides the model and solves it; `scene` is used for shadow rays, and patches reflect what its
-// materials do on average. False when the arena is too small, OpenGL cannot do it, or the viewer left.
+// Goes through all stages: divides the model and solves it. `scene` serves for shadow rays, and patches
+// reflect what their materials do on average. False when the arena is too small, OpenGL cannot do it, or the
+// viewer left.
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress);
 

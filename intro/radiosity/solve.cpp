@@ -12,7 +12,7 @@ struct Pair {
 
 // F B of one patch, for a block of columns. Links are summed four at a time, in four sums: the additions need
 // not wait for each other.
-Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns) {
+Pair multiplyRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;
     Pair sum[4] = {};
@@ -30,7 +30,7 @@ Pair gatherRow(const FormFactors &f, int patch, const float *values, int columns
 
 int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
     int columns = s.columns;
-    float *values = s.gathered + (size_t)block * (size_t)s.patches;
+    float *values = s.indirect + (size_t)block * (size_t)s.patches;
     // What the sources put in
     Float8 put[2] = {};
     for (int i = 0; i < s.patches; ++i)
@@ -46,10 +46,10 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
         Float8 changed[2] = {};
         for (int i = 0; i < s.patches; ++i) {
             if (s.factors->rows[i].count == 0) continue;
-            Pair gathered = gatherRow(*s.factors, i, values, kSolveBlock);
+            Pair indirect = multiplyRow(*s.factors, i, values, kSolveBlock);
             for (int k = 0; k < 2; ++k) {
                 size_t at = (size_t)i * (size_t)columns + (size_t)(block + 8 * k);
-                Float8 b = load(s.reflectance + at) * ((k ? gathered.b : gathered.a) + load(s.direct + at));
+                Float8 b = load(s.reflectance + at) * ((k ? indirect.b : indirect.a) + load(s.direct + at));
                 float *value = values + i * kSolveBlock + 8 * k;
                 changed[k] += abs(b - load(value));
                 store(value, b);
@@ -74,7 +74,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
 bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches, int unknowns) {
     int columns = (unknowns + kSolveBlock - 1) / kSolveBlock * kSolveBlock;
     s = {&factors, patches, columns, {}, {}, {}, {}};
-    for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.gathered})
+    for (float **p : {&s.reflectance, &s.direct, &s.radiosity, &s.indirect})
         *p = arena.take<float>((size_t)patches * (size_t)columns);
     return !arena.full;
 }
@@ -91,18 +91,18 @@ int solve(System &s, Workers &workers, float residual, int most, const Progress 
 }
 
 void bounce(System &s, Workers &workers) {
-    gather(s, workers);
+    findIndirect(s, workers);
     for (size_t i = 0; i < (size_t)s.patches * (size_t)s.columns; ++i)
-        s.radiosity[i] = s.reflectance[i] * (s.direct[i] + s.gathered[i]);
+        s.radiosity[i] = s.reflectance[i] * (s.direct[i] + s.indirect[i]);
 }
 
-void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
-            Workers &workers) {
+void findIndirect(const FormFactors &factors, int patches, int columns, const float *radiosity,
+                  float *indirect, Workers &workers) {
     parallelRanges(workers, patches, 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i)
             for (int block = 0; block < columns; block += kSolveBlock) {
-                Pair sum = gatherRow(factors, i, radiosity + block, columns);
-                float *to = gathered + (size_t)i * (size_t)columns + block;
+                Pair sum = multiplyRow(factors, i, radiosity + block, columns);
+                float *to = indirect + (size_t)i * (size_t)columns + block;
                 store(to, sum.a);
                 store(to + 8, sum.b);
             }

@@ -1,9 +1,9 @@
 // The radiosity system B = rho (D + F B), for many right-hand sides at once.
 //
-// D is direct light and F B the light that comes by reflection, both as irradiance / pi. Solved by
-// Gauss-Seidel: one sweep after the other over all patches, every new value used at once, until what a sweep
-// changes is less than the residual asked, as a share of what the sources put in. Right-hand sides do not
-// touch each other, so the result does not depend on how they are shared out to threads.
+// D is direct light and F B the reflected light that arrives, both as irradiance / pi. The method is
+// Gauss-Seidel: sweeps over all patches use every new value at once, until a sweep changes less than the
+// residual asked for, as a share of what the sources put in. Right-hand sides are independent, so the result
+// does not depend on how threads share them.
 #pragma once
 
 #include "radiosity/direct.h"
@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-// The unknowns of a patch: red, green and blue of each basis, in blocks of kSolveBlock, those missing zero.
+// The unknowns of a patch: red, green and blue of each basis, in blocks of kSolveBlock, padded with zeros.
 inline constexpr int kSolveBlock = 16;
 
 struct System {
@@ -20,29 +20,29 @@ struct System {
     float *reflectance;   // [patches][columns]
     float *direct;        // [patches][columns], D
     float *radiosity;     // [patches][columns], B: reflected light, as radiance
-    float *gathered;      // [patches][columns], F B, once gathered; solve() keeps each block's values in it,
-                          // close together
+    float *indirect; // [patches][columns], F B, from findIndirect(); solve() keeps each block's values in it,
+                     // close together
 };
 
 // Takes the memory, all zero; false when the arena is full.
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
-// Solves; returns the number of sweeps, `most` where that was not enough. `told` hears what residual each of
-// the first right-hand sides' sweeps left.
+// Solves and returns the number of sweeps, or `most` if those were not enough. `told` gets the residual after
+// each sweep of the first right-hand sides.
 int solve(System &system, Workers &workers, float residual, int most, const Progress &told = {});
 
-// One bounce, of as many as are wanted, in place of solve().
+// Computes one bounce; call it once for each bounce, instead of solve().
 void bounce(System &system, Workers &workers);
 
-// From radiosities B of `columns` columns, F B.
-void gather(const FormFactors &factors, int patches, int columns, const float *radiosity, float *gathered,
-            Workers &workers);
-inline void gather(System &s, Workers &workers) {
-    gather(*s.factors, s.patches, s.columns, s.radiosity, s.gathered, workers);
+// Indirect light F B, from radiosities B of `columns` columns.
+void findIndirect(const FormFactors &factors, int patches, int columns, const float *radiosity,
+                  float *indirect, Workers &workers);
+inline void findIndirect(System &s, Workers &workers) {
+    findIndirect(*s.factors, s.patches, s.columns, s.radiosity, s.indirect, workers);
 }
 
-// Gives patches whose rows are not known the mean of those around them on their charts; `values` as for
-// gather(), of `count` patches from `first` on, whole charts.
+// Gives patches without a known row the mean of their neighbours on the same chart. `values` is as for
+// findIndirect(). The `count` patches from `first` on must make up whole charts.
 void fillPatches(const Model &model, const FormFactors &factors, int columns, float *values, int first,
                  int count);
 

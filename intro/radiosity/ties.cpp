@@ -10,7 +10,7 @@ float visibleArea(const Model &m, const Cell &cell) {
     return cell.area * 0.25f * (float)quarters;
 }
 
-// What hangs between two corners of a cell has the mean of what it hangs between.
+// A texel that hangs between two corners of a cell gets the mean of those corners.
 void tieBetween(Model &m, int a, int b) {
     const Texel &p = m.texels[a], &q = m.texels[b];
     int x = p.x + q.x, y = p.y + q.y;
@@ -37,7 +37,7 @@ void tie(Model &m) {
                 for (int b : cell.corner)
                     if (unknown(a) && !unknown(b)) m.ties[m.tieCount++] = {a, b, 1};
         }
-        // The mean of all that was found for one
+        // A texel with several ties gets the mean of all
         for (int i = begin; i < m.tieCount; ++i) {
             Texel &t = m.texels[m.ties[i].texel];
             if (!t.filled) t.level = 0; // from now on it counts

@@ -1,14 +1,14 @@
-// Texels whose light follows from others': those that hang in the middle of a larger neighbour's side, and
-// those that are hidden. With them light has neither cracks nor dark rims.
+// Ties: the light of some texels follows from that of others. These are texels in the middle of a larger
+// neighbour's side (they hang), and hidden texels. Ties prevent cracks and dark rims in the light.
 #pragma once
 
 #include "radiosity/elements.h"
 
 namespace odraz {
 
-// Ties hanging and hidden texels, and sums up what of each patch is to be seen, once the cells are final.
+// Ties hanging and hidden texels, and sums up the visible area of each patch, once the cells are final.
 void tie(Model &model);
-// Moves the values of a plane as the ties say.
+// Applies the ties to the values of a plane.
 void settle(const Model &model, float *plane);
 
 } // namespace odraz

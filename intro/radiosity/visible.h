@@ -1,4 +1,4 @@
-// What of a model is to be seen: the places about its texels, looked at eight texels at a time.
+// Finds which parts of a model are visible: it looks at the places around texels, eight texels at a time.
 #pragma once
 
 #include "radiosity/model.h"
@@ -12,13 +12,13 @@ struct Texels8 {
     Float8 off;        // how far off the plane points lie surely on its side
     Int8 active;
 
-    // Just off the plane, so many quarters aside.
+    // A place just off the plane, moved aside by so many quarters.
     Vec3x8 at(Float8 x, Float8 y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
 };
-// Those of the given numbers, `count` of them.
+// The `count` texels with the given numbers.
 Texels8 loadTexels(const Model &model, const int *numbers, int count);
 
-// Eight texels' places of one round: of each the round-th that its mask has.
+// One place of each of eight texels: the round-th that its mask has.
 struct Places8 {
     Float8 x, y; // -1 or 1: on which side of the texel
     Int8 number; // 0 .. 3
@@ -26,7 +26,7 @@ struct Places8 {
 };
 Places8 placesOf(const int *masks, int round);
 
-// Finds which places of the fresh texels are to be seen: those on a facet that lie in no solid.
+// Finds which places of the fresh texels are visible: those on a facet and in no solid.
 void findVisible(Model &model, const Scene &scene, Workers &workers);
 
 } // namespace odraz

@@ -6,24 +6,31 @@ namespace odraz {
 
 namespace {
 
-// {sun's angle from the windows' normal towards the entrance, its height, sunlight, sky: low, high, glow};
-// degrees
-struct Hour {
-    float aside, height;
-    Rgb sunlight, low, high, glow;
+struct SunAndSky {
+    float aside, height; // the sun's, degrees: from the windows' normal towards the entrance, and upwards
+    Rgb sunlight;
+    Rgb low, high, glow; // the sky at the horizon, above, and about the sun
 };
-constexpr Hour kDay[kHours] = {
-    {62, 9, {1.5f, 1.0f, 0.68f}, {0.17f, 0.20f, 0.27f}, {0.05f, 0.09f, 0.21f}, {0.34f, 0.22f, 0.14f}},
-    {44, 24, {2.4f, 2.0f, 1.55f}, {0.26f, 0.34f, 0.46f}, {0.06f, 0.14f, 0.38f}, {0.36f, 0.3f, 0.22f}},
-    {22, 38, {3.1f, 2.75f, 2.3f}, {0.25f, 0.36f, 0.52f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
-    {0, 45, {3.2f, 2.85f, 2.4f}, {0.24f, 0.36f, 0.54f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
-    {-24, 36, {3.1f, 2.7f, 2.15f}, {0.26f, 0.36f, 0.50f}, {0.06f, 0.14f, 0.40f}, {0.3f, 0.26f, 0.22f}},
-    {-44, 20, {2.9f, 2.0f, 1.15f}, {0.26f, 0.25f, 0.28f}, {0.06f, 0.10f, 0.28f}, {0.6f, 0.36f, 0.2f}},
-    {-60, 7, {2.4f, 0.95f, 0.35f}, {0.30f, 0.14f, 0.10f}, {0.05f, 0.06f, 0.17f}, {0.9f, 0.34f, 0.11f}},
-    {-62, 1, {}, {0.008f, 0.010f, 0.016f}, {0.004f, 0.006f, 0.011f}, {}},
+constexpr SunAndSky kDay[] = {
+    [kSunrise] =
+        {62, 9, {1.5f, 1.0f, 0.68f}, {0.17f, 0.20f, 0.27f}, {0.05f, 0.09f, 0.21f}, {0.34f, 0.22f, 0.14f}},
+    [kMorning] =
+        {44, 24, {2.4f, 2.0f, 1.55f}, {0.26f, 0.34f, 0.46f}, {0.06f, 0.14f, 0.38f}, {0.36f, 0.3f, 0.22f}},
+    [kForenoon] =
+        {22, 38, {3.1f, 2.75f, 2.3f}, {0.25f, 0.36f, 0.52f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
+    [kNoon] =
+        {0, 45, {3.2f, 2.85f, 2.4f}, {0.24f, 0.36f, 0.54f}, {0.06f, 0.15f, 0.42f}, {0.3f, 0.28f, 0.24f}},
+    [kAfternoon] =
+        {-24, 36, {3.1f, 2.7f, 2.15f}, {0.26f, 0.36f, 0.50f}, {0.06f, 0.14f, 0.40f}, {0.3f, 0.26f, 0.22f}},
+    [kEvening] =
+        {-44, 20, {2.9f, 2.0f, 1.15f}, {0.26f, 0.25f, 0.28f}, {0.06f, 0.10f, 0.28f}, {0.6f, 0.36f, 0.2f}},
+    [kSunset] =
+        {-60, 7, {2.4f, 0.95f, 0.35f}, {0.30f, 0.14f, 0.10f}, {0.05f, 0.06f, 0.17f}, {0.9f, 0.34f, 0.11f}},
+    [kNight] = {-62, 1, {}, {0.008f, 0.010f, 0.016f}, {0.004f, 0.006f, 0.011f}, {}},
 };
+static_assert(sizeof kDay / sizeof *kDay == kHours);
 
-Hour between(const Hour &a, const Hour &b, float t) {
+SunAndSky between(const SunAndSky &a, const SunAndSky &b, float t) {
     return {lerp(a.aside, b.aside, t), lerp(a.height, b.height, t), lerp(a.sunlight, b.sunlight, t),
             lerp(a.low, b.low, t),     lerp(a.high, b.high, t),     lerp(a.glow, b.glow, t)};
 }
@@ -32,7 +39,7 @@ Hour between(const Hour &a, const Hour &b, float t) {
 
 Daylight daylightAt(float hour) {
     int before = min(max((int)hour, 0), kHours - 2);
-    Hour h = between(kDay[before], kDay[before + 1], hour - (float)before);
+    SunAndSky h = between(kDay[before], kDay[before + 1], hour - (float)before);
     float a = h.aside * (kPi / 180), e = h.height * (kPi / 180);
     Vec3 sun = {-cos(e) * cos(a), sin(e), cos(e) * sin(a)};
     Rgb ground = h.low * 0.35f + h.sunlight * (0.07f * max(sun.y, 0.f));

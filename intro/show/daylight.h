@@ -5,10 +5,10 @@
 
 namespace odraz {
 
-inline constexpr int kHours = 8; // from dawn (0) to dusk (6) and night (7)
-inline constexpr int kNoon = 3;
+// The hours that are given; all others lie between two of them.
+enum Hour { kSunrise, kMorning, kForenoon, kNoon, kAfternoon, kEvening, kSunset, kNight, kHours };
 
-// The sky of an hour, 0 .. kHours - 1, and its sun.
+// The sky of an hour, kSunrise .. kNight, and its sun.
 struct Daylight {
     Sky sky;
     Vec3 sunAt;   // world

@@ -6,6 +6,8 @@
 // very row.
 #pragma once
 
+#include "base/rows.h"
+
 #include <stdint.h>
 
 namespace odraz {
@@ -94,13 +96,7 @@ inline constexpr Event kEvents[] = {
     {kLine3,            kCredits,  20, true},
 };
 // clang-format on
-static_assert(
-    [] {
-        for (int i = 0; i < kEventCount; ++i)
-            if (kEvents[i].id != i) return false;
-        return sizeof kEvents / sizeof *kEvents == kEventCount;
-    }(),
-    "a row for every event, in the order of EventId");
+static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event, in the enum's order");
 
 // The row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }

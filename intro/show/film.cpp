@@ -6,21 +6,15 @@
 namespace odraz {
 
 constexpr SceneEntry kScenes[kSceneCount] = {
-    {"point", posePoint, nullptr, kPoint, false},
-    {"table", poseTable, nullptr, kTable, false},
-    {"flake", poseFlake, nullptr, kFlake, false},
-    {"patches", posePatches, letterPatches, kPatches, true},
-    {"hall", poseDay, nullptr, kHall, true},
-    {"odraz", poseOdraz, nullptr, kOdraz, true},
-    {"credits", poseCredits, letterCredits, kCredits, false},
+    {.name = "point", .pose = posePoint, .id = kPoint},
+    {.name = "table", .pose = poseTable, .id = kTable},
+    {.name = "flake", .pose = poseFlake, .id = kFlake},
+    {.name = "patches", .pose = posePatches, .letter = letterPatches, .id = kPatches, .needsHall = true},
+    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true},
+    {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true},
+    {.name = "credits", .pose = poseCredits, .letter = letterCredits, .id = kCredits},
 };
-static_assert(
-    [] {
-        for (int i = 0; i < kSceneCount; ++i)
-            if (kScenes[i].id != i) return false;
-        return true;
-    }(),
-    "a row for every scene, in the order of SceneId");
+static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
 // Keys may lie outside their shot, which moves at its first and at its last picture then.
@@ -96,14 +90,14 @@ static constexpr CameraKey kStill[] = {
 };
 
 static constexpr Shot kShots[] = {
-    {0, kPoint, 0, path(kPushIn), 2, 0},
-    {128, kTable, 128, path(kOrbit), 0, 0},
-    {320, kFlake, 320, path(kValley), 0, 0},
-    {512, kPatches, 512, path(kAxonometry), 8, 0},
-    {688, kPatches, 512, path(kWalkIn), 0, 8},
-    {736, kHall, 736, path(kWalk), 8, 0},
-    {1024, kOdraz, 1024, path(kCrane), 0, 8},
-    {1216, kCredits, 1216, path(kStill), 8, 4},
+    {.row = 0, .scene = kPoint, .storyRow = 0, .path = path(kPushIn), .fadeIn = 2, .fadeOut = 0},
+    {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kOrbit), .fadeIn = 0, .fadeOut = 0},
+    {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kValley), .fadeIn = 0, .fadeOut = 0},
+    {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kAxonometry), .fadeIn = 8, .fadeOut = 0},
+    {.row = 688, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 8},
+    {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kWalk), .fadeIn = 8, .fadeOut = 0},
+    {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 8},
+    {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};

@@ -71,8 +71,8 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
         Rgb part = now.sunlight * (i ? at - (float)before : (float)(before + 1) - at);
-        v.bounced[kSh + before + i] = part;
-        v.direct[kSh + before + i] = part * (1 - light.sun);
+        v.bounced[kFirstSun + before + i] = part;
+        v.direct[kFirstSun + before + i] = part * (1 - light.sun);
     }
     for (int i = 0; i < kLanterns; ++i) {
         v.bounced[kFirstLantern + i] = kLanternLight * light.lanterns[i];
@@ -86,11 +86,10 @@ LightVector lightVector(const HallLight &light, const float *drawn) {
 }
 
 void prepareHall(Hall &hall, Scene &scene) {
-    Lights &lights = hall.radiosity.lights;
-    lights.skyCount = kSh;
-    lights.sky = [](const void *, const Vec3x8 &d, Float8 *y) { evaluate(d, y); };
-    lights.sunCount = kSuns;
-    for (int i = 0; i < kSuns; ++i) lights.suns[i] = daylightAt((float)i * 0.25f).sunAt;
+    LightBases &bases = hall.radiosity.bases;
+    (BasisOrder &)bases = kHallBases;
+    bases.sky = [](const void *, const Vec3x8 &d, Float8 *y) { evaluate(d, y); };
+    for (int i = 0; i < kSuns; ++i) bases.suns[i] = daylightAt((float)i * 0.25f).sunAt;
     buildHall(hall);
     scene.clear();
     addMaterials(scene, {}, 0);
@@ -102,9 +101,9 @@ RoomSettings hallSettings(const Hall &hall) {
     RoomSettings s = {kHallSettings, {}, hall.floor, {}, lightVector({kNoon, {}, {}, 0}), {0.5f, 0, 0.6f}};
     for (int hour = 0; hour < kHours; ++hour) {
         LightVector v = lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
-        for (int k = 0; k < kHallBases; ++k) s.importance[k] += length(v.bounced[k]);
+        for (int k = 0; k < kHallBases.count(); ++k) s.importance[k] += length(v.bounced[k]);
     }
-    for (int i = 0; i < kSuns; ++i) s.importance[kSh + i] = 1;
+    for (int i = 0; i < kSuns; ++i) s.importance[kFirstSun + i] = 1;
     return s;
 }
 
@@ -124,7 +123,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         float on = light.lanterns[i];
         if (on == 0) continue;
         drawn[i] = saturate((on - least) / (0.15f * on));
-        Vec3 place = hall.radiosity.lights.lamps[i].centre;
+        Vec3 place = hall.radiosity.bases.lamps[i].centre;
         scene.add(sphere(place, kLanternRadius, kLantern + i));
         if (drawn[i] > 0)
             scene.add(Light{place, kLanternLight * (on * drawn[i] * kLanternRadius * kLanternRadius),
@@ -141,7 +140,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     // Balls get what floor and ceiling get on average
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);
-    scene.contact = true;
+    scene.ballsOcclude = true;
     scene.exposure = 1;
 }
 

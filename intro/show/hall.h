@@ -11,10 +11,11 @@ namespace odraz {
 inline constexpr int kLanterns = 3, kStrips = 8;
 inline constexpr int kHallMaterials = 8 + kLanterns + kStrips; // that it gives a scene
 inline constexpr int kSuns = 28; // positions whose bounces are solved, four for each hour
-// Of the bases: 25 of the sky, then the suns, then the lamps
-inline constexpr int kFirstLantern = kSh + kSuns, kFirstStrip = kFirstLantern + kLanterns,
-                     kHallBases = kFirstStrip + kStrips;
-static_assert(kSh <= kMaxSkies && kSuns <= kMaxSuns && kLanterns + kStrips <= kMaxLamps);
+// Its skies are the spherical harmonics; its lamps are the lanterns, then the strips
+inline constexpr BasisOrder kHallBases = {kSh, kSuns, kLanterns + kStrips};
+static_assert(kHallBases.fit());
+inline constexpr int kFirstSun = kHallBases.firstSun(), kFirstLantern = kHallBases.firstLamp(),
+                     kFirstStrip = kFirstLantern + kLanterns;
 
 struct Hall : Room {
     int floor, vault; // charts: the floor; the ceiling's middle bay
@@ -29,7 +30,8 @@ struct HallLight {
     float door = 0; // how much of the strips' light it draws, as one lamp with soft shadows
 };
 
-// What there is of each basis. `drawn`: which shares of the lanterns' own light the tracer draws; null: none.
+// How much there is of each basis. `drawn`: the shares of the lanterns' own light that the tracer draws;
+// null: none.
 LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 
 // Builds its model and lights, and fills a scene with it, finished: for solveRoom().
@@ -40,7 +42,7 @@ inline constexpr RadiositySettings kHallSettings = {.px = 16,
                                                     .block = 1,
                                                     .levels = 1,
                                                     .contrast = 0.3f,
-                                                    .traced = ((1ull << (kSuns + kLanterns)) - 1) << kSh,
+                                                    .traced = basesBetween(kFirstSun, kFirstStrip),
                                                     .residual = 1e-2f};
 // With them, of a hall that is prepared: what there is of each basis in the course of a day, the light that
 // scene 4 follows and the patch that it visits.

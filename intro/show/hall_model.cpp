@@ -88,12 +88,12 @@ void build(Hall &hall) {
 }
 
 void addLamps(Hall &hall) {
-    Lights &lights = hall.radiosity.lights;
-    for (float cz : kLanternZ) lights.lamps[lights.lampCount++] = {{0, kLanternY, cz}, kLanternRadius, -1};
+    Lamp *lamp = hall.radiosity.bases.lamps; // the lanterns, then the strips
+    for (float cz : kLanternZ) *lamp++ = {{0, kLanternY, cz}, kLanternRadius, -1};
     for (int i = 0; i < kStrips; ++i) {
         Vec3 corner = {((float)i - 3.5f) * 0.4f - 0.14f, 0.3f, 0.004f - kZ};
         int chart = hall.model.addRect(corner, {0.28f, 0, 0}, {0, 3.9f, 0}, kStrip + i, 1.04f);
-        lights.lamps[lights.lampCount++] = {{}, 0, chart};
+        *lamp++ = {{}, 0, chart};
     }
 }
 

@@ -8,36 +8,39 @@ namespace odraz {
 static consteval float operator""_s(long double x) { return fromBits((bits((float)x) + 0x8000) & ~0xffff); }
 
 // clang-format off
-constexpr Instrument kInstruments[kInstrumentCount] = {
-    /* kGlassDrop */ {.partials = 8, .level = 0.117_s, .stretch = 1.46_s, .scatter = 0.01_s, .tilt = 1.2_s, .softer = 1, .decay = 4.5_s, .damp = 0.9_s,
-                      .release = 3, .detune = 0.0004_s, .spread = 0.2_s, .room = 1},
-    /* kPiano */     {.partials = 20, .level = 0.134_s, .stretch = 1.003_s, .tilt = 0.9_s, .softer = 1.2_s, .decay = 7, .damp = 0.8_s,
-                      .release = 1.2_s, .detune = 0.0005_s, .spread = 0.25_s, .room = 0.6_s, .ducked = 0.2_s},
-    /* kPad */       {.partials = 12, .level = 0.077_s, .stretch = 1, .scatter = 0.002_s, .tilt = 1.2_s, .softer = 0.8_s, .decay = 60,
-                      .attack = 1.4_s, .release = 2.4_s, .detune = 0.0022_s, .spread = 0.5_s, .room = 0.6_s, .ducked = 0.7_s},
-    /* kBass */      {.partials = 8, .level = 0.139_s, .stretch = 1, .tilt = 1.1_s, .softer = 0.6_s, .decay = 9, .damp = 0.5_s,
-                      .attack = 0.02_s, .release = 0.5_s, .detune = 0.0008_s, .spread = 0.1_s, .room = 0.2_s, .ducked = 0.4_s},
-    /* kWood */      {.partials = 8, .level = 0.145_s, .stretch = 1.72_s, .scatter = 0.03_s, .tilt = 1.1_s, .softer = 0.8_s, .decay = 0.5_s, .damp = 0.6_s,
-                      .release = 0.3_s, .detune = 0.001_s, .spread = 0.2_s, .bend = 0.06_s, .bendTime = 0.008_s, .room = 0.7_s},
-    /* kPulse */     {.partials = 16, .level = 0.08_s, .stretch = 1.01_s, .tilt = 0.6_s, .softer = 0.9_s, .decay = 0.45_s, .damp = 0.5_s,
-                      .release = 0.1_s, .detune = 0.0006_s, .spread = 0.2_s, .room = 0.35_s},
-    /* kDrum */      {.partials = 8, .level = 0.342_s, .stretch = 1.6_s, .scatter = 0.05_s, .tilt = 1.5_s, .softer = 0.5_s, .decay = 0.9_s, .damp = 1.1_s,
-                      .release = 0.5_s, .detune = 0.001_s, .spread = 0.1_s, .bend = 1.6_s, .bendTime = 0.025_s, .room = 0.5_s, .ducks = 0.5_s},
-    /* kAir */       {.partials = 32, .level = 0.02_s, .stretch = 0.75_s, .scatter = 0.45_s, .tilt = 0.1_s, .softer = 0.6_s, .decay = 1.6_s, .damp = 0.2_s,
-                      .release = 0.5_s, .detune = 0.01_s, .spread = 1, .room = 0.8_s},
+constexpr Instrument kInstruments[] = {
+    [kGlassDrop] = {.partials = 8, .level = 0.117_s, .stretch = 1.46_s, .scatter = 0.01_s, .tilt = 1.2_s, .softer = 1, .decay = 4.5_s, .damp = 0.9_s,
+        .release = 3, .detune = 0.0004_s, .spread = 0.2_s, .room = 1},
+    [kPiano] = {.partials = 20, .level = 0.134_s, .stretch = 1.003_s, .tilt = 0.9_s, .softer = 1.2_s, .decay = 7, .damp = 0.8_s,
+        .release = 1.2_s, .detune = 0.0005_s, .spread = 0.25_s, .room = 0.6_s, .ducked = 0.2_s},
+    [kPad] = {.partials = 12, .level = 0.077_s, .stretch = 1, .scatter = 0.002_s, .tilt = 1.2_s, .softer = 0.8_s, .decay = 60,
+        .attack = 1.4_s, .release = 2.4_s, .detune = 0.0022_s, .spread = 0.5_s, .room = 0.6_s, .ducked = 0.7_s},
+    [kBass] = {.partials = 8, .level = 0.139_s, .stretch = 1, .tilt = 1.1_s, .softer = 0.6_s, .decay = 9, .damp = 0.5_s,
+        .attack = 0.02_s, .release = 0.5_s, .detune = 0.0008_s, .spread = 0.1_s, .room = 0.2_s, .ducked = 0.4_s},
+    [kWood] = {.partials = 8, .level = 0.145_s, .stretch = 1.72_s, .scatter = 0.03_s, .tilt = 1.1_s, .softer = 0.8_s, .decay = 0.5_s, .damp = 0.6_s,
+        .release = 0.3_s, .detune = 0.001_s, .spread = 0.2_s, .bend = 0.06_s, .bendTime = 0.008_s, .room = 0.7_s},
+    [kPulse] = {.partials = 16, .level = 0.08_s, .stretch = 1.01_s, .tilt = 0.6_s, .softer = 0.9_s, .decay = 0.45_s, .damp = 0.5_s,
+        .release = 0.1_s, .detune = 0.0006_s, .spread = 0.2_s, .room = 0.35_s},
+    [kDrum] = {.partials = 8, .level = 0.342_s, .stretch = 1.6_s, .scatter = 0.05_s, .tilt = 1.5_s, .softer = 0.5_s, .decay = 0.9_s, .damp = 1.1_s,
+        .release = 0.5_s, .detune = 0.001_s, .spread = 0.1_s, .bend = 1.6_s, .bendTime = 0.025_s, .room = 0.5_s, .ducks = 0.5_s},
+    [kAir] = {.partials = 32, .level = 0.02_s, .stretch = 0.75_s, .scatter = 0.45_s, .tilt = 0.1_s, .softer = 0.6_s, .decay = 1.6_s, .damp = 0.2_s,
+        .release = 0.5_s, .detune = 0.01_s, .spread = 1, .room = 0.8_s},
 };
+static_assert(sizeof kInstruments / sizeof *kInstruments == kInstrumentCount);
 
-// A chord a bar, for every scene.
-static constexpr char kChords[kSceneCount][19] = {
-    "DDDDDBGD",
-    "DDBBFFCCGGBA",
-    "GGDDBBFFGGAA",
-    "DDDDDDDDBFCADA",
-    "DDFFCCGGBFCDGGGBCA",
-    "DBFCDBGAGBAD",
-    "ddddd",
+constexpr char kChords[][19] = {
+    [kPoint] = "DDDDDBGD",
+    [kTable] = "DDBBFFCCGGBA",
+    [kFlake] = "GGDDBBFFGGAA",
+    [kPatches] = "DDDDDDDDBFCADA",
+    [kHall] = "DDFFCCGGBFCDGGGBCA",
+    [kOdraz] = "DBFCDBGAGBAD",
+    [kCredits] = "ddddd",
 };
+static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
 
+// Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
+// at the end; line.
 static constexpr Part kParts[] = {
     {kPoint, 0, 5, {kGlassDrop, 5, 1, 100}, 5, 64, 40, 60, "..2.41.3"},
     {kPoint, 5, 7, {kGlassDrop, 5, 1, 100}, 4, 16, 35, 60, "02140325"},
@@ -98,6 +101,7 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 2, {kPad, 4, 5, 150}, 1, 32, 35, 35, "0"},
 };
 
+// Event; instrument, octave, tones at once, room; velocity; tone.
 static constexpr Heard kHeard[] = {
     {kLightIsBorn, {kGlassDrop, 6, 1, 120}, 60, '2'},
     {kLightGrows, {kGlassDrop, 5, 1, 120}, 60, '0'},
@@ -164,16 +168,17 @@ static_assert(
 // Steps of the scale from D, of a letter: A lies below D, a above.
 int stepOf(char letter) { return (letter & 31) - 'D' % 32 + (letter < 'a' ? 0 : 7); }
 
-void strike(Mixer &m, const Stroke8 &how, char tone, char chord, float velocity, float rows) {
+void strike(Mixer &m, const Articulation &articulation, char tone, char chord, float velocity, float rows) {
     static constexpr int8_t kMinor[] = {0, 2, 3, 5, 7, 8, 10}, kMajor[] = {0, 2, 4, 6, 7, 9, 11};
     if (tone == '.') return;
     int root = stepOf((char)(chord & ~32));
     int step = tone < 'A' ? root + 2 * (tone - '0') : stepOf(tone);
-    for (int i = 0; i < how.stack; ++i) {
+    for (int i = 0; i < articulation.stack; ++i) {
         int at = step + 2 * i + (i & 1) * 7 + 70;
         const int8_t *scale = chord < 'a' ? kMinor : kMajor;
-        float key = (float)(12 * (at / 7 - 10 + how.octave) + scale[at % 7] + 14);
-        playNote(m, {&kInstruments[how.instrument], key, velocity, rows * 0.125f, (float)how.room * 0.01f});
+        float key = (float)(12 * (at / 7 - 10 + articulation.octave) + scale[at % 7] + 14);
+        playNote(m, {&kInstruments[articulation.instrument], key, velocity, rows * 0.125f,
+                     (float)articulation.room * 0.01f});
     }
 }
 
@@ -190,11 +195,12 @@ void playRow(Mixer &m, int row) {
         int size = 0;
         while (p.line[size]) ++size;
         float way = (float)since / (float)((p.to - p.from) * 16);
-        strike(m, p.how, p.line[stroke % size], chord, lerp((float)p.soft, (float)p.loud, way) * 0.01f,
-               (float)p.rows / (float)p.strokes);
+        strike(m, p.articulation, p.line[stroke % size], chord,
+               lerp((float)p.soft, (float)p.loud, way) * 0.01f, (float)p.rows / (float)p.strokes);
     }
     for (const Heard &h : kHeard)
-        if (h.scene == scene && h.row == story) strike(m, h.how, h.tone, chord, (float)h.loud * 0.01f, kRing);
+        if (h.scene == scene && h.row == story)
+            strike(m, h.articulation, h.tone, chord, (float)h.loud * 0.01f, kRing);
 }
 
 } // namespace odraz

@@ -14,20 +14,23 @@ namespace odraz {
 enum InstrumentId : uint8_t { kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kAir, kInstrumentCount };
 extern const Instrument kInstruments[kInstrumentCount];
 
+// A chord for every bar of every scene: a letter, as above.
+extern const char kChords[kSceneCount][19];
+
 // How something is played.
-struct Stroke8 {
+struct Articulation {
     InstrumentId instrument;
     int8_t octave; // 4 begins at d' = 293 Hz
-    uint8_t stack; // so many tones at once, each a third above the one before, every other an octave higher
-    uint8_t room;  // per cent of the instrument's send
+    uint8_t stack; // how many tones at once: each a third above the last, every second one an octave higher
+    uint8_t room;  // per cent of what the instrument sends to the room
 };
 
 struct Part {
     SceneId scene;
     uint8_t from, to; // bars: [from, to)
-    Stroke8 how;
-    uint8_t strokes, rows; // so many strokes in so many rows
-    uint8_t soft, loud;    // velocity at its begin and at its end, per cent
+    Articulation articulation;
+    uint8_t strokes, rows; // how many strokes in how many rows
+    uint8_t soft, loud;    // velocity at the start and at the end, per cent
     char line[17];         // 0 .. 9: a tone of the chord; A .. G, a .. g: one of the scale; . is a rest
 };
 
@@ -36,11 +39,12 @@ struct Heard {
     SceneId scene;
     uint8_t loud; // velocity, per cent
     int16_t row;
-    Stroke8 how;
+    Articulation articulation;
     char tone; // as in a part's line
 
-    consteval Heard(EventId event, Stroke8 how, uint8_t loud, char tone)
-        : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), how(how), tone(tone) {}
+    consteval Heard(EventId event, Articulation articulation, uint8_t loud, char tone)
+        : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), articulation(articulation),
+          tone(tone) {}
 };
 
 // Plays what begins on a row of the film, any from 0 on: a Player.

@@ -8,7 +8,7 @@
 #include "show/events.h"
 #include "show/hall.h"
 #include "timeline/shot.h"
-#include "trace/picture/air.h"
+#include "trace/picture/development.h"
 #include "trace/rays/view.h"
 
 namespace odraz {
@@ -29,15 +29,15 @@ struct Cue {
 
 struct SceneEntry {
     const char *name;
-    void (*pose)(const Cue &cue, Scene &scene);                     // fills a cleared scene
-    void (*letter)(const Cue &cue, const View &view, Frame &frame); // draws over the linear picture; or null
-    SceneId id; // its own: the compiler tells where a row is missing
-    bool needsHall;
+    void (*pose)(const Cue &cue, Scene &scene);                               // fills a cleared scene
+    void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
+    SceneId id;
+    bool needsHall = false;
 };
 
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
-inline constexpr AirLook kFilmAir = {.glare = 0.06f, .vignette = 0.25f, .grain = 48};
+inline constexpr CameraLook kFilmLook = {.glare = 0.06f, .vignette = 0.25f, .grain = 48};
 
 // What the film is shown with: a scene that is posed anew for every picture, and what all of them share.
 struct Film {

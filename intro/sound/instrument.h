@@ -17,7 +17,7 @@ struct Instrument {
     float stretch = 1; // exponent
     float scatter = 0; // each partial is off by up to so many times the pitch: 0 tones .. 1 noise and more
     float tilt = 0;    // exponent, at velocity 1 ...
-    float softer = 0;  // ... and so much more at velocity 0: what is played softly is dark
+    float softer = 0;  // ... and how much more at velocity 0: soft notes are dark
     float decay = 1;   // seconds until the first partial has fallen by 60 dB
     float damp = 0;    // exponent
     float attack = 0.005f; // seconds, at least kBlock samples

@@ -17,10 +17,10 @@ struct Mixer;
 // Plays all notes of a row.
 using Player = void (*)(Mixer &mixer, int row);
 
-// Zeroed, but for its player, it stands at the beginning of the film in silence.
+// All zeros except the player: silence at the start of the film.
 struct Mixer {
     Player player;
-    int block;    // that comes next
+    int block;    // the next one
     float ducked; // how far the loud push the others down: 0 .. 1
     int voiceCount;
     int quietest; // of the voices, before the row that is begun
@@ -38,8 +38,8 @@ void playNote(Mixer &mixer, const Note &note);
 // which costs nearly nothing: voices are where they would be, the room and the echo are not.
 void renderBlock(Mixer &mixer, float *stereo);
 
-// Goes to a time as if all had been rendered, but for what the room remembers of more than some seconds
-// before.
+// Goes to a time as if everything before it had been rendered, except that the room forgets what was more
+// than some seconds before.
 void seekBlock(Mixer &mixer, int block);
 
 } // namespace odraz

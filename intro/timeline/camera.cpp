@@ -2,14 +2,14 @@
 
 namespace odraz {
 
-// A key is eight numbers in a row, all of them interpolated alike.
+// A key is eight consecutive numbers, all interpolated in the same way.
 static constexpr int kChannels = 8;
 static_assert(sizeof(CameraKey) == (kChannels + 1) * sizeof(float));
 static const float *channels(const CameraKey &key) { return &key.row + 1; }
 
 // The velocity at key i, per row, in one channel.
 static float velocity(CameraPath path, int i, int channel) {
-    auto slope = [&](int k) { // from key k on
+    auto slope = [&](int k) { // from key k to key k + 1
         const CameraKey &a = path.keys[k], &b = path.keys[k + 1];
         float way = channels(b)[channel] - channels(a)[channel];
         return b.row > a.row ? way / (b.row - a.row) : 0;
@@ -21,7 +21,7 @@ static float velocity(CameraPath path, int i, int channel) {
         if (h0 <= 0 || h1 <= 0) return 0; // two keys on one row: the path stops there instead of tearing
         return (slope(i - 1) * h1 + slope(i) * h0) / (h0 + h1);
     }
-    // At an end as it comes from or goes on, without acceleration; where nothing changes it stands
+    // The first and last keys have no acceleration; a channel that does not change stands still
     float here = slope(i ? last - 1 : 0);
     if (last == 1 || here == 0) return here;
     return here * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;
@@ -38,7 +38,7 @@ CameraKey pose(CameraPath path, double row) {
         float t = (float)((row - a.row) / h);
         float *out = &result.row + 1;
         for (int c = 0; c < kChannels; ++c) {
-            // Hermite in the form a + t (v0 + t (..)): exact at t = 0
+            // Hermite as a + t (v0 + t (..)), which is exact at t = 0
             float p0 = channels(a)[c], p1 = channels(b)[c];
             float v0 = velocity(path, i, c) * h, v1 = velocity(path, i + 1, c) * h;
             float d = p1 - p0;

@@ -1,9 +1,10 @@
-// The camera's way through a shot: keys joined by non-uniform cubic Hermite curves.
+// The camera's path through a shot: keys joined by non-uniform cubic Hermite curves.
 //
-// Velocity at an inner key is that of the parabola through it and its two neighbours in time (so the path is
-// C1 however unevenly the keys stand); at the first and the last key there is no acceleration: shots begin
-// and end in motion. A key that stands twice eases: what does not change between two keys rests. Before the
-// first and after the last key the pose holds. Two keys make a straight and even way, one a still.
+// The velocity at an inner key is that of the parabola through the key and its two neighbours in time. So the
+// path is C1 however unevenly the keys are spaced. At the first and the last key there is no acceleration:
+// shots begin and end in motion, but a value that does not change up to the neighbouring key rests. Two keys
+// on one row make the velocity there 0: the camera eases to a stop. Before the first key and after the last
+// one the pose holds. Two keys make a straight path at even speed, one key a still.
 #pragma once
 
 #include "base/vec3.h"
@@ -24,7 +25,7 @@ struct CameraPath {
 
 template <int N> constexpr CameraPath path(const CameraKey (&keys)[N]) { return {keys, N}; }
 
-// The pose at a row, as a key of that row; any finite row. An empty path looks from the origin along -z.
+// The pose at any finite row, returned as a key of that row. An empty path looks from the origin along -z.
 CameraKey pose(CameraPath path, double row);
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// The film as shots: which scene plays when, seen along which path, and how it fades.
+// The film as a list of shots: which scene plays when, along which camera path, and how it fades.
 #pragma once
 
 #include "timeline/camera.h"
@@ -6,14 +6,14 @@
 
 namespace odraz {
 
-// A shot runs from its row to the next shot's, the last one to the film's end; cuts between them are hard.
-// A scene counts its story time from the first of its shots, so that a cut inside it does not break its
-// motion.
+// A shot runs from its row to the row of the next shot, the last one to the end of the film. Cuts between
+// shots are hard. A scene counts its story time from the first of its shots, so a cut within a scene does not
+// break the motion.
 struct Shot {
     float row;       // film row at which it starts
     int scene;       // index of the scene it shows
     float storyRow;  // film row at which that scene's story starts
-    CameraPath path; // rows count from the scene's story start
+    CameraPath path; // its rows count from the start of the scene's story
     float fadeIn;    // rows over which it comes up from black
     float fadeOut;   // rows over which it goes down to black before its end
 };
@@ -30,8 +30,8 @@ struct Moment {
     float fade;      // 0 black .. 1 full
 };
 
-// What is on at a film row. Before the start it is the first shot's first picture, after the end the last's
-// last.
+// What plays at a film row. Before the start this is the first picture of the first shot, after the end the
+// last picture of the last shot.
 Moment momentAt(ShotList list, double row);
 
 } // namespace odraz

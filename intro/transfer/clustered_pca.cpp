@@ -14,8 +14,8 @@ struct Clustering {
     const float *rowOf(int r) const { return p.data + (size_t)r * (size_t)p.columns; }
     float *weightsOf(int r) const { return p.weights + (size_t)r * (size_t)p.dimensions; }
 
-    // The square of the distance to a cluster's subspace, or to its mean where no weights are asked for;
-    // coordinates there go to `weights`.
+    // The squared distance to a cluster's subspace, or to its mean if no weights are wanted. The coordinates
+    // in the subspace go to `weights`.
     float project(int r, int c, float *weights) const {
         const float *row = rowOf(r), *mean = p.axesOf(c);
         Float8 far = {};
@@ -41,8 +41,8 @@ struct Clustering {
         return max(square, 0.f);
     }
 
-    // Gram and Schmidt, twice, so that rounding leaves nothing. What is left of an axis that depends on those
-    // before it is noise: it becomes zero.
+    // Gram-Schmidt, twice, so that no rounding error remains. If an axis depends on those before it, only
+    // noise remains of it: it becomes zero.
     void orthonormalize(float *axes) const {
         auto dotOf = [&](const float *a, const float *b) {
             Float8 sum = {};
@@ -51,7 +51,7 @@ struct Clustering {
         };
         for (int d = 0; d < p.dimensions; ++d) {
             float *axis = axes + (size_t)d * (size_t)p.columns;
-            // To a size whose square is a number
+            // Scale it so that its square does not overflow or vanish
             Float8 largest = broadcast(1e-35f);
             for (int i = 0; i < p.columns; i += 8) largest = max(abs(load(axis + i)), largest);
             float size = 1 / -least(-largest);
@@ -70,7 +70,7 @@ struct Clustering {
         }
     }
 
-    // The mean and the axes of a cluster, from its members and the weights that they have.
+    // Finds the mean and the axes of a cluster from its members and their weights.
     void sharpen(int c) {
         int begin = p.first[c], end = p.first[c + 1], columns = p.columns;
         float *mean = axesOf(c), *axes = mean + columns;
@@ -98,7 +98,8 @@ struct Clustering {
         }
     }
 
-    // The cluster into whose subspace a row fits best, of those whose means are near, and its own.
+    // Finds the cluster whose subspace fits a row best. It tries those with the nearest means, and the row's
+    // own.
     void assign(int r) {
         int nearest[8], tried = 0, best = p.cluster[r];
         float far[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
@@ -125,7 +126,7 @@ struct Clustering {
         for (int c = 0; c <= p.clusters; ++c) p.first[c] = 0;
         for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
         for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
-        // Every cluster's begin moves to its end, and back
+        // Sorting moves each cluster's begin to its end; move it back
         for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
         for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
         p.first[0] = 0;
@@ -143,7 +144,7 @@ bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Worker
     p.first = arena.take<int>((size_t)p.clusters + 1);
     if (arena.full) return false;
     Clustering work = {p, settings};
-    // At first any weights will do
+    // Any weights will do at first
     for (int i = 0; i < p.rows * p.dimensions; ++i) p.weights[i] = unitFloat(pcg((uint32_t)i)) - 0.5f;
     for (int round = 0;; ++round) {
         work.sortMembers();

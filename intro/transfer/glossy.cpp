@@ -6,14 +6,14 @@ namespace odraz {
 
 namespace {
 
-constexpr int kPadded = 32; // of 25 coefficients
+constexpr int kPadded = 32; // 25 coefficients, padded
 
-// What arrives at a patch of every basis and channel.
+// What arrives at a patch, for every basis and channel.
 struct Arriving {
     float sum[3 * kMaxBases][kPadded];
 
-    // Adds four links: the coefficients of each, times the radiances that it brings of `columns` bases and
-    // channels.
+    // Adds four links: the coefficients of each link, times the radiances that it brings for `columns` bases
+    // and channels.
     void add(const float (&coefficients)[4][kPadded], const float *const *radiances, int columns) {
         for (int k = 0; k < columns; ++k) {
             Float8 s[4];
@@ -31,15 +31,15 @@ struct Arriving {
     }
 };
 
-// The matrix of one patch: everything that its form factors know.
+// The matrix of one patch, from all the links in its row of form factors.
 void findMatrix(const Model &m, const Radiosity &r, int patch, float *matrix) {
     const Row &row = r.factors.rows[patch];
     Vec3 p = m.patches[patch].p, n = m.patches[patch].n;
-    int bases = r.lights.bases();
+    int bases = r.bases.count();
     Arriving all = {};
     static constexpr float kDark[3 * kMaxBases] = {};
     for (int first = 0; first < row.count; first += 8) {
-        // Eight patches: where they lie, what solid angles they have
+        // Directions and solid angles of eight patches
         int count = min(row.count - first, 8);
         Vec3x8 to;
         Float8 share = {};
@@ -80,7 +80,7 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
     const Chart &c = m.charts[chart];
     int patchesAcross = c.patchesAcross, patchesDown = c.patchesDown, patches = patchesAcross * patchesDown;
     g.chart = &c;
-    g.bases = r.lights.bases();
+    g.bases = r.bases.count();
     g.across = (patchesAcross + 1) / 2, g.down = (patchesDown + 1) / 2;
     int count = g.across * g.down, columns = g.bases * kGlossOutputs;
     size_t width = (size_t)columns;
@@ -91,17 +91,17 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
     for (float *&plane : g.plane) plane = arena.take<float>((size_t)count);
     if (arena.full) return false;
 
-    // Charts that are lamps shine in their own basis
-    for (int k = 0; k < r.lights.lampCount; ++k)
+    // Charts that are lamps also shine directly, in their own basis
+    for (int k = 0; k < r.bases.lampCount; ++k)
         for (int i = 0; i < m.patchCount; ++i)
-            if (r.lights.lamps[k].chart == m.patches[i].chart)
+            if (r.bases.lamps[k].chart == m.patches[i].chart)
                 for (int channel = 0; channel < 3; ++channel)
-                    r.system.radiosity[i * r.system.columns + 3 * (r.lights.firstLamp() + k) + channel] = 1;
+                    r.system.radiosity[i * r.system.columns + 3 * (r.bases.firstLamp() + k) + channel] = 1;
     parallelFor(workers, patches,
                 [&](int i, int) { findMatrix(m, r, c.firstPatch + i, each + (size_t)i * width); });
     fillPatches(m, r.factors, columns, each, c.firstPatch, patches);
 
-    // The means of squares; they begin in clusters that are blocks, about as wide as high
+    // Each square gets the mean of its patches. The first clusters are blocks, about as wide as high
     int clusters = settings.pca.clusters, wide = 1;
     while (wide < g.across && (wide + 1) * (wide + 1) * g.down <= clusters * g.across) ++wide;
     int high = min(clusters / wide, g.down);
@@ -119,8 +119,8 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
         g.pca.cluster[i] = y * high / g.down * wide + x * wide / g.across;
     });
 
-    // Every entry by the light that it is for and by the lobe; skies, suns and lamps weigh alike
-    const int ends[] = {0, r.lights.skyCount, r.lights.firstLamp(), g.bases};
+    // Weights every entry by the importance of its light and by the lobe; skies, suns and lamps count alike
+    const int ends[] = {0, r.bases.firstSun(), r.bases.firstLamp(), g.bases};
     auto multiply = [&](float *rows, int rowCount, const float *factors) {
         for (int i = 0; i < rowCount; ++i, rows += width)
             for (int k = 0; k < columns; k += 8) store(rows + k, load(rows + k) * load(factors + k));
@@ -157,7 +157,7 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
                    float strength) {
     const ClusteredPca &pca = g.pca;
     const Chart &chart = *g.chart;
-    // As much of each entry
+    // The strength of each entry
     float weights[kMaxBases][kGlossOutputs] = {};
     for (int k = 0; k < g.bases; ++k)
         for (int j = 0; j < kSh; ++j) {
@@ -166,7 +166,7 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
             weights[k][2 * kSh + j] = light.bounced[k].z;
         }
     for (int c = 0; c < pca.clusters; ++c) {
-        // The representatives under this light
+        // The means and axes of the clusters under this light
         float shown[1 + kMaxDimensions][kGlossOutputs];
         const float *axis = pca.axesOf(c);
         for (int d = 0; d <= pca.dimensions; ++d) {

@@ -1,10 +1,11 @@
-// Gloss: what a polished floor throws back of the light around it, as a blurred mirror does.
+// Gloss: the light that a polished floor reflects, like a blurred mirror.
 //
-// Every square of a chart, two patches wide and high, has a matrix: for each basis of light the 25
-// coefficients of what arrives there from the upper half, in red, green and blue; skies through the windows,
-// suns and lamps by all bounces, charts that are lamps themselves too. Suns and balls are left out where they
-// shine directly: the tracer has highlights for them. The matrices are compressed by clustered PCA. For an
-// eye the coefficients are multiplied with those of a lobe around the mirrored direction and added up.
+// Each square of a chart, two patches wide and high, has a matrix. For each light basis the matrix holds the
+// 25 coefficients of the light that arrives there from the upper half-space, in red, green and blue. That is
+// the light of skies through the windows, of suns and lamps after all bounces, and of charts that are lamps
+// themselves. The direct light of suns and balls is left out, because the tracer draws highlights for them.
+// Clustered PCA compresses the matrices. For a given eye the coefficients are multiplied with those of a lobe
+// around the mirrored direction and added up.
 //
 // Source: Kautz, Sloan and Snyder, "Fast, Arbitrary BRDF Shading for Low-Frequency Lighting Using Spherical
 // Harmonics", Eurographics Workshop on Rendering 2002.
@@ -26,19 +27,18 @@ struct GlossySettings {
 struct Glossy {
     const Chart *chart;
     int bases, across, down; // squares along the chart's u and v
-    float *matrices;         // [squares][bases][kGlossOutputs], weighted as the compression sees them
+    float *matrices;         // [squares][bases][kGlossOutputs], with the compression's weighting
     ClusteredPca pca;
-    float *plane[3]; // by squares: what the eye gets
+    float *plane[3]; // one value for each square: the light that the eye gets
 };
 
-// Finds the matrices of a chart from a room that is solved, and compresses them, such that what counts is
-// what will be seen: `importance` tells of each basis how much of it there may be. False when the arena is
-// full.
+// Finds the matrices of a chart in a solved room and compresses them. `importance` says how strong each basis
+// may become, so that the compression keeps what will be visible. False when the arena is full.
 bool findGlossy(Glossy &g, const Model &model, const Radiosity &r, int chart, const float *importance,
                 const GlossySettings &settings, Arena &arena, Workers &workers);
 
-// Fills the planes with the radiance towards an eye of a mirror blurred by the lobe, times `strength`; its
-// reflectance rises from `reflect` at normal incidence to 1 (Schlick).
+// Fills the planes with the radiance that a mirror blurred by the lobe sends to an eye, times `strength`. The
+// mirror's reflectance rises from `reflect` at normal incidence to 1 (Schlick).
 void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, float reflect, float strength);
 
 } // namespace odraz

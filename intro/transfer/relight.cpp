@@ -4,7 +4,8 @@ namespace odraz {
 
 void relight(const Radiosity &r, const Model &model, const LightVector &light, float *const plane[3]) {
     for (int c = 0; c < 3; ++c) {
-        // What there is, and four at a time: sums are loaded and stored once for them
+        // The bases that are lit, taken four at a time: each sum is then loaded and stored once for four
+        // bases
         const float *from[2 * kMaxBases + 3];
         float weight[2 * kMaxBases + 3];
         int count = 0;
@@ -12,13 +13,13 @@ void relight(const Radiosity &r, const Model &model, const LightVector &light, f
             float w = c == 0 ? weights.x : c == 1 ? weights.y : weights.z;
             if (w != 0) from[count] = plane, weight[count++] = w;
         };
-        for (int k = 0; k < r.lights.bases(); ++k) {
+        for (int k = 0; k < r.bases.count(); ++k) {
             add(r.bounced[k][c], light.bounced[k]);
             add(r.direct[k], light.direct[k]);
         }
         for (int k = 0; k < 3; ++k) from[count + k] = plane[c], weight[count + k] = 0;
 
-        constexpr int kPiece = 512; // texels whose sums stay in the nearest cache
+        constexpr int kPiece = 512; // texels; their sums stay in the nearest cache
         for (int first = 0; first < model.texelCount; first += kPiece) {
             int end = min(first + kPiece, model.texelCount);
             for (int t = first; t < end; t += 8) store(plane[c] + t, Float8{});

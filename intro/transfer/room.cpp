@@ -4,22 +4,22 @@ namespace odraz {
 
 namespace {
 
-// Follows a light from bounce to bounce.
+// Keeps each bounce of one light.
 bool followBounces(Room &room, const LightVector &followed, Arena &arena, Workers &workers) {
     const Radiosity &r = room.radiosity;
     const Model &m = room.model;
     size_t patches = (size_t)m.patchCount, columns = (size_t)r.system.columns;
     float *radiosity = arena.take<float>(patches * kSolveBlock),
-          *gathered = arena.take<float>(patches * kSolveBlock);
+          *indirect = arena.take<float>(patches * kSolveBlock);
     for (Rgb *&bounce : room.bounce) bounce = arena.take<Rgb>(patches);
     if (arena.full) return false;
     for (int b = 0; b <= kBounces; ++b) {
-        if (b > 0) gather(r.factors, m.patchCount, kSolveBlock, radiosity, gathered, workers);
+        if (b > 0) findIndirect(r.factors, m.patchCount, kSolveBlock, radiosity, indirect, workers);
         for (size_t i = 0; i < patches; ++i) {
             Rgb light = {};
-            for (int k = 0; k < r.lights.bases(); ++k)
+            for (int k = 0; k < r.bases.count(); ++k)
                 light += followed.bounced[k] * r.system.direct[i * columns + 3 * (size_t)k];
-            const float *in = gathered + i * kSolveBlock;
+            const float *in = indirect + i * kSolveBlock;
             light += Rgb{in[0], in[1], in[2]};
             room.bounce[b][i] = light;
             Rgb out = light * room.mean[m.charts[m.patches[i].chart].material];
@@ -51,7 +51,7 @@ bool visit(Room &room, const Vec3 &place, const Gl &gl, Arena &arena) {
     return true;
 }
 
-// Tells the lightmap where everything is.
+// Points the lightmap at the room's planes and gloss.
 bool wire(Room &room, Arena &arena) {
     const Model &m = room.model;
     for (int k = 0; k < 3; ++k) {
@@ -80,8 +80,7 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl 
                    workers) &&
         followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
         wire(room, arena);
-    if (!solved)
-        return "the light of the hall cannot be found: OpenGL 3.3 draws no integers here, or memory is short";
+    if (!solved) return "the hall cannot be lit: OpenGL 3.3 draws no integers here, or memory is short";
     closeHemicubes(room.radiosity.hemicubes);
     return nullptr;
 }

@@ -23,7 +23,7 @@ check "no path of the build machine" lacks "$(sed 's/[.+*[^$()|]/\\&/g' <<<"$SOU
 objdump -d --no-show-raw-insn "$BUILD/odraz.elf" >"$WORK/code"
 check "no approximate reciprocals" lacks 'v?(rcp|rsqrt)[0-9]*[ps]s' "$WORK/code"
 check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"
-# What runs before the processor is known is baseline code
+# Code that runs before the processor is known must be baseline code
 avx='%ymm|\bv[a-z0-9]+[ps][sd] '
 objdump -d --no-show-raw-insn "$BUILD/libhost.a" >"$WORK/host"
 check "the host is free of AVX" lacks "$avx" "$WORK/host"
@@ -32,6 +32,27 @@ for part in odraz/{early,linux/entry,start,memory} odraz-windows/{windows/entry,
     check "start/${part#*/} too" lacks "$avx" "$WORK/start"
 done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
+
+# The pages that are decoded first hold what runs before the rest is there, and nothing else
+early() { # early MAP: the objects that the linker put there; the table of qualities may come from any that has it
+    awk '/^\.[a-zA-Z]/ { on = /^\.early(data)?( |$)/ } /^ \.[a-z]/ { section = $1 }
+        on && $NF ~ /\.o\)?$/ && $(NF - 1) ~ /^0x/ && $(NF - 1) != "0x0" && section !~ /kQualities/ { print $NF }' "$1" |
+        sed 's|.*/||' | sort -u
+}
+neutral='early.cpp.o libengine.a(text.cpp.o) liboptions.a(options.cpp.o)'
+host='clock cpu library process refuse threads window'
+early_is() { # early_is PROGRAM OBJECT...
+    printf '%s\n' "${@:2}" | sort >"$WORK/expected"
+    early "$WORK/$1.map" | diff "$WORK/expected" - >&2
+}
+cp "$BUILD/odraz.map" "$BUILD/odraz-windows.map" "$WORK"
+check "what is decoded first is what it must be" early_is odraz $neutral $(printf 'libhost.a(%s.cpp.o) ' $host)
+check "... for Windows, too" early_is odraz-windows $neutral command_line.cpp.o $(printf 'libhost_windows.a(%s.cpp.o) ' $host calls context)
+for intruder in 'libplay.a(film_clock.cpp.o)' 'libengine.a(clock.cpp.o)' 'intro/CMakeFiles/odraz.elf.dir/main.cpp.o'; do
+    awk -v line=" .text.intruder 0x0000000000402000       0x29 $intruder" '{ print } /^\.early / { print line }' "$BUILD/odraz.map" >"$WORK/odraz.map"
+    early_is odraz $neutral $(printf 'libhost.a(%s.cpp.o) ' $host) 2>/dev/null
+    check "(that ${intruder##*/} lies there would be found)" test $? = 1
+done
 
 # For Windows, from the same objects
 check "odraz.exe is within its budget" test "$(stat -c %s "$BUILD/odraz.exe")" -le 65536
@@ -48,12 +69,12 @@ done
 g++ -O2 -fno-pic -fstack-protector-all -x c++ -c -o "$WORK/red.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 g++ -O2 -fno-pic -fno-stack-protector -x c++ -c -o "$WORK/zone.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 check "(both would be found)" test "$(objdump -d "$WORK/red.o" | grep -c '%fs:')" -gt 0 -a "$(objdump -d --no-show-raw-insn "$WORK/zone.o" | grep -cE '[^x]-0x[0-9a-f]+\(%rsp')" -gt 0
-# Windows calls one function of ours, and wants all of these back
+# Windows calls one function of ours, which must restore all of these registers
 awk '/^[0-9a-f]+ <.*receive.*>:/ { on = 1 } /^$/ { on = 0 } on' "$WORK/host" | grep -oE 'movaps +%xmm[0-9]+,[(0-9]' | grep -oE 'xmm[0-9]+' | sort -u >"$WORK/kept"
 check "what Windows calls keeps ten registers" test "$(tr '\n' ' ' <"$WORK/kept")" = "xmm10 xmm11 xmm12 xmm13 xmm14 xmm15 xmm6 xmm7 xmm8 xmm9 "
 
-# While it runs, nothing of its own is both writable and executable (drivers of OpenGL that compile shaders for the
-# processor may have such memory: so an interval without them). Looked at when its first picture is there
+# While it runs, none of its memory is both writable and executable. OpenGL drivers that compile shaders for the
+# processor may have such memory, so the interval is one without them. We look when the first picture is there
 "$BUILD/odraz" --dump "$WORK/running" --to 60 --size 64x36 2>/dev/null &
 pid=$!
 PIDS+=($pid)
@@ -67,10 +88,16 @@ check "... and no memory is writable and executable" lacks rwx "$WORK/maps"
 
 # The same commit makes the same bytes, in another place
 generator=$(sed -n 's/^CMAKE_GENERATOR:INTERNAL=//p' "$BUILD/CMakeCache.txt")
-check "configure a second build" prints "Build files have been written" cmake -G "$generator" -S "$SOURCE" -B "$WORK/second/build"
-check "build it" prints odraz cmake --build "$WORK/second/build" --target film film_windows -j 2
-check "both builds are equal to the byte" cmp "$BUILD/odraz" "$WORK/second/build/odraz"
-check "unpacked too" cmp "$BUILD/odraz-safe" "$WORK/second/build/odraz-safe"
-check "those for Windows, too" cmp "$BUILD/odraz.exe" "$WORK/second/build/odraz.exe"
-check "... unpacked" cmp "$BUILD/odraz-safe.exe" "$WORK/second/build/odraz-safe.exe"
+second=$WORK/second/build
+check "configure a second build" prints "Build files have been written" cmake -G "$generator" -S "$SOURCE" -B "$second"
+check "build programs and packer" prints odraz cmake --build "$second" --target odraz.elf odraz-windows.elf pack -j 2
+strip --strip-all -o "$WORK/odraz-safe" "$second/odraz.elf"
+check "both builds are equal to the byte, unpacked" cmp "$BUILD/odraz-safe" "$WORK/odraz-safe"
+model=(--model "$SOURCE/intro/odraz.model")
+check "it packs the stripped film as it packs the one with symbols" prints 'bytes left' "$second/pack" "$WORK/odraz-safe" -o "$WORK/odraz" "${model[@]}"
+check "... to the same bytes" cmp "$BUILD/odraz" "$WORK/odraz"
+check "it makes the film for Windows" "$second/pack" "$second/odraz-windows.elf" -o "$WORK/odraz-safe.exe" --pe --plain >/dev/null
+check "... the same" cmp "$BUILD/odraz-safe.exe" "$WORK/odraz-safe.exe"
+check "... packs it" prints 'bytes left' "$second/pack" "$second/odraz-windows.elf" -o "$WORK/odraz.exe" --pe "${model[@]}"
+check "... to the same bytes" cmp "$BUILD/odraz.exe" "$WORK/odraz.exe"
 finish

@@ -1,4 +1,4 @@
-# Options, and outputs that fail: one line that helps, the right status, nothing half-written.
+# Bad options and failing outputs: one helpful line, the right exit status, nothing half-written.
 #   commandline.sh BUILD odraz|odraz-safe
 . "$(dirname "$0")/common.sh"
 skip_unless script
@@ -26,7 +26,7 @@ small=(--size 64x36 --from 20 --to 20.2 --quality draft)
 check "it dumps to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
 check "it dumps into a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
 check "it dumps to a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --dump - ${small[*]} >&-"
-not_to_terminal() { # pictures must not get there either
+not_to_terminal() { # pictures must not go there either
     script -qec "$odraz --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
@@ -35,7 +35,7 @@ check "it dumps into a file's place" refuses 1 "not a directory" "$odraz" --dump
 check "it dumps below nowhere" refuses 1 "no such directory" "$odraz" --dump "$WORK/no/where" "${small[@]}"
 check "it dumps into a directory it may not write" refuses 1 "cannot write /proc/frame-000500.ppm" "$odraz" --dump /proc "${small[@]}"
 
-# Standard descriptors that are closed must not be taken for files
+# Closed standard descriptors must not be taken for files
 five() { # five pictures, whole, and nothing else
     local n
     [ "$(ls -A "$WORK/frames")" = "$(printf 'frame-%06d.ppm\n' 500 501 502 503 504)" ] || return 1

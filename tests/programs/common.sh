@@ -1,7 +1,7 @@
 # Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD [ARGUMENT...]
 #
-# A test fails for a wrong result, not for a busy machine: it waits for what must happen, however long that takes there;
-# after PATIENCE seconds it gives up. ctest's time-out stands beside the test's name in CMakeLists.txt.
+# A test fails for a wrong result, not for a busy machine: it waits for what must happen, however long that takes, and
+# gives up after PATIENCE seconds. ctest's time-out stands beside the test's name in CMakeLists.txt.
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 [ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/
@@ -34,7 +34,7 @@ finish() {
     exit $FAILED
 }
 
-skip_unless() { # programs that a test cannot do without; one that has failed before fails
+skip_unless() { # programs that the test needs; a test with a failed check fails nevertheless
     local program
     for program in "$@"; do
         command -v "$program" >/dev/null && continue
@@ -43,17 +43,18 @@ skip_unless() { # programs that a test cannot do without; one that has failed be
         exit 77
     done
 }
-# lacking LIBRARY: a folder for LD_LIBRARY_PATH, in which one that is no library stands for one that is missing
+# lacking LIBRARY: a folder for LD_LIBRARY_PATH that hides the library: its file of that name is not a library
 lacking() {
     mkdir -p "$WORK/$1.d"
     echo "not a library" >"$WORK/$1.d/$1"
     echo "$WORK/$1.d"
 }
-# flip FILE OFFSET [BITS]: these bits of that byte are others; all eight
+# flip FILE OFFSET [BITS]: inverts bits of one byte; all eight if BITS is not given
 flip() {
     printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
-# "${UNWRITTEN[@]}" COMMAND...: where nothing may run that was written, by prctl(PR_SET_MDWE); status 77 before Linux 6.3
+# "${UNWRITTEN[@]}" COMMAND...: runs it where memory that was written may not be executed (PR_SET_MDWE); status 77
+# before Linux 6.3
 UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
 can_be_unwritten() {
     "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid what was written to run"; false; }
@@ -80,7 +81,7 @@ prints() {
     echo "printed: $(head -c 300 "$WORK/printed")" >&2
     return 1
 }
-# lacks PATTERN FILE: there is something in the file, and no line of it matches
+# lacks PATTERN FILE: the file is not empty, and none of its lines matches
 lacks() {
     [ -s "$2" ] || { echo "$2 is empty" >&2; return 1; }
     grep -aE -m 3 -- "$1" "$2" >&2
@@ -89,7 +90,7 @@ lacks() {
 
 # --- Numbers ---
 
-# less A B: what a program did not print, or printed as nan, is no number
+# less A B: A < B; fails when either is not a number, such as nan or nothing
 less() {
     local n
     for n in "${1-}" "${2-}"; do
@@ -97,8 +98,8 @@ less() {
     done
     awk "BEGIN { exit !(($1) < ($2)) }"
 }
-# table FILE ACTION CONDITION: a CSV with at least one line below its head, and numbers only; every line goes through
-# awk's action, then the condition must hold
+# table FILE ACTION CONDITION: a CSV with at least one row below its header, and only finite numbers. awk runs ACTION on
+# every row; then CONDITION must hold
 table() {
     lacks '(^|,)[-+]?(nan|inf)' "$1" && awk -F, "NR > 1 { ++lines; $2 } END { exit !(lines > 0 && ($3)) }" "$1"
 }
@@ -119,7 +120,7 @@ ended() {
     await gone "$1" || kill -KILL "$1"
     wait "$1"
 }
-# worked PID HUNDREDTHS: waits until the process has used so much more processor time; false when it ends before
+# worked PID HUNDREDTHS: waits until the process has used that much more processor time; false if it ends before
 worked() {
     local until=$(($(ticks "$1") + $2))
     await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"

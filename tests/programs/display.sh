@@ -1,9 +1,9 @@
-# Sourced by tests of the film in a window: a display of their own, and what is on it.
+# Sourced by tests of the film in a window: starts a display in memory and looks at what is on it.
 declare -F check >/dev/null || . "$(dirname "$0")/common.sh"
 skip_unless Xvfb xdotool xwininfo import identify
 
 start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
-    # (it resets itself when its last client leaves, and then refuses the next one for a moment)
+    # (without -noreset it resets itself when its last client leaves, and refuses the next one for a moment)
     local screen=$1
     [[ $screen = *x*x* ]] || screen+=x24
     shift
@@ -47,8 +47,8 @@ check_full_screen() {
     check "below too" is_black 1000x67+0+633
     check "... and the picture is not" await is_bright
 }
-# grows TIMES [PID]: the share of its middle row that is copper, until the film comes, which begins with black. PID is held
-# while we look: so how often we can does not depend on what else the machine does
+# grows TIMES [PID]: the copper share of the middle row grows so many times, until the film begins, which is black at
+# first. PID is stopped while we look, so that a busy machine does not make us miss steps
 grows() {
     local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))
     while [ $SECONDS -lt $end ]; do
@@ -63,3 +63,18 @@ grows() {
     echo "    the bar was seen to grow $steps times, and to $before"
     [ $steps -ge "$1" ] && [ "$now" -lt "$before" ]
 }
+# opens COMMAND: its last program (after &&) opens a window of whatever name, and is ended then
+opens() {
+    local status=0 last=${1##*&& }
+    [ "$last" = "$1" ] || eval "${1% && *}" >"$WORK/out" 2>&1 || { cat "$WORK/out" >&2; return 1; }
+    # shellcheck disable=SC2086 # a command is several words
+    $last >"$WORK/out" 2>&1 &
+    pid=$!
+    PIDS+=($pid)
+    await eval "any_window || gone $pid"
+    any_window || { cat "$WORK/out" >&2; status=1; }
+    kill $pid 2>/dev/null
+    ended $pid >/dev/null 2>&1
+    return $status
+}
+any_window() { [ -n "$(xdotool search --onlyvisible --name '.' 2>/dev/null)" ]; }

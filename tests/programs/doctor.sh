@@ -1,11 +1,11 @@
-# --doctor: what this machine has and lacks, a line each.
+# --doctor tells what this machine has and lacks, one line for each.
 . "$(dirname "$0")/display.sh"
 packed=$BUILD/odraz
 odraz=$BUILD/odraz-safe # the same program, as is checked: it need not be unpacked first
 export HOME=$WORK ALSA_CONFIG_PATH=$WORK/alsa.conf
 unset DISPLAY WAYLAND_DISPLAY LD_LIBRARY_PATH
 device() { echo "pcm.!default { type $1 }" >"$ALSA_CONFIG_PATH"; }
-# finds STATUS NAME PATTERN COMMAND...: exits so, and what it says behind "NAME: " matches
+# finds STATUS NAME PATTERN COMMAND...: exits with STATUS, and what it says after "NAME: " matches
 finds() {
     local status=$1 name=$2 pattern=$3 got
     shift 3

@@ -1,5 +1,5 @@
-# A double-click on the film, as it lies in the unpacked archive of tools/release, starts it: in Thunar and PCManFM, as
-# they come.
+# A double-click starts the film that lies in the unpacked archive of tools/release: in Thunar and PCManFM with their
+# default settings.
 #   bash tests/programs/doubleclick.sh BUILD [ARCHIVE.tar.gz]
 . "$(dirname "$0")/display.sh"
 skip_unless openbox thunar pcmanfm dbus-run-session convert

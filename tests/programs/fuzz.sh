@@ -1,5 +1,5 @@
-# A bounded run of a fuzzer on readers of files, from real files as seeds. What it finds differs from run to run: a
-# finding is printed, to be kept as a test.
+# Runs a fuzzer for a bounded time on a reader of files, with real files as seeds. What it finds differs from run to
+# run, so it prints each finding: keep it as a test.
 #   fuzz.sh BUILD pack|rad|obj|hdr [SECONDS]
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
@@ -37,7 +37,7 @@ seeds_for_obj() {
     options=(-max_len=8192 -dict="$SOURCE/tests/programs/fuzz/obj.dict")
 }
 
-# Solutions as small as they become, behind the head of 18 bytes and the checksum of 8
+# The smallest solutions, without their header of 18 bytes and their checksum of 8
 seeds_for_rad() {
     local option
     printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
@@ -47,12 +47,12 @@ seeds_for_rad() {
         "$BUILD/radiosity" solve m.obj -o m.rad $option >/dev/null || return
         tail -c +27 m.rad >"seeds/${option//[^0-9a-z]/}"
     done
-    # A finding: the floor's blue, the last number but three, is less than nothing
+    # An earlier finding: the floor's blue, the fourth number from the end, is negative
     perl -0777 -pe 'substr($_, -24, 12) = pack("f3", 1, 1, -5)' seeds/patch1element1 >seeds/negative
     options=(-max_len=16384)
 }
 
-# Rows plain and run by run, even, with a sun, and what is nearly one
+# Rows plain and run-length coded, even, with a sun, and almost valid ones
 seeds_for_hdr() {
     head() { printf "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y $2 +X $1\n"; }
     { head 4 2; printf '\200\200\200\201%.0s' $(seq 8); } >seeds/plain
@@ -67,7 +67,7 @@ seeds_for_hdr() {
 check "seeds for each reader" "seeds_for_$target"
 check "... are there" test "$(find seeds -type f -size +0 | wc -l)" -ge 4
 fuzz() {
-    # -timeout: what hangs, not what waits for a busy machine
+    # -timeout catches what hangs, not what waits for a busy machine
     if "$BUILD/tests/fuzz_$target" -max_total_time="$seconds" -timeout=200 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 "${options[@]}" seeds >log 2>&1; then
         grep -E 'executed_units|new_units' log
     else

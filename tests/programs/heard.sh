@@ -1,7 +1,8 @@
-# Sourced by tests of what is heard of the film, whose music is in WORK/film: recordings are 48 kHz, 16 bits, stereo.
+# Sourced by tests of the film's sound. WORK/film has its music; recordings are 48 kHz, 16 bits, stereo.
 loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
-# is_music RECORDING SECONDS MOST [LOST]: from its first loud frame on it is the film's music, so long, sample for sample. (The
-# film sounds from its first sample on; what a server lost before it was awake is looked for in its first LOST frames, a second.)
+# is_music RECORDING SECONDS MOST [LOST]: from its first loud frame on, the recording is the film's music, sample for
+# sample, for so many seconds. The film sounds from its first sample on; a server may have lost up to LOST frames (a
+# second) of it before it was awake.
 is_music() {
     awk -v most="$3" -v lost="${4-48000}" -v wanted=$(($2 * 48000)) '
         function far(d) { return d < 0 ? -d : d }
@@ -22,7 +23,7 @@ is_music() {
 }
 is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = 1 ]; }
 
-# --- A server of PulseAudio that plays into nothing ---
+# --- A PulseAudio server with a null sink ---
 can_serve() { command -v pulseaudio >/dev/null && command -v parec >/dev/null; }
 serve() { # starts the server, sets server
     pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &

@@ -1,4 +1,5 @@
-# Who knows whom: the house's first rule, read from the #include lines of intro/. No arrow upwards, so no circle.
+# Who includes whom, the house's first rule, read from the #include lines of intro/: only rooms below, so there is no
+# cycle.
 . "$(dirname "$0")/common.sh"
 
 # A file or a folder, and what it may include besides itself. The longest name counts: what has a rule of its own is not
@@ -27,24 +28,12 @@ options.cpp     base trace/quality.h trace/picture/frame.h options.h
 intro.h         base timeline trace/quality.h base
 inside.h        base timeline trace sound radiosity transfer show intro.h
 intro.cpp       base timeline trace sound radiosity transfer show intro.h inside.h
-play.h          base host intro.h options.h
-play.cpp        base host intro.h options.h play.h dump.h music.h
-samples.h       base intro.h
-samples.cpp     base intro.h samples.h
-film_clock.h    base
-film_clock.cpp  base film_clock.h
-playback.h      base host intro.h film_clock.h
-playback.cpp    base host intro.h film_clock.h playback.h
-music.h         base host intro.h playback.h
-music.cpp       base host intro.h playback.h samples.h music.h
-dump.h          base host intro.h options.h
-dump.cpp        base host intro.h options.h dump.h
-wav.h           base host intro.h options.h
-wav.cpp         base host intro.h options.h dump.h wav.h samples.h
+output          base host intro.h options.h
+play            base host intro.h options.h output
 doctor.h        base
-doctor.cpp      base host start doctor.h dump.h
-main.cpp        base host start intro.h options.h doctor.h play.h dump.h wav.h version.h
-main_debug.cpp  base host timeline intro.h options.h music.h
+doctor.cpp      base host start output doctor.h
+main.cpp        base host start intro.h options.h output play doctor.h version.h
+main_debug.cpp  base host timeline intro.h options.h play
 END
 # ... and of the system's headers
 cat >"$WORK/system" <<'END'
@@ -57,12 +46,12 @@ start           stddef.h stdint.h
 main_debug.cpp  *
 END
 
-# includes QUOTE: lines of FILE INCLUDED, of "" or <>
+# includes QUOTE: lines of FILE INCLUDED, for "..." or <...>
 includes() {
     (cd "$SOURCE/intro" && grep -rE --include='*.h' --include='*.cpp' "^ *# *include *$1" .) |
         sed -E 's|^\./([^:]*):[^"<]*["<]([^">]*).*|\1 \2|'
 }
-# judge RULES: of lines FILE INCLUDED those that no rule allows
+# judge RULES: reads lines of FILE INCLUDED and prints those that no rule allows
 judge() {
     awk '
         function inside(name, of) { return of == "*" || of == "." || name == of || index(name, of "/") == 1 }
@@ -88,7 +77,7 @@ obeys() { # obeys RULES QUOTE
     cat "$WORK/wrong" >&2
     [ ! -s "$WORK/wrong" ]
 }
-there() { # what is included lies in intro/, but for what is generated
+there() { # what is included lies in intro/, unless it is generated
     local file included missing=0
     while read -r file included; do
         [ -e "$SOURCE/intro/$included" ] || [ "$included" = version.h ] || { echo "    $file includes $included, which is not in intro/" >&2; missing=1; }
@@ -99,7 +88,7 @@ check "rooms include what is below them" obeys "$WORK/rules" '"'
 check "... and nothing outside intro/" there
 check "platforms stay behind host/linux" obeys "$WORK/system" '<'
 
-# What builds the film names nothing in tests/, and of tools/ what lies in build/
+# The film's build names nothing in tests/, and in tools/ only tools/build/
 grep -rnE '\$\{CMAKE_SOURCE_DIR\}/|\.\./' --include=CMakeLists.txt "$SOURCE/intro" "$SOURCE/packer" | sed "s|^$SOURCE/||" >"$WORK/named"
 check "the film's build names tools/build" grep -q '/tools/build/' "$WORK/named"
 check "... nothing else of tools, and no tests" lacks '\}/(tests|tools/[^b]|tools/b[^u])|\.\./(tests|tools)' "$WORK/named"
@@ -115,7 +104,9 @@ finds() { [ "$(judge "$1" <<<"$2" | wc -l)" = 1 ]; }
 for violation in "base/text.h host/files.h" "timeline/shot.h show/show.h" "trace/texture/noise.cpp trace/scene/scene.h" \
     "trace/quality.h trace/scene/shape.h" "trace/rays/view.h trace/picture/frame.h" "host/window.h start/early.h" "sound/score.h timeline/track.h" \
     "radiosity/solve.h transfer/relight.h" "transfer/room.h show/hall.h" "show/hall.cpp host/headless.h" "start/start.cpp trace/picture/frame.h" \
-    "start/early.cpp show/show.h" "play.cpp inside.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "host/windows/files.cpp host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "start/start.cpp host/windows/windows.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
+    "start/early.cpp show/show.h" "play/player.cpp inside.h" "play/player.cpp trace/picture/frame.h" "play/music.cpp start/early.h" \
+    "output/dump.cpp inside.h" "output/wav.cpp play/music.h" "output/wav.cpp sound/mixer.h" "start/start.cpp output/dump.h" "show/film.cpp play/film_clock.h" "intro.cpp play/player.h" \
+    "main_debug.cpp output/dump.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "host/windows/files.cpp host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "start/start.cpp host/windows/windows.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
     check "(it would be found that ${violation/ / includes })" finds "$WORK/rules" "$violation"
 done
 for violation in "host/window.h X11/Xlib.h" "show/hall.cpp GL/gl.h" "start/start.cpp unistd.h" "trace/picture/frame.cpp vector"; do

@@ -1,7 +1,7 @@
-# What the film's parts cost: the table of rooms, and its warning; the refusals of what measures flags.
+# tools/ledger: the table of rooms and its warning. And what tools/measure/sweep/flags refuses.
 . "$(dirname "$0")/common.sh"
 ledger=$SOURCE/tools/ledger
-# report BYTES: one of a film of two objects, the second in the room of the sky
+# report BYTES: a report on a film of two objects, of which the second lies in the sky's room
 report() {
     mkdir -p "$WORK/build"
     cat >"$WORK/build/odraz.json" <<END
@@ -42,9 +42,9 @@ check "an unknown word" refuses 2 "cannot use 'colour'" "$ledger" colour
 report 4000
 check "no room is forgotten" test "$(rooms | awk 'NR == FNR { row[$1] = 1; next } !($1 in row)' - "$WORK/folders")" = ""
 
-flags=$SOURCE/tools/measure/flags
+flags=$SOURCE/tools/measure/sweep/flags
 check "flags: an unknown word" refuses 2 "cannot use 'colour'" "$flags" colour
 check "flags: an unknown set" refuses 2 "there is no set 'colour'; there are: " "$flags" files colour
 check "flags: nothing to try" refuses 2 "try needs a set and flags" "$flags" try small
-check "flags: help" prints 'tools/measure/flags drop SET' "$flags" --help
+check "flags: help" prints 'tools/measure/sweep/flags drop SET' "$flags" --help
 finish

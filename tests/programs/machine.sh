@@ -1,4 +1,4 @@
-# Machines that lack something: one line on standard error, exit 1.
+# Machines that lack something: one line on standard error, exit status 1.
 #   machine.sh BUILD odraz|odraz-safe
 . "$(dirname "$0")/common.sh"
 unset DISPLAY WAYLAND_DISPLAY
@@ -31,15 +31,7 @@ check "it draws the hall" dumped "$WORK/with.ppm" "$odraz" "${hall[@]}"
 check "without reversed depth too" dumped "$WORK/without.ppm" env MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control "$odraz" "${hall[@]}"
 check "... alike" prints "^psnr" "$BUILD/compare" "$WORK/with.ppm" "$WORK/without.ppm" --max 2
 
-# Its first picture does not fit into the pipe: by then it has used all the memory that it will, and waits for us
-exec 8< <(exec "$odraz" --dump - --from 100 --to 100.04 --size 1280x720)
-pid=$!
-LC_ALL=C IFS= read -r -N 2 -u 8 magic
-check "it makes a picture of the hall" test "$magic" = P6
-most=$(awk '/VmHWM/ { print int($2 / 1024) }' /proc/$pid/status)
-check "... within 512 MB: ${most:=none}" test "$most" -gt 100 -a "$most" -lt 512
-check "... and the rest of it" test "$(wc -c <&8)" = $((1280 * 720 * 3 + 16 - 2))
-exec 8<&-
+. "$(dirname "$0")/memory.sh"
 
 plain=(--dump - --from 20 --to 20.04 --size 64x36)
 check "it needs none of the window's libraries to dump" dumped "$WORK/plain.ppm" env LD_LIBRARY_PATH="$(lacking libX11.so.6):$(lacking libGL.so.1)" "$odraz" "${plain[@]}"

@@ -1,10 +1,10 @@
-# Nothing that was never written is read, and nothing outside what was given: valgrind's memcheck over a picture of each
-# scene, in draft and in film.
-#   memcheck.sh BUILD [hall]     with `hall`: of the scenes that play there; solving it takes memcheck half an hour
+# The film reads no uninitialised memory and nothing out of bounds: valgrind's memcheck over a picture of each scene, in
+# draft and in film.
+#   memcheck.sh BUILD [hall]     with `hall`: the scenes in the hall, whose solving takes half an hour under memcheck
 . "$(dirname "$0")/common.sh"
 skip_unless valgrind
 odraz=$BUILD/odraz.elf # as it ships, but with symbols
-# One thread, the driver's too; the driver's code for vectors of 128 bits, which valgrind runs faster
+# One thread, and one of the driver; with vectors of 128 bits in the driver, which valgrind runs faster
 export LP_NUM_THREADS=0 LP_NATIVE_VECTOR_WIDTH=128
 # pictures COUNT OPTION...
 pictures() {
@@ -25,7 +25,7 @@ for quality in draft film; do
     fi
 done
 
-# It is not blind
+# A program with faults shows that memcheck finds them
 cat >"$WORK/blind.c" <<'END'
 #include <stdlib.h>
 int main(void) { int *p = malloc(4); return *p ? 0 : 1; }

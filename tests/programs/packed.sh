@@ -1,4 +1,4 @@
-# Packed programs as they are met: in odd surroundings, and damaged. With the example in packer/example.
+# Packed programs in odd surroundings, and damaged ones: with the example in packer/example.
 . "$(dirname "$0")/common.sh"
 pack=$BUILD/pack hello=$WORK/hello
 check "the example is built and packed" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK"
@@ -21,7 +21,7 @@ if can_be_unwritten; then check "where nothing runs that was written" refuses 1 
 check "--test says that it is whole" prints ': whole; ' "$pack" --test "$hello"
 check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
 check "... and that runs" says 7 "hello, 2 words, 42" "$WORK/plain" a
-# The image is as the linker laid it out, but for the loader's tables, which are zeros: so the code
+# The image is as the linker laid it out, except for the loader's tables, which are zeros; this compares the code
 read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *PROGBITS *[0-9a-f]* \([0-9a-f]*\) \([0-9a-f]*\) .*/\1 \2/p')"
 part() { tail -c +$(($2 + 0x$offset + 1)) "$1" | head -c $((0x$size)); }
 part "$WORK/plain" 4096 >"$WORK/code"
@@ -34,7 +34,7 @@ check "... draws" picture "$WORK/film" unpacked.ppm
 check "... as the film draws" picture "$BUILD/odraz" packed.ppm
 check "... the same" cmp "$WORK/unpacked.ppm" "$WORK/packed.ppm"
 
-# Damage. The header and the check itself, 656 bytes, are the loader's and the processor's business
+# Damage. Nothing can check the first 656 bytes: the header and the check itself
 broken=$WORK/broken
 cp "$hello" "$broken"
 total=$(stat -c %s "$hello")
@@ -47,7 +47,7 @@ flipped() {
     done
 }
 check "a flipped bit anywhere is refused" flipped
-numbers() { # wild ones, where the check itself is told what to look at
+numbers() { # wild numbers where the check reads what it shall look at
     local wild from=$((528 + $(stat -c %s "$BUILD/generated/stub.bin")))
     for wild in '\x55\x55\x55\x55' '\xa9\xcb\xed\x0f' '\xff\xff\xff\xff' '\0\0\0\0'; do
         cp "$hello" "$broken"

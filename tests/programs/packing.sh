@@ -1,4 +1,4 @@
-# The packer's command line. With the film where its bytes count, with the small example otherwise.
+# The packer's command line: with the film where its bytes matter, otherwise with the small example.
 . "$(dirname "$0")/common.sh"
 skip_unless objdump
 pack=$BUILD/pack in=$BUILD/odraz-safe model=$SOURCE/intro/odraz.model
@@ -6,11 +6,11 @@ bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" >/dev/null || exit 1
 hello=$WORK/bare size=$(stat -c %s "$WORK/hello")
 strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # without symbols: of which pack reports
 
-check "packs to the same bytes again" prints ' [0-9]+ bytes .*, [0-9]+ bytes left of 65536' "$pack" "$in" -o "$WORK/a" --model "$model"
-check "... those of the film" cmp "$WORK/a" "$BUILD/odraz"
-check "... executable" test -x "$WORK/a"
-check "packs the file with symbols alike, with a report" prints '^whitted.cpp.o ' "$pack" "$BUILD/odraz.elf" -o "$WORK/b" --model "$model" --map "$BUILD/odraz.map" --report "$WORK/report"
-check "... to the same bytes" cmp "$WORK/b" "$BUILD/odraz"
+# (binary.sh packs the stripped one)
+check "packs to the same bytes again, with a report" prints '^whitted.cpp.o ' "$pack" "$BUILD/odraz.elf" -o "$WORK/b" --model "$model" --map "$BUILD/odraz.map" --report "$WORK/report"
+check "... the film's size in it" grep -qE ' [0-9]+ bytes .*, [0-9]+ bytes left of 65536' "$WORK/printed"
+check "... those of the film" cmp "$WORK/b" "$BUILD/odraz"
+check "... executable" test -x "$WORK/b"
 check "... which adds up to the payload" awk -F'[:}]' '
     /"sections"/ { on = 1 } /"objects"/ { on = 0 }
     on && /"bits"/ { sum += $(NF - 1); ++lines }
@@ -25,7 +25,7 @@ check "... which Linux's packing does not take" refuses 2 "it must need libdl.so
 check "a plain one for Linux" "$pack" "$hello" -o "$WORK/plain" --plain
 check "... runs" test "$("$WORK/plain" a b)" = "hello, 3 words, 42"
 
-# A search from contexts that do not suit, so that there is something to find; the example is too small for luck
+# A search from unsuitable contexts, so that there is something to find
 awk '$1 == "code" { $2 = "byte4+byte5+instruction1" ($2 == "-" ? "" : "+" $2) } 1' "$model" >"$WORK/unsuited"
 check "takes contexts that do not suit" prints 'bytes left' "$pack" "$hello" -o "$WORK/poor" --model "$WORK/unsuited"
 "$pack" "$hello" -o "$WORK/found" --model "$WORK/unsuited" --effort 100000 --save-model "$WORK/model" 2>"$WORK/searching" >/dev/null &
@@ -40,7 +40,7 @@ check "... kept, with which the same bytes are made again" prints 'bytes left' "
 check "... the same" cmp "$WORK/found" "$WORK/again"
 check "a search ends by itself" prints 'bytes left' bash -c "exec '$pack' '$hello' -o '$WORK/brief' --effort 0.5 2>/dev/null"
 
-# The film's search, on the example: from contexts that do not suit it, then from those found
+# tools/ledger's search, on the example: first from unsuitable contexts, then from those that it found
 ledger=$SOURCE/tools/ledger
 mkdir "$WORK/tiny"
 ln -s "$pack" "$WORK/tiny/pack"
@@ -62,9 +62,9 @@ check "... in a file" prints 'bytes left' "$pack" "$hello" -o "$WORK/suited" --m
 
 check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$hello" -o "$WORK/c" --budget $((size - 1))
 check "... and nothing written" test ! -e "$WORK/c"
-cp "$WORK/a" "$WORK/d"
+cp "$WORK/b" "$WORK/d"
 check "... nor replaced" refuses 1 "over budget" "$pack" "$hello" -o "$WORK/d" --budget 100
-check "... by anything" cmp "$WORK/a" "$WORK/d"
+check "... by anything" cmp "$WORK/b" "$WORK/d"
 check "at the budget is fine" prints ', 0 bytes left' "$pack" "$hello" -o "$WORK/c" --budget "$size"
 check "no input" refuses 2 "it takes IN.elf -o OUT" "$pack"
 check "no output" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in"
@@ -95,7 +95,7 @@ check "what is for packing alone" refuses 2 "--plain is for packing alone" "$pac
 check "a hosted program" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x"
 head -c 3000 "$in" >"$WORK/short"
 check "a file cut short" refuses 2 "cut short" "$pack" "$WORK/short" -o "$WORK/x"
-# A pipe or a device as output stays one
+# An output that is a pipe or a device stays one
 cat "$WORK/fifo" >"$WORK/piped" &
 PIDS+=($!)
 check "a report into a pipe" "$pack" "$hello" -o "$WORK/again" --report "$WORK/fifo" >/dev/null

@@ -1,4 +1,4 @@
-# Dumped pictures: a frame depends on its number, rate, size and quality alone.
+# Dumped pictures: a frame depends only on its number, rate, size and quality.
 . "$(dirname "$0")/common.sh"
 odraz=$BUILD/odraz-safe # which need not unpack; below, the packed one must draw the same
 sums() { (cd "$1" && cksum ./*.ppm); }
@@ -42,7 +42,8 @@ check "dump at 25" dump r25 --fps 25 --from 39.2 --to 39.24
 check "dump at 50" dump r50 --fps 50 --from 39.2 --to 39.21
 check "rates agree on a time" cmp "$WORK/r25/frame-000980.ppm" "$WORK/r50/frame-001960.ppm"
 
-# As it is played: every other frame is made from those beside it, by the same rules; across a cut (40 s), to the film's end
+# As it is played, with every other frame made from its neighbours: the same rules hold, across a cut (40 s) and to the
+# end
 live=(--fps 60 --quality live --size 203x117)
 "$odraz" --dump "$WORK/live" "${live[@]}" --from 39.8 --to 40.2 --threads 1
 check "dump as it is played" test "$(ls "$WORK/live" | wc -l)" = 24
@@ -77,7 +78,7 @@ else
     echo "skipped: ffmpeg is not installed"
 fi
 
-# The tool that compares must not be blind
+# The tool that compares finds differences
 printf 'P6\n2 1\n255\nabcdef' >"$WORK/a.ppm"
 printf 'P6\n2 1\n255\nabcdez' >"$WORK/b.ppm"
 check "compare finds equal pictures equal" prints 'largest difference 0,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/a.ppm"
@@ -96,7 +97,7 @@ chmod +x "$WORK/grey"
 check "a poster is one moment and six small ones" bash -c "'$BUILD/contact_sheet' '$WORK/grey' '$WORK/poster.png' --poster --width 320 |
     grep -q 'a poster of 326 x 334'"
 check "contact_sheet refuses a program that fails" bash -c "'$BUILD/contact_sheet' /bin/false '$WORK/sheet.png' 2>/dev/null; [ \$? = 1 ] && [ ! -e '$WORK/sheet.png' ]"
-# What other tracers write, 16 bits that are linear, becomes sRGB rounded to the nearest: 70000 values, and their averages
+# Linear pictures of 16 bits, as other tracers write them, become sRGB rounded to the nearest: 70000 values and averages
 if command -v python3 >/dev/null; then
     cat >"$WORK/linear.py" <<'END'
 import struct, sys, zlib

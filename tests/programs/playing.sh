@@ -1,4 +1,6 @@
-# The film's music as it is played: into ALSA's file device, into a PulseAudio that stops and dies, and into nothing.
+# The film's music as it is played: to ALSA's file device, to a PulseAudio server that stops and dies, and to no device.
+# Films play with the server and without it at the same time, each on a display of its own.
+#   playing.sh BUILD [server]
 . "$(dirname "$0")/display.sh"
 . "$(dirname "$0")/heard.sh"
 [ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
@@ -12,43 +14,53 @@ play() { "$odraz" --window --size 160x90 "$@" >"$WORK/out" 2>"$WORK/err"; }
 says_nothing() { [ ! -s "$WORK/err" ]; }
 frames() { echo $(($(stat -c %s "$1") / 4)); }
 "$odraz" --wav - --to 12 | tail -c +45 >"$WORK/film"
-device 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
-# What a busy machine was too late for is left out, rightly: then again
-into_file() { for _ in {1..10}; do rm -f "$WORK/played"; play --to 4 && is_music "$WORK/played" 2 0 && return 0; done; return 1; }
-check "plays with sound: the device gets what --wav writes, sample for sample" into_file
-check "... and says nothing" says_nothing
-check "... no faster than it is played" test "$(frames "$WORK/played")" -lt $((5 * 48000))
-rm "$WORK/played"
-check "--mute plays" play --mute --to 1
-check "... in silence" test ! -e "$WORK/played"
-check "plays from the middle" play --from 50 --to 51.5
-check "... with its sound" is_loud "$WORK/played"
-check "is for playing alone" refuses 2 "--mute is for playing" "$odraz" --mute --wav "$WORK/none"
-device 'pcm.!default { type hw card 31 }'
-check "plays without a device" play --to 1
-check "... and says nothing" says_nothing
-export ALSA_CONFIG_PATH=$WORK/none.conf
-check "plays where ALSA is broken" play --to 1
-check "... and says nothing" says_nothing
 
-# The film stopped for three seconds goes on where it stopped
-device 'pcm.!default { type null }'
-freezes() { # prints the whole seconds that it took
-    local began=$SECONDS
-    play --to 5 &
-    local film=$!
-    await seen || return 1
-    sleep 2
-    kill -STOP "$(pgrep -P $film -x odraz-safe || echo $film)"
-    sleep 3
-    kill -CONT "$(pgrep -P $film -x odraz-safe || echo $film)"
-    wait $film && echo $((SECONDS - began))
-}
-check "a film stopped for 3 of its 5 seconds takes 8" test "$(freezes)" -ge 7
+if [ "${2-}" != server ]; then
+    bash "$0" "$BUILD" server >"$WORK/server" 2>&1 &
+    with_server=$!
+    PIDS+=($with_server)
+    device 'pcm.!default { type file slave.pcm "nothing" file "'"$WORK/played"'" format "raw" }' 'pcm.nothing { type null }'
+    # A busy machine may be late, and then the film drops sound, as it should: then try again
+    into_file() { for _ in {1..10}; do rm -f "$WORK/played"; play --to 4 && is_music "$WORK/played" 2 0 && return 0; done; return 1; }
+    check "plays with sound: the device gets what --wav writes, sample for sample" into_file
+    check "... and says nothing" says_nothing
+    check "... no faster than it is played" test "$(frames "$WORK/played")" -lt $((5 * 48000))
+    rm "$WORK/played"
+    check "--mute plays" play --mute --to 1
+    check "... in silence" test ! -e "$WORK/played"
+    check "plays from the middle" play --from 50 --to 51.5
+    check "... with its sound" is_loud "$WORK/played"
+    check "is for playing alone" refuses 2 "--mute is for playing" "$odraz" --mute --wav "$WORK/none"
+    device 'pcm.!default { type hw card 31 }'
+    check "plays without a device" play --to 1
+    check "... and says nothing" says_nothing
+    export ALSA_CONFIG_PATH=$WORK/none.conf
+    check "plays where ALSA is broken" play --to 1
+    check "... and says nothing" says_nothing
+
+    # A film that was stopped for three seconds goes on where it stopped
+    device 'pcm.!default { type null }'
+    freezes() { # prints the whole seconds that it took
+        local began=$SECONDS
+        play --to 5 &
+        local film=$!
+        await seen || return 1
+        sleep 2
+        kill -STOP "$(pgrep -P $film -x odraz-safe || echo $film)"
+        sleep 3
+        kill -CONT "$(pgrep -P $film -x odraz-safe || echo $film)"
+        wait $film && echo $((SECONDS - began))
+    }
+    check "a film stopped for 3 of its 5 seconds takes 8" test "$(freezes)" -ge 7
+    check "... with a server, too" ended $with_server
+    cat "$WORK/server"
+    finish
+fi
 
 if ! can_serve || ! ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1; then
     echo "    PulseAudio is not installed: not tried"
-    finish
+    FINISHED=1
+    exit 0
 fi
 device 'pcm.!default { type pulse }'
 check "a server starts" serve

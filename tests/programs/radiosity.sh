@@ -1,4 +1,4 @@
-# The radiosity program, as its users run it: models good and bad, and numbers that are known.
+# The radiosity program as its users run it: good and bad models, and results that are known.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
@@ -19,7 +19,7 @@ check "... a line for every element" test "$(($(wc -l <cube.csv) - 1))" = "$(sed
 check "... whose areas are the model's" table cube.csv 'a += $8' 'a > 599.9 && a < 600.1'
 check "... red light on the wall beside the red one, green beside the green" \
     table cube.csv 'if ($7 == 1) { if ($2 < -4) { r += $9; g += $10 } if ($2 > 4) { R += $9; G += $10 } }' 'r > 1.1 * g && r / g > 1.1 * R / G'
-# ratio A B SUM LOW HIGH: of a sum over the lines of two tables, of which the second is the better known
+# ratio A B SUM LOW HIGH: a sum over the lines of table A is LOW to HIGH times that of B, which is known better
 ratio() {
     table "$1" "s += $3" 's > 0' && table "$2" "s += $3" 's > 0' &&
         awk -F, "FNR > 1 { s[FILENAME] += $3 } END { d = s[\"$1\"] / s[\"$2\"]; exit !(d > $4 && d < $5) }" "$1" "$2"
@@ -35,7 +35,7 @@ for tone in log film; do
     check "render, tone $tone" bash -c "'$radiosity' render cube.rad -o $tone.png --eye 0,5,4.9 --at 0,4,-5 --size 160x90 --tone $tone && [ \$(od -An -tx1 -j16 -N8 $tone.png | tr -d ' ') = 000000a00000005a ]"
 done
 
-# A furnace: everything shines with 1 and reflects a half, so everything has 2, at any size
+# A furnace: all surfaces emit 1 and reflect a half, so all have 2, at any size
 for scale in 0.001 1 1000; do
     cat >furnace.mtl <<END
 newmtl all
@@ -52,16 +52,16 @@ END
     check "... comes out even, everywhere within .2 %" table f.csv 'if ($9 < 1.996 || $9 > 2.004 || $10 < 1.3307 || $10 > 1.336 || $11 != 1) ++off' 'off + 0 == 0'
     check "... and by hemicubes" prints '^processor seconds' "$radiosity" solve furnace.obj -o f.rad --hemicube 64
     "$radiosity" export f.rad --csv f.csv
-    # Everything but what is nearest to the edges, where light comes from a hair's breadth
+    # Everything except what lies nearest to the edges
     check "... in the mean" table f.csv 'a += $8; r += $8 * $9; g += $8 * $10; b += $8 * $11' 'r / a > 1.985 && r / a < 2.015 && g / a > 1.32 && g / a < 1.347 && b / a > 0.999 && b / a < 1.001'
 done
 
-# Of 84 triangles that all shine, in a room
+# A furnace of 84 triangles, in a room
 "$radiosity" generate cube -o lit.obj --area 8.4 >/dev/null && sed -i 's/^usemtl .*/usemtl all/; s/^mtllib .*/mtllib furnace.mtl/' lit.obj
 check "a furnace of many lamps" prints '^processor seconds' "$radiosity" solve lit.obj -o f.rad
 "$radiosity" export f.rad --csv f.csv
 check "... comes out even, everywhere within .2 %" table f.csv 'if ($9 < 1.996 || $9 > 2.004 || $10 < 1.3307 || $10 > 1.336 || $11 != 1) ++off' 'off + 0 == 0'
-# The same room, far away: floats have but three digits for it
+# The same room far from the origin, where floats have only three digits for it
 for far in 0 1000 20000; do
     printf 'newmtl grey\nKd 0.5 0.5 0.5\nnewmtl lamp\nKd 0 0 0\nKe 10 10 10\n' >far.mtl
     awk -v s=$far 'BEGIN {
@@ -77,7 +77,7 @@ check "a model too small for floats" refuses 2 "is smaller than 1e-10: give --sc
 printf 'newmtl all\nKd 1 1 1\nKe 1 1 1\n' >furnace.mtl
 check "light without an end is told" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
 
-# Light that the model does not bring along, against closed forms
+# Light given by options, against closed forms
 printf 'newmtl grey\nKd 0.5 0.25 0.8\nnewmtl black\nKd 0 0 0\nnewmtl old\nKd 0 0 0\nKa 3 2 1\n' >out.mtl
 box='v 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\nusemtl grey\nf 4 3 2 1\nusemtl black\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n'
 plate='v -1 0 -1\nv -1 0 1\nv 1 0 1\nv 1 0 -1\nusemtl grey\nf 1 2 3 4\n'
@@ -89,7 +89,7 @@ lit() { # lit MODEL OPTION...: out.csv
     "$radiosity" solve out.obj -o out.rad "$@" >out 2>err && "$radiosity" export out.rad --csv out.csv
 }
 check "a sky over a box without a lid" lit "$box" --sky 1,2,3
-# A square sees one like it at the distance of its side by 0.19982; sqrt of the mean square of what it is off, by corners
+# The form factor of two equal squares at the distance of their side is 0.19982; the rms error over the corners
 floor='if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = i % 2 ? $2 : 1 - $2; Y = i < 2 ? $4 : 1 - $4; p = sqrt(1 + X * X); q = sqrt(1 + Y * Y)
     F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } ++n; a += $9 / 0.5; b += $10 / 0.5; c += $11 / 2.4; d = $9 / (0.5 * F) - 1; off += d * d }'
 check "... lights its floor as the form factor says, in three colours" table out.csv "$floor" 'a / n > 0.1988 && a / n < 0.2008 && b / a > 0.999 && b / a < 1.001 && c / a > 0.999 && c / a < 1.001'
@@ -106,7 +106,7 @@ check "where z is up, from the zenith" lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1
 check "... all of it" even 5
 check "a lamp" lit "$plate" --lamp 0,2,0,0.2,100,100,100
 check "... by its distance and angle" table out.csv 'r2 = $2 * $2 + $4 * $4 + 4; d = $9 / (0.5 * 100 * 0.01 / r2 * 2 / sqrt(r2)) - 1; if (d < -0.005 || d > 0.005) ++off' 'off + 0 == 0'
-# A square that shines, opposite a plate: a sum over its corners of the form factor of a place beneath the one of a rectangle
+# A shining square opposite a plate: the closed form sums the form factors of rectangles with a corner above the place
 printf 'newmtl panel\nKd 0 0 0\nKe 1000 1000 1000\n' >>out.mtl
 panel() { # panel HALF HEIGHT
     lit "${plate}usemtl panel\nv -$1 $2 -$1\nv $1 $2 -$1\nv $1 $2 $1\nv -$1 $2 $1\nf 5 6 7 8\n"
@@ -119,7 +119,7 @@ check "a square that shines" panel 0.5 1
 check "... everywhere as its form factor says" below 0.5 1 0.5
 check "... one that is near" panel 0.5 0.125
 check "... near it" below 0.5 0.125 1
-# Beneath a board that keeps off a lamp ten thousand times as bright, a small one in blue
+# A small blue lamp beneath a board, which blocks a lamp ten thousand times as bright
 printf 'newmtl bright\nKd 0 0 0\nKe 1e7 1e7 1e7\nnewmtl weak\nKd 0 0 0\nKe 0 0 1000\n' >>out.mtl
 check "a weak lamp in the shadow of a strong one" lit "${plate}usemtl weak\nv -.5 1 -.5\nv .5 1 -.5\nv .5 1 .5\nv -.5 1 .5\nf 5 6 7 8\nusemtl black\nv -1.5 2 -1.5\nv 1.5 2 -1.5\nv 1.5 2 1.5\nv -1.5 2 1.5\nf 9 10 11 12\nusemtl bright\nv -.2 3 -.2\nv .2 3 -.2\nv .2 3 .2\nv -.2 3 .2\nf 13 14 15 16\n"
 check "... gives all of its light" below 0.5 1 1 11 0.8
@@ -143,7 +143,7 @@ for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sun 1,2,3,4" "--sun 1
     check "$bad is refused" refuses 2 "${bad#--sky }" bash -c "'$radiosity' solve out.obj -o x.rad $bad 2>&1 >/dev/null | sed 's/^radiosity: /radiosity: $bad: /' >&2; exit \${PIPESTATUS[0]}"
 done
 
-# A camera that nobody placed: all of the plate is in the picture, and it fills it; where z is up as well
+# A camera that nobody placed shows all of the plate, which fills the picture; also where z is up
 sees_all() { # OPTION...: nothing touches the picture's edges, and some of it comes near
     "$radiosity" render out.rad -o all.png --size 160x90 "$@" >out && grep -q '^--eye .* --at ' out &&
         [ "$(convert all.png -threshold 2% -format '%@' info: | awk -F '[x+]' '{ print ($3 > 0 && $4 > 0 && $1 + $3 < 160 && $2 + $4 < 90 && ($3 < 8 || $4 < 5 || $1 + $3 > 152 || $2 + $4 > 85)) }')" = 1 ]
@@ -180,7 +180,7 @@ check "... exported" "$radiosity" export a.rad --csv a.csv
 check "... are fewer, and of several sizes" table a.csv 'size = sprintf("%.3f", $8); sizes += !seen[size]++' 'lines < 33000 && sizes > 6'
 check "... and cover what uniform ones do" table a.csv 'a += $8' 'a > 4745.5 && a < 4745.7'
 
-# Models that are not as they should be
+# Faulty models
 plain='usemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n'
 printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
 model() { printf "mtllib ${2:-m.mtl}\n$plain$1" >m.obj; }
@@ -200,11 +200,11 @@ check "slivers" solves
 model 'v 0.5 0 0.3\nf 1 4 9 3 2\nusemtl l\nf 5 6 7 8\n'
 check "a polygon that is not convex" solves
 model 'f 1 4 3 2\n'
-check "nothing that shines gets a sky" solves 'nothing shines in it: lit by an even sky'
+check "nothing that shines gets a sky" solves 'nothing in the model shines: an even sky lights it'
 check "... of 1, so that what reflects a half shows a half" table m.csv 'if ($9 < 0.4999 || $9 > 0.5001) ++off' 'off + 0 == 0'
 model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' none.mtl
 check "materials that are missing are told" solves 'materials cannot be read'
-check "... with what follows" grep -q 'nothing shines' err
+check "... with what follows" grep -q 'nothing in the model shines' err
 model 'v 1 nan 0\nf 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
 check "NaN, with its line" refuses 2 "m.obj:11: a coordinate is not a number" "$radiosity" solve m.obj -o x.rad
 model 'v 1 x 0\nf 1 4 3 2\n'
@@ -228,7 +228,7 @@ mkfifo fifo
 for endless in fifo /dev/zero .; do
     check "$endless is no model" refuses 2 "not a regular file" "$radiosity" solve $endless -o x.rad
     model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' $endless
-    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing shines' bash -c "timeout $PATIENCE '$radiosity' solve m.obj -o m.rad 2>&1"
+    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing in the model shines' bash -c "timeout $PATIENCE '$radiosity' solve m.obj -o m.rad 2>&1"
     check "... and no solution" refuses 2 "not a regular file" "$radiosity" export $endless --csv x.csv
 done
 printf 'newmtl m\nKd -2 0 0\n' >bad.mtl
@@ -236,7 +236,7 @@ model 'f 1 4 3 2\n' bad.mtl
 check "a reflectance below 0" refuses 2 "Kd must lie between 0 and 1" "$radiosity" solve m.obj -o x.rad
 check "none of them left a file" test ! -e x.rad
 
-# What else users do
+# What else users may do
 check "a missing model" refuses 2 "cannot read" "$radiosity" solve none.obj -o x.rad
 check "it tells how much memory it takes" prints 'needs about [1-9][0-9]* MB' "$radiosity" solve cube.obj -o k.rad
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3
@@ -261,7 +261,7 @@ check "a full disk" refuses 1 "cannot write" "$radiosity" export cube.rad --csv 
 "$radiosity" --help | head -n 1 >help
 check "a closed pipe" grep -q usage help
 
-# Ctrl-C, when the bar on the terminal shows that there are some rows: direct light and the rows that are there
+# Ctrl-C when the bar on the terminal shows that there are some rows: the result has direct light and those rows
 "$radiosity" generate columns -o big.obj --area 0.5 >/dev/null
 script -qefc "echo \$\$ >pid; exec '$radiosity' solve big.obj -o big.rad --hemicube 512" terminal >/dev/null </dev/null &
 PIDS+=($!)

@@ -15,7 +15,7 @@ check "several pages" prints 'polygons in [2-9] pages' "$radiosity" export m.rad
 check "... as many as it says" test -s pages/light-1.hdr
 check "polygons larger than a page are told" prints 'polygons have fewer texels than asked for' "$radiosity" export m.rad --atlas small --texels 30 --page 256
 
-# Every file that glTF names, every number within its bounds
+# Every file that glTF names is there, and every number is within its bounds
 cat >gltf.py <<'END'
 import json, os, struct, sys
 folder, textures, extension = sys.argv[1], int(sys.argv[2]), sys.argv[3]
@@ -59,8 +59,8 @@ check "the lamps shine on in its materials" grep -q '^Ke 20 18 15' light/model.m
 check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStrength":20}' light/model.gltf
 check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
 
-check "a folder that holds something" refuses 2 "light: is there already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
-check "a file" refuses 2 "is there already" "$radiosity" export m.rad --atlas m.rad
+check "a folder that holds something" refuses 2 "light: exists already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
+check "a file" refuses 2 "exists already" "$radiosity" export m.rad --atlas m.rad
 check "no place for a folder" refuses 2 "cannot write" "$radiosity" export m.rad --atlas none/out
 check "... nor in a file" refuses 2 "cannot write" "$radiosity" export m.rad --atlas m.obj/out
 check "options of another export" refuses 2 "--texels belongs to --atlas DIR" "$radiosity" export m.rad --texels 2 --csv m.csv
@@ -69,7 +69,7 @@ check "a page that is none" refuses 2 "from 256 to 16384" "$radiosity" export m.
 check "two things at once" refuses 2 "one thing at a time" "$radiosity" export m.rad --atlas x --csv m.csv
 head -c 50000 m.rad >cut.rad
 check "a damaged solution" refuses 1 "damaged" "$radiosity" export cut.rad --atlas x
-# A limit on files that no page keeps to
+# A limit on the size of files that every page exceeds
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' export m.rad --atlas x"
 check "... leaves nothing" test -z "$(find . -maxdepth 1 -name 'x*')"
 finish

@@ -1,4 +1,5 @@
-# Odd models, as other programs write them: every valid one gives a lit picture without a change, the rest one line.
+# Odd models, as other programs write them: every valid one gives a lit picture, unchanged; every other one gives one
+# line.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
@@ -7,8 +8,8 @@ cd "$WORK" || exit 1
 printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl red\nKd 0.8 0.1 0.1\n' >m.mtl
 square='v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n'
 
-# lit NAME TEXT [NOTE]: solved, all light finite and some above 0, some of the picture not black; one line for each note,
-# none where there is nothing to say but that the sky shines
+# lit NAME TEXT [NOTE]: it is solved, all light is finite, some is above 0, and the picture is not black. It says one
+# line for each note; without a note it says at most that the sky shines
 lit() {
     printf "$2" >model.obj
     rm -f m.rad m.csv m.png
@@ -16,7 +17,7 @@ lit() {
     "$radiosity" export m.rad --csv m.csv && table m.csv 'light += $8 * ($9 + $10 + $11); a += $8' 'a > 0 && light > 0' &&
         "$radiosity" render m.rad -o m.png --size 80x60 >/dev/null &&
         [ "$(convert m.png -format '%[fx:maxima>0.15]' info:)" = 1 ] || { echo "light or picture is black: $(cat err)" >&2; return 1; }
-    grep -v 'nothing shines in it: lit by an even sky' err >notes || true
+    grep -v 'nothing in the model shines: an even sky lights it' err >notes || true
     if [ $# = 2 ]; then [ ! -s notes ]; else [ "$(wc -l <notes)" = 1 ] && grep -q -- "$3" notes; fi || { cat err >&2; return 1; }
 }
 area() { table m.csv 'a += $8' "a > 0.999 * $1 && a < 1.001 * $1"; }
@@ -91,7 +92,7 @@ for size in 1e-9 1e-5 1e-3 1e4 1e7 5e8; do
 done
 for far in 1000 500000 1e7; do
     coarse=
-    [ $far = 1000 ] || coarse='its coordinates are coarse'
+    [ $far = 1000 ] || coarse='too far from the origin for precise coordinates'
     sound "a metre, $far away" "$(awk -v f=$far 'BEGIN { split("0 0 0 1 1 1 1 0", p); for (i = 0; i < 4; ++i) printf "v %.1f 0 %.1f\\n", f + p[2 * i + 1], f + p[2 * i + 2] }')f 1 2 3 4\n" ${coarse:+"$coarse"}
 done
 sound "one part far away" "${square}v 15 0 0\nv 15 0 1\nv 16 0 0\nf 1 2 3 4\nf 5 6 7\n"
@@ -108,7 +109,7 @@ material "no Kd" 'newmtl m\nKs 1 1 1\n' 'it has no Kd: it reflects 0.7' 0.7 0.7
 material "Kd of one number" 'newmtl m\nKd 0.5\n' '' 0.5 0.5
 material "Kd as xyz" 'newmtl m\nKd xyz 0.4755 0.5 0.5445\n' '' 0.5 0.5
 material "Kd as a spectrum" 'newmtl m\nKd spectral a.rfl 1\n' 'is a spectrum, which is not read: it reflects 0.7' 0.7 0.7
-material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'what is above is taken for 1' 1 0.25
+material "Kd above 1" 'newmtl m\nKd 2 0.5 0.25\n' 'more counts as 1' 1 0.25
 material "Kd of 0 in all" 'newmtl m\nKd 0 0 0\nKs 1 1 1\n' 'everything would be black: it reflects 0.7' 0.7 0.7
 material "a picture alone, and missing" 'newmtl m\nmap_Kd none.png\n' "cannot read none.png" 0.7 0.7
 material "a material given twice" 'newmtl m\nKd 0.8 0.8 0.8\nnewmtl m\nKd 0.1 0.1 0.1\n' '' 0.8 0.8
@@ -120,7 +121,7 @@ check "... is one" reflects 0.8 0.1
 sound "a name with #" "mtllib m.mtl\nusemtl a#1\n${square}f 1 2 3 4\n"
 check "... is one" reflects 0.1 0.8
 
-# --- What is no model of polygons: one line ---
+# --- Files that are no model of polygons: one line ---
 one_line "points alone" "${square}p 1 2 3 4\n" "holds no polygon"
 one_line "lines alone" "${square}l 1 2 3 4\n" "holds no polygon"
 one_line "curves alone" "${square}vp 0 1\ncstype bezier\ncurv 0 1 1 2 3\nend\n" "holds no polygon"

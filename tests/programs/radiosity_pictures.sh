@@ -1,13 +1,13 @@
-# Materials with pictures (map_Kd): what elements reflect, against closed forms; and pictures that cannot be read.
+# Materials with pictures (map_Kd): what elements reflect, against closed forms. And pictures that cannot be read.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
 skip_unless convert
 cd "$WORK" || exit 1
 
-# A furnace of fine checks, black and sRGB 188, which is 0.5029: everything shines with 1 and has 1 / (1 - 0.2514)
+# A furnace of fine checks, black and sRGB 188, which is 0.5029: all surfaces emit 1, so all have 1 / (1 - 0.2514)
 convert -size 512x512 pattern:gray50 +level 0,73.7255% -depth 8 -type TrueColor checks.png
-room() { # room MTL-LINES: room.obj, of which each wall has the picture once
+room() { # room MTL-LINES: room.obj, with the picture once on each wall
     printf "newmtl all\n$1" >room.mtl
     awk 'BEGIN {
         print "mtllib room.mtl\nusemtl all\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1"
@@ -70,12 +70,12 @@ check "lightmaps have it" "$radiosity" export floor.rad --atlas shown --map radi
 check "... or beside them what is reflected" "$radiosity" export floor.rad --atlas light
 check "... as a page" test "$(convert light/reflectance-0.png -format '%[fx:maxima.r] %[fx:maxima.g] %[fx:maxima.b]' info:)" = "1 0 1"
 
-# Final gathering sees the picture, too: beneath a board over its red half there is more red than blue
+# Final rays see the picture, too: beneath a board over its red half there is more red than blue
 board() { # board OPTION...: board.csv
     { cat floor.obj; printf 'usemtl none\nv -1 0.4 -1\nv 0 0.4 -1\nv 0 0.4 1\nv -1 0.4 1\nf 5 6 7 8\n'; } >board.obj
     "$radiosity" solve board.obj -o board.rad --sky 1,1,1 "$@" >out 2>err && "$radiosity" export board.rad --csv board.csv
 }
-beneath() { # beneath COLUMN: what it is, in the mean over the board, within 4 % of what is there without final gathering
+beneath() { # beneath COLUMN: the mean over the board, within 4 % of what it is without final rays
     local mean; mean=$(awk -F, '$6 < -0.5 { a += $8; s += $8 * $'"$1"' } END { print s / a }' without.csv)
     table board.csv "if (\$6 < -0.5) { a += \$8; s += \$8 * \$$1 }" "s / a > 0.96 * $mean && s / a < 1.04 * $mean"
 }
@@ -88,11 +88,11 @@ check "... and as blue" beneath 11
 
 # What cannot be read: a line, and Kd
 unread() { # unread TEXT PICTURE
-    { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "its material's Kd is taken" err &&
+    { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "the material's Kd is used" err &&
         table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'; } || { head -c 400 err >&2; false; }
 }
 check "a picture that is missing" unread 'sub/none.png: No such file' none.png
-check "one that is none" unread 'no picture that is known' floor.mtl
+check "one that is none" unread 'its format is unknown' floor.mtl
 head -c 700 checks.png >sub/cut.png
 check "one cut short" unread 'it is damaged' cut.png
 printf '\211PNG\r\n\032\n\0\0\0\rIHDR\0\0\43\50\0\0\43\50\10\2\0\0\0xxxx' >sub/vast.png
@@ -102,5 +102,5 @@ check "a long file" unread 'more than 256 MB' long.png
 mkfifo sub/fifo.png
 check "what is no file" unread 'not a regular file' fifo.png
 check "no picture where it should be" unread 'not a regular file' "."
-check "a scale that is none" refuses 2 "no such scale or offset" bash -c "printf 'newmtl m\nmap_Kd -s 1e30 1 a.png\n' >sub/floor.mtl; '$radiosity' solve floor.obj -o x.rad"
+check "a scale that is none" refuses 2 "a scale or offset is not a number below 1e6" bash -c "printf 'newmtl m\nmap_Kd -s 1e30 1 a.png\n' >sub/floor.mtl; '$radiosity' solve floor.obj -o x.rad"
 finish

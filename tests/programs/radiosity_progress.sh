@@ -1,4 +1,4 @@
-# radiosity solve --progress: lines for scripts, a bar for people, nothing for who did not ask.
+# radiosity solve --progress: lines for scripts, a bar on a terminal, nothing without the option.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
@@ -20,14 +20,14 @@ done
 check "... in their order, and never back" awk '{ n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s)
     if (s == last && n + 0 < was) exit 1; if (s != last && seen[s]++) exit 1; last = s; was = n + 0 }' lines
 check "... and not one for every patch" test "$(wc -l <lines)" -lt 200
-# By rays there are first ones, and then, when direct light is known, those that are needed besides
+# There are first rays, and when direct light is known, the further ones that are needed
 check "by rays" bash -c "'$radiosity' solve m.obj -o told.rad --final 8 --progress >out 2>lines"
 for step in dividing "form factors" "direct light" solving "final rays"; do
     check "... $step ends, once" test "$(grep -c "^progress: $step 100 %" lines)" = 1
 done
 check "... none goes back" awk '{ n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s)
     if (n + 0 < was[s]) exit 1; was[s] = n + 0 }' lines
-# What takes longer tells how long
+# Longer work tells how much time is left
 "$radiosity" solve m.obj -o long.rad --hemicube 256 --progress >out 2>long &
 PIDS+=($!)
 check "time left is told" await grep -qE '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' long

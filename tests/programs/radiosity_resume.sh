@@ -1,4 +1,4 @@
-# radiosity solve --resume: what was stopped goes on, to the bytes of what nobody stopped.
+# radiosity solve --resume: a solution that was stopped goes on, and ends with the bytes of one that was not.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
@@ -6,8 +6,8 @@ cd "$WORK" || exit 1
 
 for kind in terrain columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
 sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps
-# stopped SIGNAL STATES MODEL WORDS...: after so many states were kept, or, where that is the name of a step, when it has
-# begun and some were. Where it came to its end before it was stopped, once more
+# stopped SIGNAL STATES MODEL WORDS...: sends the signal after so many states were kept or, where STATES is the name of
+# a step, when that has begun and a state was kept. Tries again when the program ended before it was stopped
 every=0.05
 stopped() {
     local tries
@@ -36,7 +36,7 @@ stopped_once() {
 }
 goes_on() { # SIGNAL STATES WORDS...
     check "$*" stopped "$@"
-    [ "$1" = KILL ] || check "... it tells how to go on" grep -q 'solve --resume part.rad.state goes on' out
+    [ "$1" = KILL ] || check "... it tells how to go on" grep -q '^to continue: radiosity solve --resume part.rad.state' out
     check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
     check "... to the same bytes" cmp whole.rad part.rad
     check "... and leaves no state" test ! -e part.rad.state
@@ -79,14 +79,14 @@ check "... to the same bytes" cmp whole.rad part.rad
 
 stopped INT 2 terrain.obj
 check "what Ctrl-C wrote can be shown" "$radiosity" export part.rad --csv part.csv
-check "--resume with more" refuses 2 "stands alone" "$radiosity" solve terrain.obj --resume part.rad.state
-check "no state" refuses 2 "was not left by" "$radiosity" solve --resume part.rad
+check "--resume with more" refuses 2 "takes no other option" "$radiosity" solve terrain.obj --resume part.rad.state
+check "no state" refuses 2 "is not a state of" "$radiosity" solve --resume part.rad
 head -c 100000 part.rad.state >cut.state
 check "a state cut short" refuses 2 "is damaged" "$radiosity" solve --resume cut.state
 echo 'v 9 9 9' >>terrain.obj
 sed -i '0,/^v /s/^v [^ ]*/v 0.5/' terrain.obj
 check "a model that changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
-# A picture on a material is of the model, too
+# A material's picture is part of the model, too
 paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # one texel; its red
 echo 'map_Kd paint.tga' >>columns.mtl
 paint '\0200'

@@ -1,5 +1,5 @@
-# `radiosity view`: its pictures against those of `radiosity render`, what its layers, keys, mouse and wheel do, and models
-# that are solved while they are looked at.
+# `radiosity view`: its pictures against those of `radiosity render`; what its layers, keys, mouse and wheel do; and
+# models that are solved while they are shown.
 . "$(dirname "$0")/display.sh"
 skip_unless convert
 needs_built radiosity
@@ -33,8 +33,8 @@ awk 'BEGIN { n = 50; print "mtllib bumps.mtl\nusemtl grey"
 printf 'newmtl grey\nKd 0.5 0.4 0.3\n' >bumps.mtl
 check "solve bumps" prints '^5000 triangles' "$radiosity" solve bumps.obj -o bumps.rad --sun 30,90,3,3,3 --sky 0.2,0.3,0.5
 
-# The same picture as the tracer's, but for what lies on edges, where it has other samples, and for light within elements,
-# which triangles have a little otherwise. Measured: 48 to 56 dB; 30 where the logarithm's darkest hundredth is edges
+# The same picture as the tracer's, except on edges, where the samples differ, and within elements, where triangles
+# interpolate a little differently. Measured: 48 to 56 dB; 30 where the logarithm's darkest hundredth is edges
 for kind in cube columns bumps; do
     for tone in film:46 log:28; do
         check "$kind, tone ${tone%:*}" view $kind.rad --screenshot view.png --size 480x300 --tone ${tone%:*}
@@ -77,7 +77,7 @@ check "a plate has 16 patches and 64 elements" grep -q '; 16 patches, 64 element
 front=(--size 200x200 --eye 0,0,2 --at 0,0,0 --lens 60)
 view plate.rad "${front[@]}" --screenshot plain.png
 check "patches" view plate.rad "${front[@]}" --layer patches --screenshot patches.png
-# What is averaged where they meet makes few pixels
+# Few pixels are averages, where patches meet
 colours() { convert "$1" -format '%c' histogram:info: | awk '$1 + 0 >= 100' | wc -l; }
 check "... are 16 colours, before black" eval '[ "$(colours patches.png)" = 17 ] && [ "$(colours plain.png)" -lt 17 ]'
 check "elements" view plate.rad "${front[@]}" --layer elements --screenshot elements.png
@@ -206,7 +206,7 @@ check "... and with B it is not" await eval '! is_black 200x200+0+0'
 xdotool key Escape
 ended $pid
 
-# Direct light while form factors are found; who leaves does not wait for them
+# Direct light is shown while form factors are computed; who leaves does not wait for them
 "$radiosity" solve columns.obj -o direct.rad --bounces 0 >out
 view direct.rad --size 300x200 --eye -18,6,13 --at 4,3,-6 --screenshot direct.png
 shot_like() { shot && like shot.png "$1" 40; } 2>/dev/null
@@ -224,7 +224,7 @@ check "a file that is not there" refuses 2 "cannot read none.rad" "$radiosity" v
 check "a model that is not there" refuses 2 "cannot read none.obj" "$radiosity" view none.obj
 check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe or hemicube, not all" "$radiosity" view cube.rad --layer all
 check "half a camera" refuses 2 "view needs --eye and --at, or neither" "$radiosity" view cube.rad --eye 0,1,2
-check "options of solve for what is solved" refuses 2 "--patch is for models that are solved here" "$radiosity" view cube.rad --patch 1
+check "options of solve for what is solved" refuses 2 "--patch is an option for models" "$radiosity" view cube.rad --patch 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" view cube.rad --fast
 check "no place for the screenshot" refuses 2 "cannot write" "$radiosity" view cube.rad --screenshot none/x.png
 check "no display" refuses 1 "no display to open a window on" env -u DISPLAY "$radiosity" view cube.rad

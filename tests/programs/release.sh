@@ -1,4 +1,4 @@
-# What is handed on: archives that are the same twice, unpack with their modes, and hold a film that runs.
+# tools/release: archives that are the same twice, unpack with their file modes, and hold a film that runs.
 . "$(dirname "$0")/common.sh"
 skip_unless zip unzip tar gzip sha256sum
 git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }

@@ -1,4 +1,4 @@
-# tools/render: however the film is divided, and wherever its shards are made, the bytes are the same; and what was
+# tools/render: the bytes are the same however the film is divided and wherever its shards are made; what was
 # interrupted, lost or damaged is made again.
 . "$(dirname "$0")/common.sh"
 skip_unless ffmpeg ffprobe

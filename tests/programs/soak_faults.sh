@@ -1,7 +1,7 @@
-# tools/measure/soak finds what it looks for: stand-ins for the film that leak, speak or fail.
+# tools/measure/detect/soak finds what it looks for: stand-ins for the film that leak, speak or fail.
 . "$(dirname "$0")/common.sh"
 skip_unless Xvfb c++
-soak=$SOURCE/tools/measure/soak
+soak=$SOURCE/tools/measure/detect/soak
 unset DISPLAY
 cat >"$WORK/film.cpp" <<'END'
 #include <cstdio>
@@ -26,8 +26,14 @@ int main() {
 }
 END
 c++ -O0 -pthread "$WORK/film.cpp" -o "$WORK/film" 2>"$WORK/err" || { cat "$WORK/err"; exit 1; }
-# A run of five seconds in a time that allows one
-soaks() { FAULT=$1 "$soak" 0.12 --every 0.2 --film "$WORK/film" >"$WORK/told" 2>"$WORK/err"; }
+# A run of five seconds in a time that allows one, of all faults at once: it mostly waits
+runs=()
+for fault in nothing memory descriptors threads words signal; do
+    { FAULT=$fault "$soak" 0.12 --every 0.2 --film "$WORK/film" >"$WORK/told.$fault" 2>"$WORK/err.$fault"; echo $? >"$WORK/status.$fault"; } &
+    runs+=($!)
+done
+wait "${runs[@]}"
+soaks() { cp "$WORK/told.$1" "$WORK/told" && [ "$(cat "$WORK/status.$1")" = 0 ]; }
 finds() { ! soaks "$1" && grep -qxF -- "- $2" <(sed 's/took [0-9.]* MB/took some MB/' "$WORK/told"); }
 check "one that does as it should" soaks nothing
 check "... its run is told" grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/told"
@@ -44,5 +50,5 @@ check "no minutes" refuses 2 "how many MINUTES" "$soak"
 check "minutes that are none" refuses 2 "MINUTES needs a number" "$soak" soon
 check "no film" refuses 2 "is not there: build it first" "$soak" 1 --film "$WORK/none"
 check "an unknown option" refuses 2 "cannot use '--fast'" "$soak" --fast
-check "--help" prints '^usage: tools/measure/soak MINUTES' "$soak" --help
+check "--help" prints '^usage: tools/measure/detect/soak MINUTES' "$soak" --help
 finish

@@ -1,4 +1,4 @@
-# What the packer's speed and size are measured with: its quick run.
+# `tradeoff pack`, which measures the packer's speed and size: its quick run.
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 tradeoff=$BUILD/tradeoff
@@ -7,7 +7,7 @@ check "... as a table" grep -qx "file,setting,shipped,bytes,encode_s,decode_kb_s
 check "... with one point that ships, whose size is the film's" \
     table "$WORK/csv" 'if ($3 == 1) { ++shipped; bytes = $4 }' "shipped == 1 && bytes > 10000 && bytes <= $(($(stat -c %s "$BUILD/odraz") - 2634))"
 check "... and as a plot" grep -q '^<svg' "$WORK/svg"
-check "... of at least five" test "$(grep -c '<circle' "$WORK/svg")" -ge 5
+check "... of at least five" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge 5
 check "a missing film" refuses 2 "cannot read" "$tradeoff" pack "$WORK/none"
 check "a film that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
 check "a missing model" refuses 2 "cannot read" "$tradeoff" pack --model "$WORK/none" "$BUILD/odraz-safe"

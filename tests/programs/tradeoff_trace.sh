@@ -1,15 +1,22 @@
-# What the tracer's speed and accuracy are measured with: its quick run.
+# `tradeoff trace`, which measures the tracer's speed and accuracy: its quick run, of two scenes or of all.
+#   tradeoff_trace.sh BUILD [all]
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 tradeoff=$BUILD/tradeoff
-check "the tracer's trade is measured" "$tradeoff" trace --quick --csv "$WORK/csv" --plot "$WORK/svg"
-check "... as a table, its measures named" grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db" "$WORK/csv"
-for scene in A B field point table flake patches hall odraz credits; do
+# what is swept, the scenes that it has, those of them in which qualities are told apart, points of its plot
+sweep=(--scene A --scene table) scenes=(A table) apart=(A table) points=10
+if [ "${2-}" = all ]; then
+    sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50
+fi
+check "the tracer's trade is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
+check "... as a table, its measures named" grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
+check "... its settings in words, to be counted" grep -qE ',play grid=1$' "$WORK/csv"
+for scene in "${scenes[@]}"; do
     check "... with the points of $scene that ship" table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
 done
 # measured COLUMN SCENE SETTING
 measured() { awk -F, -v c="$1" -v s="$2" -v q="$3" '$1 == s && $3 == q { print $c }' "$WORK/csv"; }
-for scene in A B field table flake hall; do
+for scene in "${apart[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
         check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 7 $scene $2)" "$(measured 7 $scene $1)"
@@ -18,7 +25,8 @@ for scene in A B field table flake hall; do
     done
 done
 check "... and as a plot" grep -q '^<svg' "$WORK/svg"
-check "... of at least fifty" test "$(grep -c '<circle' "$WORK/svg")" -ge 50
+check "... of at least $points" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge $points
+check "... each with its name" test "$(grep -c 'class="name"' "$WORK/svg")" = "$(grep -c 'class="mark"' "$WORK/svg")"
 check "a scene alone" prints '^field,0,play,1,' "$tradeoff" trace --quick --scene field
 mkdir "$WORK/kept"
 again() { "$tradeoff" trace --quick --scene credits/1 --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-5,7-; }
@@ -33,9 +41,9 @@ check "a value that is none" refuses 2 "'1/x' is no value of cutoff" "$tradeoff"
 check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tradeoff" trace --setting fast
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
-check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/instructions" "$SOURCE/tools/measure/instructions" --fast
-check "qualities refuses words it does not know" refuses 2 "usage: tools/measure/qualities" "$SOURCE/tools/measure/qualities" --fast
-check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/peer_povray" "$SOURCE/tools/measure/peer_povray" C
+check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/bench/instructions" "$SOURCE/tools/measure/bench/instructions" --fast
+check "qualities refuses words it does not know" refuses 2 "usage: tools/measure/sweep/qualities" "$SOURCE/tools/measure/sweep/qualities" --fast
+check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
     check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"
     check "... of four kinds" test "$(grep -c items_per_second "$WORK/printed")" = 4

@@ -1,4 +1,4 @@
-# What transfer's speed and accuracy are measured with: its quick run.
+# `tradeoff transfer`, which measures speed and accuracy: its quick run.
 . "$(dirname "$0")/common.sh"
 tradeoff=$BUILD/tradeoff
 needs_built tradeoff
@@ -16,7 +16,8 @@ for method in uncompressed "floor cpca" bands; do
     check "... with one point of '$method' that ships" table "$WORK/csv" "shipped += \$1 == \"$method\" && \$5 == 1" 'shipped == 1'
 done
 check "a plot" grep -q '^<svg' "$WORK/svg"
-check "... of at least six" test "$(grep -c '<circle' "$WORK/svg")" -ge 6
+check "... of at least six" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge 6
 check "a folder that is not there is refused at once" refuses 2 "cannot write" "$tradeoff" transfer --csv "$WORK/none/csv"
+check "bench_radiosity refuses options it does not know" refuses 2 "usage: bench_radiosity" "$BUILD/bench_radiosity" --slow
 check "bench_transfer refuses options it does not know" refuses 2 "usage: bench_transfer" "$BUILD/bench_transfer" --slow
 finish

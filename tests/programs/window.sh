@@ -1,15 +1,15 @@
 # The film in a window: it starts, draws, resizes, fills the screen, and leaves at once when asked.
 . "$(dirname "$0")/display.sh"
 skip_unless xprop openbox wmctrl
-odraz=$BUILD/odraz
+packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which need not be unpacked for seconds
 # A viewer who asks waits 100 ms at most; the bound is one that a busy machine keeps, too
 LIMIT=20000
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
 managed() { wmctrl -l | grep -q ' odraz$'; }
 has_window_manager() { xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'; }
-load() { begin "$odraz" "$@" && await focused; }
-# It is unpacked and the hall is solved first
+load() { begin "$@" && await focused; } # load PROGRAM OPTION...
+# First it is unpacked and the hall is solved
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
 leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
     local end=$((SECONDS + PATIENCE)) began=${EPOCHREALTIME/[.,]/} took status
@@ -25,28 +25,28 @@ leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
 start_display 1000x700
 
 # Without a window manager: full screen by size alone, with the keyboard
-check "plays on the full screen" play --from 100
+check "plays on the full screen" play "$packed" --from 100
 check_full_screen
 check "ESC leaves" leaves xdotool key Escape
 
 # Loading: a bar that grows, and that can be left
-check "opens a window" load
+check "opens a window" load "$packed"
 check "a bar grows while it loads" grows 5 $pid
 check "ESC leaves" leaves xdotool key Escape
-check "opens a window" load --from 100
+check "opens a window" load "$packed" --from 100
 check "ESC leaves while it loads" leaves xdotool key Escape
 
-# What needs no hall does not solve it: by processor time, of the program that need not unpack
+# A span without the hall does not solve it: by processor time of odraz-safe, which need not unpack
 seconds() { # seconds OPTION...
     local TIMEFORMAT=%U
-    { time "$BUILD/odraz-safe" --window --size 320x180 --stats "$@" >"$WORK/out" 2>"$WORK/err"; } 2>&1
+    { time "$odraz" --window --size 320x180 --stats "$@" >"$WORK/out" 2>"$WORK/err"; } 2>&1
     grep -q '^first picture after' "$WORK/out" || echo "nothing was shown" >&2
 }
 with=$(seconds --from 100 --to 100.1) without=$(seconds --from 161.9)
 echo "    processor seconds until the film plays: $without, with the hall $with"
 check "what needs no hall is there sooner" less "$without" "$(awk "BEGIN { print ${with:-0} / 2 }")"
 
-check "plays in a window" play --window --size 640x360 --from 60 --stats
+check "plays in a window" play "$odraz" --window --size 640x360 --from 60 --stats
 check "its window has the film's size" measures 640 360
 xdotool windowsize "$window" 900 300
 check "draws at another size" await is_black 180x300+0+0
@@ -62,17 +62,17 @@ check "Alt-F4 leaves" leaves xdotool key alt+F4
 check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
 check "nothing is said on standard error" test ! -s "$WORK/err"
 
-check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$odraz" --window --size 320x180 --from 161 --stats
-check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$BUILD/odraz-safe" --window --size 320x180 --from 161 --stats
+check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$packed" --window --size 320x180 --from 161 --stats
+check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$odraz" --window --size 320x180 --from 161 --stats
 
-# What is missing is shown in a small window too
+# What is missing is also told in a small window
 clicked_away() { xdotool mousemove 60 60 click 1; sleep 0.1; gone $pid; }
 leaves_by_click() {
     await clicked_away
     ended $pid
     [ $? = 1 ]
 }
-check "a missing library opens a small window" begin env LD_LIBRARY_PATH="$(lacking libGL.so.1)" "$odraz"
+check "a missing library opens a small window" begin env LD_LIBRARY_PATH="$(lacking libGL.so.1)" "$packed"
 check "... which a click ends with status 1" leaves_by_click
 check "... and says it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
 check "an OpenGL that is too old opens one too" begin env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz"
@@ -87,23 +87,22 @@ check "a dump tells its script, without a window" refuses 1 "not enough memory" 
 openbox >/dev/null 2>&1 &
 PIDS+=($!)
 check "a window manager runs" await has_window_manager
-check "plays under it" play --from 100
+check "plays under it" play "$odraz" --from 100
 check "it asks for the full screen" await fills_the_screen
 check "it gets it" await measures 1000 700
 check "it draws there" await is_bright
 check "ESC leaves there" leaves xdotool key Escape
-check "opens a window there" load --window --size 640x360 --from 100
+check "opens a window there" load "$packed" --window --size 640x360 --from 100
 check "... managed" await managed
 check "the close button leaves while it loads" leaves wmctrl -i -c "$window"
-odraz=$BUILD/odraz-safe # the rest of it without unpacking
-check "plays in a window there" play --window --size 640x360 --from 30
+check "plays in a window there" play "$odraz" --window --size 640x360 --from 30
 check "... managed" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
-check "plays in a window again" play --window --size 640x360 --from 30
+check "plays in a window again" play "$odraz" --window --size 640x360 --from 30
 check "the window manager's Alt-F4 leaves" leaves xdotool key alt+F4
 
 # The display goes away under a playing film
-check "plays once more" play --window --size 320x180 --from 30
+check "plays once more" play "$odraz" --window --size 320x180 --from 30
 kill "${PIDS[0]}"
 ended $pid
 check "a display that goes away ends it with status 1" test $? = 1

@@ -1,4 +1,4 @@
-// Alone in its file: Eigen's templates take a while to compile, and under sanitizers minutes.
+// In a file of its own, because Eigen's templates compile slowly: under sanitizers they take minutes.
 #include "tests/support/eigenvalues.h"
 
 #include <Eigen/Eigenvalues>

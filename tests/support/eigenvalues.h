@@ -1,7 +1,7 @@
-// Eigenvalues in double precision, by Eigen: what the engine's own decompositions are measured against.
+// Eigenvalues in double precision, by Eigen: a reference for the engine's own decompositions.
 #pragma once
 
 #include <vector>
 
-// Of the symmetric matrix n x n, ascending.
+// The eigenvalues of a symmetric n x n matrix, ascending.
 std::vector<double> eigenvalues(int n, const std::vector<double> &symmetric);

@@ -1,4 +1,4 @@
-// Lightmaps as other programs read them: the OBJ by tinyobjloader, its pages by stb_image.
+// Reads lightmaps as other programs do: the OBJ by tinyobjloader, its pages by stb_image.
 #pragma once
 
 #include "trace/scene/lightmap.h"
@@ -11,7 +11,7 @@ struct ExportedPage {
     std::vector<float> hdr;   // three a texel, rows from above
     std::vector<uint8_t> png; // likewise
 
-    // Bilinear, as graphics processors do it; texture coordinates are counted from below.
+    // Samples bilinearly, as graphics processors do; texture coordinates count from the bottom.
     odraz::Rgb at(float u, float v) const;
 };
 
@@ -32,14 +32,14 @@ struct Exported {
     std::vector<ExportedPage> pages;
     std::string gltf, binary;
 
-    // `name` of pages: light or radiosity. Fails the test that calls where something cannot be read.
+    // `name`: of the pages, light or radiosity. Fails the calling test if something cannot be read.
     Exported(const std::string &folder, const std::string &name);
 
-    // What a viewer shows at a place of a chart; false where no triangle of that chart lies there.
+    // The radiance that a viewer shows at a place of a chart; false if no triangle of the chart lies there.
     bool shows(int chart, odraz::Vec3 p, odraz::Rgb &radiance) const;
 
-    // Fails the test where a texel lies in triangles of two charts, or two such lie no more than so many
-    // apart.
+    // Fails the test if a texel lies in triangles of two charts, or if two such texels are at most `apart`
+    // texels apart.
     void mustLieApart(int apart) const;
 
 private:

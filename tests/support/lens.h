@@ -1,4 +1,4 @@
-// Looking through one hemicube at a time: what tests of form factors need.
+// Draws one hemicube at a time, for tests of form factors.
 #pragma once
 
 #include "radiosity/form_factor.h"
@@ -20,14 +20,15 @@ struct Lens {
     Lens(const Lens &) = delete;
     ~Lens() { odraz::closeHemicubes(h); }
 
-    // The form factors of the hemicube drawn as number `index`, by patch; `dark` gets what saw nothing.
+    // The form factors, by patch, of the hemicube drawn as number `index`; `dark` gets the share that saw
+    // nothing.
     std::vector<float> row(const odraz::Model &model, int index = 0, double *dark = nullptr) const {
         std::vector<float> row((size_t)model.patchCount);
         float left = odraz::sumHemicube(h, index, sums.data(), row.data());
         if (dark) *dark = (double)left;
         return row;
     }
-    // ... of one place.
+    // Draws a hemicube at a place and returns its form factors.
     std::vector<float> row(const odraz::Model &model, const odraz::Eye &eye, double *dark = nullptr) {
         odraz::drawHemicubes(h, model, &eye, 1);
         return row(model, 0, dark);

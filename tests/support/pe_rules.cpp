@@ -4,7 +4,7 @@
 
 namespace {
 
-// Fields by their offsets, as the specification's tables have them: nothing of the writer's is used here.
+// Reads fields by their offsets from the specification's tables; it shares no code with the writer.
 struct File {
     const std::vector<uint8_t> &bytes;
     uint64_t at(uint64_t offset, int size) const {
@@ -33,7 +33,7 @@ struct File {
     uint64_t directory(int i, int field) const {
         return at(optional() + 112 + 8 * (uint64_t)i + 4 * (uint64_t)field, 4);
     }
-    // Where an address of the image lies in the file; 0 if it does not
+    // The position in the file of an address of the image; 0 if it is not in the file
     uint64_t inFile(uint64_t address) const {
         for (int i = 0; i < sectionCount(); ++i) {
             Section s = section(i);
@@ -92,8 +92,9 @@ std::string brokenPeRule(const std::vector<uint8_t> &bytes) {
     if (image != next) return "the size of the image";
     if (!entered) return "the entry is not in code";
 
-    // ntdll makes what the directory of slots names writable for a while, or else all of the section that
-    // holds the imports. It goes by the names' table where that lies behind the headers, else by the slots
+    // ntdll makes memory writable for a while: the directory of slots if the file has one, or else the whole
+    // section that holds the imports. It finds that section by the table of names if this lies behind the
+    // headers, else by the slots
     uint64_t imports = f.inFile(f.directory(1, 0));
     if (!imports) return "no imports in a section's bytes";
     for (uint64_t i = imports; f.at(i + 12, 4) && f.at(i + 16, 4); i += 20) {

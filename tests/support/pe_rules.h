@@ -1,12 +1,12 @@
-// What the loaders of Windows 10 and 11 ask of an executable, as far as ours could fail it: Wine takes much
-// more. From Microsoft's "PE Format" and what is known of the kernel's and ntdll's checks.
+// The rules of Windows 10 and 11 for executables, as far as our files could break them: Wine accepts much
+// more. From Microsoft's "PE Format" and the known checks of the kernel and ntdll.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
-// Empty, or the first rule that a file breaks.
+// The first rule that a file breaks; empty if none.
 std::string brokenPeRule(const std::vector<uint8_t> &file);
 
 // "library: function function", in the file's order, separated by blanks.

@@ -1,4 +1,4 @@
-// Random numbers one after the other, the same in every run.
+// A sequence of random numbers, the same in every run.
 #pragma once
 
 #include "base/random.h"

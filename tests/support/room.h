@@ -1,9 +1,10 @@
-// A room seen from inside, for models: six walls.
+// A room for models: six walls, seen from inside.
 #pragma once
 
 #include "radiosity/model.h"
 
-// From corner lo to corner hi. Charts in this order: floor, ceiling, left (-x), right, back (-z), front.
+// Adds a room from corner lo to corner hi. Its charts in order: floor, ceiling, left (-x), right, back (-z),
+// front.
 inline void addRoom(odraz::Model &m, odraz::Vec3 lo, odraz::Vec3 hi, float element, int walls = 0,
                     int floor = 0) {
     odraz::Vec3 x = {hi.x - lo.x, 0, 0}, y = {0, hi.y - lo.y, 0}, z = {0, 0, hi.z - lo.z};

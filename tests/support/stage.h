@@ -1,4 +1,4 @@
-// Whole rays through small scenes, one at a time: what tests of shading need.
+// Traces whole rays through small scenes, one at a time, for tests of shading.
 #pragma once
 
 #include "trace/shade/whitted.h"
@@ -7,12 +7,12 @@
 
 namespace odraz {
 
-// Nothing left out: twelve bounces, however faint.
+// Leaves nothing out: twelve bounces, however faint.
 inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
 
-// A surface that shows what light falls on it.
+// A surface that shows the light that falls on it.
 inline Material matte(Rgb colour) {
     Material m = {};
     m.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}};
@@ -27,8 +27,8 @@ struct Stage {
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
     Stage() { scene->clear(); }
 
-    // The ray from eye to target, for a sample `size` pixels wide of a picture that is one pixel: some 40
-    // degrees.
+    // Traces the ray from eye to target. The picture has one pixel of some 40 degrees; the sample is `size`
+    // pixels wide.
     Sample look(Vec3 eye, Vec3 target, const Quality &quality = kExact, float size = 1e-4f) {
         scene->finish();
         View view = lookAt(eye, target, 0, 40, 1, 1);

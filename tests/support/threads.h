@@ -1,4 +1,4 @@
-// Workers on threads of the standard library: what the host's pool does, for tests of the engine without it.
+// Workers on threads of the standard library. They replace the host's pool in tests of the engine alone.
 #pragma once
 
 #include "base/maths.h"

@@ -1,11 +1,11 @@
-# Sourced by what runs programs for Windows: "$wine" PROGRAM OPTION..., with what Wine keeps of Windows, some 700 MB, in
-# $BUILD/wine, which the first one makes. Only one may use it at a time.
+# Sourced by scripts that run programs for Windows: $wine PROGRAM OPTION... runs one. Wine keeps its copy of Windows,
+# some 700 MB, in $BUILD/wine, which the first script makes. Only one script may use it at a time.
 wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 wine_server=$(command -v wineserver64 || echo /usr/lib/wine/wineserver64)
 have_wine() { [ -x "$wine" ] && [ -x "$wine_server" ]; }
 
-# Sets WINE_PID, a server for the caller to end: without it each program starts another, which would inherit the pipes
-# that its output is read from
+# Sets WINE_PID, a server that the caller must end. Without it each program would start one, which would inherit the
+# pipes that the program's output is read from
 start_wine() {
     export WINEPREFIX=$BUILD/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=;winemenubuilder.exe=d'
     mkdir -p "$WINEPREFIX"

@@ -38,7 +38,7 @@ bool Arguments::choice(const std::string &option, const std::string &first, cons
 
 void Arguments::refuse(const std::string &word) const { throw Refused("cannot use '" + word + "'; " + hint); }
 
-// One line, whatever it repeats of what users gave.
+// Prints one line, even if the message repeats words of the user that have line breaks.
 static int complain(const char *name, const std::exception &e, int status) {
     std::string line = e.what();
     std::replace_if(
@@ -53,7 +53,7 @@ int runProgram(const char *name, const char *usage, int argc, char **argv, int (
             std::fputs(usage, stdout);
             return std::fflush(stdout) ? 1 : 0;
         }
-    // A usage of one line is told at once
+    // An error prints a usage of one line instead of pointing to --help
     std::string all = usage, hint = "see " + std::string(name) + " --help";
     if (all.find('\n') == all.size() - 1) hint = all.substr(0, all.size() - 1);
     Arguments arguments(argc, argv, hint);

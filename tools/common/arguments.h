@@ -1,5 +1,5 @@
-// The words of a command line, and what every tool does with what goes wrong: one line on stderr that begins
-// with the program's name. Exit status 2: it was used wrongly; 1: it failed.
+// The words of a command line, and how every tool reports errors: one line on stderr that begins with the
+// program's name. Exit status 2: the program was used wrongly; 1: it failed.
 #pragma once
 
 #include <stdexcept>
@@ -7,13 +7,13 @@
 
 namespace odraz {
 
-// What users gave is wrong: words, or files that are not what they should be.
+// The user gave something wrong: words, or files that are not what they should be.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-// Taken one after the other. Everything that asks for a value throws Refused where there is none, or none
-// that suits.
+// Takes the words one after the other. A function that asks for a value throws Refused if there is none, or
+// if it does not fit.
 class Arguments {
 public:
     Arguments(int count, char **words, const std::string &hint) : count(count), words(words), hint(hint) {}
@@ -23,20 +23,20 @@ public:
     std::string value(const std::string &option);
     double number(const std::string &option, double least, double most);
     int whole(const std::string &option, int least, int most);
-    // Whether it is the first of two words.
+    // Whether the option's value is the first of two words; it must be one of them.
     bool choice(const std::string &option, const std::string &first, const std::string &second);
 
-    // For a word that means nothing here.
+    // Throws Refused for a word that means nothing here.
     [[noreturn]] void refuse(const std::string &word) const;
 
 private:
     int count, at = 1;
     char **words;
-    std::string hint; // where to look what there is
+    std::string hint; // tells where the options are listed
 };
 
-// Runs a program of that name: prints its usage when --help is among the words, else calls the body and tells
-// what that throws. Returns the exit status.
+// Runs the program called `name`: prints its usage if --help is among the words; else calls the body and
+// reports what it throws. Returns the exit status.
 int runProgram(const char *name, const char *usage, int argc, char **argv, int (*body)(Arguments &));
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// Clocks. Processor time, user and system, is what measurements count, since neighbours disturb it least.
+// Clocks. Measurements count processor time, user and system, because other programs disturb it least.
 #pragma once
 
 #include <functional>
@@ -7,10 +7,10 @@ namespace odraz {
 
 double processorSeconds(); // of all threads of this process
 double threadSeconds();    // of this thread
-double wallSeconds();      // since some moment
+double wallSeconds();      // since an arbitrary moment
 
-// The median time of a call on this process's processors, in milliseconds: of `rounds` rounds, each of as
-// many calls as take 10 ms together.
+// The median processor time of a call, in milliseconds. Each of `rounds` rounds makes as many calls as take
+// 10 ms together.
 double medianMs(const std::function<void()> &call, int rounds = 9);
 
 } // namespace odraz

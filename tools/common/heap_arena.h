@@ -1,4 +1,4 @@
-// Memory for an engine that takes its own from an arena: zero, taken lazily, given back with the object.
+// Memory for the engine's arena: filled with zeros, allocated lazily, freed with the object.
 #pragma once
 
 #include "base/arena.h"
@@ -11,7 +11,7 @@
 namespace odraz {
 
 struct HeapArena {
-    // Throws std::runtime_error where there are not so many bytes.
+    // Throws std::runtime_error if there is not enough memory.
     explicit HeapArena(size_t bytes) : memory((unsigned char *)std::calloc(1, bytes + kLine), std::free) {
         if (!memory)
             throw std::runtime_error("there is not enough memory: " + std::to_string(bytes >> 20) +

@@ -1,4 +1,4 @@
-// What tools run the engine on: OpenGL without a display, and threads.
+// What the tools run the engine on: OpenGL without a display, and threads.
 #pragma once
 
 #include "base/gl.h"
@@ -6,14 +6,14 @@
 
 namespace odraz {
 
-// For Workers::abort and what else is watched for an interruption: there is none.
+// For Workers::abort and other flags that stop work early: this one never does.
 inline constexpr int kNever = 0;
 
-// A thread for every processor; they end with the process. Throws std::runtime_error that tells what is
-// missing.
+// A thread for every processor; they end with the process. Throws std::runtime_error with a line that says
+// what is missing.
 Workers allProcessors();
 
-// OpenGL without a display, current on this thread. Throws likewise.
+// OpenGL without a display, current on this thread. Throws like allProcessors().
 Gl openGl();
 
 } // namespace odraz

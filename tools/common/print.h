@@ -1,4 +1,4 @@
-// printf onto the end of a text; lines of up to 399 characters.
+// printf that appends to a string; at most 399 characters a call.
 #pragma once
 
 #include <cstdarg>

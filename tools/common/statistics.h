@@ -1,4 +1,4 @@
-// Figures that stand for many.
+// Statistics of many values: quantiles, PSNR, and the sRGB curve that PSNR needs.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace odraz {
 
-// The value that the given share (0 .. 1) of the others do not exceed; there must be one.
+// The value at the given share (0 .. 1) of the sorted values, which must not be empty.
 template <class T> T quantile(std::vector<T> values, double share) {
     auto at = values.begin() + (long)((double)(values.size() - 1) * share);
     std::nth_element(values.begin(), at, values.end());
@@ -18,13 +18,13 @@ template <class T> T quantile(std::vector<T> values, double share) {
 
 template <class T> T median(std::vector<T> values) { return quantile(std::move(values), 0.5); }
 
-// Peak signal-to-noise ratio of eight-bit values that differ by these squares in sum, in dB; infinite where
-// none differs.
+// Peak signal-to-noise ratio in dB of `count` eight-bit values whose squared differences add up to `squares`;
+// infinite if none differs.
 inline double psnr(double squares, size_t count) {
     return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
 }
 
-// The linear value, 0 .. 1, of an eight-bit one in sRGB (IEC 61966-2-1).
+// The linear value, 0 .. 1, of an eight-bit sRGB value (IEC 61966-2-1).
 inline double linearOfSrgb(uint8_t value) {
     static const std::vector<double> all = [] {
         std::vector<double> v(256);
@@ -35,13 +35,14 @@ inline double linearOfSrgb(uint8_t value) {
     return all[value];
 }
 
-// The other way, 0 .. 1, not rounded to bits.
+// The inverse: sRGB, 0 .. 1, not rounded to eight bits.
 inline float srgbOfLinear(float x) {
     x = std::clamp(x, 0.f, 1.f);
     return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
 }
 
-// Of eight-bit sRGB in linear light, which weighs what is bright: as much in both.
+// PSNR in linear light of eight-bit sRGB values, which weighs bright places more. Both vectors are of one
+// size.
 inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
     for (size_t i = 0; i < a.size(); ++i) {
@@ -51,7 +52,7 @@ inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_
     return psnr(squares, a.size());
 }
 
-// Of as many values in both.
+// PSNR of two vectors of one size.
 inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
     double squares = 0;
     for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);

@@ -1,4 +1,4 @@
-// A folder of one's own in /tmp, gone with the object, and with it what lies in it.
+// A folder of its own in /tmp. It is removed, with all its files, when the object goes.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace odraz {
 
 class TemporaryFolder {
 public:
-    // Throws std::runtime_error.
+    // Throws std::runtime_error if the folder cannot be made.
     TemporaryFolder();
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder &) = delete;

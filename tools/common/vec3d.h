@@ -1,4 +1,4 @@
-// Vectors in double precision: models as they are read, and oracles for what the engine does in floats.
+// Vectors in double precision, for models as they are read and for oracles that check the engine's floats.
 #pragma once
 
 #include "base/vec3.h"
@@ -20,6 +20,7 @@ struct Vec3d {
 inline Vec3d operator+(Vec3d a, Vec3d b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 inline Vec3d operator-(Vec3d a, Vec3d b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec3d operator*(Vec3d a, double s) { return {a.x * s, a.y * s, a.z * s}; }
+inline Vec3d operator*(Vec3d a, Vec3d b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; } // colours
 inline Vec3d operator/(Vec3d a, double s) { return {a.x / s, a.y / s, a.z / s}; }
 inline double dot(Vec3d a, Vec3d b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec3d cross(Vec3d a, Vec3d b) {
@@ -27,6 +28,7 @@ inline Vec3d cross(Vec3d a, Vec3d b) {
 }
 inline double length(Vec3d a) { return std::sqrt(dot(a, a)); }
 inline Vec3d normalize(Vec3d a) { return a / length(a); }
+inline Vec3d toDouble(const Vec3 &a) { return {(double)a.x, (double)a.y, (double)a.z}; }
 inline Vec3 toFloat(const Vec3d &a) { return {(float)a.x, (float)a.y, (float)a.z}; }
 
 } // namespace odraz

@@ -18,7 +18,7 @@ static std::string cannot(const char *what, const std::string &path) {
 }
 
 std::string readWhole(const std::string &path) {
-    // What never ends, or waits for somebody, is no file
+    // Only regular files: a device or a pipe may never end
     struct stat s;
     if (stat(path.c_str(), &s) == 0) {
         if (!S_ISREG(s.st_mode)) throw Refused("cannot read " + path + ": it is not a regular file");

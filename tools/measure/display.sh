@@ -1,6 +1,6 @@
-# Sourced by sections that show the film: a display in memory, for as long as the section runs.
+# Sourced by sections that show the film: a display in memory, until the section ends.
 
-# display WIDTHxHEIGHT: sets DISPLAY and XVFB, its process
+# display WIDTHxHEIGHT: sets DISPLAY, and XVFB to its process
 display() {
     Xvfb -noreset -displayfd 5 -screen 0 "$1x24" -nolisten tcp 5>"$WORK/display" >/dev/null 2>&1 &
     XVFB=$!

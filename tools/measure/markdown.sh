@@ -1,6 +1,6 @@
-# Sourced by tools/measure/all: tables in Markdown. Input is CSV without quotes.
+# Sourced by tools/measure/all: writes Markdown tables. Input is CSV without quotes.
 
-# The first line is the head
+# The first line becomes the head
 markdown() {
     awk -F, '{
         printf "|"
@@ -10,12 +10,12 @@ markdown() {
     }'
 }
 
-# matrix CORNER: lines of row,column,value become a table; rows and columns in the order in which they first come
+# matrix CORNER: makes a table of lines row,column,value; rows and columns keep the order in which they first come
 matrix() {
     awk -F, -v corner="$1" '
         !($1 in rows) { rows[$1] = 1; row[++down] = $1 }
         !($2 in columns) { columns[$2] = 1; column[++across] = $2 }
-        { value[$1, $2] = substr($0, length($1 $2) + 3) } # it may hold commas
+        { value[$1, $2] = substr($0, length($1 $2) + 3) } # the value may have commas
         END {
             printf "| %s |", corner
             for (i = 1; i <= across; ++i) printf " %s |", column[i]
@@ -29,7 +29,7 @@ matrix() {
         }'
 }
 
-# proofs PROGRAM...: runs tests of build/tests; a table of what they print, by test. Fails where one fails.
+# proofs PROGRAM...: runs tests of build/tests and prints a table of what they print, by test. Fails if a test fails.
 proofs() {
     local program
     printf '| test | |\n|---|---|\n'
@@ -44,8 +44,8 @@ proofs() {
     done
 }
 
-# shown PLOT TEXT: a plot beside the results
+# shown PLOT TEXT: shows a plot that lies beside the results
 shown() { printf '\n![%s](%s)\n' "$2" "$1"; }
 
-# Paragraphs around the tables
+# Writes paragraphs around the tables
 prose() { printf '\n'; cat; }

@@ -1,7 +1,7 @@
-// compare: how far two pictures are apart.
+// compare: measures how much two pictures differ.
 #include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
-#include "tools/measure/flip.h"
+#include "tools/measure/detect/flip.h"
 #include "tools/picture/picture.h"
 
 #include <algorithm>
@@ -35,9 +35,9 @@ static void write(const std::string &path, const Picture &p) {
 }
 
 struct Difference {
-    double squares = 0; // of all channels, in sum
-    int largest = 0;    // of a channel
-    size_t pixels = 0;  // that differ
+    double squares = 0; // sum over all channels
+    int largest = 0;    // of one channel
+    size_t pixels = 0;  // pixels that differ
     Picture enlarged;   // eight times
 };
 

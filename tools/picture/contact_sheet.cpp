@@ -16,7 +16,7 @@ static constexpr char kUsage[] =
     "is\n"
     "one moment PIXELS wide, under it two rows of three, and the title.\n";
 
-// Seconds into the film of what a poster shows, the large one first.
+// The moments that a poster shows, in seconds into the film; the large picture comes first.
 static constexpr int kPosterMoments[] = {142, 15, 35, 52, 84, 104, 124};
 
 static std::string quoted(const std::string &s) {
@@ -25,14 +25,14 @@ static std::string quoted(const std::string &s) {
     return q + "'";
 }
 
-// Writes with the film's own lettering over a box of the picture, which it darkens to `shade` before.
+// Writes with the film's own font over a box of the picture, which is first darkened to `shade`.
 struct Box {
     int x, y, width, height;
 };
 static void write(Picture &picture, const Box &box, const char *text, float size, float weight,
                   float tracking, Align align, const uint8_t colour[3], float shade) {
     size_t pixels = (size_t)box.width * (size_t)box.height;
-    std::vector<float> planes(3 * pixels); // alike; one would do
+    std::vector<float> planes(3 * pixels); // all three are alike; only one is needed
     Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
                    nullptr,   nullptr};
     float x = align == Align::Left ? size / 2 : (float)box.width - size / 2;
@@ -48,7 +48,7 @@ static void write(Picture &picture, const Box &box, const char *text, float size
             }
 }
 
-// Writes minutes:seconds into the picture's lower left corner.
+// Writes minutes:seconds into the lower left corner of the picture.
 static void label(Picture &picture, int seconds) {
     char text[16];
     std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
@@ -57,7 +57,7 @@ static void label(Picture &picture, int seconds) {
     write(picture, {0, picture.height - height, 64, height}, text, 10, 0.13f, 1, Align::Left, kGrey, 0.75f);
 }
 
-// What the program dumps with `options`, `width` wide.
+// The frames that the program dumps with `options`, `width` pixels wide.
 static std::vector<Picture> dumped(const std::string &program, const std::string &options, int width,
                                    const std::string &quality) {
     // Trace twice as large as shown: the averaging smooths once more
@@ -86,7 +86,7 @@ static void paste(Picture &sheet, const Picture &frame, int x, int y) {
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
-// One moment, under it two rows of three, and the title.
+// A poster: one large picture, two rows of three below it, and the title.
 static Picture poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
     const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
@@ -116,7 +116,7 @@ static Picture poster(const std::string &program, int width, const std::string &
     return page;
 }
 
-// Frames of one size, row by row.
+// Lays out frames of one size, row by row.
 static Picture layOut(const std::vector<Picture> &frames, int columns) {
     constexpr int kGap = 6;
     const int width = frames[0].width, height = frames[0].height;

@@ -1,4 +1,4 @@
-# Sourced by tools/render: who runs the shards. xargs here, GNU parallel on hosts, sbatch on a cluster.
+# Sourced by tools/render: runs the shards by xargs here, by GNU parallel on hosts, by sbatch on a cluster.
 
 # list_shards: lines of A B NAME, for frames A to before B
 list_shards() {
@@ -23,14 +23,14 @@ judge_shard() {
     fi
 }
 
-# start COMMAND...: in the background, in a group of processes of its own; sets engine
+# start COMMAND...: runs it in the background, in a process group of its own; sets engine
 start() {
     set -m
     "$@" &
     engine=$!
     set +m
 }
-# signal NAME: the engine, and the shards, which GNU parallel puts into groups of their own; false when there are none
+# signal NAME: signals the engine and the shards, which GNU parallel puts into groups of their own; false when none runs
 signal() {
     local group some=
     for group in "$engine" $(cat "$parts"/*.group 2>/dev/null); do

@@ -2,15 +2,15 @@
 
 write_manifest() {
     local name
-    # How it was divided changes nothing
+    # The division into shards is left out, since it changes nothing
     sed -n '/^shards of /,$ !s/^/# /p' "$parts/plan"
     while read -r _ _ name; do grep 'frame-' "$parts/$name.sums"; done <"$parts/shards"
 }
 
 frames_joined() { cat "$parts/joined.hashes" 2>/dev/null | grep -c '^0,' || true; }
 
-# One thread more or less, and x264 makes other bytes: their number is fixed. Colours: the film's sRGB, shown as Rec. 709
-# as players expect it.
+# x264's bytes depend on its number of threads, so that is fixed. Colours: the film's sRGB is declared as Rec. 709, as
+# players expect.
 by_ffmpeg() {
     local coded=(-c:v ffv1 -level 3 -g 1 -slices 4 -slicecrc 1 -pix_fmt bgr0 -c:a flac)
     [ $kind = mkv ] || coded=(
@@ -23,7 +23,7 @@ by_ffmpeg() {
         -map 0:v -c:v ppm -flush_packets 1 -f framehash -hash sha256 joined.hashes
 }
 
-# What goes into the video is what the film drew: every frame is hashed once more on its way
+# Proves that the video has what the film drew: every frame is hashed again on its way
 join_video() {
     local wrong name
     while read -r _ _ name; do echo "file '$name.nut'"; done <"$parts/shards" >"$parts/list"

@@ -1,6 +1,6 @@
-# Sourced by tools/render: how far it is, on stderr. A bar on a terminal, else a line now and then.
+# Sourced by tools/render: tells on stderr how far it is. A bar on a terminal, otherwise a line now and then.
 
-# frames_done: of all shards, also those that are at it
+# frames_done: counts the frames of all shards, unfinished ones included
 frames_done() {
     find "$parts" -maxdepth 1 \( -name '*.sums' -o -name '*.sums.part' -o -name '*.hashes.part' \) -exec cat {} + 2>/dev/null |
         awk '/frame-|^0,/ { ++n } END { print n + 0 }'
@@ -27,7 +27,7 @@ show() {
 }
 bar_ends() { [ -z "$barred" ] || { printf '\r\e[K' >&2; barred=; }; }
 
-# follow WHAT OF COUNT-COMMAND: until the process $engine ends; its status
+# follow WHAT OF COUNT-COMMAND: shows progress until the process $engine ends; returns its status
 follow() {
     local what=$1 of=$2 status=0 then since=$SECONDS shown=-1
     shift 2

@@ -22,7 +22,7 @@ const char *openHeadlessGl(Gl &gl) {
     // Mesa does not look whether it got what it asked for
     if (!couldAddress(1 << 30)) return "not enough memory for OpenGL: raise ulimit -v";
     // Software OpenGL compiles as it goes, and would crash
-    if (const char *line = mayNotRunWritten()) return line;
+    if (const char *line = jitForbidden()) return line;
     // By software, so that pictures agree between machines, unless the environment has another wish
     int (*setenv)(const char *, const char *, int);
     if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);

@@ -16,7 +16,7 @@ static bool mayMap(size_t bytes, sys::Protection protection) {
     return memory;
 }
 
-const char *mayNotRunWritten() {
+const char *jitForbidden() {
     return mayMap(4096, sys::kReadWriteExecute) ? nullptr
                                                 : "nothing may run here that was written "
                                                   "(MemoryDenyWriteExecute, SELinux), as software OpenGL "

@@ -1,6 +1,6 @@
-// From the convention of System V, in which everything of ours is compiled, to Microsoft's. Every function of
-// windows.h, and of the table of OpenGL, is a call of one piece of code, which knows by the address that it
-// would return to whom is called. With 12 arguments at most, and no float behind an integer.
+// Converts calls from System V's convention, in which all our code is compiled, to Microsoft's. Every
+// function of windows.h and of OpenGL's table is a call of one piece of code; the return address tells that
+// code which function is meant. A function takes at most 12 arguments, and no float after an integer.
 #include "host/windows/calls.h"
 
 #include "host/library.h"

@@ -9,7 +9,7 @@ namespace odraz {
 using namespace windows;
 
 const char *openHeadlessGl(Gl &gl) {
-    if (const char *line = mayNotRunWritten()) return line;
+    if (const char *line = jitForbidden()) return line;
     if (!openGlLibraries()) {
         static Surface s = {"STATIC", 0x80000000 /* WS_POPUP */, 0, 0, 16, 16};
         if (!openSurface(s) && s.dc && !createContext(s.dc, gl)) return nullptr;

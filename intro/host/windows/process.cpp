@@ -26,7 +26,7 @@ const char kMoreMemory[] = "end other programs";
 
 void *takeMemory(size_t bytes) { return VirtualAlloc(nullptr, bytes, kReserve | kCommit, kReadWrite); }
 
-const char *mayNotRunWritten() {
+const char *jitForbidden() {
     return mayTake(4096, kReserve | kCommit, kReadWriteExecute)
                ? nullptr
                : "nothing may run here that was written (arbitrary code guard), as software OpenGL must: "

@@ -10,7 +10,7 @@ namespace odraz {
 using enum Interpolation;
 
 enum { kMarble, kSilver };
-static constexpr const Material *kMaterials[] = {&kDarkMarble, &kMirror};
+static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
 static constexpr Light kLights[] = {
     {{-1.6f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f},
     {{2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}, 0.2f},
@@ -24,7 +24,7 @@ void poseCredits(const Cue &, Scene &scene) {
     scene.add(sphere({0, 0.6f, -1.2f}, 0.6f, kSilver));
     int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
     standText(scene, "odraz", {-1.17f, 0.004f, 0}, 0.045f, 100, tube);
-    scene.contact = true;
+    scene.ballsOcclude = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
     scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});

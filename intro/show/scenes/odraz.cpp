@@ -35,15 +35,16 @@ static constexpr Key kExposure[] = {{8, 2.6f, Smooth},
 static constexpr Key kLeft[] = {{0, 1, Linear}, {48, 0, Linear}};
 static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 
-enum { kSilver = kHallMaterials, kClear, kRed, kDusk, kGround };
+// In the order in which they are added below
+enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale, kGround };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
 // Three lanes. Who comes first stands foremost and goes last, so that nobody passes anybody: the one that
 // stays and three behind it between six on either side.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kHidden = -11; // in z, behind the door
-constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kDusk, kClear, kRed, kDusk},
-                                      {kClear, kDusk, kRed, kSilver, kDusk, kRed}};
+constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kClear, kRed, kPale},
+                                      {kClear, kPale, kRed, kSilver, kPale, kRed}};
 
 // A ball of a lane, rolled.
 static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
@@ -57,7 +58,7 @@ static void addBall(Scene &scene, double row, float x, float z, float radius, fl
 }
 
 void poseOdraz(const Cue &cue, Scene &scene) {
-    HallLight light = {kHours - 1, {}, {}, 1, value(track(kDoor), cue.row)};
+    HallLight light = {kNight, {}, {}, 1, value(track(kDoor), cue.row)};
     light.lanterns[0] = value(track(kOuter), cue.row);
     light.lanterns[1] = value(track(kMiddle), cue.row);
     light.lanterns[2] = value(track(kOuter), cue.row + 8);
@@ -81,7 +82,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     for (int i = 0; i < kBehind; ++i)
         addBall(scene, cue.row, 0, -1.6f - 1.5f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (kRows + i)),
-                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kDusk : kRed);
+                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     standText(scene, "odraz", {-2.35f, 0.01f, 6.5f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
               scene.add(lamp({2.6f, 0.9f, 0.27f})));
 }

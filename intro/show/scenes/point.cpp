@@ -27,7 +27,7 @@ static constexpr Key kWord[] = {{rowOf(kWordComes), 0.2f, Linear},
                                 {rowOf(kWordStands) + 12, 1, Linear}};
 
 enum { kMarble, kClear };
-static constexpr const Material *kMaterials[] = {&kDarkMarble, &kGlass};
+static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kClear] = &kGlass};
 
 void posePoint(const Cue &cue, Scene &scene) {
     float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row),
@@ -46,7 +46,7 @@ void posePoint(const Cue &cue, Scene &scene) {
     scene.add(Light{point, Rgb{8.2f, 6.3f, 4.3f} * key, 0.06f});
     scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
     if (written > 0) scene.add(Light{place + Vec3{1.2f, 0.35f, 0.1f}, Rgb{0.34f, 0.16f, 0.07f} * word, 0.2f});
-    scene.contact = true;
+    scene.ballsOcclude = true;
     scene.ambientLow = Rgb{0.012f, 0.012f, 0.016f} * key;
     scene.ambientHigh = Rgb{0.02f, 0.022f, 0.03f} * key;
     scene.sky = plainSky(Rgb{0.004f, 0.005f, 0.008f} * key, Rgb{0.016f, 0.021f, 0.034f} * key);

@@ -74,7 +74,7 @@ void poseTable(const Cue &cue, Scene &scene) {
         s->textureShift = {m.angle, m.distance, 0.5f};
     }
 
-    scene.contact = true;
+    scene.ballsOcclude = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky((float)cue.row);

@@ -1,4 +1,4 @@
-// Where the shipped program starts on Windows: as a thread does, but for the arguments.
+// Where the shipped program starts on Windows: as a thread does, except that it has no argument.
 #include "host/process.h"
 #include "start/windows/command_line.h"
 

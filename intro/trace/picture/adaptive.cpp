@@ -7,8 +7,8 @@ namespace odraz {
 
 namespace {
 
-// Corners are averaged, which blurs on its own: what they see of textures in mirrors is filtered for half a
-// pixel only. By PSNR 1 is 0.9 dB worse; less shimmers.
+// Pixels are means of their corners, which blurs them. So textures seen in mirrors are filtered for only half
+// a pixel. 1 is 0.9 dB worse by PSNR; with less, they shimmer.
 constexpr float kFilter = 0.5f;
 
 ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
@@ -19,7 +19,7 @@ ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
 void wantCorners(TileScratch &s, Square q, int size) {
     for (int k = 0; k < 4; ++k) want(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
 }
-// The corners of a square's quarters, `half` wide, that are not its own.
+// Wants the corners of a square's quarters, `half` wide, that are not corners of the square.
 ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
     uint32_t across = (uint32_t)half, down = across << kPlaceShift,
              middle = placeAt(q.x, q.y) + across + down;
@@ -27,8 +27,8 @@ ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
     want(s, middle + down);
 }
 
-// Appends a square's quarters, those that lie in the tile, and wants their corners. Returns how many these
-// are; writes one more.
+// Appends those quarters of a square that lie in the tile, and wants their corners. Returns their number; may
+// write one more behind them.
 [[gnu::noinline]] int quarter(Tile &t, Square a, int half, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
@@ -41,7 +41,7 @@ ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
     return count;
 }
 
-// Traces what is wanted.
+// Traces the wanted places.
 void traceWanted(Tile &t) {
     TileScratch &s = t.s;
     for (int first = 0; first < s.wantedCount; first += kChunk) {
@@ -65,8 +65,8 @@ void traceWanted(Tile &t) {
     s.wantedCount = 0;
 }
 
-// Splits the first `count` squares level by level, down to a pixel at least; fills the rest. Returns how many
-// pixels are left in squares[2], that need samples inside.
+// Splits the first `count` squares level by level, at most down to a pixel, and fills the rest. Returns the
+// number of pixels left in squares[2], which need samples inside.
 int splitSquares(Tile &t, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
@@ -90,15 +90,15 @@ int splitSquares(Tile &t, int count) {
             else
                 squares[left++] = a;
         }
-        // What neighbours have found out splits more; all are asked before one splits, which wants new
-        // corners
+        // Samples that neighbours wanted may split more squares. All are asked before one splits, because a
+        // split wants new corners
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;
             traceWanted(t);
             Square *more = s.squares[2];
             int kept = 0, found = 0;
             for (int i = 0; i < left; ++i)
-                if (size > finest && splitsBySides(s, squares[i], size, q.mild))
+                if (size > finest && splitsBySides(s, squares[i], size, q.markThreshold))
                     more[found++] = squares[i];
                 else
                     squares[kept++] = squares[i];
@@ -114,11 +114,12 @@ int splitSquares(Tile &t, int count) {
     return rough;
 }
 
-// Where samples stand in a pixel, from its middle: the first kFirst and, where these differ, the others. With
-// the corners' weights below they are what a search found to tell best how much of a pixel lies beyond an
-// edge that crosses it, edges along the axes above all, whose stairs are longest: off by 0.074 (rms), where
-// three by three places, corners, middles of sides and the middle, which cost one more, are off by 0.096; all
-// by 0.033, five by five places by 0.038.
+// Where samples stand in a pixel, from its middle: the first kFirst and, where these differ, the others. A
+// search found these places, together with the weights of the corners below. They tell best how much of a
+// pixel lies beyond an edge that crosses it. Edges along the axes counted most, as their stairs are longest.
+// The first three are off by 0.074 (rms). A grid of three by three (corners, middles of sides, and the
+// middle) costs one more and is off by 0.096. All twelve are off by 0.033; five by five places are off by
+// 0.038.
 constexpr int kFirst = 3, kInside = 12;
 constexpr float kInsideAt[kInside][2] = {
     {-0.043f, -0.236f}, {0.242f, -0.006f}, {-0.215f, 0.224f},  {0.365f, -0.226f},
@@ -127,8 +128,8 @@ constexpr float kInsideAt[kInside][2] = {
 };
 constexpr float kOfCorner = 0.078f, kOfCornerAtLast = 0.038f;
 
-// Takes samples in pixels: some, and where the quality asks for it and they differ, more. A pixel shows their
-// mean, and its corners'.
+// Takes samples in pixels: kFirst in each, and the others where the quality asks for them and the first
+// differ. A pixel shows a weighted mean of these and its corners.
 void sampleInside(Tile &t, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;

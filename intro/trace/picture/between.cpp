@@ -149,9 +149,10 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
 
 Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
 
-void makeTile(Between &between, const Traced (&sides)[2], Tile &t, BetweenScratch &b) {
-    int sky = t.scene.shapeCount, count = 0;
-    // Find what every pixel shows, by beams so narrow that there is little to choose from
+// Finds what every pixel of a tile and around it shows, by beams so narrow that
+// few shapes are candidates.
+ODRAZ_INLINE void findShown(const Tile &t, BetweenScratch &b) {
+    const int sky = t.scene.shapeCount;
     for (int i = 0; i < kBeams * kBeams; ++i) {
         const View &v = t.view;
         int left = i % kBeams * kBeam, top = i / kBeams * kBeam;
@@ -168,71 +169,102 @@ void makeTile(Between &between, const Traced (&sides)[2], Tile &t, BetweenScratc
                 store(b.along + y * kRow + x, select(none, 1.f, hit.t * perLength));
             }
     }
+}
 
-    for (int y = 0; y < t.height; ++y)
-        for (int x = 0; x < t.width; x += 8) {
-            const int at = (y + 1) * kRow + x + 1;
-            Int8 shape = loadInts(b.shape + at), front = shape, done = {};
-            Float8 along = load(b.along + at), nearest = select(shape == sky, kInfinity, along);
-            // Beside the outline of something nearer, its pixels may reach over: they go with it
-            static constexpr int kBeside[4] = {-1, 1, -kRow, kRow};
-            Int8 edge = {};
-            for (int step : kBeside) edge |= loadInts(b.shape + at + step) ^ shape;
-            for (int step : kBeside) {
-                if (!any(edge != 0)) break;
-                Int8 other = loadInts(b.shape + at + step);
-                Float8 way = load(b.along + at + step);
-                Int8 nearer = (other != shape) & (other != sky) & (way < nearest);
-                front = select(nearer, other, front);
-                nearest = select(nearer, way, nearest);
-            }
-            Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f);
-            float py = (float)(t.y0 + y) + 0.5f;
-            Rgb8 sum = {};
-            bool rim = any(front != shape);
-            Int8 whose = rim ? front : shape, lanes = rim ? front != shape : kLanes >= 0;
-            Float8 far = rim ? nearest : along;
-            for (;;) {
-                for (int left = laneBits(lanes); left;) {
-                    int id = whose[__builtin_ctz((unsigned)left)];
-                    Int8 mine = lanes & (whose == id);
-                    left &= ~laneBits(mine);
-                    Fetched v[2];
-                    for (int side = 0; side < 2; ++side)
-                        v[side] = fetch(sides[side].frame, between.carry[side][id], px, py, far);
-                    Int8 a = v[0].worth, e = v[1].worth;
-                    // Only what is joined to others can tell how far it reaches
-                    if (rim) a &= a == 1, e &= e == 1;
-                    Rgb8 more = v[0].radiance + v[1].radiance, off = v[0].radiance - v[1].radiance;
-                    // Alike, by about what it takes to be seen
-                    float exposure = t.scene.exposure;
-                    Float8 bright = brightest(more) * (0.5f * exposure);
-                    Int8 agree =
-                        (a > 0) & (e > 0) &
-                        (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
-                         fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
-                    more = select(agree, more * broadcast(0.5f), select(a > e, v[0].radiance, v[1].radiance));
-                    // A pixel that something many times white reaches into is white, however little that is:
-                    // interpolated, its outline would grow
-                    Int8 glare = ((a == 1) | (e == 1)) & (brightest(more) * exposure > kGlare);
-                    sum = select(mine, more, sum);
-                    done |= mine & (agree | (a != e)) & ~glare;
-                }
-                if (!rim) break;
-                rim = false;
-                whose = shape, lanes = ~done, far = along;
-            }
-            size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
-            const Float8 *channel[3] = {&sum.x, &sum.y, &sum.z};
-            for (int k = 0; k < 3; ++k) store(t.frame.plane[k] + out, *channel[k]);
-            for (int left = laneBits(~done & (kLanes < t.width - x)); left; left &= left - 1)
-                b.anewAt[count++] = (uint16_t)(y * kTile + x + __builtin_ctz((unsigned)left));
-        }
+// The two pictures, and how every shape is carried to them.
+struct Sides {
+    const Frame &before, &after;
+    Carry *const (&carry)[2];
+};
+
+// What eight pixels show, as far as it is known without tracing.
+struct Known {
+    Rgb8 radiance = {};
+    Int8 done = {};
+};
+
+// Fetches from both pictures what the lanes show, `far` along their directions.
+// At a rim only pixels of several shapes count.
+ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim, Float8 px, float py,
+                            Float8 far, float exposure, Known &known) {
+    for (int left = laneBits(lanes); left;) {
+        int id = whose[__builtin_ctz((unsigned)left)];
+        Int8 mine = lanes & (whose == id);
+        left &= ~laneBits(mine);
+        Fetched v = fetch(sides.before, sides.carry[0][id], px, py, far),
+                w = fetch(sides.after, sides.carry[1][id], px, py, far);
+        Int8 a = v.worth, e = w.worth;
+        // Only what is joined to others can tell how far it reaches
+        if (rim) a &= a == 1, e &= e == 1;
+        Rgb8 more = v.radiance + w.radiance, off = v.radiance - w.radiance;
+        // They agree where they differ by less than what is seen, about
+        Float8 bright = brightest(more) * (0.5f * exposure);
+        Int8 agree = (a > 0) & (e > 0) &
+                     (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
+                      fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
+        more = select(agree, more * broadcast(0.5f), select(a > e, v.radiance, w.radiance));
+        // A pixel is white as soon as a little of something many times white reaches into it.
+        // Interpolated, its outline would grow
+        Int8 glare = ((a == 1) | (e == 1)) & (brightest(more) * exposure > kGlare);
+        known.radiance = select(mine, more, known.radiance);
+        known.done |= mine & (agree | (a != e)) & ~glare;
+    }
+}
+
+// Eight pixels of a tile from (x, y) on: first what reaches over from beside
+// them, then what they show themselves.
+ODRAZ_INLINE Known fetchPixels(const Sides &sides, const Tile &t, const BetweenScratch &b, int x, int y) {
+    const int at = (y + 1) * kRow + x + 1, sky = t.scene.shapeCount;
+    Int8 shape = loadInts(b.shape + at), front = shape;
+    Float8 along = load(b.along + at), nearest = select(shape == sky, kInfinity, along);
+    // Beside the outline of something nearer, its pixels may reach over: they go with it
+    static constexpr int kBeside[4] = {-1, 1, -kRow, kRow};
+    Int8 edge = {};
+    for (int step : kBeside) edge |= loadInts(b.shape + at + step) ^ shape;
+    for (int step : kBeside) {
+        if (!any(edge != 0)) break;
+        Int8 other = loadInts(b.shape + at + step);
+        Float8 way = load(b.along + at + step);
+        Int8 nearer = (other != shape) & (other != sky) & (way < nearest);
+        front = select(nearer, other, front);
+        nearest = select(nearer, way, nearest);
+    }
+    Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f);
+    float py = (float)(t.y0 + y) + 0.5f;
+    Known known;
+    bool rim = any(front != shape);
+    Int8 whose = rim ? front : shape, lanes = rim ? front != shape : kLanes >= 0;
+    Float8 far = rim ? nearest : along;
+    for (;;) {
+        fetchBoth(sides, whose, lanes, rim, px, py, far, t.scene.exposure, known);
+        if (!rim) return known;
+        rim = false;
+        whose = shape, lanes = ~known.done, far = along;
+    }
+}
+
+// Traces the pixels that anewAt lists, or the whole tile where they are many.
+ODRAZ_INLINE void retrace(Tile &t, BetweenScratch &b, int count) {
     b.anew += count;
     if (count > kMostAnew)
         traceAdaptive(t);
     else
         traceAnew(t, b.anewAt, count);
+}
+
+void makeTile(const Sides &sides, Tile &t, BetweenScratch &b) {
+    int count = 0;
+    findShown(t, b);
+    for (int y = 0; y < t.height; ++y)
+        for (int x = 0; x < t.width; x += 8) {
+            Known known = fetchPixels(sides, t, b, x, y);
+            size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
+            const Float8 *channel[3] = {&known.radiance.x, &known.radiance.y, &known.radiance.z};
+            for (int k = 0; k < 3; ++k) store(t.frame.plane[k] + out, *channel[k]);
+            for (int left = laneBits(~known.done & (kLanes < t.width - x)); left; left &= left - 1)
+                b.anewAt[count++] = (uint16_t)(y * kTile + x + __builtin_ctz((unsigned)left));
+        }
+    retrace(t, b, count);
 }
 
 } // namespace
@@ -247,11 +279,13 @@ bool makeBetween(Between &between, Arena &arena, int workers) {
     return !arena.full;
 }
 
-void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced (&sides)[2],
-                  const Quality &quality, Traced &now) {
-    for (int i = 0; i < 2; ++i) carryTo(sides[i], now, between.carry[i]);
+void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
+                  const Traced &after, const Quality &quality, Traced &now) {
+    carryTo(before, now, between.carry[0]);
+    carryTo(after, now, between.carry[1]);
+    Sides sides = {before.frame, after.frame, between.carry};
     forTiles(tracer, workers, *now.scene, now.view, quality, now.frame,
-             [&](Tile &tile, int worker) { makeTile(between, sides, tile, between.scratch[worker]); });
+             [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
 }
 
 int64_t tracedAnew(Between &between) {

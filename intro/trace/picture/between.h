@@ -34,8 +34,8 @@ bool makeBetween(Between &between, Arena &arena, int workers);
 
 // Fills the frame of `now`, whose scene and view are those of its moment, from the pictures of as long before
 // and after it. What must be traced has the quality given. It does not depend on the number of workers.
-void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced (&sides)[2],
-                  const Quality &quality, Traced &now);
+void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
+                  const Traced &after, const Quality &quality, Traced &now);
 
 // Pixels that were traced since it was last asked.
 int64_t tracedAnew(Between &between);

@@ -1,11 +1,11 @@
-// What splits a square of the quadtree: the one place where that is decided.
+// Decides which squares and pixels of the quadtree split. Nothing else decides it.
 //
-// After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of any
-// light there, (c) what secondary rays hit, level by level, and the cell of a texture there, (d) the
-// intensities. (a) to (c) are marks, kept in every Sample; whether a pixel gets samples inside, (d) alone
-// decides. Beyond it a square splits where a shape may show in it that shows at no corner (hidden.h), and
-// where a corner that a neighbour traced on its side tells of something new. Thresholds are the Quality's. A
-// new criterion is asked in splitsSquare() and splitsPixel(); one of marks belongs in marksOf().
+// After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of every
+// light there, (c) what secondary rays hit, level by level, and the texture cell there, (d) the intensities.
+// (a) to (c) are marks, which every Sample keeps. Of the four, only (d) decides whether a pixel gets samples
+// inside. Squares and pixels also split where a shape may show that shows at no corner (hidden.h). Squares
+// also split where a sample on one of their sides, traced for a neighbour, shows something new. The Quality
+// holds the thresholds. A new criterion belongs in splitsSquare() and splitsPixel(), a new mark in marksOf().
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -18,7 +18,7 @@ ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
     return _mm_sqrt_ps(v / (v + 0.7f));
 }
 
-// By how much four colours differ, channel by channel.
+// How much four colours differ, channel by channel.
 ODRAZ_INLINE __m128 range(__m128 a, __m128 b, __m128 c, __m128 d) {
     return _mm_max_ps(_mm_max_ps(a, b), _mm_max_ps(c, d)) - _mm_min_ps(_mm_min_ps(a, b), _mm_min_ps(c, d));
 }
@@ -28,36 +28,38 @@ ODRAZ_INLINE bool exceeds(__m128 difference, float threshold) {
 ODRAZ_INLINE __m128 rangeOf(const TileScratch &s, const uint32_t *c) {
     return range(s.shown[c[0]], s.shown[c[1]], s.shown[c[2]], s.shown[c[3]]);
 }
-// The same of what is seen, whether it differs by more than a threshold. (Out of line: it is large.)
+// Whether the radiances at four corners, textures included, differ by more than a threshold. (Out of line: it
+// is large.)
 [[gnu::noinline]] inline bool seenExceeds(const Tile &t, const uint32_t *c, float threshold) {
     __m128 v[4];
     for (int k = 0; k < 4; ++k) v[k] = shown(t.scene, radianceOf(t.s.corners[c[k]]));
     return exceeds(range(v[0], v[1], v[2], v[3]), threshold);
 }
 
-// The intensities by which a corner is compared, its texture left out: where nothing else differs, that has a
-// filter of its own.
+// The intensities by which a corner is compared. Its texture is left out: where only the texture differs, the
+// texture's own filter serves.
 ODRAZ_INLINE __m128 intensityOf(const Scene &scene, const Sample &c) {
     Rgb mean = c.id ? scene.mean[scene.shapes[c.shape()].material] : Rgb{};
     __m128 lit = fourOf(c.light) * __m128{mean.x, mean.y, mean.z, 0};
     return shown(scene, lit + fourOf(c.rest));
 }
 
-// What tells a corner from another: what it shows, lit and mirroring alike, the first three of the thesis's
-// four tests; and, no mark of difference, whether a texture is mirrored there.
+// The marks of a corner: the shape it shows, its lights, and what its secondary rays hit. They are the first
+// three of the thesis's four tests. The fourth number is not compared: it says whether a texture is mirrored
+// there.
 ODRAZ_INLINE __m128i marksOf(const Sample &c) {
     return _mm_setr_epi32((int)c.id, (int)(c.lights & ~kTextured), (int)c.secondary,
                           (int)(c.lights & kTextured));
 }
 
-// Which shape all corners of a square show; -1: the sky, or not the same.
+// The shape that all corners of a square show; -1: the sky, or several shapes.
 ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     const Sample &c = s.corners[corner];
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Whether a square of more than a pixel splits, by its corners c. Where a mirror or glass shows a texture,
-// the corners of a larger square cannot tell what lies between.
+// Whether a square of more than a pixel splits, judged by its corners c. Where a mirror or glass shows a
+// texture, the corners of a larger square cannot tell what lies between them.
 ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
@@ -69,25 +71,26 @@ ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t
         if (marks || textured) return true;
     }
     __m128 difference = rangeOf(s, c);
-    return exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.mild)) ||
+    return exceeds(difference, t.quality.threshold) ||
+           (marks && exceeds(difference, t.quality.markThreshold)) ||
            mayHide(t, a, size, shapeOf(s, c[0], same));
 }
 
-// Whether a sample in the middle of one of a square's sides, traced because a neighbour split, differs from
-// the corners, all alike, that let the square be.
-ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float mild) {
+// Whether a square splits although its own corners, all alike, did not split it. It does where a sample in
+// the middle of one of its sides, traced because a neighbour split, differs from them.
+ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float markThreshold) {
     const uint32_t half = (uint32_t)size / 2, place = placeAt(a.x, a.y), corner = cornerAt(a.x, a.y);
     auto tells = [&](uint32_t x, uint32_t y) { // in halves of the square
         if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
         uint32_t middle = corner + y * half * kCorners + x * half;
         if (alike(s, middle, corner) == kSameMarks) return false;
-        return size > 2 ||
-               exceeds(range(s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]), mild);
+        return size > 2 || exceeds(range(s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]),
+                                   markThreshold);
     };
     return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
 }
 
-// Whether a pixel splits. Only what is seen decides; where nothing but the texture differs its own filter
+// Whether a pixel splits. Only what is seen decides; where only the texture differs, the texture's own filter
 // serves.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;

@@ -41,11 +41,11 @@ void makeCurve(Curve &curve) {
 namespace {
 
 // A quarter of a picture's pixels, in between: eight pixels of a row.
-struct Scattered {
+struct GlareRow {
     const float *near[3], *far[3]; // rows
     float share;                   // of the far one
 
-    Scattered(const Air::Level &l, int y) {
+    GlareRow(const Glare::Level &l, int y) {
         // Pixels' middles lie at odd eighths of a quarter's sides
         int eighth = 2 * y - 3, row = eighth >> 3;
         share = (float)(eighth & 7) * 0.125f;
@@ -66,7 +66,7 @@ struct Scattered {
 } // namespace
 
 void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
-             const Air *air, const AirLook &look) {
+             const Glare *glare, const CameraLook &look) {
     uint32_t salt = pcg(seed);
     const float midX = (float)frame.width * 0.5f, midY = (float)frame.height * 0.5f,
                 darker = look.vignette / fmadd(midX, midX, midY * midY);
@@ -74,7 +74,7 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
         for (int y = first; y < end; ++y) {
             uint8_t *out = frame.rgba + (size_t)y * (size_t)frame.width * 4;
             float below = (float)y + 0.5f - midY, rest = fmadd(below * below, -darker, 1.f) * exposure;
-            Scattered scattered(air ? air->level[1] : Air::Level{}, y);
+            GlareRow of(glare ? glare->level[1] : Glare::Level{}, y);
             for (int x = 0; x < frame.width; x += 8) {
                 Uint8 noise = pcg((Uint8)(kLanes + (x + y * kMaxWidth)) ^ salt), grain = pcg(noise);
                 Int8 grains = ((Int8)((grain >> 16) + (grain & 0xffff)) - 0xffff) * look.grain;
@@ -83,7 +83,7 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
                        gain = fmadd(aside * aside, -darker * exposure, rest);
                 for (int c = 0; c < 3; ++c) {
                     Float8 v = load(frame.plane[c] + (size_t)y * (size_t)frame.stride + x);
-                    if (air) v = fmadd(scattered.at(c, x) - v, look.glare, v);
+                    if (glare) v = fmadd(of.at(c, x) - v, look.glare, v);
                     // NaN becomes the first place
                     v = clamp(fmadd(v, gain, Curve::kFoot), Curve::kFoot, Curve::kHead);
                     Int8 at = bits(v) - bits(Curve::kFoot);
@@ -95,7 +95,8 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
                     // Each colour has noise of its own, 10 bits that no other has
                     shown += (Int8)(noise >> 11);
                     shown = (Int8)_mm256_max_epi32((__m256i)(shown + grains), __m256i{});
-                    pixels |= (Int8)_mm256_min_epi32((__m256i)(shown >> 21), (__m256i)broadcast(255)) << (8 * c);
+                    pixels |= (Int8)_mm256_min_epi32((__m256i)(shown >> 21), (__m256i)broadcast(255))
+                              << (8 * c);
                     noise <<= 10;
                 }
                 // A row's end may not run over the next one's start, which another worker writes

@@ -3,7 +3,7 @@
 
 #include "base/float8.h"
 #include "base/parallel.h"
-#include "trace/picture/air.h"
+#include "trace/picture/glare.h"
 
 namespace odraz {
 
@@ -23,9 +23,17 @@ struct Curve {
 };
 void makeCurve(Curve &curve);
 
-// Fills frame.rgba: radiance * exposure, seen through air whose light is scattered (null: none), through the
-// film curve to sRGB. Noise of one step, another one for each colour and seed, hides the steps.
+// What lens and film add to a picture.
+struct CameraLook {
+    float glare;    // share of the light that is spread (glare.h), 0 .. 1
+    float vignette; // share of the light that the corners lose, 0 .. 1
+    int grain;      // noise of light: half its width, in 1/32 of one of the 255 steps
+};
+inline constexpr CameraLook kPlainLook = {0, 0, 0};
+
+// Fills frame.rgba: radiance with its glare (null: none), times exposure, through the film curve to sRGB.
+// Noise of one step, different for each colour and seed, hides the steps.
 void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
-             const Air *air = nullptr, const AirLook &look = kNoAir);
+             const Glare *glare = nullptr, const CameraLook &look = kPlainLook);
 
 } // namespace odraz

@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-// Eight pixels of a row into the frame.
+// Writes eight pixels of a row into the frame.
 static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
     size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
     store(t.frame.plane[0] + out, v.x);
@@ -13,14 +13,14 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
     if (t.frame.shapes) _mm_storeu_si128((__m128i *)(t.frame.shapes + out), owner);
 }
 
-// The albedo that eight pixels show. Noise of several octaves fades a little too early or too late; two by
-// two samples of half the width are nearer to the truth.
+// The albedo that eight pixels show. Noise of several octaves fades a little too early or too late; the mean
+// of two by two samples of half the width is nearer to the truth.
 static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     const Shape &shape = t.scene.shapes[owner];
     const Material &m = t.scene.materials[shape.material];
     if (onePlainColour(t.scene, m)) return broadcast(m.texture.palette[0] * m.diffuse);
     Float8 px = toFloat(kLanes) + ((float)(t.x0 + x) + 0.5f), py = broadcast((float)(t.y0 + y) + 0.5f);
-    if (t.quality.texels == 1 || !m.rough()) return albedoSeen(t.scene, t.view, shape, px, py, 1);
+    if (t.quality.textureSamples == 1 || !m.rough()) return albedoSeen(t.scene, t.view, shape, px, py, 1);
     Rgb8 sum = {};
     for (int i = 0; i < 4; ++i)
         sum += albedoSeen(t.scene, t.view, shape, px + ((float)(i & 1) * 0.5f - 0.25f),
@@ -28,13 +28,13 @@ static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     return sum * broadcast(0.25f);
 }
 
-// Values at the corners of a square, along whose rows and sides everything is linear.
+// Interpolates between values at the corners of a square: linear along its rows and sides.
 struct Bilinear {
     __m128 left, right, down, downRight;
 
     explicit Bilinear(const __m128 (&k)[4])
         : left(k[0]), right(k[1]), down(k[2] - k[0]), downRight(k[3] - k[1]) {}
-    // In a row, at places 0 .. 1 of it.
+    // Values in the row at v, at places u along it, 0 .. 1.
     ODRAZ_INLINE Rgb8 row(__m128 v, Float8 u) const {
         __m128 first = left + down * v, step = right + downRight * v - first;
         return {fmadd(u, step[0], broadcast(first[0])), fmadd(u, step[1], broadcast(first[1])),

@@ -1,4 +1,4 @@
-// From corners to pixels.
+// Makes pixels from corners.
 #pragma once
 
 #include "trace/picture/tile.h"

@@ -34,11 +34,11 @@ static void addDisc(Tile &t, int index) {
 }
 
 // A line along a shape's longest side, as thick as the next, if that is thin.
-static void addGrain(Tile &t, int index) {
+static void addThinShape(Tile &t, int index) {
     TileScratch &s = t.s;
     const View &v = t.view;
     const Shape &shape = t.scene.shapes[index];
-    if (s.grainCount == kGrains) return;
+    if (s.thinCount == kThinShapes) return;
     float widest = (float)t.quality.coarse * 0.375f, pixel = 1 / v.spread;
     auto place = [&](Vec3 p, float &x, float &y) {
         v.project(p, x, y);
@@ -48,10 +48,10 @@ static void addGrain(Tile &t, int index) {
     Vec3 middle = (b.lo + b.hi) * 0.5f;
     float r = length(b.hi - b.lo) * 0.5f, far = v.ahead(middle);
     if (far <= r * 1.1f) return;
-    Grain g = {0, 0, 0, 0, r / far * pixel * 1.1f};
-    place(middle, g.x, g.y);
-    float x = g.x, y = g.y;
-    if (g.radius > widest) {
+    ThinShape line = {0, 0, 0, 0, r / far * pixel * 1.1f};
+    place(middle, line.x, line.y);
+    float x = line.x, y = line.y;
+    if (line.radius > widest) {
         if (!shape.traits().extents) return;
         const float half[3] = {shape.half.x, shape.half.y, shape.half.z};
         int longest = half[0] >= half[1] && half[0] >= half[2] ? 0 : half[1] >= half[2] ? 1 : 2;
@@ -61,27 +61,27 @@ static void addGrain(Tile &t, int index) {
                                     : shape.frame.w) *
                     half[longest];
         float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
-        g.radius = thick / nearest * pixel * 1.1f;
-        if (nearest <= r * 0.1f || g.radius > widest) return;
-        place(middle - axis, g.x, g.y);
+        line.radius = thick / nearest * pixel * 1.1f;
+        if (nearest <= r * 0.1f || line.radius > widest) return;
+        place(middle - axis, line.x, line.y);
         place(middle + axis, x, y);
     }
-    g.alongX = x - g.x, g.alongY = y - g.y;
-    if (max(g.x, x) + g.radius < 0 || max(g.y, y) + g.radius < 0 || min(g.x, x) - g.radius > kTile ||
-        min(g.y, y) - g.radius > kTile)
+    line.alongX = x - line.x, line.alongY = y - line.y;
+    if (max(line.x, x) + line.radius < 0 || max(line.y, y) + line.radius < 0 ||
+        min(line.x, x) - line.radius > kTile || min(line.y, y) - line.radius > kTile)
         return;
-    s.grains[s.grainCount++] = g;
+    s.thin[s.thinCount++] = line;
 }
 
 void watch(Tile &t) {
     TileScratch &s = t.s;
-    s.discs.count = s.grainCount = 0;
+    s.discs.count = s.thinCount = 0;
     auto add = [&](int shape) {
         const Shape &s = t.scene.shapes[shape];
-        if (s.kind == ShapeKind::Sphere)
+        if (s.isBall())
             addDisc(t, shape);
         else if (s.traits().bounded)
-            addGrain(t, shape);
+            addThinShape(t, shape);
     };
     if (s.among.count >= 0)
         for (int i = 0; i < s.among.count; ++i) add(s.among.shape[i]);
@@ -102,7 +102,7 @@ static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) 
         if (!any(crosses)) continue;
         // How far away what the corners show can be at most: a ball to its horizon
         float far = kInfinity;
-        if (shape >= 0 && t.scene.shapes[shape].kind == ShapeKind::Sphere) {
+        if (shape >= 0 && t.scene.shapes[shape].isBall()) {
             const Shape &s = t.scene.shapes[shape];
             Vec3 to = s.centre - t.view.eye;
             far = sqrt(max(dot(to, to) - s.half.x * s.half.x, 0.f)) + s.half.x * 1e-3f;
@@ -116,16 +116,16 @@ bool mayHideSome(const Tile &t, Square q, int size, int shape) {
     const TileScratch &s = t.s;
     float half = (float)size * 0.5f, x = (float)q.x + half, y = (float)q.y + half;
     if (mayHideBall(t, x, y, half, shape)) return true;
-    for (int i = 0; i < s.grainCount; ++i) {
-        const Grain &g = s.grains[i];
-        if ((float)size <= g.radius) continue;
+    for (int i = 0; i < s.thinCount; ++i) {
+        const ThinShape &line = s.thin[i];
+        if ((float)size <= line.radius) continue;
         // The line's point nearest to the square's middle, then the square's nearest to that
-        float along = fmadd(x - g.x, g.alongX, (y - g.y) * g.alongY),
-              square = fmadd(g.alongX, g.alongX, g.alongY * g.alongY);
+        float along = fmadd(x - line.x, line.alongX, (y - line.y) * line.alongY),
+              square = fmadd(line.alongX, line.alongX, line.alongY * line.alongY);
         float share = saturate(along / max(square, 1e-12f));
-        float dx = max(abs(fmadd(share, g.alongX, g.x) - x) - half, 0.f),
-              dy = max(abs(fmadd(share, g.alongY, g.y) - y) - half, 0.f);
-        if (fmadd(dx, dx, dy * dy) <= g.radius * g.radius) return true;
+        float dx = max(abs(fmadd(share, line.alongX, line.x) - x) - half, 0.f),
+              dy = max(abs(fmadd(share, line.alongY, line.y) - y) - half, 0.f);
+        if (fmadd(dx, dx, dy * dy) <= line.radius * line.radius) return true;
     }
     return false;
 }

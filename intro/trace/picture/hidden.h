@@ -1,19 +1,19 @@
-// What corners do not tell: balls and thin shapes that may lie between them.
+// Finds shapes that the corners may miss: balls and thin shapes that lie between them.
 #pragma once
 
 #include "trace/picture/tile.h"
 
 namespace odraz {
 
-// Finds the balls and the thin shapes that the tile may show. Beyond kDiscs and kGrains (tile.h) they are not
-// watched for: what is that dense its corners find.
+// Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). Where
+// there are more, they stand so close that corners hit them.
 void watch(Tile &t);
 
-// Whether a shape may show in a square without showing at its corners, which all show `shape` (-1: the sky,
-// or not the same).
+// Whether a shape may show in a square without showing at its corners. `shape` is what all corners show (-1:
+// the sky, or several shapes).
 bool mayHideSome(const Tile &t, Square q, int size, int shape);
 ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
-    return (t.s.discs.count | t.s.grainCount) && mayHideSome(t, q, size, shape);
+    return (t.s.discs.count | t.s.thinCount) && mayHideSome(t, q, size, shape);
 }
 
 } // namespace odraz

@@ -1,7 +1,7 @@
 // A tile of the frame while it is being traced: its corners and squares, and the pixels that they fill.
 //
-// Squares have whole pixels along their sides; their corners keep whole samples. A tile shares its outer
-// corners with its neighbours, which trace them anew.
+// The sides of squares are whole pixels; their corners keep whole samples. Neighbouring tiles share their
+// outer corners, and each tile traces them for itself.
 #pragma once
 
 #include "trace/picture/frame.h"
@@ -9,11 +9,11 @@
 
 namespace odraz {
 
-inline constexpr int kTile = 64;                   // pixels along a side
-inline constexpr int kCorners = kTile + 1;         // of pixels, along a side
-inline constexpr int kPlaceShift = 7;              // rows of places are apart by a power of two
-inline constexpr int kDiscs = 1024, kGrains = 192; // balls and thin shapes that a tile watches for at most
-// Of pixels that no albedo is to be joined to: of several shapes or super-sampled, of the sky, done.
+inline constexpr int kTile = 64;                       // pixels along a side
+inline constexpr int kCorners = kTile + 1;             // of pixels, along a side
+inline constexpr int kPlaceShift = 7;                  // a row of places is 2^7 long
+inline constexpr int kDiscs = 1024, kThinShapes = 192; // most balls and thin shapes that a tile keeps
+// Owners of pixels whose light is not multiplied by an albedo: several shapes or super-sampled; sky; done.
 inline constexpr uint16_t kMixed = kManyShapes, kSky = kSkyShown, kDone = 0xfffd;
 static_assert(kMaxShapes <= kDone);
 
@@ -26,37 +26,38 @@ struct Square {
 struct Discs {
     int count;
     float x[kDiscs + 8], y[kDiscs + 8];             // middle, pixels
-    float alongX[kDiscs + 8], alongY[kDiscs + 8];   // axis, unit, over its half length
-    float acrossX[kDiscs + 8], acrossY[kDiscs + 8]; // the same over that of the other
+    float alongX[kDiscs + 8], alongY[kDiscs + 8];   // unit vector along one axis, over its half length
+    float acrossX[kDiscs + 8], acrossY[kDiscs + 8]; // the same for the other axis
     float perHalf[kDiscs + 8];                      // 1 / the shorter half axis
     float near[kDiscs + 8];                         // world distance
     int32_t shape[kDiscs + 8];
 };
 
-// A long and thin shape that may slip between the corners: all that lies within the radius of a line.
-struct Grain {
-    float x, y, alongX, alongY, radius; // one end, the way to the other, pixels
+// A long and thin shape that may slip between the corners: all points within `radius` of a line.
+struct ThinShape {
+    float x, y, alongX, alongY, radius; // in pixels: one end, the way to the other
 };
 
 struct TileScratch {
     int64_t sampleCount;
-    int wantedCount, grainCount;
+    int wantedCount, thinCount;
     uint8_t stamp;
-    Candidates among; // what the tile's primary rays may meet
-    Grain grains[kGrains];
+    Candidates among; // what the tile's primary rays may hit
+    ThinShape thin[kThinShapes];
     Sample corners[kCorners * kCorners];
-    __m128 shown[kCorners * kCorners];       // intensities there as the eye weighs them, texture left out
-    __m128i marks[kCorners * kCorners];      // what tells one from another: id, lights, secondary; kTextured
-    __m128 inside[kChunk];                   // radiance of samples within pixels
-    uint8_t traced[kCorners << kPlaceShift]; // equal to `stamp` where a corner is
-    // Places wanted next; room for one that is not
+    __m128 shown[kCorners * kCorners];  // intensities there as the eye weighs them, without the texture
+    __m128i marks[kCorners * kCorners]; // by which they are compared: id, lights, secondary; then kTextured
+    __m128 inside[kChunk];              // radiance of samples within pixels
+    uint8_t traced[kCorners << kPlaceShift]; // equal to `stamp` where a corner is traced or wanted
+    // Places to trace next; one more may be written behind them
     uint32_t wanted[kCorners * kCorners + 8];
-    // Places that are being traced, pixels of the picture, and the samples that they go to. Read by eight:
-    // behind the last one stands what was there before
+    // Points that are being traced, in pixels of the picture, and the indices of their samples. They are read
+    // by eight: behind the last one stand old values
     float x[kChunk], y[kChunk];
     uint32_t index[kChunk];
     Square squares[3][kTile * kTile + 4];
-    // The filled tile, pixel by pixel: interpolated light and rest, and whose albedo joins them
+    // The filled tile, pixel by pixel: interpolated light and rest, and the shape whose albedo multiplies the
+    // light
     float light[3][kTile * kTile + 8], rest[3][kTile * kTile + 8];
     uint16_t owner[kTile * kTile + 8];
     Discs discs;
@@ -72,7 +73,7 @@ struct Tile {
     int x0, y0, width, height; // the part of the frame that it covers, in pixels
 };
 
-// A place by one number, from the tile's upper left corner, and the index of the corner that stands there.
+// The number of a place, counted from the tile's upper left corner, and the index of the corner there.
 ODRAZ_INLINE uint32_t placeAt(int x, int y) { return (uint32_t)(y << kPlaceShift | x); }
 ODRAZ_INLINE uint32_t cornerAt(int x, int y) { return (uint32_t)(y * kCorners + x); }
 
@@ -84,7 +85,7 @@ ODRAZ_INLINE void cornersOf(Square q, int size, uint32_t *c) {
     c[3] = c[2] + (uint32_t)size;
 }
 
-// In which of their marks two corners are alike, a bit for each: kSameId, and kSameMarks for all.
+// Which marks two corners have in common, a bit for each: kSameId for the shape, kSameMarks for all.
 inline constexpr int kSameId = 1, kSameMarks = 7;
 ODRAZ_INLINE int alike(const TileScratch &s, uint32_t a, uint32_t b) {
     return _mm_movemask_ps(_mm_castsi128_ps(_mm_cmpeq_epi32(s.marks[a], s.marks[b]))) & kSameMarks;

@@ -5,10 +5,10 @@
 
 namespace odraz {
 
-// Whether no sample should meet a rectangle: the eye sees its back, or its front so nearly from the side that
-// it is thinner than samples are apart. One here and one there would meet it: dashes, where it is bright.
+// Whether rays should pass through a rectangle: the eye sees its back, or sees it so nearly from the side
+// that it is thinner than the distance between samples. A few samples would hit it and show a dashed line.
 static bool edgeOn(const Tile &t, const Shape &s) {
-    if (s.kind != ShapeKind::Rect) return false;
+    if (!s.isRectangle()) return false;
     Vec3 e = s.frame * (t.view.eye - s.centre);
     if (e.y <= 0) return true;
     float x = abs(e.x), z = abs(e.z), dx = max(x - s.half.x, 0.f), dz = max(z - s.half.z, 0.f),
@@ -21,10 +21,10 @@ static bool edgeOn(const Tile &t, const Shape &s) {
 void aim(const Tile &t, int x, int y, int size, Candidates &found) {
     float x0 = (float)(t.x0 + x), y0 = (float)(t.y0 + y), x1 = x0 + (float)size, y1 = y0 + (float)size;
     const View &v = t.view;
-    gather(t.scene,
-           beamThrough(v.eye,
-                       {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1), v.direction(x0, y1)}),
-           found);
+    findCandidates(t.scene,
+                   beamThrough(v.eye, {v.direction(x0, y0), v.direction(x1, y0), v.direction(x1, y1),
+                                       v.direction(x0, y1)}),
+                   found);
     int kept = 0;
     for (int i = 0; i < found.count; ++i) {
         if (edgeOn(t, t.scene.shapes[found.shape[i]])) continue;

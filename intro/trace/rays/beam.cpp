@@ -8,7 +8,7 @@ Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]) {
     return b;
 }
 
-Spread::Spread(const Vec3 &o, const Vec3 &towards) : origin(o) {
+BeamBuilder::BeamBuilder(const Vec3 &o, const Vec3 &towards) : origin(o) {
     Vec3 w = normalize(towards), u = normalize(abs(w.y) < 0.9f ? Vec3{w.z, 0, -w.x} : Vec3{0, -w.z, w.y});
     frame = {u, cross(w, u), w};
     low[0] = low[1] = ahead = broadcast(kInfinity);
@@ -16,7 +16,7 @@ Spread::Spread(const Vec3 &o, const Vec3 &towards) : origin(o) {
     far = Float8{};
 }
 
-void Spread::add(const Vec3x8 &p) {
+void BeamBuilder::add(const Vec3x8 &p) {
     Vec3x8 q = frame * p;
     Float8 inverse = 1.f / q.z, x = q.x * inverse, y = q.y * inverse;
     ahead = min(ahead, q.z * 6.f - length(q));
@@ -25,9 +25,9 @@ void Spread::add(const Vec3x8 &p) {
     far = max(far, q.z);
 }
 
-bool Spread::narrow() const { return all(ahead > 0.f); }
+bool BeamBuilder::narrow() const { return all(ahead > 0.f); }
 
-Beam Spread::beam() const {
+Beam BeamBuilder::beam() const {
     // Wider by what the ratios and the rays' directions may be rounded
     constexpr float kSlack = 1e-5f;
     Vec3 w = frame.w;
@@ -39,7 +39,7 @@ Beam Spread::beam() const {
             {0, 0, 0, 0, least(-far) * (1 + kSlack)}};
 }
 
-void gather(const Scene &scene, const Beam &beam, Candidates &found) {
+void findCandidates(const Scene &scene, const Beam &beam, Candidates &found) {
     found.count = 0;
     auto add = [&](int shape, float near) {
         if (found.count == Candidates::kMost) return false;
@@ -102,8 +102,7 @@ Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, 
     Hit8 hit = {broadcast(kInfinity), broadcast(-1)};
     for (int i = 0; i < among.count && any(hit.t >= among.near[i]); ++i) {
         const Shape &s = scene.shapes[among.shape[i]];
-        takeNearer(hit,
-                   s.kind == ShapeKind::Sphere ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}),
+        takeNearer(hit, s.isBall() ? among.ball[i].hit(d) : distance(s, {broadcast(origin), d}),
                    among.shape[i]);
     }
     return hit;
@@ -117,11 +116,10 @@ Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray,
         Int8 open = active & (own != among.shape[i]);
         if (!any(open)) continue;
         const Shape &s = scene.shapes[among.shape[i]];
-        if (noBalls && s.kind == ShapeKind::Sphere) continue;
-        Float8 t =
-            s.kind == ShapeKind::Sphere ? among.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
+        if (noBalls && s.isBall()) continue;
+        Float8 t = s.isBall() ? among.ball[i].hit(-ray.d) : distance(s, ray, Flat::BothSides);
         Int8 hit = open & (t < far);
-        if (any(hit)) pass(scene, s, hit, share, active);
+        if (any(hit)) dim(scene, s, hit, share, active);
     }
     return share;
 }

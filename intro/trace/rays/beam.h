@@ -19,10 +19,11 @@ struct Beam {
 // The beam between four directions, in order around it, seen from within clockwise.
 Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]);
 
-// The beam from an origin to points that are added packet by packet. Wider than some 80 degrees it is none.
-class Spread {
+// The beam from an origin to points that are added packet by packet. narrow(): it is at most some 80 degrees
+// wide; beam() is valid only then.
+class BeamBuilder {
 public:
-    Spread(const Vec3 &origin, const Vec3 &towards);
+    BeamBuilder(const Vec3 &origin, const Vec3 &towards);
     void add(const Vec3x8 &fromOrigin);
     bool narrow() const;
     Beam beam() const;
@@ -52,11 +53,11 @@ struct Candidates {
     float near[kMost];      // a bound of the distance, rising
     SharedBall ball[kMost]; // where the shape is one
 };
-void gather(const Scene &scene, const Beam &beam, Candidates &found);
+void findCandidates(const Scene &scene, const Beam &beam, Candidates &found);
 
-// As intersect() and transmittance(), for rays from or to one origin: among the candidates of their beam, or
-// where these were too many, through the tree. Rays to a light begin at what it shines on, where all is exact
-// that stands near: seen from the light, which may be far, a wall and its foot lie within a rounding.
+// As intersect() and transmittance(), for rays from or to one origin. They try the candidates of the rays'
+// beam, or go through the tree where these were too many. Shadow rays start at the lit place, not at the
+// light: from a distant light, rounding could not tell a wall from the floor at its foot.
 Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
 Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
                    Int8 own, bool noBalls = false);

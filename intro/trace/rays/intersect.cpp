@@ -176,9 +176,9 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own, bool noBalls) {
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
     traverse<false>(scene, ray, Flat::BothSides, tMax, active, [&](int index, Float8 t) {
-        if (noBalls && scene.shapes[index].kind == ShapeKind::Sphere) return;
+        if (noBalls && scene.shapes[index].isBall()) return;
         Int8 hit = active & (t < tMax) & (own != index);
-        if (any(hit)) pass(scene, scene.shapes[index], hit, share, active);
+        if (any(hit)) dim(scene, scene.shapes[index], hit, share, active);
     });
     return share;
 }

@@ -21,10 +21,10 @@ ODRAZ_INLINE void takeNearer(Hit8 &hit, Float8 t, int shape) {
     hit.shape = select(nearer, broadcast(shape), hit.shape);
 }
 
-// Weakens the light that rays carry past a shape in the way of those of `hit`, and clears the ones it stops.
-ODRAZ_INLINE void pass(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
+// Dims the light of the rays that hit a shape on their way from a light, and clears those that it stops.
+ODRAZ_INLINE void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
     const Material &m = scene.materials[shape.material];
-    if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp's body does not shade its own light
+    if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp does not shade its own light
     Rgb through = m.ior > 0 ? m.tint : Rgb{0, 0, 0};
     share = select(hit, share * through, share);
     if (m.ior == 0) active &= ~hit;

@@ -7,7 +7,7 @@ static int kindOf(const Scene &scene, int shape) {
     if (shape < 0) return 0;
     const Shape &s = scene.shapes[shape];
     const Material &m = scene.materials[s.material];
-    bool merge = s.kind == ShapeKind::Sphere && m.plain();
+    bool merge = s.isBall() && m.plain();
     return merge ? 1 + kMaxShapes + s.material : 1 + shape;
 }
 

@@ -8,7 +8,7 @@ static Int8 gatherInts(const void *base, Int8 index) { return (Int8)gather((cons
 
 // Bilinear between four values.
 template <class Corner>
-static Rgb8 between(const float *const plane[3], Float8 x, Float8 y, Corner &&corner) {
+static Rgb8 bilinear(const float *const plane[3], Float8 x, Float8 y, Corner &&corner) {
     Int8 at[4] = {corner(0), corner(1), corner(2), corner(3)};
     auto channel = [&](const float *values) {
         auto row = [&](int k) {
@@ -32,7 +32,7 @@ static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sh
     };
     Int8 i[2], j[2];
     Float8 x = place(c.u, c.width, across, i[0], i[1]), y = place(c.v, c.height, down, j[0], j[1]);
-    return between(plane, x, y, [&](int k) { return j[k >> 1] * across + i[k & 1]; });
+    return bilinear(plane, x, y, [&](int k) { return j[k >> 1] * across + i[k & 1]; });
 }
 
 Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
@@ -52,7 +52,7 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
         cell = select(divided, ~corner - right - 2 * below, cell);
     }
     Rgb8 light =
-        between(map.plane, x, y, [&](int k) { return k ? gatherInts(map.cells, cell * 8 + k) : corner; });
+        bilinear(map.plane, x, y, [&](int k) { return k ? gatherInts(map.cells, cell * 8 + k) : corner; });
     if (map.mosaic > 0) {
         const float *const plane[3] = {map.patch[0] + c.firstPatch, map.patch[1] + c.firstPatch,
                                        map.patch[2] + c.firstPatch};

@@ -24,7 +24,7 @@ struct Chart {
     bool open;                   // a window: seen by the hemicubes, passed by rays
     int firstCell;               // rows of `across`
     int firstTexel;              // of the corners of cells that are not divided: rows of across + 1
-    int firstPatch;              //
+    int firstPatch;              // of the patches over its cells
     int firstFacet, facetsCount; // the parts of it that are there
 
     int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
@@ -51,12 +51,13 @@ struct Lightmap {
     const Chart *charts;
     const Cell *cells;
     const float *plane[3]; // red, green, blue of every texel
-    // A picture of the patches over it: how much of that there is, 0 .. 1, their colours, and how sharply
-    // they are told apart: 1: bilinear between their middles; kFlat: a mosaic
+    // A picture of the patches that is laid over the light. mosaic: its share, 0 .. 1; patch: the patches'
+    // colours; sharpness: 1 is bilinear between their middles, kFlat shows each patch in one colour
     float mosaic;
     const float *patch[3];
     float sharpness;
-    // What one chart, or none, throws back towards the eye besides: of squares, rows of glossAcross
+    // The chart that also has gloss, or null. Its gloss towards the eye is kept in squares, in rows of
+    // glossAcross
     const Chart *glossy;
     int glossAcross, glossDown;
     const float *gloss[3];

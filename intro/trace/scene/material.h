@@ -23,8 +23,8 @@ struct Material {
     Rgb emit = {};        // light of its own, for the eye only
     float transmit = 0; // glass: 0: Fresnel's weights, exactly; > 0: so much is refracted, `reflect` mirrored
 
-    // Whether it shines, and does nothing else.
-    bool lamp() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }
+    // Whether it sends out light of its own, and neither lights up nor mirrors.
+    bool onlyGlows() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }
     // One colour everywhere.
     bool plain() const { return texture.pattern == Pattern::Plain && cell == 0; }
     // Whether a texture's own filter is only nearly right.

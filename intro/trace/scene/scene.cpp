@@ -12,7 +12,7 @@ void Scene::clear() {
     fog = lines = 0;
     lightmap = nullptr;
     exposure = 1;
-    contact = false;
+    ballsOcclude = false;
     overflow = nullptr;
 }
 
@@ -39,7 +39,7 @@ void Scene::add(const Light &l) { lights[next(lightCount, kMaxLights, "kMaxLight
 
 void Scene::finish() {
     int bounded = 0;
-    unboundedCount = occluderCount = lampCount = 0;
+    unboundedCount = occluderCount = glowingBallCount = 0;
     for (int i = 0; i < shapeCount; ++i) {
         Shape &s = shapes[i];
         s.aligned = s.frame.u.x == 1 && s.frame.v.y == 1 && s.frame.w.z == 1 && !s.traits().askew;
@@ -49,11 +49,11 @@ void Scene::finish() {
         }
         box[i] = boundsOf(s);
         order[bounded++] = (uint16_t)i;
-        if (s.kind != ShapeKind::Sphere) continue;
+        if (!s.isBall()) continue;
         const Material &m = materials[s.material];
-        if (m.lamp()) {
-            lamp[next(lampCount, kMaxShining, "kMaxShining")] = (uint16_t)i;
-        } else if (contact) {
+        if (m.onlyGlows()) {
+            glowingBall[next(glowingBallCount, kMaxGlowingBalls, "kMaxGlowingBalls")] = (uint16_t)i;
+        } else if (ballsOcclude) {
             int k = next(occluderCount, kMaxOccluders, "kMaxOccluders");
             occluder[k] = s.centre;
             occluderRadius[k] = s.half.x;

@@ -16,12 +16,12 @@
 namespace odraz {
 
 inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMaxUnbounded = 8,
-                     kMaxOccluders = 24, kMaxShining = 16;
+                     kMaxOccluders = 24, kMaxGlowingBalls = 16;
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "numbers of them are kept in 16 and 8 bits");
 
-// What shines: irradiance at distance r is intensity / r^2. A ball of light where it has a radius: highlights
-// are its image then, and the balls of `contact` have soft shadows, and caustics if they are of glass. All
-// else has hard ones, from its middle.
+// A light at a point or, with a radius, a ball of light. Irradiance at distance r is intensity / r^2.
+// Highlights of a ball of light are its image. Shadows are hard, cast from its middle; see
+// Scene::ballsOcclude for soft ones.
 struct Light {
     Vec3 position;
     Rgb intensity;
@@ -31,15 +31,17 @@ struct Light {
 // (What is small stands first in this and other large structs: its offsets are short.)
 struct Scene {
     int shapeCount, materialCount, lightCount;
-    float fog;                   // how fast things turn into the horizon: share left = 2^(-fog distance)
-    float exposure;              // factor before tone mapping
-    float lines;                 // 0 .. 1: how dark the lines between patches are drawn
-    bool contact;                // balls darken what ambient light reaches around them
+    float fog;      // how fast things turn into the horizon: share left = 2^(-fog distance)
+    float exposure; // factor before tone mapping
+    float lines;    // 0 .. 1: how dark the lines between patches are drawn
+    // Balls take light away in closed form: ambient light around them; light of Lights with a radius, as soft
+    // shadows, with caustics where a ball is of glass
+    bool ballsOcclude;
     const Lightmap *lightmap;    // for shapes with a chart; may be null where none has
     Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
     // What there was too much of, as the constant to raise; null: all fits. The picture is not what was meant
     const char *overflow;
-    int nodeCount, unboundedCount, occluderCount, lampCount; // of what finish() makes
+    int nodeCount, unboundedCount, occluderCount, glowingBallCount; // of what finish() makes
     Sky sky;
     Sunshafts shafts;
     Light lights[kMaxLights];
@@ -47,10 +49,10 @@ struct Scene {
     Shape shapes[kMaxShapes];
 
     // Made by finish()
-    Rgb mean[kMaxMaterials];           // each material's average diffuse reflectance
-    uint16_t unbounded[kMaxUnbounded]; // the shapes that no box holds
-    uint16_t lamp[kMaxShining];          // the balls that shine, and do nothing else
-    Vec3 occluder[kMaxOccluders];      // the balls of `contact`
+    Rgb mean[kMaxMaterials];                // each material's average diffuse reflectance
+    uint16_t unbounded[kMaxUnbounded];      // the shapes that no box holds
+    uint16_t glowingBall[kMaxGlowingBalls]; // the balls that only glow
+    Vec3 occluder[kMaxOccluders];           // the balls that occlude, see ballsOcclude
     float occluderRadius[kMaxOccluders];
     uint16_t occluderShape[kMaxOccluders];
     Bounds box[kMaxShapes]; // of each bounded shape

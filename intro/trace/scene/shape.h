@@ -48,13 +48,17 @@ struct Shape {
     Vec3 half = {};       // see above; positive
     Mat3 frame = kIdentity;
     bool aligned = true;    // the frame is the world's; Scene::finish() sees to it
-    Vec3 textureShift = {}; // added to local coordinates before texturing: no two balls cut from one place
+    Vec3 textureShift = {}; // added to local coordinates before texturing, so that no two balls look alike
     int chart = -1;         // index into the lightmap's charts, -1: lit by ambient light
 
     const ShapeTraits &traits() const { return kShapeTraits[(int)kind]; }
+    // Most shapes are balls: the tracer has closed forms for them
+    bool isBall() const { return kind == ShapeKind::Sphere; }
+    bool isRectangle() const { return kind == ShapeKind::Rect; }
+    bool isFloor() const { return kind == ShapeKind::Plane && aligned; } // most pixels of many scenes
 };
 
-// (Expanded nowhere: what they make is large.)
+// Never inlined, because their code is large.
 [[gnu::noinline]] constexpr Shape sphere(const Vec3 &centre, float radius, int material) {
     return {.kind = ShapeKind::Sphere,
             .material = (uint8_t)material,

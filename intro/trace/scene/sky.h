@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-// Radiances: low + slope y + curve y^2 by the sine y of the elevation, or `least` where y is below that.
+// Radiance: low + slope y + curve y^2, where y is the sine of the elevation, or `least` if y is smaller.
 // Around the sun a wide glow; with least = -1 both are polynomials of degree 4, which spherical harmonics of
 // bands 0 to 4 hold without an error. Nearer to the sun a small bright one, and over all that clouds of
 // noise.

@@ -1,7 +1,7 @@
-// Shafts of sun: the light that dust scatters to the eye where a sun, far away, shines into a room.
+// Shafts of sun: a far sun shines into a room, and dust there scatters its light to the eye.
 //
-// The openings stand side by side in one wall, the room lies on the side of larger x. Along the sun each
-// makes a sheared prism, from which upright columns cut their shadows. World units; radiance a unit.
+// The openings stand side by side in one wall; the room lies on the side of larger x. The sun behind each
+// opening lights a sheared prism, in which upright columns cast shadows. World units; radiance per unit.
 #pragma once
 
 #include "trace/scene/bounds.h"
@@ -11,15 +11,15 @@ namespace odraz {
 inline constexpr int kMaxOpenings = 5, kMaxPillars = 8;
 
 struct Sunshafts {
-    int openings, pillars;                      // none: there are no shafts
-    Vec3 sun;                                   // towards it, unit; -x
-    Bounds room;                                // where there is dust; the openings are in its wall lo.x
-    float low, high;                            // of all openings in y
-    float from[kMaxOpenings], to[kMaxOpenings]; // in z
-    float pillarX[kMaxPillars], pillarZ[kMaxPillars]; // the columns' axes, and
+    int openings, pillars;                      // no openings: no shafts
+    Vec3 sun;                                   // unit, towards the sun; x < 0
+    Bounds room;                                // where there is dust; the openings are in the wall at lo.x
+    float low, high;                            // of all openings, in y
+    float from[kMaxOpenings], to[kMaxOpenings]; // of each opening, in z
+    float pillarX[kMaxPillars], pillarZ[kMaxPillars]; // the columns' axes
     float pillarRadius;
-    Rgb scatter; // what a unit of a shaft shows, seen across the sun's direction
-    float drift; // of the dust's clouds
+    Rgb scatter; // radiance per unit of a shaft, seen across the sun's direction
+    float drift; // how far the dust's clouds have moved
 };
 
 } // namespace odraz

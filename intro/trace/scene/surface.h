@@ -39,7 +39,7 @@ ODRAZ_INLINE Float8 hitSphere(const Shape &s, const Ray8 &ray) {
 }
 // Most shapes are balls: their test is worth having in a loop.
 ODRAZ_INLINE Float8 distanceTo(const Shape &s, const Ray8 &ray, Flat flat = Flat::Seen) {
-    return s.kind == ShapeKind::Sphere ? hitSphere(s, ray) : distance(s, ray, flat);
+    return s.isBall() ? hitSphere(s, ray) : distance(s, ray, flat);
 }
 
 // The place that a ray meets.

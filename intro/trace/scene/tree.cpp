@@ -107,7 +107,7 @@ int build(Scene &s, const Group &all, int deep) {
     n.count = count;
     n.balls = true;
     for (int i = 0; i < count; ++i)
-        n.balls &= parts[i].count == 1 && s.shapes[s.order[parts[i].first]].kind == ShapeKind::Sphere;
+        n.balls &= parts[i].count == 1 && s.shapes[s.order[parts[i].first]].isBall();
     for (int i = 0; i < 8; ++i) {
         const Group &g = parts[min(i, count - 1)];
         const Shape &shape = s.shapes[s.order[g.first]];

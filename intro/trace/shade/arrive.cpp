@@ -31,13 +31,13 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
         p = fmadd(n, radius, centre);
         size = sumAbs(centre) + radius;
         curve = width / radius;
-        id = index * 8 + 1;
+        id = packHit(index, 0);
     } else {
         Surface8 at = surfaceAt(shape, ray, t);
         p = at.p, n = at.n;
         size = broadcast(magnitude(shape));
-        if (shape.kind == ShapeKind::Sphere) curve = width * (1 / shape.half.x);
-        id = at.face + (run.shape * 8 + 1);
+        if (shape.isBall()) curve = width * (1 / shape.half.x);
+        id = packHit(run.shape, at.face);
     }
     // Turn the normal to the side that the ray came from
     Float8 side = select(dot(n, ray.d) > 0.f, -1.f, 1.f);

@@ -8,7 +8,7 @@ namespace odraz {
 
 namespace {
 
-// Rows of four from four times eight.
+// Turns four registers of eight floats into eight rows of four.
 struct Rows {
     __m128 row[8];
     Rows(Vec3x8 v, Int8 w) {
@@ -61,13 +61,13 @@ void begin(const Context &c, const RayStream &in, const int32_t *ray, int count,
 
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
-// What the eye sees on the way.
+// The light of shafts of sun between the eye and the hits.
 Rgb8 inTheAir(const Context &c, const RayStream &in, const Eight &pick) {
     if (c.scene.shafts.openings == 0) return Rgb8{};
-    return gatherShafts(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
+    return shaftLight(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
 }
 
-// What eight places of a run show.
+// Adds what eight places of a run show.
 void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
@@ -75,10 +75,10 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     Eight pick(run.ray + i);
     int count = min(run.count - i, 8);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
-    // A lamp that hardly any sample meets would blink: in mirrors it fades before. A ball is added by the
-    // rays that pass it (lamps.h)
-    if (c.bounces > 0 && m.lamp())
-        rest = shape.kind == ShapeKind::Sphere
+    // A lamp that hardly any sample hits would blink, so small lamps fade in mirrors. Balls are left out
+    // here: the rays that pass them add them (glowing_balls.h)
+    if (c.bounces > 0 && m.onlyGlows())
+        rest = shape.isBall()
                    ? Rgb8{}
                    : rest * saturate(sqrt(shape.half.x * shape.half.z) / load(run.width + i) - 1.f);
     Int8 cell = {}, states = {};
@@ -94,7 +94,7 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
         rest += radiance(scene.sky, pick(in.d)) * pick(in.weight) * (1.f - load(run.clear + i));
     Int8 id = loadInts(run.id + i);
     if (c.bounces == 0) {
-        if (scene.lines > 0) states += cell << kCellShift; // a mosaic: patches end abruptly
+        if (scene.lines > 0) states += cell << kCellShift; // so that squares split where patches end
         rest += inTheAir(c, in, pick);
         begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
         return;
@@ -103,14 +103,14 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
         addRest(c, in, run.ray + i, count, rest + albedo * light, Int8{});
         return;
     }
-    // What counts in the picture is a mark of the sample, told apart by the way there
+    // A hit that counts in the picture changes the sample's mark. The mark also depends on the ray's path
     Rgb8 brings = rest + albedo * light;
-    Int8 marked = maxComponent(weight) * scene.exposure > c.quality.mark;
+    Int8 marked = maxComponent(weight) * scene.exposure > c.quality.markWeight;
     Int8 mark = marked & hash(pick(in.path) ^ hash(id ^ hash(cell ^ states << 16)));
     addRest(c, in, run.ray + i, count, brings, mark);
     if (m.diffuse == 0 || m.texture.pattern == Pattern::Plain) return;
-    // A texture in the dark does not; unless it mirrors, and so may show a light
-    if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.mark * 0.3f;
+    // A dark texture does not count, unless it mirrors: then it may show a light
+    if (m.reflect == 0) marked &= maxComponent(brings) * scene.exposure > c.quality.markWeight * 0.3f;
     for (int lanes = laneBits(marked) & ((1 << count) - 1); lanes; lanes &= lanes - 1)
         c.samples.whole[in.sample[run.ray[i + __builtin_ctz((unsigned)lanes)]]].lights |= kTextured;
 }
@@ -129,7 +129,8 @@ void addSky(const Context &c, const RayStream &in, const Run &run) {
         if (c.bounces == 0)
             begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick));
         else
-            addRest(c, in, run.ray + i, count, light, hash(pick(in.path)) & (weight.y > c.quality.mark));
+            addRest(c, in, run.ray + i, count, light,
+                    hash(pick(in.path)) & (weight.y > c.quality.markWeight));
     }
 }
 

@@ -32,7 +32,7 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
 Rgb8 albedoSeen(const Scene &scene, const View &view, const Shape &shape, Float8 x, Float8 y, float size) {
     Ray8 ray = {broadcast(view.eye), normalize(view.direction(x, y))};
     Int8 cell;
-    if (shape.kind == ShapeKind::Plane && shape.aligned) { // most pixels of many scenes
+    if (shape.isFloor()) {
         Float8 t = min(abs((shape.centre.y - view.eye.y) / ray.d.y), kFar);
         Vec3x8 p = fmadd(ray.d, t, ray.o);
         p.y = broadcast(shape.centre.y);

@@ -21,7 +21,7 @@ struct Run {
     float cosine[kRun], width[kRun], clear[kRun];
     float curve[kRun];     // of a ball: by how much the normal turns within the width
     int32_t id[kRun];      // as Sample::id
-    float weight[3][kRun]; // what is left of the ray's by fog and glass
+    float weight[3][kRun]; // the ray's weight after fog and glass
     // The light that arrives there (light.h)
     float diffuse[3][kRun], highlight[3][kRun];
     int32_t states[kRun]; // as Sample::lights

@@ -7,16 +7,23 @@
 
 namespace odraz {
 
+// The number of a hit, of one shape or of eight: never 0, which stands for the sky.
+template <class Index, class Face> ODRAZ_INLINE auto packHit(Index shape, Face face) {
+    return face + (shape * 8 + 1);
+}
+constexpr uint32_t unpackShape(uint32_t hit) { return (hit - 1) / 8; }
+ODRAZ_INLINE Int8 unpackShape(Int8 hit) { return (hit - 1) >> 3; }
+
 // What a primary ray brought: radiance = albedo * light + rest.
 struct alignas(16) Sample {
     Rgb albedo;      // diffuse colour at the primary hit
-    uint32_t id;     // primary hit: 1 + 8 shape + face; 0: the sky
+    uint32_t id;     // primary hit: packHit(); 0: the sky
     Rgb light;       // diffuse light on it
     uint32_t lights; // two bits a light: 0 dark, 1 lit, 2 lit with a highlight, 3 dimmed by glass; kTextured
     Rgb rest;        // highlights, emission, sky, and all that secondary rays brought
     uint32_t secondary; // sum of hashes of what every secondary ray hit, and of the texture cell there
 
-    uint32_t shape() const { return (id - 1) / 8; } // where id != 0
+    uint32_t shape() const { return unpackShape(id); } // where id != 0
     Rgb radiance() const { return albedo * light + rest; }
 };
 // A colour of a sample as four floats, the last one 0: the mark that lies there would be a denormal number,
@@ -29,8 +36,8 @@ ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
 // Where samples go: as they are, or their radiance alone, which takes less work, the fourth float 0.
 struct Samples {
     Sample *whole; // null: radiance alone
-    float *rest;   // the first one's, or its radiance; how many floats the next one is apart
-    int apart;
+    float *rest;   // of the first sample, or its radiance
+    int apart;     // floats from one sample's rest to the next one's
 
     Samples(Sample *s) : whole(s), rest(&s->rest.x), apart(sizeof(Sample) / sizeof(float)) {}
     Samples(__m128 *radiance) : whole(nullptr), rest((float *)radiance), apart(4) {}
@@ -45,8 +52,9 @@ inline Rgb8 eightColours(const __m128 *v) {
             _mm256_shuffle_ps(_mm256_unpackhi_ps(a, b), _mm256_unpackhi_ps(c, d), 0x44)};
 }
 
-// In Sample::lights: the states, from kCellShift on what tells patches apart (up to 2^15 of them) where a
-// scene shows them, and whether a secondary ray of weight met a texture, whose detail corners cannot tell.
+// Sample::lights holds the states of the lights in its low bits. From kCellShift on it holds the number of
+// the patch, below 2^15, in scenes that show patches. kTextured is set where a secondary ray of some weight
+// met a texture, because corners cannot tell how much detail that has.
 inline constexpr int kCellShift = 16;
 inline constexpr uint32_t kTextured = 1u << 31;
 static_assert(2 * kMaxLights <= kCellShift, "two bits a light");

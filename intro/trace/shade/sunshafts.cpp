@@ -10,9 +10,9 @@ namespace {
 struct Stretch {
     Float8 from, to;
 
-    // What of it a coordinate start + t speed spends in [low, high].
+    // The part in which the coordinate start + t speed lies in [low, high].
     Stretch within(Float8 start, Float8 speed, float low, float high) const {
-        // A ray that keeps its distance is given the slowest of motions
+        // A speed of almost zero becomes a tiny one, so that the division is safe
         Float8 slow = select(speed < 0.f, -1e-6f, 1e-6f);
         Float8 inverse = 1.f / select(abs(speed) < 1e-6f, slow, speed);
         Float8 a = (low - start) * inverse, b = (high - start) * inverse;
@@ -23,20 +23,20 @@ struct Stretch {
 
 } // namespace
 
-Rgb8 gatherShafts(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
+Rgb8 shaftLight(const Sunshafts &shafts, const Vec3x8 &o, const Vec3x8 &d, Float8 hit) {
     const Bounds &room = shafts.room;
     Stretch all = {Float8{}, hit};
     all = all.within(o.x, d.x, room.lo.x, room.hi.x);
     all = all.within(o.y, d.y, room.lo.y, room.hi.y);
     all = all.within(o.z, d.z, room.lo.z, room.hi.z);
-    // Along the sun to the wall
+    // Slide along the sun's direction to the wall
     float rise = shafts.sun.y / shafts.sun.x, aside = shafts.sun.z / shafts.sun.x;
     Float8 deep = room.lo.x - o.x;
     all = all.within(fmadd(deep, rise, o.y), fmadd(d.x, -rise, d.y), shafts.low, shafts.high);
     Float8 z = fmadd(deep, aside, o.z), speed = fmadd(d.x, -aside, d.z), lit = {};
     if (!any(all.from < all.to)) return Rgb8{};
 
-    // Columns are seen by the sun at this width
+    // Half the width of a column's shadow on the wall
     float wide = shafts.pillarRadius * sqrt(fmadd(aside, aside, 1.f));
     for (int i = 0; i < shafts.openings; ++i) {
         Stretch shaft = all.within(z, speed, shafts.from[i], shafts.to[i]);

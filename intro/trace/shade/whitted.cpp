@@ -2,9 +2,9 @@
 
 #include "trace/shade/arrive.h"
 #include "trace/shade/contribute.h"
-#include "trace/shade/lamps.h"
+#include "trace/shade/glowing_balls.h"
 #include "trace/shade/light.h"
-#include "trace/shade/scatter.h"
+#include "trace/shade/secondary.h"
 
 namespace odraz {
 
@@ -16,7 +16,7 @@ void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
     arrive(c, in, run);
     if (m.diffuse > 0 || m.specular > 0) illuminate(c, in, run);
     addShown(c, in, run);
-    if (m.ior > 0 || m.reflect > 0) scatter(c, in, run, out);
+    if (m.ior > 0 || m.reflect > 0) addSecondaryRays(c, in, run, out);
 }
 
 // Shades rays [begin, end) of a stream, which know what they hit.
@@ -45,7 +45,7 @@ void traceStream(Context &c, TraceScratch &scratch, int level) {
         store(in.t + i, hit.t);
         store(in.shape + i, hit.shape);
     }
-    if (level > 0) addLamps(c, in);
+    if (level > 0) addGlowingBalls(c, in);
     for (int begin = 0; begin < in.count; begin += kChunk) {
         out.count = 0;
         c.bounces = level;

@@ -2,8 +2,8 @@
 //
 // A wave of rays is intersected; its hits are sorted by what they hit (wave.h), so that they are shaded
 // together, as runs: where they arrive (arrive.h), what light falls there (light.h), what of it the samples
-// get (contribute.h). What reflects and refracts (scatter.h) is packed to form the next wave. Recursion ends
-// at a depth, and where a ray's share of the picture falls below a cutoff. Source: Whitted, "An Improved
+// get (contribute.h). What reflects and refracts (secondary.h) is packed to form the next wave. Recursion
+// ends at a depth, and where a ray's share of the picture falls below a cutoff. Source: Whitted, "An Improved
 // Illumination Model for Shaded Display", CACM 23(6), 1980.
 #pragma once
 

@@ -39,11 +39,11 @@ static Float8 wood(const Vec3x8 &p, Float8 width) {
     return saturate(fmadd(fibre, 0.22f, shade * 0.75f + 0.12f));
 }
 
-// Grains of several sizes.
+// Clouds with specks in them.
 static Float8 stone(const Vec3x8 &p, Float8 width) {
     Float8 coarse = fractalNoise(p, 2, width);
-    Float8 grain = detail(p * broadcast(11.f), bandLimit(width, 0.09f));
-    return saturate(fmadd(coarse, 0.38f, fmadd(grain, 0.2f, 0.5f)));
+    Float8 specks = detail(p * broadcast(11.f), bandLimit(width, 0.09f));
+    return saturate(fmadd(coarse, 0.38f, fmadd(specks, 0.2f, 0.5f)));
 }
 
 static Float8 valueOf(Pattern pattern, const Vec3x8 &p, Float8 width) {

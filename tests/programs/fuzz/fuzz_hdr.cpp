@@ -1,7 +1,7 @@
-// For libFuzzer: whatever a picture of the sky holds, `radiosity solve --sky` refuses it with a line or has a
-// sky and suns of it. It writes into the folder where it runs.
+// For libFuzzer: whatever a picture of the sky holds, `radiosity solve --sky` refuses it with a line or makes
+// a sky and suns from it. It writes into the current folder.
 #include "tools/common/arguments.h"
-#include "tools/radiosity/surroundings.h"
+#include "tools/radiosity/read/surroundings.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,9 +1,9 @@
 // For libFuzzer: whatever a model and its materials hold, `radiosity solve` refuses them with a line or can
-// work with them. The input is the OBJ; behind a byte of 255 follows what lies beside it as m.mtl. It writes
-// into the folder where it runs.
-#include "tools/radiosity/lamps.h"
-#include "tools/radiosity/reflectance_picture.h"
-#include "tools/radiosity/regions.h"
+// work with them. The input is the OBJ; what follows a byte of 255 becomes m.mtl beside it. It writes into
+// the current folder.
+#include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/patches/lamps.h"
+#include "tools/radiosity/read/reflectance_picture.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -12,7 +12,7 @@
 
 using namespace odraz;
 
-// What readers of a mesh rely on
+// Checks what readers of a mesh rely on
 static void mustBeSound(const Mesh &mesh) {
     bool good = !mesh.triangles.empty();
     for (const Vec3d &p : mesh.points)
@@ -38,7 +38,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         std::vector<std::string> notes;
         Mesh mesh = readObj("m.obj", {1, size % 2 == 1}, notes);
         mustBeSound(mesh);
-        // ... and the first who reads it
+        // The first reader of the mesh must accept it too
         model->chartCount = model->facetCount = 0;
         model->overflow = false;
         Regions regions = joinRegions(mesh, mesh.size() / 10);

@@ -1,10 +1,10 @@
-// For libFuzzer: whatever comes in, the packer's readers answer with a program or a line, and nothing else.
-// The first byte of the input chooses the reader.
+// For libFuzzer: whatever the input is, the packer's readers answer with a program or an error line. The
+// first byte of the input chooses the reader.
 #include "elf_reader.h"
 #include "elf_writer.h"
+#include "model_parameters.h"
 #include "pe_format.h"
 #include "pe_writer.h"
-#include "shape.h"
 #include "stub.h"
 #include "tests/support/pe_rules.h"
 
@@ -21,20 +21,20 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-// Parameters, masks and payload behind what stands in front, whose checksum from an offset on is as it should
-// be.
+// Puts payload header, masks and payload behind `front`, with a correct checksum over everything from
+// `checkedFrom` on.
 Bytes packedAround(const Bytes &front, const Bytes &parts, size_t checkedFrom) {
     Bytes file = front;
     file.insert(file.end(), parts.begin(), parts.end());
-    file.resize((std::max(file.size(), front.size() + sizeof(Parameters)) + 3) / 4 * 4 + 4);
+    file.resize((std::max(file.size(), front.size() + sizeof(PayloadHeader)) + 3) / 4 * 4 + 4);
     uint32_t words = (uint32_t)((file.size() - checkedFrom) / 4), last;
-    std::memcpy(&file[front.size() + offsetof(Parameters, words)], &words, 4);
+    std::memcpy(&file[front.size() + offsetof(PayloadHeader, words)], &words, 4);
     last = -checksum(file.data() + checkedFrom, words - 1);
     std::memcpy(&file[file.size() - 4], &last, 4);
     return file;
 }
 
-// The input as parameters, masks and payload of a file that is otherwise as it should be.
+// Makes the input the header, masks and payload of a file that is otherwise valid.
 Bytes packedElf(const Bytes &input) {
     Front front = {};
     front.segments[2].p_memsz = 0x10000;
@@ -44,7 +44,7 @@ Bytes packedElf(const Bytes &input) {
     return packedAround(before, input, 0);
 }
 
-// ... for Windows, but for the headers: these are compared when all else has been read.
+// The same for Windows, except that headers may be wrong: the reader compares them last.
 Bytes packedPe(const Bytes &input) {
     PeFront front = {};
     front.sections[1].memorySize = 0x10000;
@@ -55,14 +55,14 @@ Bytes packedPe(const Bytes &input) {
     return packedAround(before, input, sizeof front + sizeof start.slots);
 }
 
-// Whatever the payload, the stub and C++ as this compiler sees it must decode the same.
+// The stub and the C++ decoder must give the same result for any payload.
 void decodeTwice(Bytes file, const Packed &packed) {
-    uint32_t memory = stubMemory(packed.shape, packed.layout.size);
-    std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(Parameters, memory)], &memory, 4);
+    uint32_t memory = stubMemory(packed.parameters, packed.layout.size);
+    std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(PayloadHeader, memory)], &memory, 4);
     file.resize(file.size() + 2000 * 20 + 100); // no bit takes more than 20
     Workspace workspace;
     if (decodeWithStub(file) !=
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.shape, workspace))
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace))
         std::abort();
 }
 
@@ -87,22 +87,23 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 2: {
             Bytes file = packedElf(input);
             Packed packed = openPacked(file);
-            // Decoding takes a while: not too often
+            // Decoding is slow: do it rarely
             if (data[0] > 250 && packed.layout.size && packed.layout.size < 2000) decodeTwice(file, packed);
             break;
         }
         case 3: {
-            Shape shape, again;
+            ModelParameters parameters, again;
             std::string text(input.begin(), input.end());
-            if (parseShape(text, shape).empty() &&
-                (!parseShape(printShape(shape), again).empty() || printShape(again) != printShape(shape)))
+            if (parseParameters(text, parameters).empty() &&
+                (!parseParameters(printParameters(parameters), again).empty() ||
+                 printParameters(again) != printParameters(parameters)))
                 std::abort();
             break;
         }
-        case 4: // as it is, or its parts alone
+        case 4: // as it is, or as the parts of a valid file
             readPackedPe(data[0] < 128 ? input : packedPe(input));
             break;
-        case 5: { // what is taken keeps the rules of Windows's loaders
+        case 5: { // a file that is accepted must keep the rules of Windows
             Program program = readProgram(input, kWindows);
             if (program.span < 1 << 20 && !brokenPeRule(writePlainPe(program)).empty()) std::abort();
         }

@@ -1,9 +1,9 @@
-# The packed film cut short, with wrong bytes, with holes: it says that it is damaged, or the system refuses it; it never
-# runs, never hangs, and leaves nothing.
+# The packed film, cut short, with wrong bytes, with holes: it says that it is damaged, or the system refuses it. It
+# never runs, never hangs, and leaves nothing behind.
 #   damaged.sh BUILD [TRIES] [SEED]
-# What cannot be guarded are the first 656 bytes: the header that the system and its loader read, and the code of the
-# check itself (packer/README.md). Whoever changes those may have a program that does anything; here they are only cut
-# off. tests/programs/packed.sh looks at every place of a small program.
+# The first 656 bytes cannot be guarded: the header that the system and its loader read, and the code of the check
+# itself (packer/README.md). A change there may make a program that does anything; here they are only cut off.
+# tests/programs/packed.sh looks at every place of a small program.
 . "$(dirname "$0")/../common.sh"
 tries=${2:-100} seed=${3:-$((EPOCHSECONDS % 30000))}
 needs_built odraz
@@ -20,7 +20,7 @@ check "the film, whole, runs" prints '^odraz' "$film" --version
 from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at, A <= at < B
 write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: from standard input
 says_so() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
-each() { # each COMMAND: makes $broken otherwise, so many times
+each() { # each COMMAND: damages $broken by the command, so many times
     local n
     for ((n = 1; n <= tries; ++n)); do
         cp "$film" "$broken"
@@ -42,7 +42,7 @@ wrong_bytes() { # up to 4096 of them, from anywhere in the file
     from 0 "$size"
     tail -c +$((at + 1)) "$film" | head -c $((RANDOM % 4096 + 1)) | head -c $((size - to)) | write $to
 }
-hole() { # as a broken download leaves them
+hole() { # as a broken download leaves one
     from $UNGUARDED "$size"
     head -c $((RANDOM % 8192 + 16)) /dev/zero | head -c $((size - at)) | write $at
 }

@@ -1,13 +1,14 @@
-# Odd surroundings: the same picture, or one line. Limits, no /proc, /dev or /sys, setuid, personalities, an empty or a
-# huge environment, folders that are gone, read-only or full, a display that is none. What the loader and the kernel
-# need for themselves they refuse themselves: fewer than 4 descriptors, a stack below 64 KB.
+# Odd surroundings: the same picture, or one line. Limits; no /proc, /dev or /sys; setuid; personalities; an empty or a
+# huge environment; folders that are gone, read-only or full; a display that does not exist. Fewer than 4 descriptors,
+# or a stack below 64 KB, the loader and the kernel refuse by themselves.
 #   surroundings.sh BUILD odraz|odraz-safe
-# (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh, packed.sh)
+# (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh,
+# packed.sh)
 . "$(dirname "$0")/../common.sh"
 name=${2:-odraz-safe}
 odraz=$BUILD/$name
 unset DISPLAY WAYLAND_DISPLAY
-# Those that who runs the test left open would count, too
+# Descriptors that the caller left open would count, too
 for fd in /proc/self/fd/*; do fd=${fd##*/}; [ "$fd" -lt 3 ] || [ "$fd" = 255 ] || eval "exec $fd>&-"; done
 chmod 711 "$WORK"
 cd "$WORK" || exit 1
@@ -16,7 +17,7 @@ hall=(--dump - --from 120 --to 120.04 --size 64x36)
 "$odraz" "${plain[@]}" >plain.ppm || exit 1
 "$odraz" "${hall[@]}" >hall.ppm || exit 1
 
-# same plain|hall COMMAND...: what runs the film by its last words; the same picture, and no word
+# same plain|hall COMMAND...: runs the film with its last words; the picture is the same, and it says nothing
 same() {
     local kind=$1
     shift
@@ -39,7 +40,7 @@ for kind in plain hall; do
     under -l 0; check "... without locked memory" same $kind "${UNDER[@]}"
 done
 under -s 64; check "with a stack of 64 KB" same plain "${UNDER[@]}"
-# As much address space as you like: the picture, or one line
+# Whatever the limit on address space: the picture, or one line
 any_room() {
     local kb status told=0 drawn=0
     for kb in $(seq 6000 11000 250000); do

@@ -1,6 +1,6 @@
-# Command lines of words that are good, bad, extreme, missing, repeated, empty, endless or not even text: whatever is
-# given, the exit status is 0, 1 or 2; it fails with one line on standard error and nothing on standard output, and
-# succeeds without a word; no half-written file is left, and it ends.
+# Command lines of words that are good, bad, extreme, missing, repeated, empty, endless or not even text. Whatever is
+# given, the program ends with status 0, 1 or 2, and leaves no half-written file. When it fails it says one line on
+# standard error and nothing on standard output; when it succeeds it says nothing.
 #   words.sh BUILD odraz|odraz-safe|pack|radiosity [RUNS] [SEED]
 . "$(dirname "$0")/../common.sh"
 name=${2:-odraz-safe} runs=${3:-100} seed=${4:-$((EPOCHSECONDS % 30000))}

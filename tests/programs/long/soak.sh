@@ -1,11 +1,10 @@
-# The film at its full length in a window, and a bit of it again: every scene is shown, it ends by itself and says
-# nothing; memory, descriptors and threads do not grow.
-#   SOAK_MINUTES=0.5: so much of it, to try it
+# The whole film in a window, and part of it again: every scene is shown; it ends by itself and says nothing; memory,
+# descriptors and threads do not grow. SOAK_MINUTES=0.5 makes it shorter, to try it.
 . "$(dirname "$0")/../common.sh"
 skip_unless Xvfb
 minutes=${SOAK_MINUTES:-3}
 unset DISPLAY
-soaks() { "$SOURCE/tools/measure/soak" "$minutes" --film "$BUILD/odraz" >"$WORK/soak"; }
+soaks() { "$SOURCE/tools/measure/detect/soak" "$minutes" --film "$BUILD/odraz" >"$WORK/soak"; }
 check "it plays for $minutes minutes, as it should" soaks
 cat "$WORK/soak"
 scenes=(point table flake patches hall odraz credits)

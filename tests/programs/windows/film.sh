@@ -1,18 +1,19 @@
-# The film on Windows, as Wine runs it, beside the one on Linux: frames of every scene, the hall, in-betweens and sound are
-# equal to the byte; options and outputs that fail say the same. Most of it not packed, which is sooner there.
+# The film on Windows, run by Wine, compared with the one on Linux. Frames of every scene, the hall, in-betweens and
+# sound are equal to the byte; refused options and failed outputs give the same line. Most runs use the film that is not
+# packed, which starts sooner.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe
-# OpenGL under Wine is X11's
+# OpenGL under Wine needs X11
 start_display 640x480
 display=$DISPLAY
 unset DISPLAY
 
-both() { # both OPTION...: standard output of both, in out.linux and out.windows; false when a status is not 0
+both() { # both OPTION...: writes both standard outputs, out.linux and out.windows; false if a status is not 0
     "$linux" "$@" >"$WORK/out.linux" 2>"$WORK/err.linux" </dev/null || { cat "$WORK/err.linux" >&2; return 1; }
     timeout "$PATIENCE" env DISPLAY="$display" "$wine" "$windows" "$@" >"$WORK/out.windows" 2>"$WORK/err.windows" </dev/null || { echo "status $?: $(head -c 300 "$WORK/err.windows")" >&2; return 1; }
 }
-alike() { # alike OPTION...: ... and they are equal and not empty
+alike() { # alike OPTION...: both outputs are equal and not empty
     both "$@" && [ -s "$WORK/out.linux" ] && cmp "$WORK/out.linux" "$WORK/out.windows"
 }
 check "--version" alike --version
@@ -41,7 +42,7 @@ check "a name with blanks" "$wine" "$windows" --wav "$WORK/a  b .wav" --to 0.1
 "$linux" --wav "$WORK/short.wav" --to 0.1
 check "... has them" cmp "$WORK/a  b .wav" "$WORK/short.wav"
 
-# What goes wrong is told as on Linux: status and line
+# Errors give the same status and line as on Linux
 alike_refused() { # alike_refused STATUS TEXT OPTION...
     local status=$1 text=$2
     shift 2
@@ -75,9 +76,9 @@ check "packed: a frame" alike --dump - --from 24 --to 24.04 --size 160x90
 check "packed: the hall" alike --dump - --from 121 --to 121.04 --size 160x90
 check "packed: the music" alike --wav - --to 2
 
-# ... and not whole
+# A damaged packed film is refused
 broken=$WORK/odraz.exe size=$(stat -c %s "$BUILD/odraz.exe")
-damaged() { # damaged AT: a bit there is another
+damaged() { # damaged AT: inverts a bit there
     cp "$BUILD/odraz.exe" "$broken" && flip "$broken" "$1" 16
     refuses 1 "damaged: get it afresh" "$wine" "$broken" --version
 }

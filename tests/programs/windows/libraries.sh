@@ -1,14 +1,15 @@
-# What the film loads on Windows: of its own accord five libraries of the system's and nothing else; and nothing else comes
-# with these than with a program that loads the same and does the like.
+# The libraries that the film loads on Windows: by itself it loads five of the system's and no others. These bring no
+# more libraries with them than in another program that loads and does the same.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 needs_built tests/probe-safe.exe
 start_display 640x400
 
-# loaded PROGRAM OPTION...: what it asks for itself, in asked; what is loaded with it, in loaded
+# loaded PROGRAM OPTION...: writes the libraries that the program asks for to `asked`, and all that are loaded to
+# `loaded`
 loaded() {
     WINEDEBUG=-all,+loaddll,+relay timeout "$PATIENCE" "$wine" "$@" </dev/null >/dev/null 2>"$WORK/trace" || return
-    # Its own calls return to where it lies, below 16 MB
+    # Calls by the program itself return to its own addresses, below 16 MB
     grep -aoE 'Call KERNEL32\.(LoadLibrary|LdrLoadDll)[A-Za-z]*\([0-9a-f]+ L?"[^"]*".* ret=00[0-9a-f]{6}$' "$WORK/trace" | sed 's/^[^"]*"//; s/".*//; s/\.dll$//' | tr A-Z a-z | sort -u >"$WORK/asked"
     grep -aoE 'loaddll:build_module Loaded L"[^"]*"' "$WORK/trace" | sed 's/.*\\//; s/"//' | tr A-Z a-z | grep -v '\.exe$' | sort -u >"$WORK/loaded"
     [ -s "$WORK/asked" ] && [ -s "$WORK/loaded" ]
@@ -26,7 +27,7 @@ asks "help" "kernel32" --help
 asks "frames of the hall" "gdi32 kernel32 opengl32 user32" --dump - --from 100 --to 100.04 "${small[@]}"
 asks "the film" "gdi32 kernel32 opengl32 user32 winmm" --window --size 64x36 --from 161.9
 
-# What comes with these: no more than with the probe, which opens a window and loads no other either
+# What these bring with them: no more than with the probe, which also opens a window and loads the same libraries
 loaded "$BUILD/tests/probe-safe.exe" shown
 mv "$WORK/loaded" "$WORK/shown"
 check "the film without sound" loaded "$BUILD/odraz-safe.exe" --mute --window --size 64x36 --from 161.9

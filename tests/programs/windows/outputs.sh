@@ -1,6 +1,6 @@
-# Where the film on Windows writes to, when that is closed, full, or a console: status and line are Linux's, nothing crashes
-# or hangs, nothing is half-written. Programs start others as Windows does (probe start, probe console): closed
-# descriptors of Linux's come to be Wine's own.
+# The film on Windows if its output is closed, full, or a console: status and line are as on Linux, nothing crashes or
+# hangs, and no file is half-written. The probe starts the film as Windows does (probe start, probe console), because
+# Wine would reuse descriptors that were closed on Linux.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 start_display 640x400
@@ -9,12 +9,12 @@ linux=$BUILD/odraz-safe windows=$BUILD/odraz-safe.exe probe=$BUILD/tests/probe-s
 cd "$WORK" || exit 1
 small=(--size 64x36 --from 20 --to 20.04 --quality draft)
 lines=("--version" "--nope" "--to 999" "--dump - ${small[*]}" "--wav - --to 0.1" "--dump no/where ${small[*]}")
-films=("--window --mute --stats --size 64x36 --from 161") # they play
+films=("--window --mute --stats --size 64x36 --from 161") # these play the film
 run() { timeout "$PATIENCE" "$@"; } # 124: it hangs
 
 # --- Closed ---
 
-# as_linux HOW CLOSED LINE...: status, and what came to descriptors that are open
+# as_linux HOW CLOSED LINE...: compares the status, and the output on descriptors that are open
 as_linux() {
     local how=$1 closed=$2 line=$3 in=/dev/null out=out.linux err=err.linux status wanted by
     rm -f out.* err.*
@@ -27,7 +27,7 @@ as_linux() {
         run "$linux" $line
     ) </dev/null >out.linux 2>err.linux
     wanted=$?
-    # Where there is neither output a box opens, for which there must be no display
+    # If neither output is there a box opens, so take the display away
     local quiet=()
     [[ $line = *--window* ]] || quiet=(env -u DISPLAY)
     run "${quiet[@]}" "$wine" "$probe" start "$how" "$closed" "\"Z:${windows//\//\\}\" $line" </dev/null >out.windows 2>err.windows
@@ -38,7 +38,7 @@ as_linux() {
     echo "$line without $closed ($how): status $status, Linux's $wanted; $(head -c 200 err.windows)" >&2
     return 1
 }
-all_as_linux() { # all_as_linux HOW CLOSED: every line
+all_as_linux() { # all_as_linux HOW CLOSED: for every command line
     local line bad=0
     for line in "${lines[@]}" "${films[@]}"; do as_linux "$1" "$2" "$line" || bad=1; done
     return $bad
@@ -56,7 +56,7 @@ whole() {
 mkdir frames wanted
 check "what is dumped without any is whole" whole
 
-# As from a shortcut: neither output, and no console
+# Start it as from a shortcut: without either output and without a console
 "$wine" "$probe" start null 012 "\"Z:${windows//\//\\}\" --nope" </dev/null >out 2>err &
 pid=$!
 PIDS+=($pid)
@@ -71,7 +71,7 @@ check "... which Return closes, with the status that it has" closes
 
 # --- Full ---
 
-refused_alike() { # refused_alike STATUS TEXT COMMAND: of $film, whose output it says; the same line by both
+refused_alike() { # refused_alike STATUS TEXT COMMAND: for the output of $film; both print the same line
     local film
     for film in "$linux" "$wine $windows"; do
         refuses "$1" "$2" bash -c "set -o pipefail; film='$film'; $3" || return
@@ -87,7 +87,7 @@ check "--stats into a pipe that nobody reads" refused_alike 1 "the pipe was clos
 check "music into one" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --wav -; } | true'
 
 mkdir disk
-left() { # left FILM OPTION...: dumps there until it is full; the names that are left, and their sizes
+left() { # left FILM OPTION...: dumps until the disk is full; prints the names and sizes of the files left
     local film=$1
     shift
     rm -rf disk/*
@@ -110,14 +110,15 @@ fi
 
 # --- A console ---
 
-# in_console CLOSED STATUS OPTION...: started from one, without those; rows of it, each after a '|', in `told`
+# in_console CLOSED STATUS OPTION...: starts the film from a console, without the CLOSED handles; writes the console's
+# rows, each after a '|', to `told`
 in_console() {
     local closed=$1 wanted=$2
     shift 2
     run "$wine" "$probe" console "$closed" "\"Z:${windows//\//\\}\" $*" </dev/null >told 2>err
     [ $? = "$wanted" ] || { echo "not $wanted: $(head -c 300 told err)" >&2; return 1; }
 }
-says() { diff <("$linux" "$@" 2>&1 | sed 's/^/|/') told; } # the console shows it, and nothing else is told
+says() { diff <("$linux" "$@" 2>&1 | sed 's/^/|/') told; } # the console shows this and nothing else
 check "from a console, --version" in_console 012 0 --version
 check "... gets there" says --version
 check "an unknown option" in_console 12 2 --nope

@@ -1,4 +1,4 @@
-# The packer's example for Windows, as Wine runs it.
+# The packer's example for Windows, run by Wine.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 pack=$BUILD/pack
@@ -21,7 +21,7 @@ check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
 # Damage
 broken=$WORK/broken.exe
 total=$(stat -c %s "$exe")
-checked=$((512 + 264 + 300)) # behind headers, imports, and the check with what tells of it
+checked=$((512 + 264 + 300)) # behind headers, imports, and the code that checks and reports
 is_refused() { refuses 1 "damaged: get it afresh" "$wine" "$broken" && refuses 2 "$broken: " "$pack" --test "$broken" && refuses 2 "$broken: " "$pack" -d "$broken" -o "$WORK/x"; }
 flipped() {
     local at
@@ -34,7 +34,7 @@ check "a flipped bit anywhere is refused" flipped
 { cat "$exe"; echo "more bytes"; } >"$broken"
 check "bytes behind its end do not matter" says 7 "hello, 42" "$wine" "$broken"
 
-# Without standard error it is told in a box
+# Without standard error a box shows the message
 start_display 640x480
 cp "$exe" "$broken" && flip "$broken" $((total - 1)) 1
 "$wine" "$broken" 2>&- &

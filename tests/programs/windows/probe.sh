@@ -1,11 +1,12 @@
-# What the film's host and start keep on Windows, seen from within by a program made as the film is (probe/), packed and not.
+# Checks on Windows what the film's host and start promise, from inside a program that is made like the film (probe/),
+# packed and not packed.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 start_display 640x400
 needs_built tests/probe.exe
 needs_built tests/probe-safe.exe
 
-# probe PART LEAST ARGUMENT...: so many of its lines at least say ok, and none anything else. They are told here, too
+# probe PART LEAST ARGUMENT...: prints its lines; at least LEAST say ok, and none says anything else
 probe() {
     local part=$1 least=$2 status
     shift 2

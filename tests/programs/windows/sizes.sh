@@ -1,5 +1,5 @@
-# The film's window on Windows, as its viewers may treat it: tiny, odd, quickly resized, moved, minimised; a display of
-# another aspect.
+# The film's window on Windows under all that viewers may do: tiny, odd sizes, quick resizing, moving, minimising; and
+# on a display of another aspect.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 skip_unless openbox wmctrl
@@ -50,7 +50,7 @@ check "... as it should" await is_black 640x69+0+431
 check "... and draws" await is_bright
 check "ESC leaves" leaves
 
-# A display that is higher than wide. Wine keeps the first that it has seen: it starts afresh
+# A display that is higher than wide. Restart Wine, because it keeps the first display that it saw
 "$wine_server" -k
 "$wine_server" -f -p </dev/null >/dev/null 2>&1 &
 start_display 500x700

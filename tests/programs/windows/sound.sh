@@ -1,4 +1,4 @@
-# The film's music on Windows, as Wine plays it to a PulseAudio server: by waveOut, with a position to go by.
+# The film's music on Windows, played by Wine to a PulseAudio server: by waveOut, which reports a position.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 . "$(dirname "$0")/../heard.sh"

@@ -1,11 +1,11 @@
-# The film on Windows, in a window, as Wine shows it: it starts, draws, resizes, fills the screen, and leaves when asked.
+# The film on Windows in a window, shown by Wine: it starts, draws, resizes, fills the screen, and ends when asked.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 film=$BUILD/odraz.exe
 
 load() { begin "$wine" "$film" "$@"; }
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
-leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
+leaves() { # leaves COMMAND...: the command asks the film to end; it ends with status 0
     "$@" >/dev/null 2>&1
     ended $pid
 }
@@ -16,7 +16,7 @@ check "plays on the full screen" play --from 100
 check_full_screen
 check "ESC leaves" leaves to_window Escape
 
-# Loading: a bar that grows, and that can be left, while the film is unpacked and when it is
+# While loading, a bar grows and the film can be ended, both during unpacking and after it
 check "opens a window" load
 check "a bar grows while it loads" grows 3
 check "ESC leaves" leaves to_window Escape
@@ -45,7 +45,7 @@ check "plays in a window there" play --window --size 640x360 --from 30
 check "... managed" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
 
-# What is missing is told on standard error, and where there is none in a box
+# Missing things are reported on standard error, or in a box if there is none
 check "an OpenGL that is too old is refused" refuses 1 "no OpenGL 3.3 on this display: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film"
 check "... one without opengl32.dll, too" refuses 1 "no OpenGL 3.3 on this display: install" env WINEDLLOVERRIDES="opengl32=;$WINEDLLOVERRIDES" "$wine" "$film"
 MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film" 2>&- &

@@ -1,10 +1,10 @@
-# Sourced by tests of programs for Windows, which Wine runs: "$wine" PROGRAM OPTION...
+# Sourced by tests of programs for Windows. $wine PROGRAM OPTION... runs one.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tools/build/wine.sh"
 have_wine || { echo "SKIPPED: Wine (wine64) is not installed"; exit 77; }
 unset DISPLAY
 
-# What it has started ends with the test, too: devices of its own would stay, and keep the processor busy
+# Processes that Wine started end with the test: otherwise its device processes would keep the processor busy
 end_wine() {
     local status=$?
     "$wine_server" -k

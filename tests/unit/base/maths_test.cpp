@@ -1,4 +1,4 @@
-// The shape of the maths; its accuracy is proved in maths_exhaustive_test.
+// Properties of the maths functions; maths_exhaustive_test proves their accuracy.
 #include "base/maths.h"
 
 #include <cmath>

@@ -48,7 +48,7 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
 
 namespace {
 
-// What the kernel says of the first processor, as words.
+// The words that the kernel prints for a key of the first processor.
 std::vector<std::string> cpuinfo(const std::string &key) {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
@@ -61,7 +61,7 @@ std::vector<std::string> cpuinfo(const std::string &key) {
 
 } // namespace
 
-// machine.sh asks the same of processors that lack something.
+// machine.sh tests this for processors that lack something.
 TEST(Machine, KnowsWhatTheProcessorCanDo) {
     std::vector<std::string> flags = cpuinfo("flags");
     bool all = true;
@@ -84,7 +84,7 @@ TEST(Machine, CountsTheProcessorsThatItMayUse) {
     ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-// Between two looks at the clock by another way.
+// The time lies between two readings of the clock by another way.
 TEST(Machine, TellsTheTime) {
     auto clock = [] {
         timespec t;
@@ -96,7 +96,7 @@ TEST(Machine, TellsTheTime) {
     EXPECT_LE(now, after);
 }
 
-// The words of the kernel's name for it, without trademarks and clock rate.
+// The name has the words of the kernel's name, without trademarks and clock rate.
 TEST(Machine, KnowsTheProcessorsName) {
     char name[50];
     std::memset(name, 'x', sizeof name);
@@ -141,8 +141,8 @@ TEST(Files, AreWholeOrAbsent) {
     EXPECT_STREQ(writeAll(9999, "x", 1), "it is closed");
 }
 
-// What lies beside a file under the name that its part would get is another's: a link is not followed, a pipe
-// not waited for.
+// The name of a file's temporary part may already belong to someone else: a link must not be followed, and a
+// pipe must not be waited for.
 TEST(Files, LeaveOthersPartsAlone) {
     std::string folder = testing::TempDir() + "odraz_parts";
     std::filesystem::remove_all(folder);
@@ -150,7 +150,7 @@ TEST(Files, LeaveOthersPartsAlone) {
     std::string path = folder + "/a", theirs = folder + "/theirs";
     std::ofstream(theirs) << "precious";
     auto part = [&](int i) {
-        std::string digits = std::to_string(getpid() + i); // the last first
+        std::string digits = std::to_string(getpid() + i); // the last name first
         return path + "." + std::string(digits.rbegin(), digits.rend()) + ".part";
     };
     ASSERT_EQ(symlink(theirs.c_str(), part(0).c_str()), 0);
@@ -200,7 +200,7 @@ TEST(Files, BeyondTheLimitAreNotLeft) {
     EXPECT_TRUE(std::filesystem::is_empty(folder));
 }
 
-// The picture that a headless context clears is what is read back from it.
+// Reads back the picture that a headless context was cleared to.
 TEST(Headless, DrawsWithoutADisplay) {
     unsetenv("DISPLAY");
     Gl gl;

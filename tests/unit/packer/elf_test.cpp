@@ -1,6 +1,6 @@
 #include "elf_reader.h"
 #include "elf_writer.h"
-#include "shape.h"
+#include "model_parameters.h"
 
 #include <cstring>
 #include <elf.h>
@@ -14,11 +14,11 @@ using Bytes = std::vector<uint8_t>;
 
 namespace {
 
-// A minimal program as the reader wants it: code page, data page, and the dynamic section in the latter.
+// A minimal valid program: a code page, and a data page that holds the dynamic section.
 struct Example {
     struct Image {
         Elf64_Ehdr header;
-        Elf64_Phdr segments[5]; // four, and room for one more
+        Elf64_Phdr segments[5]; // four, and a spare one
         char interpreter[28];
         char code[64];
     };
@@ -98,7 +98,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
     EXPECT_EQ(p.span, 4096 + sizeof(Example::Data) + 100);
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
     EXPECT_EQ(p.slots[1], p.slots[0] + 8);
-    EXPECT_EQ(p.bytes, Bytes{0}); // all of it was for the loader
+    EXPECT_EQ(p.bytes, Bytes{0}); // everything in it was for the loader
 }
 
 TEST(Reader, SaysWhatIsUnsuitable) {
@@ -174,13 +174,13 @@ TEST(Reader, SaysWhatIsUnsuitable) {
               std::string::npos);
 }
 
-// Every file cut short and every byte damaged: a complaint or a program, never a crash (run it under ASan).
 TEST(Reader, TakesAProgramForWindows) {
     Example e;
     EXPECT_EQ(complaint(e.file(), kWindows), "it must need kernel32.dll and no other library");
     std::memcpy(e.data.strings, "\0kernel32.dll\0LoadLibraryA\0GetProcAddress", 42);
     e.data.symbols[1].st_name = 0;
-    EXPECT_EQ(complaint(e.file(), kWindows).substr(0, 48), "it must import LoadLibraryA and GetProcAddress a");
+    EXPECT_EQ(complaint(e.file(), kWindows).substr(0, 48),
+              "it must import LoadLibraryA and GetProcAddress a");
     EXPECT_EQ(complaint(e.file()), "it must need libdl.so.2 and no other library");
     e.data.symbols[1].st_name = 14;
     e.data.symbols[2].st_name = 27;
@@ -190,6 +190,8 @@ TEST(Reader, TakesAProgramForWindows) {
     EXPECT_EQ(p.slots[0], Example::kData + offsetof(Example::Data, slots));
 }
 
+// Cuts every file short and damages every byte: the reader must complain or give a program, never crash (run
+// it under ASan).
 TEST(Reader, SurvivesDamage) {
     Bytes whole = Example().file();
     for (size_t size = 0; size < whole.size(); ++size)
@@ -207,7 +209,8 @@ TEST(Reader, SurvivesDamage) {
 
 namespace {
 
-// The example over three pages of code and constants, with section headers: some early, some other code.
+// The example with three pages of code and constants and with section headers; some of the code is early
+// code.
 struct Sectioned {
     Example example;
     Elf64_Shdr sections[4] = {};
@@ -256,7 +259,7 @@ TEST(Reader, FindsCodeAndWhatIsEarlyBySections) {
     EXPECT_EQ(p.early, 8192u);
     EXPECT_EQ(p.earlyEntry, Example::kCode + 1000);
     EXPECT_EQ(p.readOnly, 12288u);
-    // Another name, and nothing is early
+    // Under another name, nothing is early
     Sectioned other;
     other.names[1] = '_';
     EXPECT_EQ(readProgram(other.file()).early, kNothingEarly);
@@ -264,9 +267,9 @@ TEST(Reader, FindsCodeAndWhatIsEarlyBySections) {
 
 TEST(Reader, WantsTheEarlyPartOnPagesOfItsOwn) {
     Sectioned s;
-    s.sections[1].sh_size -= 100; // the page ends behind it: fine
+    s.sections[1].sh_size -= 100; // fine: the page ends behind it
     EXPECT_EQ(readProgram(s.file()).early, 8192u);
-    s.sections[2].sh_addr -= 50; // ... but not when other code shares it
+    s.sections[2].sh_addr -= 50; // ... refused: other code shares the page
     EXPECT_NE(complaint(s.file()).find(".early"), std::string::npos);
 }
 
@@ -285,7 +288,7 @@ TEST(Reader, IsNotFooledByAddressesThatWrapAround) {
                   e.image.segments[2].p_vaddr = 0x100000000;
               }).find("absurd"),
               std::string::npos);
-    // A segment of no size is not loaded, wherever it says it is
+    // A segment of size 0 is not loaded, whatever its address
     Example e;
     e.image.header.e_phnum = 5;
     e.image.segments[4] = {PT_LOAD, PF_R | PF_X, 0, 0xffffffffffff0000, 0, 4096, 0, 4096};
@@ -298,8 +301,8 @@ TEST(Reader, IsNotFooledByAddressesThatWrapAround) {
 TEST(Writer, WritesWhatReadsBack) {
     Program p = readProgram(Sectioned().file());
     Workspace workspace;
-    Shape shape = defaultShape();
-    Bytes packed = writePacked(p, shape, encode(p.bytes, p.layout(), shape, workspace).payload);
+    ModelParameters parameters = defaultParameters();
+    Bytes packed = writePacked(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
     EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
     EXPECT_EQ(decodeWithStub(packed), p.bytes);
     Program q = readPacked(packed);
@@ -310,7 +313,7 @@ TEST(Writer, WritesWhatReadsBack) {
     EXPECT_EQ(q.entry, p.entry);
     EXPECT_EQ(q.slots[0], p.slots[0]);
     EXPECT_EQ(q.slots[1], p.slots[1]);
-    // Taken apart, it is a program as before, in the same place
+    // Reading the written file gives the same program, at the same address
     Program again = readProgram(writePlain(q));
     EXPECT_EQ(again.base, p.base - kPage);
     EXPECT_EQ(Bytes(again.bytes.begin() + kPage, again.bytes.end()), p.bytes);
@@ -321,8 +324,8 @@ TEST(Writer, WritesWhatReadsBack) {
 TEST(Writer, NothingDamagedIsOpened) {
     Program p = readProgram(Sectioned().file());
     Workspace workspace;
-    Shape shape = defaultShape();
-    Bytes packed = writePacked(p, shape, encode(p.bytes, p.layout(), shape, workspace).payload);
+    ModelParameters parameters = defaultParameters();
+    Bytes packed = writePacked(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
     for (size_t i = 0; i < packed.size(); ++i) {
         Bytes broken = packed;
         broken[i] ^= (uint8_t)(1 << i % 8);

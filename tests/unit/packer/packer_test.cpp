@@ -1,7 +1,8 @@
 #include "elf_writer.h"
 #include "estimate.h"
+#include "model_parameters.h"
 #include "search.h"
-#include "shape.h"
+#include "tests/support/sanitized.h"
 
 #include <cstring>
 #include <fstream>
@@ -27,7 +28,7 @@ Bytes readAll(const char *path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// This test's own code, which is real.
+// Real machine code: that of this test.
 Bytes realCode(size_t size) {
     Bytes all = readAll("/proc/self/exe");
     size_t from = all.size() / 3;
@@ -36,17 +37,17 @@ Bytes realCode(size_t size) {
 
 Layout allCode(const Bytes &b) { return {(uint32_t)b.size(), 0, (uint32_t)b.size()}; }
 
-// A shape for small memory, so that thousands of runs are quick.
-Shape smallShape(uint32_t slotBits = 14) {
-    Shape shape = defaultShape();
-    shape.slotBits = slotBits;
-    return shape;
+// Parameters that use little memory, so that thousands of runs are quick.
+ModelParameters smallParameters(uint32_t slotBits = 14) {
+    ModelParameters parameters = defaultParameters();
+    parameters.slotBits = slotBits;
+    return parameters;
 }
 
 Workspace workspace;
 
-// Decodes with the stub's code.
-Bytes decodeByStub(const Bytes &payload, const Layout &layout, const Shape &shape) {
+// Decodes with the code of the stub.
+Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
     Program program = {};
     program.base = 0x400000;
     program.span = 1 << 20;
@@ -56,10 +57,10 @@ Bytes decodeByStub(const Bytes &payload, const Layout &layout, const Shape &shap
     program.bytes.resize(layout.size);
     program.codeBegin = layout.codeBegin;
     program.codeSize = layout.codeSize;
-    return decodeWithStub(writePacked(program, shape, payload));
+    return decodeWithStub(writePacked(program, parameters, payload));
 }
 
-// Every opcode of every map with every ModRM byte, and operands thick with extremes.
+// Every opcode of every map with every ModRM byte, and operands that are often extreme.
 Bytes structured(unsigned seed, size_t size) {
     std::mt19937 random(seed);
     static const Bytes starts[] = {{0xe8},
@@ -97,7 +98,7 @@ Bytes structured(unsigned seed, size_t size) {
 
 namespace {
 
-// Lengths of the instructions in `code`.
+// The lengths of the instructions in `code`.
 std::vector<int> lengths(const Bytes &code) {
     uint8_t opcodes[1024];
     expandOpcodes(opcodes);
@@ -153,8 +154,7 @@ TEST(Parser, TablesAreFull) {
 }
 
 TEST(Filter, MakesOneTargetLookTheSame) {
-    // Calls, a jump, and two loads of what lies at 0x30, one with an immediate operand behind the
-    // displacement
+    // Calls, a jump, and two loads from 0x30; one of these has an immediate operand after the displacement
     Bytes code;
     auto add = [&](Bytes opcode, Bytes tail) {
         size_t at = code.size() + opcode.size();
@@ -185,122 +185,125 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
             layout.codeBegin = random() % layout.size;
             layout.codeSize = random() % (layout.size - layout.codeBegin + 1);
         }
-        Shape shape = smallShape(12 + random() % 6);
-        shape.contexts = 4 * (1 + random() % 6);
-        for (auto &masks : shape.masks)
-            for (uint32_t i = 0; i < shape.hashes(); ++i) masks[i] = (uint16_t)random();
-        Encoded e = encode(b, layout, shape, workspace);
-        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, shape, workspace), b) << b.size();
+        ModelParameters parameters = smallParameters(12 + random() % 6);
+        parameters.contexts = 4 * (1 + random() % 6);
+        for (auto &masks : parameters.masks)
+            for (uint32_t i = 0; i < parameters.hashes(); ++i) masks[i] = (uint16_t)random();
+        Encoded e = encode(b, layout, parameters, workspace);
+        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
         if (b.empty()) continue;
-        ASSERT_EQ(decodeByStub(e.payload, layout, shape), b) << b.size();
+        ASSERT_EQ(decodeByStub(e.payload, layout, parameters), b) << b.size();
     }
 }
 
 TEST(Coder, ThousandsOfSmallImages) {
-    Shape shape = smallShape(12);
-    shape.contexts = 4;
-    for (unsigned seed = 0; seed < 1000; ++seed) {
+    ModelParameters parameters = smallParameters(12);
+    parameters.contexts = 4;
+    for (unsigned seed = 0; seed < (odraz::kSanitized ? 100 : 1000); ++seed) {
         Bytes b =
             seed % 2 ? structured(seed, seed % 40) : randomBytes(seed % 40, seed, 1 + (int)(seed % 256));
-        Encoded e = encode(b, allCode(b), shape, workspace);
-        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), shape, workspace), b) << seed;
+        Encoded e = encode(b, allCode(b), parameters, workspace);
+        ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), parameters, workspace), b) << seed;
         if (seed % 5 || b.empty()) continue;
-        ASSERT_EQ(decodeByStub(e.payload, allCode(b), shape), b) << seed;
+        ASSERT_EQ(decodeByStub(e.payload, allCode(b), parameters), b) << seed;
     }
 }
 
 TEST(Coder, KnowsWhatEachByteCosts) {
     Bytes b = realCode(20000);
-    Encoded e = encode(b, allCode(b), smallShape(), workspace);
+    Encoded e = encode(b, allCode(b), smallParameters(), workspace);
     double sum = 0;
     for (float bits : e.bits) sum += bits;
     EXPECT_NEAR(sum / 8, (double)e.payload.size(), 8);
-    EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallShape(), workspace), sum / 8, 1);
+    EXPECT_NEAR(measure(filter(b, allCode(b)), allCode(b), smallParameters(), workspace), sum / 8, 1);
 }
 
 TEST(Coder, CompressesWhatHasStructure) {
     auto size = [](const Bytes &b) {
-        return encode(b, {(uint32_t)b.size(), 0, 0}, defaultShape(), workspace).payload.size();
+        return encode(b, {(uint32_t)b.size(), 0, 0}, defaultParameters(), workspace).payload.size();
     };
     EXPECT_LT(size(Bytes(70000, 0)), 160u);
     EXPECT_LT(size(randomBytes(20000, 1, 4)), 20000u / 4 * 1.06);
     EXPECT_LT(size(randomBytes(5000, 1)), 5000u * 1.06);
 }
 
-// The range is smallest when the last bit of all was the least likely.
+// The range is smallest when the very last bit was the unlikely one.
 TEST(Coder, SurvivesASurpriseAtTheVeryEnd) {
     for (uint32_t size : {300, 3000})
         for (uint8_t fill : {0x00, 0x55, 0xff}) {
             Bytes b(size, fill);
             b.back() ^= 1;
             Layout layout = {size, 0, 0};
-            Encoded e = encode(b, layout, smallShape(), workspace);
-            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallShape(), workspace), b);
-            ASSERT_EQ(decodeByStub(e.payload, layout, smallShape()), b);
+            Encoded e = encode(b, layout, smallParameters(), workspace);
+            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, smallParameters(), workspace), b);
+            ASSERT_EQ(decodeByStub(e.payload, layout, smallParameters()), b);
         }
 }
 
-// Carries run through the whole output when bits are nearly certain, and wrong at the end.
+// If bits are nearly certain and wrong at the end, carries run through the whole output.
 TEST(Coder, SurvivesItsOwnSurprise) {
     for (int length : {100, 1000, 30000})
         for (uint8_t last : {0, 1, 127, 128, 255}) {
             Bytes b((size_t)length, 0xff);
             b.back() = last;
             b[(size_t)length / 2] = last;
-            Encoded e = encode(b, allCode(b), smallShape(), workspace);
-            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), smallShape(), workspace), b);
+            Encoded e = encode(b, allCode(b), smallParameters(), workspace);
+            ASSERT_EQ(decode(e.payload.data(), e.payload.size(), allCode(b), smallParameters(), workspace),
+                      b);
         }
 }
 
 TEST(Coder, SurvivesDamage) {
     Bytes b = structured(9, 3000);
-    Encoded e = encode(b, allCode(b), smallShape(), workspace);
+    Encoded e = encode(b, allCode(b), smallParameters(), workspace);
     for (size_t i = 0; i < e.payload.size(); i += 97) {
         Bytes broken = e.payload;
         broken[i] ^= 0x10;
-        EXPECT_EQ(decode(broken.data(), broken.size(), allCode(b), smallShape(), workspace).size(), b.size());
-        EXPECT_EQ(decode(broken.data(), i, allCode(b), smallShape(), workspace).size(), b.size());
+        EXPECT_EQ(decode(broken.data(), broken.size(), allCode(b), smallParameters(), workspace).size(),
+                  b.size());
+        EXPECT_EQ(decode(broken.data(), i, allCode(b), smallParameters(), workspace).size(), b.size());
     }
 }
 
-// --- Shapes and search ---
+// --- Model parameters and search ---
 
-TEST(Shapes, ArePrintedAndParsed) {
-    Shape shape;
-    ASSERT_EQ(parseShape(printShape(defaultShape()), shape), "");
-    EXPECT_EQ(printShape(shape), printShape(defaultShape()));
-    std::string text = printShape(defaultShape());
-    EXPECT_NE(parseShape("", shape), "");
-    EXPECT_EQ(parseShape("slots many\n", shape), "line 1: slots needs a number of bits");
-    EXPECT_EQ(parseShape("code byte1\ncode byte9\n", shape), "line 2: unknown field in 'byte9'");
-    EXPECT_EQ(parseShape("kode byte1\n", shape), "line 1: unknown word 'kode'");
-    EXPECT_EQ(parseShape("code byte1 byte2\n", shape), "line 1: a word and its value are needed");
-    EXPECT_EQ(parseShape("slots 20\nslots 21\n", shape), "line 2: slots is given twice");
-    EXPECT_NE(parseShape(text + "code byte1\n", shape), "");
-    EXPECT_NE(parseShape(text + "data-weights byte1\n", shape), "");
+TEST(ModelParameters, ArePrintedAndParsed) {
+    ModelParameters parameters;
+    ASSERT_EQ(parseParameters(printParameters(defaultParameters()), parameters), "");
+    EXPECT_EQ(printParameters(parameters), printParameters(defaultParameters()));
+    std::string text = printParameters(defaultParameters());
+    EXPECT_NE(parseParameters("", parameters), "");
+    EXPECT_EQ(parseParameters("slots many\n", parameters), "line 1: slots needs a number of bits");
+    EXPECT_EQ(parseParameters("code byte1\ncode byte9\n", parameters), "line 2: unknown field in 'byte9'");
+    EXPECT_EQ(parseParameters("kode byte1\n", parameters), "line 1: unknown word 'kode'");
+    EXPECT_EQ(parseParameters("code byte1 byte2\n", parameters), "line 1: a word and its value are needed");
+    EXPECT_EQ(parseParameters("slots 20\nslots 21\n", parameters), "line 2: slots is given twice");
+    EXPECT_NE(parseParameters(text + "code byte1\n", parameters), "");
+    EXPECT_NE(parseParameters(text + "data-weights byte1\n", parameters), "");
     text.replace(text.find("slots 2"), 7, "slots 9");
-    EXPECT_NE(parseShape(text, shape), "");
+    EXPECT_NE(parseParameters(text, parameters), "");
 }
 
-// Of programs of code, of data and of both, with any number of contexts.
+// Tests programs of code, of data and of both, with several numbers of contexts.
 TEST(Estimates, AreNearTheTruth) {
     Bytes b = realCode(16000);
     uint32_t size = (uint32_t)b.size();
     for (Layout layout : {Layout{size, 0, size}, Layout{size, 3000, 10000}, Layout{size, 0, 0}})
         for (uint32_t contexts : {4u, 16u, 20u}) {
             Bytes filtered = filter(b, layout);
-            Shape shape = smallShape(20);
-            shape.contexts = contexts;
+            ModelParameters parameters = smallParameters(20);
+            parameters.contexts = contexts;
             for (int type = 0; type < 2; ++type)
-                for (uint32_t i = 16; i < shape.hashes(); ++i) shape.masks[type][i] = (uint16_t)(7 << i % 14);
+                for (uint32_t i = 16; i < parameters.hashes(); ++i)
+                    parameters.masks[type][i] = (uint16_t)(7 << i % 14);
             Estimator estimator(filtered, layout);
-            Estimate first = estimator(shape);
-            double truth = measure(filtered, layout, shape, workspace);
+            Estimate first = estimator(parameters);
+            double truth = measure(filtered, layout, parameters, workspace);
             EXPECT_NEAR(first.bytes, truth, truth * 0.01) << contexts;
 
-            // What is the same is taken from another estimate, to the same end
+            // Reusing the equal part of another estimate gives the same result
             for (uint32_t i : {1u, contexts, contexts + 3}) {
-                Shape other = shape;
+                ModelParameters other = parameters;
                 other.masks[0][i] ^= 0x11;
                 other.masks[1][i] ^= 0x11;
                 Estimate from = estimator(other, &first), anew = estimator(other);
@@ -316,12 +319,12 @@ TEST(Search, KeepsTheBest) {
     Bytes b = realCode(3000);
     Layout layout = allCode(b);
     Bytes filtered = filter(b, layout);
-    Shape poor = smallShape();
+    ModelParameters poor = smallParameters();
     for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = (uint16_t)(0x8000 >> i);
     double before = measure(filtered, layout, poor, workspace), told = 1e30;
     int tried = 0;
-    // A hundred tries, however long they take
-    Shape found = search(filtered, layout, poor, 1e6, [&](const Progress &p) {
+    // Make a hundred tries, however long they take
+    ModelParameters found = search(filtered, layout, poor, 1e6, [&](const Progress &p) {
         EXPECT_LE(p.bytes, told);
         told = p.bytes;
         tried = p.tried;
@@ -331,11 +334,11 @@ TEST(Search, KeepsTheBest) {
     EXPECT_LT(after, before);
     EXPECT_DOUBLE_EQ(after, told);
     EXPECT_GE(tried, 100);
-    Shape again;
-    EXPECT_EQ(parseShape(printShape(found), again), "");
-    EXPECT_EQ(printShape(search({}, {0, 0, 0}, poor, 1, [](const Progress &) { return true; })),
-              printShape(poor));
-    // It can be stopped
+    ModelParameters again;
+    EXPECT_EQ(parseParameters(printParameters(found), again), "");
+    EXPECT_EQ(printParameters(search({}, {0, 0, 0}, poor, 1, [](const Progress &) { return true; })),
+              printParameters(poor));
+    // The search can be stopped
     tried = 0;
     search(filtered, layout, poor, 1000, [&](const Progress &) { return ++tried < 3; });
     EXPECT_LE(tried, 3 + (int)std::thread::hardware_concurrency());

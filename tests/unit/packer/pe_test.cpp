@@ -1,6 +1,6 @@
 #include "files.h"
+#include "model_parameters.h"
 #include "pe_writer.h"
-#include "shape.h"
 #include "tests/support/pe_rules.h"
 
 #include <cstring>
@@ -12,7 +12,7 @@ using Bytes = std::vector<uint8_t>;
 
 namespace {
 
-// A page of code, then one of data whose first words are the slots of what is imported.
+// A page of code, then one of data that begins with the slots of the imports.
 Program example() {
     Program p = {};
     p.base = 0x400000;
@@ -36,17 +36,17 @@ constexpr size_t kOptional = 64 + 24, kSections = kOptional + 112 + 16 * 8;
 TEST(Pe, AWindowsOfTodayTakesWhatIsWritten) {
     Program p = example();
     EXPECT_EQ(brokenPeRule(writePlainPe(p)), "");
-    EXPECT_EQ(peImports(writePlainPe(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // as their slots lie
+    EXPECT_EQ(peImports(writePlainPe(p)), "kernel32.dll: GetProcAddress LoadLibraryA"); // in slot order
     std::swap(p.slots[0], p.slots[1]);
     EXPECT_EQ(peImports(writePlainPe(p)), "kernel32.dll: LoadLibraryA GetProcAddress");
-    // Any page of 31 bits; data without bytes but those that the loader writes
+    // The base may be any page of 31 bits; data may have no bytes except those that the loader writes
     for (uint32_t by : {0u, 0x1000u, 0xf000u, 0x10000u}) {
         Program moved = example();
         moved.base += by, moved.entry += by, moved.slots[0] += by, moved.slots[1] += by;
         moved.bytes.resize(0x800);
         EXPECT_EQ(brokenPeRule(writePlainPe(moved)), "") << by;
     }
-    // All of the stack is there from the start
+    // All of the stack is committed from the start
     Bytes file = writePlainPe(p);
     EXPECT_EQ(std::memcmp(file.data() + kOptional + 72, file.data() + kOptional + 80, 8), 0);
     p.span = p.readOnly;
@@ -58,14 +58,14 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
     p.codeSize = 0x1000;
     p.early = kNothingEarly;
     Workspace workspace;
-    Encoded encoded = encode(p.bytes, p.layout(), defaultShape(), workspace);
-    Bytes file = writePackedPe(p, defaultShape(), encoded.payload);
+    Encoded encoded = encode(p.bytes, p.layout(), defaultParameters(), workspace);
+    Bytes file = writePackedPe(p, defaultParameters(), encoded.payload);
     EXPECT_EQ(brokenPeRule(file), "");
     EXPECT_EQ(peImports(file),
               "kernel32.dll: GetProcAddress LoadLibraryA LoadLibraryA GetProcAddress VirtualAlloc "
               "VirtualFree VirtualProtect GetStdHandle WriteFile ExitProcess");
     EXPECT_EQ(file.size() % 512, 0u);
-    EXPECT_LE(overheadPe(defaultShape()), 3072u);
+    EXPECT_LE(overheadPe(defaultParameters()), 3072u);
     EXPECT_EQ(decodeWithStubPe(file), p.bytes);
     Program back = readPackedPe(file);
     EXPECT_EQ(back.bytes, p.bytes);
@@ -73,7 +73,7 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
     EXPECT_EQ(back.slots[1], p.slots[1]);
     EXPECT_EQ(back.entry, p.entry);
     EXPECT_EQ(writePlainPe(back), writePlainPe(p));
-    // Damage anywhere is found, also where only the loader looks
+    // Damage is found everywhere, also in bytes that only the loader reads
     for (size_t at = 0; at < file.size(); at += at < 800 ? 1 : 7) {
         Bytes damaged = file;
         damaged[at] ^= 16;
@@ -83,7 +83,7 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
         EXPECT_THROW(readPackedPe(Bytes(file.begin(), file.begin() + (long)size)), Unsuitable) << size;
 }
 
-// The shipped program, where it has been built: beside the folder of this test.
+// The shipped program, if it has been built: it lies beside the folder of this test.
 TEST(Pe, AWindowsOfTodayTakesTheFilm) {
     for (const char *name : {"odraz.exe", "odraz-safe.exe"}) {
         std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path().parent_path() / name;
@@ -95,7 +95,7 @@ TEST(Pe, AWindowsOfTodayTakesTheFilm) {
     }
 }
 
-// What the rules are for: each is seen to be broken.
+// Breaks each rule once and checks that it is found.
 TEST(Pe, TheRulesFindWhatIsWrong) {
     struct {
         const char *rule;
@@ -127,7 +127,7 @@ TEST(Pe, TheRulesFindWhatIsWrong) {
         {"a slot outside the directory of slots", kOptional + 112 + 12 * 8, 0x11008},
     };
     Program p = example();
-    p.bytes.resize(0x2300, 1); // so that a page more of data has bytes
+    p.bytes.resize(0x2300, 1); // so that one more page of data has bytes
     Bytes sound = writePlainPe(p);
     ASSERT_EQ(brokenPeRule(sound), "");
     for (auto &fault : faults) {

@@ -1,4 +1,4 @@
-// Elements: quadtrees without cracks, hidden places, and what divides them.
+// Elements: quadtrees without cracks, hidden places, and the rules for dividing.
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 #include "radiosity/visible.h"
@@ -26,7 +26,7 @@ struct Divided {
         ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, levels));
         settleFresh(*model);
     }
-    // The value of a plane at a place of a chart, as the tracer sees it.
+    // The value of a plane at a place of a chart, as the tracer computes it.
     float at(const std::vector<float> &plane, int chart, float u, float v) const {
         Lightmap map = {};
         map.charts = model->charts;
@@ -39,7 +39,8 @@ struct Divided {
 
 } // namespace
 
-// Divide at random, to all depths; give every texel a random value; after the ties nothing jumps anywhere.
+// Divides cells at random down to all depths and gives every texel a random value. After the ties are
+// applied, no value jumps anywhere.
 TEST(Quadtree, HasNoCracksWhateverIsDivided) {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Divided d;
@@ -47,7 +48,7 @@ TEST(Quadtree, HasNoCracksWhateverIsDivided) {
         d.divide();
         Model &m = *d.model;
         std::mt19937 random(seed);
-        for (int i = 0; i < m.cellCount; ++i) // grows as it goes
+        for (int i = 0; i < m.cellCount; ++i) // the count grows in this loop
             if (!m.cells[i].divided() && m.cells[i].level < kFinest && random() % 3 == 0) split(m, i);
         settleFresh(m);
         for (int i = 0; i < m.texelCount; ++i) m.texels[i].visible = 15;
@@ -55,7 +56,7 @@ TEST(Quadtree, HasNoCracksWhateverIsDivided) {
         std::vector<float> plane((size_t)m.texelCount + 8);
         for (float &v : plane) v = (float)(random() % 1000) * 0.001f;
         settle(m, plane.data());
-        // Along every cell's border, just inside and just outside
+        // Along the border of every cell, just inside and just outside
         for (int i = 0; i < m.cellCount; ++i) {
             const Cell &cell = m.cells[i];
             if (cell.divided()) continue;
@@ -84,9 +85,9 @@ TEST(Quadtree, SharesCornersAndKeepsAreas) {
     ASSERT_EQ(m.texelCount, 9);
     split(m, 0);
     EXPECT_EQ(m.texelCount, 9 + 5);
-    split(m, 1); // shares a side with the first, whose middle is there already
+    split(m, 1); // its side with the first cell has a middle already
     EXPECT_EQ(m.texelCount, 9 + 5 + 4);
-    EXPECT_EQ(m.freshCount, 9 + 6); // the new ones, and the corners, which stand closer now
+    EXPECT_EQ(m.freshCount, 9 + 6); // the new ones, and the corners, whose places have moved closer
     settleFresh(m);
     float area = 0;
     for (int i = 0; i < m.cellCount; ++i)
@@ -94,7 +95,7 @@ TEST(Quadtree, SharesCornersAndKeepsAreas) {
     EXPECT_FLOAT_EQ(area, 4);
 }
 
-// Whatever is divided and whatever is hidden: neither texels, cells nor ties outgrow what was taken.
+// Whichever cells are divided and hidden, texels, cells and ties stay within the memory that was taken.
 TEST(Quadtree, HasRoomForAllLevels) {
     for (int levels = 0; levels <= kFinest; ++levels)
         for (unsigned seed = 0; seed < 6; ++seed) {
@@ -104,11 +105,11 @@ TEST(Quadtree, HasRoomForAllLevels) {
             d.divide(1, levels);
             Model &m = *d.model;
             std::mt19937 random(seed);
-            // Of the cells all, most or few
+            // Divide all, most or few cells
             for (int i = 0; i < m.cellCount; ++i)
                 if (m.cells[i].level < levels && random() % 3 >= seed % 3) split(m, i);
             settleFresh(m);
-            // Places that can be seen: few or many
+            // Make few or many places visible
             for (int i = 0; i < m.texelCount; ++i)
                 m.texels[i].visible = random() % 4 < seed ? 15 : random() % 4 ? 0 : 1;
             tie(m);
@@ -142,7 +143,7 @@ TEST(Model, ThatIsTooLargeIsRefused) {
     EXPECT_EQ(other.chartCount, kMaxCharts);
 }
 
-// An edge of light crosses a floor: cells are divided along it, and nowhere else.
+// An edge of light crosses a floor: only the cells along it are divided.
 TEST(Refine, FollowsTheEdge) {
     Divided d;
     d.model->addRect({0, 0, 0}, {0, 0, 8}, {8, 0, 0}, 0, 1);
@@ -173,15 +174,15 @@ TEST(Refine, FollowsTheEdge) {
             EXPECT_EQ(cell.level, kFinest);
         }
     }
-    // A line of the finest cells, not an area of them
+    // The finest cells form a line, not an area
     EXPECT_LT(m.cellCount, 8 * 8 + 4 * 8 * (2 + 4 + 8) * 2);
     Measure dark;
     std::fill(plane.begin(), plane.end(), 0.f);
     EXPECT_FALSE(measure(m, plane.data(), 0.2f, dark));
 }
 
-// Where a block stands on the floor, its edge is found down to the finest cells, and what is under it takes
-// what is around it.
+// A block stands on the floor. Cells along its edge are divided to the finest level, and texels under it take
+// the light around it.
 TEST(Refine, DividesWhatIsHiddenInPart) {
     Divided d;
     d.model->solid = true;
@@ -215,7 +216,7 @@ TEST(Refine, DividesWhatIsHiddenInPart) {
     settle(m, plane.data());
     for (float u = 0.1f; u < 8; u += 0.1f)
         for (float v = 0.1f; v < 8; v += 0.1f) ASSERT_FLOAT_EQ(d.at(plane, 0, u, v), 5) << u << ' ' << v;
-    // A patch's mean is of what can be seen of it
+    // The mean of a patch counts only what is visible of it
     std::vector<float> mean((size_t)m.patchCount);
     meansOfPatches(m, plane.data(), mean.data(), 1);
     for (int i = 0; i < m.patchCount; ++i)
@@ -224,13 +225,13 @@ TEST(Refine, DividesWhatIsHiddenInPart) {
         }
 }
 
-// Open models: what only sees backs is hidden, what a sheet hovers over is not.
+// In open models, places that see only backs are hidden; places below a sheet that hovers are not.
 TEST(Hidden, InOpenModelsOnlyWhatSeesNothingElse) {
     Divided d;
     addRoom(*d.model, {-4, 0, -4}, {4, 3, 4}, 1);
     d.model->addBox({-0.6f, 0, -0.6f}, {0.6f, 3, 0.6f}, 0, 1,
                     Model::kUpright);                        // a tube up to the ceiling, without lids
-    d.model->addRect({2, 1, 2}, {0, 0, 1}, {1, 0, 0}, 0, 1); // a sheet that is lit from above
+    d.model->addRect({2, 1, 2}, {0, 0, 1}, {1, 0, 0}, 0, 1); // a sheet lit from above
     d.divide();
     const Model &m = *d.model;
     const Chart &floor = m.charts[0];
@@ -247,7 +248,7 @@ TEST(Triangles, AreMetAsPartOfTheirChart) {
     auto scene = std::make_unique<Scene>();
     std::mt19937 random(7);
     auto coordinate = [&] { return (float)(random() % 2000) * 0.001f - 1; };
-    // Two triangles that share a side: no ray passes between them, and outside both nothing is hit
+    // Two triangles share a side: no ray passes between them, and rays beside both miss
     for (int i = 0; i < 200; ++i) {
         scene->clear();
         Vec3 a = {coordinate(), coordinate(), coordinate()}, u = {coordinate(), coordinate(), coordinate()},
@@ -270,7 +271,7 @@ TEST(Triangles, AreMetAsPartOfTheirChart) {
             Vec3 out = a + u * (1.01f + std::fabs(s)) + v * t;
             Ray8 past = {broadcast(out + n), broadcast(-n)};
             ASSERT_EQ(intersect(*scene, past, kLanes < 1).shape[0], -1);
-            // Not from behind; light is stopped from both sides
+            // A ray from behind does not hit; light is stopped from both sides
             Ray8 behind = {broadcast(p - n), broadcast(n)};
             ASSERT_EQ(intersect(*scene, behind, kLanes < 1).shape[0], -1);
             if (inside) {

@@ -36,7 +36,7 @@ struct Room {
                       Model::kUpright | Model::kTop);
     }
     void addBall(Vec3 centre, float radius) {
-        r->lights.lamps[r->lights.lampCount++] = {centre * scale, radius * scale, -1};
+        r->bases.lamps[r->bases.lampCount++] = {centre * scale, radius * scale, -1};
     }
     bool solve(RadiositySettings settings = {}) {
         scene->clear();
@@ -49,11 +49,11 @@ struct Room {
         scene->finish();
         return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, {});
     }
-    // Of a texel, in one of the planes
+    // The value of a texel in one of the planes
     float at(const float *plane, int chart, int i, int j) const {
         return plane[model->charts[chart].texel(i, j)];
     }
-    // The texels of a chart that lie off its border
+    // Visits the texels of a chart that do not lie on its border
     void forTexels(int chart, const std::function<void(int, Vec3)> &visit) const {
         const Chart &c = model->charts[chart];
         for (int j = 1; j < c.down; ++j)
@@ -64,7 +64,7 @@ struct Room {
     bool visible(int texel) const { return model->texels[texel].visible; }
 };
 
-// From a point at the foot of a corner's normal to a rectangle a x b parallel to it at distance c.
+// From a point to a parallel rectangle a x b at distance c, with one corner straight above the point.
 double cornerFormFactor(double a, double b, double c) {
     double A = a / c, B = b / c, ra = std::sqrt(1 + A * A), rb = std::sqrt(1 + B * B);
     return (A / ra * std::atan(B / ra) + B / rb * std::atan(A / rb)) / (2 * M_PI);
@@ -86,7 +86,7 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
         room.walls = room.floor = {};
         room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
         int lamp = room.model->addRect({-0.5f, height, -1}, {1, 0, 0}, {0, 0, 2}, 2, 0.5f);
-        room.r->lights.lamps[room.r->lights.lampCount++] = {{}, 0, lamp};
+        room.r->bases.lamps[room.r->bases.lampCount++] = {{}, 0, lamp};
         ASSERT_TRUE(room.solve());
         double worst = 0;
         room.forTexels(0, [&](int texel, Vec3 p) {
@@ -115,7 +115,7 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
         double d2 = (double)dot(p - Vec3{0, 2.5f, 0}, p - Vec3{0, 2.5f, 0}),
                exact = 0.01 / d2 * 2.5 / std::sqrt(d2);
         float got = room.r->direct[0][texel];
-        // The block's shadow is 5/3 of its size
+        // The shadow of the block is 5/3 of its size
         double out = std::fmax(std::fabs((double)p.x), std::fabs((double)p.z));
         if (out > 1.05) {
             EXPECT_NEAR((double)got, exact, exact * 0.02) << p.x << ' ' << p.z;
@@ -135,10 +135,10 @@ TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
     room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
     room.model->addRect({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, 0, 1, Model::kOpen);
     // Three skies, one of them negative
-    room.r->lights.sky = [](const void *, const Vec3x8 &, Float8 *radiance) {
+    room.r->bases.sky = [](const void *, const Vec3x8 &, Float8 *radiance) {
         radiance[0] = broadcast(1.f), radiance[1] = broadcast(-2.f), radiance[2] = broadcast(3.f);
     };
-    room.r->lights.skyCount = 3;
+    room.r->bases.skyCount = 3;
     ASSERT_TRUE(room.solve());
     room.forTexels(0, [&](int texel, Vec3 p) {
         double exact = parallelFormFactor((double)p.x, (double)p.z, -1, 1, -1, 1, 2);
@@ -157,7 +157,7 @@ TEST(Direct, TheSunComesInThroughTheWindow) {
     room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
     room.model->addFacet(0, 0, 4, 2);
     room.model->addFacet(0, 4, 4, 6);
-    room.r->lights.suns[room.r->lights.sunCount++] = {0, 1000, 0};
+    room.r->bases.suns[room.r->bases.sunCount++] = {0, 1000, 0};
     ASSERT_TRUE(room.solve());
     room.forTexels(0, [&](int texel, Vec3 p) {
         if (std::fabs(std::fabs(p.z) - 1) < 0.2f) return;
@@ -165,7 +165,7 @@ TEST(Direct, TheSunComesInThroughTheWindow) {
     });
 }
 
-// What is sealed off stays black, to the bit: no light leaks through walls, corners or along floors.
+// A sealed room stays black to the bit: no light leaks through walls, corners or along floors.
 TEST(Leaks, ASealedRoomStaysDark) {
     Room room;
     room.addWalls();
@@ -184,13 +184,13 @@ TEST(Leaks, ASealedRoomStaysDark) {
     EXPECT_GT(room.at(room.r->bounced[0][0], 0, 2, 2), 1e-4f);
 }
 
-// Under the block is hidden, and what is interpolated there comes from around it: no dark rim.
+// The floor under the block is hidden and interpolated from its surroundings: no dark rim.
 TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
     Room room;
     room.addWalls();
     room.addBall({0, 2.9f, 0}, 0.05f);
     RadiositySettings settings;
-    settings.block = 4; // so that the block ends where elements end
+    settings.block = 4; // the block ends where elements end
     ASSERT_TRUE(room.solve(settings));
     int hidden = 0;
     float least = 1e9f, most = 0;
@@ -214,7 +214,8 @@ TEST(Solve, ReflectanceZeroGivesNoBounce) {
     for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(room.r->bounced[0][0][i], 0);
 }
 
-// All light that the lamp gives is absorbed somewhere: sum over the patches of area (1 - rho) B / rho.
+// Energy is conserved: the light of the lamp equals the light absorbed, the sum over patches of area (1 -
+// rho) B / rho.
 TEST(Solve, EnergyIsConserved) {
     for (float rho : {0.2f, 0.7f, 0.95f}) {
         Room room;
@@ -235,7 +236,7 @@ TEST(Solve, EnergyIsConserved) {
         }
         std::printf("rho %.2f: absorbed %.4f of what arrived\n", (double)rho, absorbed / arrived);
         EXPECT_NEAR(absorbed / arrived, 1, 0.02) << rho;
-        // A ball gives pi times its radiance times its surface: 4 pi r^2, here in units of irradiance / pi
+        // A ball emits pi times its radiance times its surface: 4 pi r^2, here in units of irradiance / pi
         EXPECT_NEAR(arrived, 4 * M_PI * 0.01, 0.02 * 4 * M_PI * 0.01) << rho;
     }
 }
@@ -250,7 +251,8 @@ TEST(Solve, ColourBleeds) {
     EXPECT_GT(red, 1.3f * blue);
 }
 
-// Light is linear in power over twelve orders of magnitude; the solver's residual is relative.
+// Light is linear in the lamp's power over twelve orders of magnitude, because the solver's residual is
+// relative.
 TEST(Extremes, LampsFromAMillionthToAMillion) {
     Room room;
     room.addWalls();
@@ -280,7 +282,7 @@ TEST(Extremes, AlmostEverythingIsReflected) {
     settings.residual = 1e-5f;
     settings.block = 4;
     ASSERT_TRUE(room.solve(settings));
-    // Nearly even, and about what the lamp gives over what walls absorb
+    // Light is nearly even, and about what the lamp emits divided by what walls absorb
     double area = 2 * (4 * 3 + 4 * 6 + 3 * 6) + 4, even = 4 * M_PI * 0.01 / (area * 0.001);
     for (int i = 0; i < room.model->texelCount; ++i)
         if (room.visible(i)) {
@@ -315,7 +317,7 @@ TEST(Extremes, SizeDoesNotMatter) {
 TEST(Extremes, NoLightNoMemoryNoTime) {
     Room dark;
     dark.addWalls();
-    ASSERT_TRUE(dark.solve()); // no basis at all
+    ASSERT_TRUE(dark.solve()); // no light basis at all
     Room small;
     small.addWalls();
     small.addBall({0, 2, 0}, 0.1f);
@@ -330,26 +332,27 @@ TEST(Extremes, NoLightNoMemoryNoTime) {
     EXPECT_FALSE(left.solve());
 }
 
-// Where the tracer draws a lamp's shadow, elements are not divided for it: of all bases, the last one too.
+// Elements are not divided along a shadow that the tracer draws itself. This holds for every basis, also the
+// last.
 TEST(Traced, IsOfEveryBasis) {
     int cells[2];
     for (int traced = 0; traced < 2; ++traced) {
         Room room;
         room.addWalls();
-        room.r->lights.skyCount = kMaxSkies;
-        room.r->lights.sunCount = kMaxSuns; // none shines into a closed room
+        room.r->bases.skyCount = kMaxSkies;
+        room.r->bases.sunCount = kMaxSuns; // no sun shines into a closed room
         for (int i = 0; i < kMaxLamps; ++i) room.addBall({0.6f * (float)(i % 4) - 0.9f, 2.5f, 1}, 0.1f);
-        ASSERT_TRUE(room.r->lights.fit());
+        ASSERT_TRUE(room.r->bases.fit());
         RadiositySettings settings;
         settings.levels = 1;
-        if (traced) settings.traced = (((Bases)1 << kMaxLamps) - 1) << (kMaxSkies + kMaxSuns);
+        if (traced) settings.traced = basesBetween(kMaxSkies + kMaxSuns, kMaxBases);
         ASSERT_TRUE(room.solve(settings));
         cells[traced] = room.model->cellCount;
     }
     EXPECT_LT(cells[1], cells[0] - 100);
-    Lights lights = {};
-    lights.lampCount = kMaxLamps + 1;
-    EXPECT_FALSE(lights.fit());
+    LightBases bases = {};
+    bases.lampCount = kMaxLamps + 1;
+    EXPECT_FALSE(bases.fit());
 }
 
 TEST(Solve, ProgressRisesToOne) {

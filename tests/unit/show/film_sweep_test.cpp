@@ -1,5 +1,5 @@
-// The whole film, four pictures a second, in draft and in film: nothing is NaN, infinite or negative, no
-// picture is black where no fade is, and none is the one before.
+// The whole film, four pictures a second, in draft and in film. No value is NaN, infinite or negative; no
+// picture is black outside a fade or equals the one before.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 
@@ -25,11 +25,11 @@ protected:
 
 TEST_P(Sweep, EveryPictureIsOne) {
     ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
-    const char *from = std::getenv("SWEEP_FROM"); // to try it
+    const char *from = std::getenv("SWEEP_FROM"); // to try a part of it
     int pictures = 0;
     double before = -1, darkest = 1e9;
     for (double t = from ? std::atof(from) : 0; t < duration(); t += 0.25) {
-        picture(*intro, t, kQualities[(int)GetParam()]);
+        picture(*intro, 0, t, kQualities[(int)GetParam()]);
         const Frame &f = intro->frame;
         double sum = 0;
         for (int y = 0; y < f.height; ++y)

@@ -12,7 +12,7 @@ using namespace odraz;
 
 namespace {
 
-constexpr int kNoonSun = kSh + 4 * kNoon;
+constexpr int kNoonSun = kFirstSun + 4 * kNoon;
 constexpr Vec3 kEye = {0, 1.6f, 3};
 
 struct Solved {
@@ -33,8 +33,8 @@ Solved &solved() {
 
 } // namespace
 
-// In the memory that every room gets: with something to spare, and without waste. And below the limits of a
-// scene, with all that burns at once.
+// The hall fits the memory that every room gets, with a reserve but without waste. It also stays below the
+// limits of a scene, with all its lights on.
 TEST(Hall, FitsAndWastesNothing) {
     Solved &s = solved();
     double used = (double)s.memory.arena.used / (double)s.memory.arena.size;
@@ -43,12 +43,12 @@ TEST(Hall, FitsAndWastesNothing) {
     EXPECT_GT(used, 0.6);
     auto scene = std::make_unique<Scene>();
     scene->clear();
-    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, 0, kEye, *scene);
-    EXPECT_LE(scene->materialCount, kMaxMaterials - 8); // the rest is for the balls of a scene in the hall
+    poseHall(*s.hall, {kNight, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, 0, kEye, *scene);
+    EXPECT_LE(scene->materialCount, kMaxMaterials - 8); // the others are for the balls of a scene in the hall
     EXPECT_LE(scene->lightCount, kMaxLights - 2);
 }
 
-// From every patch the hall is closed: rows with windows and lamps sum to 1.
+// The hall is closed as seen from every patch: rows, with windows and lamps, sum to 1.
 TEST(Hall, IsClosed) {
     Solved &s = solved();
     const Model &m = s.hall->model;
@@ -70,7 +70,7 @@ TEST(Hall, IsClosed) {
     std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
 }
 
-// Another method: rays by the cosine law, traced through the scene.
+// Compares with another method: rays by the cosine law, traced through the scene.
 TEST(Hall, HemicubesAgreeWithRays) {
     Solved &s = solved();
     const Model &m = s.hall->model;
@@ -83,13 +83,13 @@ TEST(Hall, HemicubesAgreeWithRays) {
         if (p.share == 0 || c.open) continue;
         Eye eye = hemicubeEye(p.p, c.n, (uint32_t)i);
         std::vector<float> row = lens.row(m, eye);
-        // By charts; windows together: rays that meet nothing leave through one
+        // Compare by chart, and all windows together: rays that hit nothing leave through one
         std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
         for (int k = 0; k < m.patchCount; ++k) {
             int chart = m.patches[k].chart;
             hemicube[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)row[(size_t)k];
         }
-        constexpr int kSide = 64; // squared: rays
+        constexpr int kSide = 64; // rays: its square
         for (int first = 0; first < kSide * kSide; first += 8) {
             Ray8 ray;
             ray.o = broadcast(p.p + c.n * 1e-4f);
@@ -121,7 +121,7 @@ TEST(Hall, HemicubesAgreeWithRays) {
     EXPECT_LT(square, noise);
 }
 
-// The hall a thousand times smaller and larger: the same light, to the rounding of its coordinates.
+// The hall a thousand times smaller and larger has the same light, up to the rounding of coordinates.
 TEST(Hall, SizeDoesNotMatter) {
     struct Copy {
         HeapArena memory{kRoomBytes};
@@ -142,10 +142,10 @@ TEST(Hall, SizeDoesNotMatter) {
             Facet &f = copy->model->facets[i];
             for (int k = 0; k < 4; ++k) f.u[k] *= scale, f.v[k] *= scale;
         }
-        copy->r->lights = hall.radiosity.lights;
-        for (Lamp &l : copy->r->lights.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
-        for (Vec3 &sun : copy->r->lights.suns) sun *= Vec3{scale, scale, scale};
-        // The hall's own materials, over the copy's facets
+        copy->r->bases = hall.radiosity.bases;
+        for (Lamp &l : copy->r->bases.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
+        for (Vec3 &sun : copy->r->bases.suns) sun *= Vec3{scale, scale, scale};
+        // The hall's own materials on the facets of the copy
         auto scene = std::make_unique<Scene>();
         poseHall(*solved().hall, {}, 0, kEye, *scene);
         scene->shapeCount = 0;
@@ -181,21 +181,21 @@ TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
     Solved &s = solved();
     auto scene = std::make_unique<Scene>();
     float noon = 0, night = 0;
-    for (float hour = 0; hour <= kHours - 1; hour += 0.25f) {
+    for (float hour = 0; hour <= (float)kNight; hour += 0.25f) {
         scene->clear();
         poseHall(*s.hall, {hour, {}, {}, 1}, 0, kEye, *scene);
         for (float *plane : s.hall->light)
             for (int i = 0; i < s.hall->model.texelCount; ++i)
                 ASSERT_TRUE(plane[i] >= 0 && plane[i] < 100) << hour;
-        if (hour == kNoon) noon = scene->ambientHigh.y;
+        if (hour == (float)kNoon) noon = scene->ambientHigh.y;
         night = scene->ambientHigh.y;
     }
     EXPECT_GT(noon, 10 * night);
     EXPECT_GT(night, 0);
 }
 
-// The two strongest lanterns are the tracer's, the rest is the lightmap's. Whatever the three do, what a
-// place gets from both together changes as little as they do: nothing pops when one overtakes another.
+// The tracer draws the two strongest lanterns, the lightmap the others. When one lantern overtakes another,
+// the light of both together must change as slowly as the lanterns do: nothing pops.
 TEST(Hall, LanternsChangeHandsUnseen) {
     Solved &s = solved();
     auto scene = std::make_unique<Scene>();
@@ -208,7 +208,7 @@ TEST(Hall, LanternsChangeHandsUnseen) {
     for (int step = 0; step <= 1000; ++step) {
         float t = (float)step * 0.001f;
         scene->clear();
-        poseHall(*s.hall, {kHours - 1, {t, 0.6f, 1 - t}, {}, 1}, 0, kEye, *scene);
+        poseHall(*s.hall, {kNight, {t, 0.6f, 1 - t}, {}, 1}, 0, kEye, *scene);
         double light = (double)s.hall->light[1][texel];
         most = std::max(most, scene->lightCount);
         for (int i = 0; i < scene->lightCount; ++i) {
@@ -222,13 +222,13 @@ TEST(Hall, LanternsChangeHandsUnseen) {
         }
         last = light;
     }
-    EXPECT_LE(most, 1 + kLanterns); // the sun and those that just take over
+    EXPECT_LE(most, 1 + kLanterns); // the sun and the lanterns that are changing over
     scene->clear();
-    poseHall(*s.hall, {kHours - 1, {1, 0.7f, 0.3f}, {}, 1}, 0, kEye, *scene);
+    poseHall(*s.hall, {kNight, {1, 0.7f, 0.3f}, {}, 1}, 0, kEye, *scene);
     EXPECT_EQ(scene->lightCount, 1 + 2);
 }
 
-// Each bounce adds, each less than the one before, and they run up to the solution.
+// Each bounce adds light, less than the one before, and their sum approaches the solution.
 TEST(Hall, BouncesRunUpToTheSolution) {
     Solved &s = solved();
     const Hall &hall = *s.hall;
@@ -260,7 +260,7 @@ TEST(Hall, BouncesRunUpToTheSolution) {
     EXPECT_GT(mean[kBounces], 0.9 * solution);
 }
 
-// Windows let light out: whatever basis lights them, they give nothing back.
+// Windows let light out and return none, whichever basis lights them.
 TEST(Hall, WindowsReflectNothing) {
     const Hall &hall = *solved().hall;
     const System &system = hall.radiosity.system;
@@ -275,7 +275,8 @@ TEST(Hall, WindowsReflectNothing) {
     EXPECT_GT(in, 0);
 }
 
-// A ball that rests on the floor takes from its light what it covers of what the floor sees, and no more.
+// A ball that rests on the floor takes from its light exactly the share that it covers of what the floor
+// sees.
 TEST(Hall, ABallDarkensWhatItStandsOn) {
     Solved &s = solved();
     auto scene = std::make_unique<Scene>();

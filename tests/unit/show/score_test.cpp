@@ -1,9 +1,10 @@
-// The score keeps to its scale, its bars, and what is seen.
+// The score stays within its scale and its bars, and fits the pictures.
 #include "show/score.h"
 
 #include "show/show.h"
 
 #include <cmath>
+#include <cstring>
 #include <gtest/gtest.h>
 #include <memory>
 #include <set>
@@ -47,6 +48,19 @@ TEST(Score, KeepsToItsScale) {
     EXPECT_GT(count, 500);
 }
 
+TEST(Score, HasAChordForEveryBarOfEveryScene) {
+    for (int scene = 0; scene < kSceneCount; ++scene) {
+        float rows = 0;
+        for (int i = 0; i < kFilm.count; ++i) {
+            const Shot &shot = kFilm.shots[i];
+            if (shot.scene == scene)
+                rows = (i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow) - shot.storyRow;
+        }
+        EXPECT_GT(rows, 0) << kScenes[scene].name << " is in no shot";
+        EXPECT_EQ((float)std::strlen(kChords[scene]), rows / (float)kRowsPerBar) << kScenes[scene].name;
+    }
+}
+
 TEST(Score, AddsNoMoreNotesAtOnceThanFit) {
     for (int row = 0; row < (int)kFilm.endRow; ++row)
         EXPECT_LE((int)notesOf(row).size(), kVoicesAtOnce) << row;
@@ -66,7 +80,7 @@ TEST(Score, ClimbsAScaleWithTheStrips) {
     float last = 0;
     for (int i = kStrip1; i <= kStrip8; ++i) {
         std::vector<Note> notes = notesOf(firstRow(kHall) + kEvents[i].row);
-        float key = 0; // the event's sound is the last that is played
+        float key = 0; // the event's sound is played last
         for (const Note &n : notes)
             if (n.instrument == &kInstruments[kPiano]) key = n.key;
         if (i < kStrip8) {

@@ -1,5 +1,5 @@
-// The film keeps its own rules: cuts on bars, shots long enough, cameras that neither jump nor hide in
-// things, and no picture with a NaN or nothing in it.
+// The film keeps its own rules: cuts fall on bars, shots are long enough, cameras neither jump nor hide
+// inside things, and no picture has a NaN or is empty.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 
@@ -46,13 +46,13 @@ TEST(Film, EveryPathSpansItsShot) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
         ASSERT_GT(s.path.count, 1);
-        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << i; // beyond it: it is cut in motion
+        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << i; // if before: the cut is in motion
         EXPECT_GE(s.path.keys[s.path.count - 1].row, end - s.storyRow) << i;
     }
 }
 
-// Within a shot the eye never moves faster than a run, turns faster than the head does, or stops between its
-// ends.
+// Within a shot the eye moves no faster than a run, turns no faster than a head does, and does not stop
+// between the ends.
 TEST(Film, CamerasNeitherJumpNorStopDead) {
     for (int i = 0; i < kFilm.count; ++i) {
         float start = kFilm.shots[i].row, end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
@@ -77,8 +77,8 @@ TEST(Film, EveryEventIsOnABeat) {
     for (const Event &e : kEvents) EXPECT_EQ(e.row % 4, 0) << kScenes[e.scene].name << ' ' << e.row;
 }
 
-// No kinks; no shot joins two standstills; and where the camera is on its way it neither pumps nor stutters:
-// within a bar its speed stays within a quarter of what it is on average, but where it eases.
+// Paths have no kinks, and no shot joins two standstills. While a camera moves, its speed stays within a
+// quarter of its mean in each bar, except where it eases in or out.
 TEST(Film, CamerasMoveEvenly) {
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &shot = kFilm.shots[i];
@@ -107,7 +107,7 @@ TEST(Film, CamerasMoveEvenly) {
                 last = speed;
             }
             double mean = sum / count;
-            bool eases = std::fabs(last - first) > 0.6 * (most - least); // from one end to the other
+            bool eases = std::fabs(last - first) > 0.6 * (most - least); // over the whole bar
             if (eases || mean < 0.05) continue;
             EXPECT_LT(most, 1.25 * mean) << "shot " << i << ", bar " << bar / kRowsPerBar;
             EXPECT_GT(least, 0.75 * mean) << "shot " << i << ", bar " << bar / kRowsPerBar;
@@ -115,8 +115,8 @@ TEST(Film, CamerasMoveEvenly) {
     }
 }
 
-// As the treatment wants them: neither dark nor bright for long, hardly anything clipped, colours with
-// measure.
+// Levels fit the treatment: pictures are not dark or bright for long, hardly anything is clipped, and colours
+// are moderate.
 TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
     std::printf("scene     pictures   mean level      clipped, most   saturation\n");
     for (int scene = 0; scene < kSceneCount; ++scene) {
@@ -125,7 +125,7 @@ TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
         for (double t = 0.5; t < duration(); t += 1) {
             Moment now = momentAt(kFilm, t * kRowsPerSecond);
             if (now.shot->scene != scene || now.fade < 1) continue;
-            Picture p = picture(film(), t, kQualities[(int)QualityName::Draft]);
+            Picture p = picture(film(), 0, t, kQualities[(int)QualityName::Draft]);
             double level = 0;
             int white = 0;
             std::vector<float> saturations;
@@ -159,6 +159,54 @@ TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
     }
 }
 
+// Tests points, in a shape's frame, against the shapes of the film. A new kind of shape needs a case in both
+// switches.
+static void unknown(const Shape &s) { ADD_FAILURE() << "the film has no shapes of kind " << (int)s.kind; }
+
+// Whether a point lies inside a shape that is enlarged by `room` on all sides.
+static bool isInside(const Shape &s, Vec3 p, float room) {
+    Vec3 q = s.frame * (p - s.centre);
+    auto within = [&](float x, float half) { return std::fabs(x) < half + room; };
+    switch (s.kind) {
+    case ShapeKind::Sphere:
+        return within(length(q), s.half.x);
+    case ShapeKind::Plane:
+        return q.y < room;
+    case ShapeKind::Box:
+    case ShapeKind::Rect: // whose half.y is 0
+        return within(q.x, s.half.x) && within(q.y, s.half.y) && within(q.z, s.half.z);
+    case ShapeKind::Cylinder:
+        return within(std::hypot(q.x, q.z), s.half.x) && within(q.y, s.half.y);
+    case ShapeKind::Triangle:
+    case ShapeKind::Count:
+        break;
+    }
+    unknown(s);
+    return false;
+}
+
+// The distance of a point from a shape; 0 or less inside it.
+static float distanceFrom(const Shape &s, Vec3 p) {
+    Vec3 q = s.frame * (p - s.centre);
+    auto over = [](float x, float half) { return std::fmax(std::fabs(x) - half, 0.f); };
+    switch (s.kind) {
+    case ShapeKind::Sphere:
+        return length(q) - s.half.x;
+    case ShapeKind::Plane:
+        return q.y;
+    case ShapeKind::Box:
+    case ShapeKind::Rect:
+        return length(Vec3{over(q.x, s.half.x), over(q.y, s.half.y), over(q.z, s.half.z)});
+    case ShapeKind::Cylinder:
+        return std::hypot(over(std::hypot(q.x, q.z), s.half.x), over(q.y, s.half.y));
+    case ShapeKind::Triangle:
+    case ShapeKind::Count:
+        break;
+    }
+    unknown(s);
+    return 0;
+}
+
 TEST(Film, TheCameraIsNeverInsideAThing) {
     const Scene *scene = film().film.scene;
     for (double t = 0; t < duration(); t += 0.1) {
@@ -166,20 +214,8 @@ TEST(Film, TheCameraIsNeverInsideAThing) {
         Vec3 eye = now.cue.camera.eye;
         for (int i = 0; i < scene->shapeCount; ++i) {
             const Shape &s = scene->shapes[i];
-            Vec3 q = s.frame * (eye - s.centre);
-            constexpr float kRoom = 0.1f;
-            bool inside = s.kind == ShapeKind::Sphere ? length(q) < s.half.x + kRoom
-                          : s.kind == ShapeKind::Box
-                              ? std::fabs(q.x) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom &&
-                                    std::fabs(q.z) < s.half.z + kRoom
-                          : s.kind == ShapeKind::Cylinder
-                              ? std::hypot(q.x, q.z) < s.half.x + kRoom && std::fabs(q.y) < s.half.y + kRoom
-                          : s.kind == ShapeKind::Plane ? q.y < kRoom
-                          : s.kind == ShapeKind::Rect
-                              ? std::fabs(q.y) < kRoom && std::fabs(q.x) < s.half.x + kRoom &&
-                                    std::fabs(q.z) < s.half.z + kRoom
-                              : false;
-            EXPECT_FALSE(inside) << "at " << t << " s in shape " << i << " of " << now.entry->name;
+            EXPECT_FALSE(isInside(s, eye, 0.1f))
+                << "at " << t << " s in shape " << i << " of " << now.entry->name;
         }
     }
 }
@@ -191,24 +227,10 @@ TEST(Film, BallsDoNotRollThroughThings) {
         for (int i = 0; i < scene->shapeCount; ++i)
             for (int j = 0; j < i; ++j) {
                 const Shape &a = scene->shapes[i], &b = scene->shapes[j];
-                if (a.kind != ShapeKind::Sphere || b.kind == ShapeKind::Plane) continue;
-                // Out of the door they do come through its wall
+                if (!a.isBall() || b.kind == ShapeKind::Plane) continue;
+                // At the door they do pass through its wall
                 if (now.entry->id == kOdraz && b.kind == ShapeKind::Rect && b.centre.z < -8.99f) continue;
-                Vec3 q = b.frame * (a.centre - b.centre);
-                float gap;
-                if (b.kind == ShapeKind::Sphere)
-                    gap = length(q) - b.half.x;
-                else if (b.kind == ShapeKind::Box)
-                    gap = length(Vec3{std::fmax(std::fabs(q.x) - b.half.x, 0.f),
-                                      std::fmax(std::fabs(q.y) - b.half.y, 0.f),
-                                      std::fmax(std::fabs(q.z) - b.half.z, 0.f)});
-                else if (b.kind == ShapeKind::Rect)
-                    gap = std::hypot(q.y, std::hypot(std::fmax(std::fabs(q.x) - b.half.x, 0.f),
-                                                     std::fmax(std::fabs(q.z) - b.half.z, 0.f)));
-                else
-                    gap = std::hypot(std::fmax(std::hypot(q.x, q.z) - b.half.x, 0.f),
-                                     std::fmax(std::fabs(q.y) - b.half.y, 0.f));
-                EXPECT_GT(gap - a.half.x, -1e-3f)
+                EXPECT_GT(distanceFrom(b, a.centre) - a.half.x, -1e-3f)
                     << "at " << t << " s: shapes " << i << " and " << j << " of " << now.entry->name;
             }
     }
@@ -217,7 +239,7 @@ TEST(Film, BallsDoNotRollThroughThings) {
 TEST(Film, EveryPictureIsThereWithoutNaN) {
     int dark = 0;
     for (double t = 0; t < duration(); t += 1) {
-        picture(film(), t, kQualities[(int)QualityName::Play]);
+        picture(film(), 0, t, kQualities[(int)QualityName::Play]);
         EXPECT_STREQ(outgrown(film()), nullptr) << t;
         const Frame &f = film().frame;
         double sum = 0;
@@ -229,12 +251,12 @@ TEST(Film, EveryPictureIsThereWithoutNaN) {
                 }
         dark += sum < 1;
     }
-    EXPECT_LE(dark, 3); // the film opens on black; a fade may pass through it
+    EXPECT_LE(dark, 3); // the film opens on black, and a fade may pass through it
 }
 
 TEST(Film, APictureDependsOnItsTimeAlone) {
     auto bytes = [&](double t) {
-        Picture p = picture(film(), t, kQualities[(int)QualityName::Film]);
+        Picture p = picture(film(), 0, t, kQualities[(int)QualityName::Film]);
         return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);
     };
     auto first = bytes(30.04);
@@ -243,7 +265,7 @@ TEST(Film, APictureDependsOnItsTimeAlone) {
     EXPECT_EQ(bytes(30.04), first);
 }
 
-// Detail, gloss and the light that travels along are those of whoever looks, be it the script or a flyer.
+// Detail, gloss and the light that travels along belong to the camera that looks: the script's or a flyer's.
 TEST(Film, IsPosedForTheCameraThatLooks) {
     const Film &f = film().film;
     auto gloss = [&] {
@@ -266,7 +288,7 @@ TEST(Film, IsPosedForTheCameraThatLooks) {
     int shapes = f.scene->shapeCount;
     far.eye = far.eye * 30.f;
     poseAt(f, 60, &far);
-    EXPECT_LT(f.scene->shapeCount, shapes / 2); // from afar balls grow nothing
+    EXPECT_LT(f.scene->shapeCount, shapes / 2); // from afar balls have no fine detail
 }
 
 TEST(Load, SaysNoWhenTheArenaIsTooSmall) {

@@ -1,5 +1,4 @@
-// The mixer: notes that are refused, voices that are stolen, silence that costs nothing, times that are
-// sought.
+// The mixer: refused notes, stolen voices, silence that costs nothing, and seeking.
 #include "sound/mixer.h"
 
 #include "show/score.h"
@@ -26,12 +25,12 @@ std::unique_ptr<Mixer> mixer(Player player) {
 
 void nothing(Mixer &, int) {}
 
-// A note on the first row.
+// Plays a note on the first row.
 void once(Mixer &m, int row) {
     if (row == 0) playNote(m, {&kString, 60, 1, 1, 1});
 }
 
-// A cluster that grows by 16 notes a row.
+// Plays a cluster that grows by 16 notes each row.
 void crowd(Mixer &m, int row) {
     for (int i = 0; i < kVoicesAtOnce; ++i)
         playNote(m, {&kString, (float)(30 + (row * kVoicesAtOnce + i) % 60), 1 - 0.01f * (float)i, 100, 1});
@@ -43,7 +42,7 @@ std::vector<float> rendered(Mixer &m, int blocks) {
     return out;
 }
 
-// Numbers in a struct that are not zero and smaller than normal ones.
+// Counts the denormal numbers in a struct of floats.
 int denormals(const void *from, size_t bytes) {
     const float *x = (const float *)from;
     int count = 0;
@@ -51,7 +50,7 @@ int denormals(const void *from, size_t bytes) {
     return count;
 }
 
-// Of the processor, spent by this thread.
+// Processor time of this thread.
 double ownMilliseconds() {
     timespec t;
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
@@ -73,7 +72,7 @@ TEST(Mixer, RefusesWhatIsNoNote) {
                      Note{&kString, 60, 1, 1, -1}})
         playNote(*m, bad);
     EXPECT_EQ(m->voiceCount, 0);
-    // These are not heard
+    // None of these can be heard
     for (Note mute :
          {Note{&kString, 60, 1, nan, 1}, Note{&kString, 140, 1, 1, 1}, Note{&kString, kInfinity, 1, 1, 1}})
         playNote(*m, mute);
@@ -96,9 +95,9 @@ TEST(Mixer, HoldsAllVoicesAndStealsTheQuietestWithoutAStep) {
         ASSERT_LE(m->voiceCount, kVoices);
     }
     EXPECT_GT(most, kVoices - kVoicesAtOnce);
-    // With the last row's notes in, and before the next one's, there is place again
+    // The notes of the last row are in, those of the next are not: there is room again
     EXPECT_EQ(m->voiceCount, kVoices - kVoicesAtOnce);
-    // Steps: second differences while voices are stolen, against those before that was needed
+    // Clicks show as second differences: compare them while voices are stolen with those before
     double before = 0, after = 0;
     size_t full = (size_t)(kVoices / kVoicesAtOnce) * kBlocksPerRow * 2 * kBlock;
     for (size_t i = 4; i + 4 < out.size(); ++i) {
@@ -132,8 +131,8 @@ TEST(Mixer, StaysWithinItsPeak) {
     EXPECT_NEAR(most, 0.84f, 1e-4f) << "-1.5 dB";
 }
 
-// Sought, the music has the same voices as played; the room and the echo agree but for what they have
-// forgotten.
+// After seeking, the music has the same voices as after playing. The room and the echo agree except for what
+// has faded away.
 TEST(Mixer, SeeksToWhatWouldBePlayed) {
     for (int second : {3, 47, 121}) {
         auto played = mixer(playRow), sought = mixer(playRow);

@@ -1,8 +1,8 @@
-// Notes: in tune, free of aliases and clicks, the same from wherever they are joined.
+// Notes: in tune, without aliases or clicks, and independent of where blocks join.
 #include "sound/note.h"
 
 #include "show/score.h"
-#include "tools/measure/recording.h"
+#include "tools/measure/detect/recording.h"
 
 #include <cmath>
 #include <cstring>
@@ -26,7 +26,7 @@ std::vector<double> render(const Instrument &kind, float key, double seconds, fl
     return out;
 }
 
-// The phase of a frequency about a time, in turns.
+// The phase of a frequency around a time, in turns.
 double phaseAt(const std::vector<double> &x, size_t from, size_t size, double hertz) {
     std::complex<double> sum = 0;
     for (size_t i = 0; i < size; ++i) {
@@ -47,7 +47,7 @@ TEST(Note, IsInTuneOverEightOctaves) {
     for (int key = 24; key <= 120; ++key) {
         double wanted = 440 * std::exp2((key - 69) / 12.);
         std::vector<double> x = render(kSine, (float)key, 2);
-        // How far the phase drifts from the wanted frequency's in a second
+        // How far the phase drifts from the wanted frequency in a second
         double drift = phaseAt(x, 72000, 16384, wanted) - phaseAt(x, 24000, 16384, wanted);
         drift -= std::round(drift);
         worst = std::max(worst, std::fabs(drift / wanted * 1200 / std::log(2)));
@@ -74,8 +74,8 @@ TEST(Note, HasPartialsWhereItsInstrumentSays) {
                     1.001 / 0.999, 1e-6);
 }
 
-// Everything that does not belong to a partial is below -80 dB: harmonics up to 20 kHz, under a window whose
-// sides are lower than that.
+// Everything outside the partials is below -80 dB: harmonics up to 20 kHz, under a window with lower
+// sidelobes.
 TEST(Note, DoesNotAlias) {
     Instrument full = {.partials = 32, .decay = 1000};
     for (float key : {57.f, 81.f, 93.f, 105.f, 117.f}) {
@@ -84,7 +84,7 @@ TEST(Note, DoesNotAlias) {
         constexpr size_t kSize = 65536;
         std::vector<std::complex<double>> f(kSize);
         for (size_t i = 0; i < kSize; ++i) {
-            double t = 2 * M_PI * (double)i / kSize; // Blackman and Harris: sides at -92 dB
+            double t = 2 * M_PI * (double)i / kSize; // Blackman-Harris: sidelobes at -92 dB
             f[i] = x[20000 + i] *
                    (0.35875 - 0.48829 * std::cos(t) + 0.14128 * std::cos(2 * t) - 0.01168 * std::cos(3 * t));
         }
@@ -100,7 +100,7 @@ TEST(Note, DoesNotAlias) {
     }
 }
 
-// Nor does a drum, whose partials come down from above.
+// A drum, whose partials glide down, has no aliases either.
 TEST(Note, BendsWithoutAliasing) {
     Instrument drum = {.partials = 32, .stretch = 1.4f, .decay = 1000, .bend = 2, .bendTime = 0.1f};
     std::vector<double> x = render(drum, 81, 1);
@@ -127,7 +127,7 @@ TEST(Note, IsAFunctionOfTime) {
     }
 }
 
-// Where blocks meet there is nothing to be heard: the second difference is not larger there than elsewhere.
+// Blocks join without a click: the second difference is no larger there than elsewhere.
 TEST(Note, JoinsItsBlocksWithoutAStep) {
     for (const Instrument &kind : kInstruments) {
         std::vector<double> x = render(kind, 50, 1.5, 1, 0.5f);

@@ -1,4 +1,4 @@
-// The room dies as it was designed to, and leaves nothing behind.
+// The room fades as it was designed to, and ends in silence.
 #include "sound/reverb.h"
 
 #include <cmath>
@@ -10,7 +10,7 @@ using namespace odraz;
 
 namespace {
 
-// What the room makes of an impulse in one lane, all lanes added up.
+// The response of the room to an impulse in one lane, summed over all lanes.
 std::vector<double> impulse(Reverb &room, double seconds, int lane) {
     std::vector<double> out;
     for (int block = 0; block < (int)(seconds * kSampleRate / kBlock); ++block) {
@@ -22,7 +22,7 @@ std::vector<double> impulse(Reverb &room, double seconds, int lane) {
     return out;
 }
 
-// A band about a frequency: a resonator, four times.
+// Filters a band around a frequency: a resonator, applied four times.
 std::vector<double> band(std::vector<double> x, double hertz) {
     double r = 1 - M_PI * hertz / 3 / kSampleRate, c = 2 * r * std::cos(2 * M_PI * hertz / kSampleRate);
     for (int pass = 0; pass < 4; ++pass) {
@@ -35,7 +35,7 @@ std::vector<double> band(std::vector<double> x, double hertz) {
     return x;
 }
 
-// Seconds for 60 dB, from -5 to -35 dB of the energy that is still to come. Schroeder, 1965.
+// The decay time in seconds for 60 dB, from -5 to -35 dB of the energy still to come. Schroeder, 1965.
 double decayTime(const std::vector<double> &x) {
     std::vector<double> rest(x.size() + 1);
     for (size_t i = x.size(); i-- > 0;) rest[i] = rest[i + 1] + x[i] * x[i];
@@ -45,8 +45,7 @@ double decayTime(const std::vector<double> &x) {
     return (double)(b - a) * 2 / kSampleRate;
 }
 
-// What the design makes of a frequency: the loss of a mean line's low-pass, between the two times that are
-// given.
+// The designed decay time of a frequency: between the two given times, by the loss of a mean line's low-pass.
 double designed(double hertz) {
     double length = 2650, log2gain = -9.96578 * length / kSampleRate / (double)kDecay,
            ratio = (double)(kDecay / kDecayHigh), pole = log2gain * 0.173287 * (1 - ratio * ratio),
@@ -65,7 +64,7 @@ TEST(Reverb, DecaysAsDesigned) {
         std::printf("%5.0f Hz: %.2f s, designed %.2f s\n", hertz, took, designed(hertz));
         EXPECT_NEAR(took / designed(hertz), 1, 0.15) << hertz;
     }
-    // Reading between samples takes from the highest what the design leaves them
+    // Interpolation between samples also damps high frequencies
     double high = decayTime(band(heard, 12000));
     EXPECT_GT(high, 0.5 * (double)kDecayHigh);
     EXPECT_LT(high, designed(12000) * 1.1);

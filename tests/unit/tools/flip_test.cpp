@@ -1,7 +1,7 @@
-// FLIP against its definition: by dense filters in double precision (tests/support/flip_dense.py), and by
-// hand.
+// Compares FLIP with its definition: with dense filters in double precision (tests/support/flip_dense.py),
+// and with values computed by hand.
 #include "tools/common/statistics.h"
-#include "tools/measure/flip.h"
+#include "tools/measure/detect/flip.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -60,9 +60,9 @@ TEST(Flip, IsThatOfDenseFiltersInDouble) {
     }
 }
 
-// Plain pictures have no features, and no filter changes them: what is left is the distance of two colours,
-// from the tables of CIELAB (D65): green 87.737 -86.185 83.181, blue 32.303 79.197 -107.864,
-// red 53.233 80.109 67.220
+// Plain pictures have no features, and filters do not change them. What remains is the distance of two
+// colours, from the tables of CIELAB (D65): green 87.737 -86.185 83.181, blue 32.303 79.197 -107.864, red
+// 53.233 80.109 67.220
 TEST(Flip, OfPlainColoursIsTheirDistanceByHand) {
     struct Lab {
         double l, a, b;
@@ -94,7 +94,7 @@ TEST(Flip, IsNothingForEqualPicturesAndTheSameBothWays) {
     for (float e : flip(see(a, kWidth, kHeight), see(b, kWidth, kHeight))) EXPECT_TRUE(e > 0 && e <= 1);
 }
 
-// Filters sum to 1 and know no direction: a picture turned has the same error
+// Filters sum to 1 and are isotropic: a rotated picture has the same error
 TEST(Flip, DoesNotDependOnTheDirection) {
     auto turned = [](auto &&of) {
         return picture([&](int x, int y, int c) { return of(kWidth - 1 - y, kHeight - 1 - x, c); }, kHeight,
@@ -104,7 +104,7 @@ TEST(Flip, DoesNotDependOnTheDirection) {
                 1e-6);
 }
 
-// What makes it FLIP: an error that is an edge counts more than as much of an error that is none
+// The point of FLIP: an error at an edge counts more than the same error on a slope
 TEST(Flip, SeesEdgesMoreThanSlopes) {
     auto grey = [](int, int, int) { return 110; };
     auto step = [](int x, int, int) { return x < kWidth / 2 ? 105 : 115; };

@@ -1,5 +1,5 @@
-// Paths against what is known in closed form: light on a bare floor, glass in an even sky, a ball's shadow.
-#include "tools/measure/reference_picture.h"
+// Compares path tracing with closed forms: light on a bare floor, glass in an even sky, the shadow of a ball.
+#include "tools/measure/oracle/reference_picture.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -43,7 +43,7 @@ TEST(ReferencePicture, LightsAFloorAsTheFilmDoes) {
     Room room(0.25f);
     room.scene->add(plane({0, 0, 0}, room.matte(0.5f)));
     room.scene->add(Light{{1, 4, 2}, {6, 6, 6}, 0.7f});
-    // No more than the noise of a thousand samples away, everywhere
+    // The difference is nowhere more than the noise of a thousand samples
     std::vector<Vec3d> picture = room.trace(1024);
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
@@ -63,7 +63,7 @@ TEST(ReferencePicture, ShowsNoGlassInAnEvenSky) {
 }
 
 TEST(ReferencePicture, LosesNoLightInWhite) {
-    // All that is white reflects all: in an even sky it is as bright as that, bounces and all
+    // White things reflect all light: in an even sky, with all bounces, they are as bright as the sky
     Room room(0.5f);
     room.scene->add(sphere({-0.3f, 0, 0.2f}, 0.3f, room.matte(1)));
     room.scene->add(sphere({0.3f, 0, 0.2f}, 0.3f, room.matte(1)));
@@ -72,7 +72,7 @@ TEST(ReferencePicture, LosesNoLightInWhite) {
 }
 
 TEST(ReferencePicture, GathersBehindGlassWhatMeetsIt) {
-    // Between floor and lamp glass takes light and brings it again, but for what it mirrors: 8 %
+    // Glass between floor and lamp takes light away and returns it, except the 8 % that it reflects
     Room room(0);
     room.scene->add(plane({0, 0, 0}, room.matte(1)));
     room.scene->add(Light{{0, 40, 0}, {1600, 1600, 1600}, 0.5f});

@@ -1,8 +1,8 @@
-// The detector of sparks: what is planted in clean pictures is found, and nothing else.
-#include "tools/measure/spark.h"
+// The detector of sparks finds what is planted into clean pictures, and nothing else.
+#include "tools/measure/detect/spark.h"
 
 #include "tests/support/random.h"
-#include "tools/measure/screening.h"
+#include "tools/measure/detect/screening.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -34,8 +34,7 @@ Three drawn(uint32_t seed) {
     return {at(0), at(1), at(2)};
 }
 
-// The film's table at a time, averaged over four pictures' worth of samples, so that nothing of its own
-// blinks.
+// The film's table at a time, averaged over the samples of four pictures, so that nothing in it blinks.
 Three filmed(double seconds) {
     static Screening screening({320, 180}, 20, 40);
     static Quality q = kQualities[(int)QualityName::Reference];
@@ -51,7 +50,7 @@ struct Tally {
     int planted = 0, found = 0, others = 0;
 };
 
-// Plants sparks of one to three pixels that touch, 40 to 200 levels above what is around them, one in every
+// Plants sparks of one to three adjacent pixels, 40 to 200 levels above their surroundings, one in every
 // field of 20 x 20 pixels.
 void plant(const Three &clean, Random &random, Tally &tally) {
     Grey now = clean.now;
@@ -62,7 +61,7 @@ void plant(const Three &clean, Random &random, Tally &tally) {
             for (int j = -4; j <= 4; ++j)
                 for (int i = -4; i <= 4; ++i) around = std::max(around, now.at(x + i, y + j));
             int level = std::min(around + 40 + (int)(random.next() * 160), 255);
-            if (level < around + 40) continue; // too white for a spark
+            if (level < around + 40) continue; // too bright here for a spark
             for (int i = 0, size = 1 + (int)(random.next() * 3), px = x, py = y; i < size; ++i) {
                 now.level[(size_t)(py * now.width + px)] = (uint8_t)level;
                 (random.next() < 0.5f ? px : py) += 1;

@@ -1,5 +1,6 @@
-// The tracer where floats run out, against the same rays in double precision: far and near, large and small,
-// grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on surfaces.
+// The tracer at the limits of floats, compared with the same rays in double precision: far and near, large
+// and small, grazing, starting on and inside surfaces, nested and coincident, sixty-four bounces, light on
+// surfaces.
 #include "base/maths.h"
 #include "tests/support/stage.h"
 #include "tools/common/vec3d.h"
@@ -37,9 +38,9 @@ Material plain(float diffuse) {
 
 } // namespace
 
-// Rays from one to a million radii away, at every distance from the middle and thickest around the edge. A
-// ray counts as misjudged when the oracle, that sees the same floats, says otherwise and the ray is farther
-// from the edge than half a unit in the last place of its own coordinates could move it.
+// Rays from one to a million radii away, at every distance from the middle, most of them near the edge. A ray
+// counts as misjudged if the oracle, which gets the same floats, disagrees and the ray is farther from the
+// edge than half a unit in the last place of its coordinates could move it.
 TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -87,11 +88,11 @@ TEST(Extremes, BeamsSeeWhatRaysSee) {
                     Vec3 v = normalize(dice.across(towards) * (radius * graze) - o);
                     d.x[k] = v.x, d.y[k] = v.y, d.z[k] = v.z;
                 }
-                Spread spread(o, towards);
-                spread.add(d * broadcast(3 * ratio * radius));
-                if (!spread.narrow()) continue;
+                BeamBuilder builder(o, towards);
+                builder.add(d * broadcast(3 * ratio * radius));
+                if (!builder.narrow()) continue;
                 Candidates among;
-                gather(*scene, spread.beam(), among);
+                findCandidates(*scene, builder.beam(), among);
                 Hit8 shared = intersect(*scene, among, o, d, kLanes >= 0),
                      alone = intersect(*scene, {broadcast(o), d}, kLanes >= 0);
                 for (int k = 0; k < 8; ++k) {
@@ -101,8 +102,8 @@ TEST(Extremes, BeamsSeeWhatRaysSee) {
             }
 }
 
-// From where a ray has arrived, whatever leaves on its side never meets the same ball again, and what goes
-// inside meets its far side.
+// A ray that leaves on the side from which it came never hits the same ball again; a ray that goes inside
+// hits the far side.
 TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -131,8 +132,8 @@ TEST(Extremes, RaysLeaveTheSurfacesThatTheyStartOn) {
             }
 }
 
-// A path inside a mirrored ball against the same path in double precision: chords of equal length, points on
-// the ball, directions of unit length, after sixty-four bounces too.
+// Compares a path inside a mirrored ball with the same path in double precision: even after sixty-four
+// bounces chords have equal length, points lie on the ball, and directions have unit length.
 TEST(Extremes, SixtyFourBouncesStayTrue) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -153,7 +154,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
             p = p + v * far;
             Vec3d n = p * (1 / 1.5);
             v = v - n * (2 * dot(n, v));
-            p = p * (1.5 / length(p)); // the oracle's own rounding would grow
+            p = p * (1.5 / length(p)); // otherwise the oracle's own rounding would grow
             v = v * (1 / length(v));
             ASSERT_NEAR(length(lane(r.d)), 1, 3e-7) << bounce;
             ASSERT_NEAR(length(exact(lane(at.p)) - exact(s.centre)), 1.5, 2e-6) << bounce;
@@ -164,7 +165,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
     EXPECT_LT(worst, 0.03); // errors grow with every bounce, as they must
 }
 
-// Two facing mirrors that glow: what is seen is the sum of all bounces.
+// Two facing mirrors that emit: the sum of all bounces is seen.
 TEST(Extremes, SixtyFourBouncesAddUp) {
     Stage g;
     Material m = plain(0);
@@ -180,7 +181,7 @@ TEST(Extremes, SixtyFourBouncesAddUp) {
     EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.3f}, q).radiance().x, sum, sum * 1e-5);
 }
 
-// Inside a cube of glass, at more than the critical angle: no light gets in or out, bounce after bounce.
+// Inside a cube of glass, beyond the critical angle: no light enters or leaves at any bounce.
 TEST(Extremes, TotalReflectionHoldsEveryRay) {
     Stage g;
     Material glass = plain(0);
@@ -196,7 +197,7 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
             g.look({0.01f * scale, 0.02f * scale, 0.03f * scale}, {scale, scale * 1.01f, scale * 0.99f}, q);
         EXPECT_EQ(s.radiance().x, 0) << scale;
     }
-    // A little under the critical angle some comes through, all that Fresnel says
+    // A little below the critical angle some light passes: as much as Fresnel says
     double angle = std::asin(1 / 1.8) * 0.9, sine = std::sin(angle) * 1.8, cosT = std::sqrt(1 - sine * sine),
            cosI = std::cos(angle), across = (1.8 * cosI - cosT) / (1.8 * cosI + cosT),
            along = (cosI - 1.8 * cosT) / (cosI + 1.8 * cosT);
@@ -206,7 +207,7 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
     EXPECT_NEAR(s.radiance().x, 1 - (across * across + along * along) / 2, 1e-4);
 }
 
-// A light that touches what it lights, or lies in it; things that coincide; cameras inside, below and on.
+// Lights that touch surfaces or lie inside them, things that coincide, cameras inside, below and on surfaces.
 TEST(Extremes, PicturesStayFinite) {
     Dice dice;
     Material glass = plain(0.2f), mirror = plain(0.3f), matte = plain(0.8f);
@@ -229,13 +230,13 @@ TEST(Extremes, PicturesStayFinite) {
             g.scene->add(box(at(2, 1, 0), {scale, scale, scale}, a)); // touching
             g.scene->add(box(at(2, 1, 0), {scale, scale, scale}, b));
             g.scene->add(cylinder(at(-2, 1, 0), scale, scale, a));
-            for (int i = 0; i < 60; ++i) // enough for a tree, many upon one another
+            for (int i = 0; i < 60; ++i) // enough for a tree, many in the same place
                 g.scene->add(
                     sphere(at(dice(-3, 3), (float)(i % 3), dice(-3, 3)), scale * 0.2f, i % 2 ? a : b));
             for (Vec3 p : {at(0, 2, 0), at(0, 0, 0), at(1, 1, 0), at(0, 1, 0), at(-2, 2, 0)})
                 g.scene->add(Light{p, {1, 1, 1}}); // on the ball, the floor, the box, inside, on a cap
             g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
-            g.scene->contact = variant & 2;
+            g.scene->ballsOcclude = variant & 2;
             g.scene->finish();
             Vec3 eyes[8] = {at(0, 1, 5),    at(0, 1, 0),     at(0, -1, 3),        at(0, 2, 0),
                             at(1e5f, 1, 0), at(0, 1e-7f, 4), at(0, 1.999999f, 0), at(2, 1, 0)};

@@ -53,7 +53,7 @@ TEST(Srgb, FollowsTheStandard) {
 
 namespace {
 
-// What is shown of some radiances, one to a row, each of which is told in every pixel of that.
+// The developed values of some radiances: each has a row of its own, in which every pixel holds it.
 struct Developed {
     static constexpr int kWidth = 512;
     Canvas canvas;
@@ -76,10 +76,10 @@ struct Developed {
     }
 };
 
-// As the definition has it.
+// By the definition.
 double exact(float radiance) { return 255 * (double)encodeSrgb(filmic(broadcast(radiance)))[0]; }
 
-// A flat picture's noise: what is shown, less its mean, of `seed` and colour `c`.
+// The noise of a flat picture: the shown values minus their mean, for `seed` and colour `c`.
 std::vector<double> noiseOf(uint32_t seed, int c) {
     Developed d(std::vector<float>(256, 0.2f), 1, seed);
     std::vector<double> noise;
@@ -111,8 +111,8 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
     }
 }
 
-// Noise makes the mean of many pixels what the eight bits of one cannot say: what the table has there,
-// without a step. Its 512 pixels are good for 1/40.
+// With noise, the mean of many pixels has more precision than eight bits: it gives the table's value without
+// steps. 512 pixels give 1/40 of a step.
 TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     std::vector<float> radiances;
     for (float x = 1e-6f; x < 1e5f; x *= 1.013f) radiances.push_back(x);
@@ -130,7 +130,7 @@ TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
     }
 }
 
-// The table itself, without noise, at every float of a few places and at many others.
+// The table itself, without noise, at every float near a few places and at many others.
 TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
     Curve curve;
     makeCurve(curve);
@@ -170,7 +170,7 @@ TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
     EXPECT_EQ(first, noiseOf(0, 0));
 }
 
-// Where hardly anything moves in the film, its noise does; the same time has the same.
+// Where the film hardly moves, its noise does; the same time has the same noise.
 TEST(Develop, NoiseMovesWithTheFilm) {
     IntroSettings settings = {320, 180};
     HeapArena memory(memoryNeeded(settings, 1, false));
@@ -185,7 +185,7 @@ TEST(Develop, NoiseMovesWithTheFilm) {
     } shown[3];
     const double times[3] = {15.5, 15.5, 15.5 + 1 / 60.};
     for (int k = 0; k < 3; ++k) {
-        picture(*intro, times[k], kQualities[(int)QualityName::Draft]);
+        picture(*intro, 0, times[k], kQualities[(int)QualityName::Draft]);
         shown[k].rgba.assign(frame.rgba, frame.rgba + 4 * kPixels);
         for (size_t i = 0; i < kPixels; ++i)
             shown[k].light.push_back(exact(frame.plane[0][i] * intro->film.scene->exposure));
@@ -199,7 +199,7 @@ TEST(Develop, NoiseMovesWithTheFilm) {
         moved += shown[1].rgba[4 * i] != shown[2].rgba[4 * i];
     }
     EXPECT_GT(still, 3000);
-    EXPECT_GT(moved, still / 4); // without: one in a hundred
+    EXPECT_GT(moved, still / 4); // without noise: one in a hundred
 }
 
 TEST(Strokes, CoverTheirArea) {

@@ -1,12 +1,14 @@
 // Rays against shapes: closed forms, an oracle in double precision, brute force against the tree, and the
 // extremes.
 #include "tests/support/random.h"
+#include "tests/support/shapes.h"
 #include "trace/rays/beam.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
 #include <random>
+#include <vector>
 
 using namespace odraz;
 
@@ -36,6 +38,18 @@ struct Dice {
     }
 };
 
+// The solid shapes: both of their sides are hit and stop light.
+const std::vector<ShapeKind> &solids() {
+    static const std::vector<ShapeKind> all = [] {
+        std::vector<ShapeKind> kinds;
+        for (const ShapeTraits &traits : kShapeTraits)
+            if (traits.solid && traits.bounded) kinds.push_back(traits.kind);
+        return kinds;
+    }();
+    return all;
+}
+ShapeKind solid(int i) { return solids()[(size_t)i % solids().size()]; }
+
 } // namespace
 
 TEST(Sphere, IsHitFromOutsideAndInside) {
@@ -47,8 +61,8 @@ TEST(Sphere, IsHitFromOutsideAndInside) {
     EXPECT_EQ(hit(s, {2.1f, 0, 5}, {0, 0, -1}), kInfinity);
 }
 
-// The oracle sees the same float inputs. Misjudging is allowed only where the inputs' own rounding (4e-7 of
-// the distance) decides; the usual b^2 - c is wrong far beyond that.
+// The oracle gets the same float inputs. Misjudging is allowed only where the rounding of these inputs (4e-7
+// of the distance) decides; the usual b^2 - c fails far outside that.
 TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
     Dice dice;
     for (float ratio : {1.5f, 10.f, 1e2f, 1e3f, 1e4f, 1e6f})
@@ -65,7 +79,7 @@ TEST(Sphere, AgreesWithDoublePrecisionFromOneToAMillionRadiiAway) {
                     ASSERT_LT(t, kInfinity) << ratio << " " << radius;
                     double root = std::sqrt(r * r - near2),
                            exact = (b / std::sqrt(vv) - root) / std::sqrt(vv);
-                    // Across the surface the same doubt, along the ray that over the cosine
+                    // The rounding error across the surface, divided by the cosine along the ray
                     ASSERT_NEAR(t, exact, doubt * (2 + 2 * r / root)) << ratio << " " << radius;
                 } else if (near2 > (r + doubt) * (r + doubt)) {
                     ASSERT_EQ(t, kInfinity) << ratio << " " << radius;
@@ -160,7 +174,7 @@ TEST(Rect, IsMetFromItsLitSideOnly) {
     }
 }
 
-// A room of rectangles holds all rays in, those along its edges and into its corners too, at any size.
+// A room of rectangles lets no ray out, even along edges and into corners, at any size.
 TEST(Rect, RoomsAreTight) {
     for (float scale : {1e-3f, 1.f, 1e4f}) {
         auto scene = std::make_unique<Scene>();
@@ -187,7 +201,7 @@ TEST(Rect, RoomsAreTight) {
             for (int k = 0; k < 8; ++k) {
                 float o[3], to[3];
                 for (int c = 0; c < 3; ++c) o[c] = unit(random) * 0.999f, to[c] = unit(random);
-                // Half of them at edges, some of these at corners
+                // Aim half of them at edges, and some of these at corners
                 if (i & 1) to[i % 3] = to[i % 3] < 0 ? -1.f : 1.f, to[(i + 1) % 3] = 1;
                 if ((i & 7) == 7) to[(i + 2) % 3] = -1;
                 Vec3 from = off + Vec3{o[0] * half.x, o[1] * half.y, o[2] * half.z};
@@ -202,7 +216,7 @@ TEST(Rect, RoomsAreTight) {
     }
 }
 
-// Packets, single rays and beams, over trees of mixed shapes and of balls alone.
+// Packets, single rays and beams, in trees of mixed shapes and of balls alone.
 TEST(Tree, FindsWhatBruteForceFinds) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -213,10 +227,9 @@ TEST(Tree, FindsWhatBruteForceFinds) {
         float size = round < 20 ? 2 : 0.4f;
         for (int i = 0; i < count; ++i) {
             Vec3 c = dice.point(20);
-            int kind = round % 4 == 3 ? 0 : i % 3; // now and then balls alone
-            Shape s = kind == 0   ? sphere(c, dice(0.1f, size), 0)
-                      : kind == 1 ? box(c, {dice(0.1f, size), dice(0.1f, size), dice(0.1f, size)}, 0)
-                                  : cylinder(c, dice(0.1f, size), dice(0.1f, size), 0);
+            // Use every solid kind in turn, and now and then only balls
+            ShapeKind kind = round % 4 == 3 ? ShapeKind::Sphere : solid(i);
+            Shape s = shapeOf(kind, c, {dice(0.1f, size), dice(0.1f, size), dice(0.1f, size)});
             if (i % 2) s.frame = dice.rotation();
             scene->add(s);
         }
@@ -246,18 +259,18 @@ TEST(Tree, FindsWhatBruteForceFinds) {
                 }
             }
             if (kind < 2) continue;
-            Spread spread(common, towards);
-            spread.add(r.d * broadcast(25.f));
-            if (!spread.narrow()) continue;
+            BeamBuilder builder(common, towards);
+            builder.add(r.d * broadcast(25.f));
+            if (!builder.narrow()) continue;
             Candidates among;
-            Beam beam = spread.beam();
-            gather(*scene, beam, among);
+            Beam beam = builder.beam();
+            findCandidates(*scene, beam, among);
             // Towards the light
             Ray8 back = {fmadd(r.d, broadcast(25.f), r.o), -r.d};
             light = transmittance(*scene, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
             Rgb8 shared = transmittance(*scene, among, back, broadcast(25.f), kLanes >= 0, broadcast(-1));
             beam.limit[4] = -kInfinity; // for primary rays, that have no end
-            gather(*scene, beam, among);
+            findCandidates(*scene, beam, among);
             Hit8 seen = intersect(*scene, among, common, r.d, kLanes >= 0);
             for (int k = 0; k < 8; ++k) {
                 ASSERT_EQ(seen.shape[k], h.shape[k]) << round << " " << kind;
@@ -280,8 +293,8 @@ TEST(Tree, TakesCoincidentShapes) {
 
 // --- Surfaces ---
 
-// From a hit, a ray along the outward normal must leave the shape, one against it must stay inside, whatever
-// the size and however far the camera: no acne, no leak.
+// From a hit, a ray along the outward normal must leave the shape, and a ray against it must stay inside, at
+// any size and any distance of the camera: no acne, no leak.
 TEST(Surface, OffsetOriginsLieOnTheirSide) {
     Dice dice;
     auto scene = std::make_unique<Scene>();
@@ -289,9 +302,7 @@ TEST(Surface, OffsetOriginsLieOnTheirSide) {
         for (float away : {3.f, 100.f, 1e4f})
             for (int i = 0; i < 1500; ++i) {
                 Vec3 c = dice.point(size);
-                Shape s = i % 3 == 0   ? sphere(c, size, 0)
-                          : i % 3 == 1 ? box(c, {size, size * 0.5f, size}, 0)
-                                       : cylinder(c, size, size, 0);
+                Shape s = shapeOf(solid(i), c, {size, size * 0.5f, size});
                 s.frame = dice.rotation();
                 s.aligned = false;
                 Vec3 o = c + dice.direction() * (size * away);

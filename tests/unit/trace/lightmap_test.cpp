@@ -1,4 +1,4 @@
-// Light kept on surfaces, the form factor of a ball, and the sky.
+// Light on surfaces, the form factor of a ball, and the sky.
 #include "trace/scene/lightmap.h"
 #include "trace/scene/sky.h"
 #include "trace/shade/ball.h"
@@ -48,7 +48,7 @@ struct Sheet {
         for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
     }
     float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
-    // Divides a cell; its new corners have the given values: above, left, middle, right, below
+    // Divides a cell and sets its new corners: above, left, middle, right, below
     void divide(size_t cell, const float (&values)[5]) {
         const Cell c = cells[cell];
         int first = (int)texels.size();
@@ -73,7 +73,7 @@ TEST(Lightmap, IsBilinearBetweenCorners) {
     EXPECT_FLOAT_EQ(sheet.at(3, 1), 64);
     EXPECT_FLOAT_EQ(sheet.at(-1, -1), 0); // outside: the border, never another chart's texels
     EXPECT_FLOAT_EQ(sheet.at(9, 9), 64);
-    EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // and nothing that is not a number
+    EXPECT_FLOAT_EQ(sheet.at(std::nanf(""), 0.5f), sheet.at(0, 0)); // NaN gives a number
 }
 
 TEST(Lightmap, DividedCellsAreMetAtEveryLevel) {
@@ -86,7 +86,7 @@ TEST(Lightmap, DividedCellsAreMetAtEveryLevel) {
     EXPECT_FLOAT_EQ(sheet.at(1, 0.3f), 0);
     EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.3f), 0);
     EXPECT_FLOAT_EQ(sheet.at(0.9f, 0.3f), 0);
-    // Its last quarter once more
+    // Divide its last quarter again
     sheet.divide(sheet.cells.size() - 1, {4, 4, 16, 0, 0});
     EXPECT_FLOAT_EQ(sheet.at(1.375f, 0.4375f), 16);
     EXPECT_FLOAT_EQ(sheet.at(1.25f, 0.375f), 8);
@@ -105,7 +105,7 @@ TEST(Lightmap, OverItThePatchesAreAMosaic) {
             EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(2 * (int)(t * 2) + (int)(s / 1.5f))) << s << ' ' << t;
     sheet.map.mosaic = 0.25f;
     EXPECT_FLOAT_EQ(sheet.at(2, 0.9f), 0.75f * 7 + 0.25f * 3);
-    // Between their middles, where that is asked for
+    // Interpolate between middles, where that is asked for
     sheet.map.mosaic = sheet.map.sharpness = 1;
     EXPECT_FLOAT_EQ(sheet.at(0.75f, 0.25f), 0);
     EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.25f), 0.5f);
@@ -130,13 +130,13 @@ TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {
     EXPECT_EQ(look(2.9f, 0.9f, 0.001f, clear), 103);
     look(1.5f, 0.2f, 0.001f, clear);
     EXPECT_NEAR(clear, 0, 1e-5f);
-    // Seen from afar a line pales as it is spread out
+    // From afar a line gets paler as it is spread out
     look(1.5f, 0.25f, 0.5f, clear);
     EXPECT_GT(clear, 0.9f);
     EXPECT_LT(clear, 1);
 }
 
-// The lines between patches are seen as many samples see them, straight and aslant.
+// The lines between patches look as with many samples, seen straight and at an angle.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
@@ -148,7 +148,7 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     for (float cosine : {1.f, 0.5f, 0.1f})
         for (float width : {0.004f, 0.02f, 0.05f})
             for (float s : {1.3f, 1.45f, 1.49f, 1.5f, 1.52f}) {
-                // Along u it is as long as the slant makes it
+                // Along u it gets longer with the angle
                 Vec3 d = c.u * std::sqrt(1 - cosine * cosine) - c.n * cosine;
                 float wide = width / cosine;
                 double sum = 0;
@@ -160,7 +160,7 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
             }
 }
 
-// Against a sum over the cone that the ball fills.
+// Compares with a sum over the cone that the ball fills.
 TEST(Ball, FormFactorWithAndWithoutTheHorizon) {
     for (double sine2 : {1e-6, 0.01, 0.2, 0.5, 0.9, 0.999})
         for (double cosine = -1; cosine <= 1.0001; cosine += 0.05) {
@@ -184,7 +184,7 @@ TEST(Sky, RisesFromTheHorizonToTheZenith) {
     Sky sky = plainSky({1, 2, 3}, {0, 0, 0});
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, 1, 0})).x[0], 0);
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{1, 0, 0})).y[0], 2);
-    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // no ground: the horizon goes on
+    EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 3); // no ground: as at the horizon
     sky.least = -1;
     EXPECT_FLOAT_EQ(radiance(sky, broadcast(Vec3{0, -1, 0})).z[0], 12); // or does not
     sky.least = 0;

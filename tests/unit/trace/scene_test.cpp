@@ -1,4 +1,5 @@
-// What a scene says of itself: the traits of its shapes, and when it has outgrown its arrays.
+// A scene's own reports: the traits of its shapes, and which of its arrays is full.
+#include "tests/support/shapes.h"
 #include "trace/rays/intersect.h"
 #include "trace/shade/diffuse.h"
 
@@ -16,15 +17,11 @@ std::unique_ptr<Scene> cleared() {
     return scene;
 }
 
-// One shape of a kind, about a centre; its frame is the world's.
 const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
-    if (kind == ShapeKind::Triangle) return *scene.add(triangle(centre, {1, 0, 0}, {0, 0, 1}, {0, 1, 0}));
-    return *scene.add(Shape{.kind = kind, .centre = centre, .half = {1, 1, 1}});
+    return *scene.add(shapeOf(kind, centre, {1, 1, 1}));
 }
 
-float meet(const Shape &s, Vec3 o, Vec3 d) {
-    return distance(s, {broadcast(o), broadcast(normalize(d))})[0];
-}
+float meet(const Shape &s, Vec3 o, Vec3 d) { return distance(s, {broadcast(o), broadcast(normalize(d))})[0]; }
 
 } // namespace
 
@@ -40,12 +37,12 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
         EXPECT_EQ(scene->nodeCount, traits.bounded ? 1 : 0);
         EXPECT_EQ(s.aligned, !traits.askew);
 
-        // Solid ones are met from the inside, others are flat; from above all of them
+        // Rays from inside hit solid shapes but not flat ones; rays from above hit all
         EXPECT_LT(meet(s, in + Vec3{0, 9, 0}, {0, -1, 0}), kInfinity);
         EXPECT_EQ(meet(s, in + Vec3{0, 0.1f, 0}, {0, 1, 0}) < kInfinity, traits.solid);
         EXPECT_EQ(meet(s, in - Vec3{0, 9, 0}, {0, 1, 0}) < kInfinity, !traits.oneSided);
 
-        // The box holds every place that is met, and is the extents where these are known
+        // The box contains every hit, and equals the extents where these are known
         if (traits.bounded) {
             Bounds b = scene->box[0];
             for (float x = -1.4f; x < 1.5f; x += 0.1f)
@@ -54,6 +51,14 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
                     float t = meet(s, o, {0, -1, 0});
                     if (t == kInfinity) continue;
                     constexpr float kSlack = 1e-4f;
+                    // The surface is where the ray hit, and faces up
+                    Surface8 at = surfaceAt(s, {broadcast(o), broadcast(Vec3{0, -1, 0})}, broadcast(t));
+                    EXPECT_NEAR(at.p.x[0], o.x, kSlack);
+                    EXPECT_NEAR(at.p.y[0], o.y - t, kSlack);
+                    EXPECT_NEAR(at.p.z[0], o.z, kSlack);
+                    EXPECT_NEAR(length(at.n)[0], 1, kSlack);
+                    EXPECT_GE(at.n.y[0], 0);
+                    EXPECT_TRUE(at.face[0] >= 0 && at.face[0] <= 6);
                     EXPECT_TRUE(o.x > b.lo.x - kSlack && o.x < b.hi.x + kSlack && o.z > b.lo.z - kSlack &&
                                 o.z < b.hi.z + kSlack && o.y - t > b.lo.y - kSlack &&
                                 o.y - t < b.hi.y + kSlack);
@@ -67,7 +72,7 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
     }
 }
 
-// Of two shapes side by side, the texture is one where it joins.
+// Whether two shapes side by side continue each other's texture.
 TEST(Shapes, JoinTheirTexturesOrNot) {
     Texture cloud = {.pattern = Pattern::Cloud, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
     for (const ShapeTraits &traits : kShapeTraits) {
@@ -86,7 +91,7 @@ TEST(Shapes, JoinTheirTexturesOrNot) {
     }
 }
 
-// Nothing is dropped in silence: the constant that has to be raised is named.
+// Nothing is dropped silently: the error names the constant to raise.
 TEST(Scene, TellsWhatItHasTooMuchOf) {
     auto scene = cleared();
     auto fills = [&](const char *limit, int most, auto &&add) {
@@ -104,7 +109,7 @@ TEST(Scene, TellsWhatItHasTooMuchOf) {
     fills("kMaxShapes", kMaxShapes, [&] { scene->add(sphere({}, 1, 0)); });
     fills("kMaxUnbounded", kMaxUnbounded, [&] { scene->add(plane({}, 0)); });
     fills("kMaxOccluders", kMaxOccluders, [&] {
-        scene->contact = true;
+        scene->ballsOcclude = true;
         scene->add(sphere({}, 1, 0));
     });
     scene->clear();

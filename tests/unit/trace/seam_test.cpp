@@ -1,4 +1,4 @@
-// Where rectangles join: no light comes between them, neither straight nor by a mirror, and none is lost.
+// Where rectangles join, no light passes between them, neither straight nor by a mirror, and none is lost.
 #include "tests/support/random.h"
 #include "tests/support/stage.h"
 
@@ -17,7 +17,7 @@ Shape rect(Vec3 centre, Vec3 u, Vec3 v, float halfU, float halfV, int material) 
             .frame = {u, cross(u, v), v}};
 }
 
-// How large and where a room is, how far its light, and how high: tangent of its height over what it grazes.
+// The size and place of a room, the distance of its light, and the light's height: the tangent of its angle.
 struct Pose {
     float size, away, far, height;
 };
@@ -26,7 +26,7 @@ constexpr Pose kPoses[] = {
     {1, 100, 3000, 0.3f}, {1e-3f, 1e-3f, 1, 1}, {1e3f, 1e3f, 1e5f, 1},
 };
 
-// Steps of any size to both sides, from a ten-millionth to a hundredth.
+// Steps of any size to both sides, from 1e-7 to 1e-2.
 struct Near {
     Random random;
     float operator()() {
@@ -35,8 +35,8 @@ struct Near {
     }
 };
 
-// Looks at places about the joint of two rectangles at x, from above and right of it, and returns how many
-// samples are as `which` says.
+// Looks at places around the joint of two rectangles at x, from above and to the right. Returns for how many
+// samples `which` is true.
 template <class Which> int count(Stage &g, const Pose &p, Which &&which) {
     Near near = {{5}};
     int count = 0;
@@ -51,7 +51,7 @@ template <class Which> int count(Stage &g, const Pose &p, Which &&which) {
 
 } // namespace
 
-// A floor and a wall at its end with the sun and a bright sky behind it.
+// A floor and a wall at its end. The sun and a bright sky are behind the wall.
 TEST(Seam, OfFloorAndWallLetsNoLightIn) {
     for (const Pose &p : kPoses)
         for (float mirror : {0.f, 0.5f}) {
@@ -65,7 +65,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
             g.scene->add(rect({x, 3 * s, 0}, {0, 1, 0}, {0, 0, 1}, 3 * s, 9 * s, 1));
             ASSERT_GT(g.scene->shapes[0].frame.v.y, 0);
             ASSERT_GT(g.scene->shapes[1].frame.v.x, 0);
-            // Over a high wall nothing comes from so low
+            // No light comes over a high wall from so low
             Vec3 sun = normalize(Vec3{-1, p.height, 0.2f}) * p.far;
             g.scene->add(Light{sun + Vec3{x, 0, 0}, Rgb{1, 1, 1} * (p.far * p.far)});
             g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
@@ -74,7 +74,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
         }
 }
 
-// The top and a side of a box made of rectangles, with the sun on both: nothing is darker at their edge.
+// The top and a side of a box of rectangles, with the sun on both: their common edge is not darker.
 TEST(Seam, OfTopAndSideCastsNoShadow) {
     for (const Pose &p : kPoses) {
         Stage g;

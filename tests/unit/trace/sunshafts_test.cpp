@@ -1,4 +1,4 @@
-// Shafts of sun against sums over many places along rays.
+// Compares shafts of sun with sums over many places along rays.
 #include "trace/shade/sunshafts.h"
 
 #include "base/maths.h"
@@ -32,7 +32,7 @@ bool lit(const Sunshafts &s, Vec3 p) {
     bool open = false;
     for (int i = 0; i < s.openings; ++i) open |= at.z > s.from[i] && at.z < s.to[i];
     if (!open || at.y < s.low || at.y > s.high) return false;
-    for (int k = 0; k < s.pillars; ++k) { // distance of its axis from the way to the sun, seen from above
+    for (int k = 0; k < s.pillars; ++k) { // distance of its axis from the line to the sun, seen from above
         float x = s.pillarX[k] - p.x, z = s.pillarZ[k] - p.z;
         float off = (x * s.sun.z - z * s.sun.x) / std::hypot(s.sun.x, s.sun.z);
         if (x < 0 && std::fabs(off) < s.pillarRadius) return false;
@@ -40,7 +40,7 @@ bool lit(const Sunshafts &s, Vec3 p) {
     return true;
 }
 
-// How much there is between the thinnest and the thickest dust
+// Expects a result between those for the thinnest and the thickest dust
 void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     Vec3 d = normalize(towards);
     constexpr int kSteps = 20000;
@@ -48,7 +48,7 @@ void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
     for (int i = 0; i < kSteps; ++i) sum += lit(s, o + d * (float)((i + 0.5) * end / kSteps));
     sum *= end / kSteps;
     double half = 0.5 + 0.5 * dot(d, s.sun), phase = 0.6 + 1.0 * half * half;
-    float got = gatherShafts(s, broadcast(o), broadcast(d), broadcast(hit)).x[0];
+    float got = shaftLight(s, broadcast(o), broadcast(d), broadcast(hit)).x[0];
     ASSERT_TRUE(std::isfinite(got));
     EXPECT_GE(got, (sum * 0.4 - 0.02) * phase) << o.x << ' ' << o.y << ' ' << o.z;
     EXPECT_LE(got, (sum * 1.6 + 0.02) * phase) << d.x << ' ' << d.y << ' ' << d.z;

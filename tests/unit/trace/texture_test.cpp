@@ -1,4 +1,5 @@
-// Noise and materials: against a plain double-precision statement of the noise, and by their statistics.
+// Noise and materials, compared with a plain implementation of the noise in double precision, and by
+// statistics.
 #include "show/materials.h"
 #include "trace/texture/noise.h"
 
@@ -86,7 +87,7 @@ TEST(Noise, LooksAlikeAlongEveryAxis) {
     }
     EXPECT_NEAR(slope[0] / slope[1], 1, 0.1);
     EXPECT_NEAR(slope[2] / slope[1], 1,
-                0.35); // z is chosen a little more often, as it is by Perlin's own twelve
+                0.35); // z is chosen a little more often, as in Perlin's own twelve
 }
 
 TEST(Noise, IsContinuousAcrossCells) {

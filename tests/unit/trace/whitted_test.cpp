@@ -11,7 +11,7 @@ using namespace odraz;
 
 namespace {
 
-// Glass that is nothing else.
+// Glass without any other property.
 Material clearGlass(float ior) {
     Material m = matte({0, 0, 0});
     m.diffuse = 0;
@@ -48,8 +48,8 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
     EXPECT_EQ(s.lights, 2u);
 }
 
-// A highlight smaller than what a sample covers of its ball is wider and paler, so that it does not blink
-// when the ball moves; together it is as bright.
+// A highlight smaller than the area that a sample covers on the ball is drawn wider and paler, so that it
+// does not blink when the ball moves; its total light is the same.
 TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
     Stage g;
     Material m = matte({0, 0, 0});
@@ -63,7 +63,7 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
             for (int j = -50; j <= 50; ++j) {
                 float x = (float)i * 0.02f, y = (float)j * 0.02f, up = 1 - x * x - y * y;
                 if (up <= 0) continue;
-                // The same step everywhere across the view
+                // Equal steps across the view
                 double v = (double)g.look({x, y, 500}, {x, y, std::sqrt(up)}, kExact, size).radiance().x;
                 sum += v, most = std::max(most, v);
             }
@@ -105,8 +105,8 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
     EXPECT_EQ(g.look({0, 1, 3}, {0, 0, 0}).light.x, 0);
 }
 
-// What is too faint for the quality to tell needs no shadow; that comes in gradually, and lights that count
-// have it whole.
+// A light too faint for the quality casts no shadow. Its shadow fades in with the light, and lights that
+// matter have all of it.
 TEST(Shadow, FadesInWithTheLightThatItTakes) {
     Quality coarse = kExact;
     coarse.cutoff = 1 / 24.f;
@@ -144,8 +144,9 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
     EXPECT_NEAR(c.z, 0.2f, 1e-5);
 }
 
-// A lamp in a small mirrored ball, smaller there than what a sample covers, would blink as samples hit and
-// miss it: it is wider there and paler, and bounded, as what is averaged can show no more than white.
+// A lamp mirrored in a small ball, smaller there than what a sample covers, would blink as samples hit and
+// miss it. So it is drawn wider and paler, and bounded, because the average of samples shows no more than
+// white.
 TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     Stage g;
     Material m = matte({0, 0, 0}), glow = m;
@@ -154,7 +155,7 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(m)));
     g.scene->add(sphere({0, 0, 20}, 1, g.scene->add(glow)));
     Vec3 eye = {0, 8, 8}, place = {0, 0.4f, 0.9f};
-    // Where it is: half-way between eye and lamp, as seen from the ball's face
+    // At its place: half-way between eye and lamp, as seen from the ball's face
     for (int i = 0; i < 20; ++i)
         place = normalize(normalize(eye - place) + normalize(Vec3{0, 0, 20} - place));
     EXPECT_NEAR(g.look(eye, place, kExact, 1e-6f).radiance().x, 60, 0.1);
@@ -170,7 +171,7 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     EXPECT_GT(g.look(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
 }
 
-// Two facing mirrors: the path ends at the depth, and the geometric series is what remains.
+// Two facing mirrors: the path ends at the depth limit, so the sum is a finite geometric series.
 TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     Stage g;
     Material m = matte({0, 0, 0});
@@ -189,7 +190,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
     EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25, 1e-5);
 }
 
-// A path that ends, at the depth or by its share, brings the light that is there on average, not darkness.
+// A path that ends, by depth or by its small share, returns the average light there, not darkness.
 TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
     Stage g;
     Material m = matte({0, 0, 0});
@@ -210,7 +211,7 @@ TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
     EXPECT_NEAR(g.look({0, 2, 2}, {0, 0, 0}, q).radiance().x, 0.5 * (0.5 + 0.3 * std::sqrt(0.5)), 1e-4);
 }
 
-// A glass ball, met on its axis: Fresnel's R at both surfaces, all orders of inner reflection.
+// A glass ball hit on its axis: Fresnel's R at both surfaces, with all orders of inner reflection.
 TEST(Glass, KeepsEnergyOnTheAxis) {
     Stage g;
     Material m = clearGlass(1.5f);
@@ -265,7 +266,7 @@ TEST(Ambient, ABallDarkensTheFloorUnderIt) {
     int id = g.scene->add(matte({1, 1, 1}));
     g.scene->add(plane({0, 0, 0}, id));
     g.scene->ambientLow = g.scene->ambientHigh = {1, 1, 1};
-    g.scene->contact = true;
+    g.scene->ballsOcclude = true;
     EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, 1, 1e-6);
     g.scene->add(sphere({0, 1, 0}, 0.5f, id));
     // Form factor of a sphere above the horizon: (r/d)^2 cos
@@ -273,7 +274,7 @@ TEST(Ambient, ABallDarkensTheFloorUnderIt) {
     EXPECT_NEAR(g.look({3, 1, 0}, {2, 0, 0}).light.x, expected, 1e-4);
 }
 
-// The extremes: whatever is put together, no NaN and nothing negative comes out.
+// Extreme combinations never give a NaN or a negative value.
 TEST(Extremes, GiveNoNaN) {
     Material glass = matte({0, 0, 0});
     glass.ior = 1.5f;

@@ -1,5 +1,5 @@
-// Clustered PCA: against the eigenvalues of the covariance in double precision (Eigen), on data of a known
-// structure, and at the extremes.
+// Compares clustered PCA with the eigenvalues of the covariance in double precision (Eigen), on data of known
+// structure, and at extremes.
 #include "transfer/clustered_pca.h"
 
 #include "tests/support/eigenvalues.h"
@@ -53,8 +53,8 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// What the best subspace of so many dimensions leaves, squared: the sum of the eigenvalues that are left
-// over, of the Gram matrix of columns, or of rows where they are fewer.
+// The squared error of the best subspace of so many dimensions: the sum of the remaining eigenvalues of the
+// Gram matrix, of columns, or of rows if there are fewer.
 double bestLeft(const Data &d, int dimensions) {
     auto at = [&](int r, int c) { return (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c]; };
     bool wide = d.columns > d.rows;
@@ -92,7 +92,7 @@ Data falling(int rows, int columns, double half) {
     return d;
 }
 
-// Several flats, each of four dimensions, about means far apart, taken by turns.
+// Several flats (affine subspaces) of four dimensions each, with means far apart; rows take turns among them.
 Data flats(int count, int rows, int columns) {
     Data d(rows, columns);
     Random random = {9};
@@ -145,8 +145,8 @@ TEST(Pca, AxesAreOrthonormal) {
             }
 }
 
-// From seeds that are wrong for a third of the rows the flats are found, where one subspace of as many
-// dimensions cannot hold them.
+// A third of the rows has wrong seeds. Clustering still finds the flats, which one subspace of as many
+// dimensions cannot hold.
 TEST(Clustering, FindsTheFlats) {
     Data d = flats(4, 400, 48);
     PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};

@@ -1,5 +1,5 @@
-// Spherical harmonics: against the recurrence in double precision, closed forms of rotation and windowing,
-// and what a sky loses by them.
+// Compares spherical harmonics with the recurrence in double precision and with closed forms of rotation and
+// windowing, and measures what a sky loses by them.
 #include "transfer/spherical_harmonics.h"
 
 #include "tests/support/random.h"
@@ -14,7 +14,7 @@ using namespace odraz;
 
 namespace {
 
-// Turns a function by a rotation: turned(d) = f(m d). Exact but for rounding, by a quadrature that is.
+// Rotates a function: turned(d) = f(m d). Exact up to rounding, because the quadrature is exact.
 void rotate(const float *f, const Mat3 &m, float *turned) {
     for (int k = 0; k < kSh; ++k) turned[k] = 0;
     for (int i = 0; i < kDirections; i += 8) {
@@ -28,7 +28,7 @@ void rotate(const float *f, const Mat3 &m, float *turned) {
     }
 }
 
-// Directions all over the sphere, poles and axes among them.
+// Directions all over the sphere, including poles and axes.
 std::vector<Vec3> directions() {
     std::vector<Vec3> all = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     Random random = {7};
@@ -158,7 +158,7 @@ TEST(SphericalHarmonics, TurnAboutAnyAxis) {
         float f[kSh], turned[kSh], back[kSh];
         for (float &v : f) v = random.next() * 2 - 1;
         rotate(f, m, turned);
-        // As a function
+        // Compare as a function
         for (int i = 0; i < 50; ++i) {
             Vec3 d = directions()[(size_t)(7 * i)];
             EXPECT_NEAR(value(turned, d), value(f, m * d), 1e-5);
@@ -168,7 +168,7 @@ TEST(SphericalHarmonics, TurnAboutAnyAxis) {
         EXPECT_NEAR(turned[1], -v.x, 3e-6f);
         EXPECT_NEAR(turned[2], v.y, 3e-6f);
         EXPECT_NEAR(turned[3], -v.z, 3e-6f);
-        // Lengths of bands stay; back again is where it was
+        // The length of each band stays, and rotating back gives the original
         for (int l = 0; l < kBands; ++l) {
             double before = 0, after = 0;
             for (int k = l * l; k < (l + 1) * (l + 1); ++k) {
@@ -183,7 +183,7 @@ TEST(SphericalHarmonics, TurnAboutAnyAxis) {
     }
 }
 
-// A lobe about an axis has the coefficients of the axis itself, times a number for each band.
+// A lobe about an axis has the coefficients of the axis, times a number for each band.
 TEST(SphericalHarmonics, ALobeTurnsToItsAxis) {
     float lobe[kSh] = {}, turned[kSh];
     for (int l = 0; l < kBands; ++l) lobe[l * (l + 1)] = 1.f / (float)(l + 1); // about the pole
@@ -198,7 +198,7 @@ TEST(SphericalHarmonics, ALobeTurnsToItsAxis) {
     }
 }
 
-// A bright spot rings without a window, far below zero; windowed it does nearly not, and keeps its energy.
+// Without a window a bright spot rings, far below zero. With one it hardly rings, and keeps its energy.
 TEST(SphericalHarmonics, AWindowEndsRinging) {
     auto least = [](float exponent, double &most) {
         auto y = at({0, 1, 0});
@@ -219,11 +219,11 @@ TEST(SphericalHarmonics, AWindowEndsRinging) {
     EXPECT_GT(least(5, most), -0.01 * most);
     EXPECT_EQ(window(0, 16), 1);
     for (int l = 1; l < kBands; ++l) EXPECT_NEAR((double)window(l, 16), std::exp(-l * (l + 1) / 32.), 1e-6);
-    EXPECT_GE(window(4, 1e-6f), 0); // as narrow as can be: nothing but the mean is left
+    EXPECT_GE(window(4, 1e-6f), 0); // the narrowest: only the mean is left
     EXPECT_NEAR(window(4, 1e6f), 1, 1e-4);
 }
 
-// Extremes of skies: nothing, something far brighter than the rest, clouds.
+// Extreme skies: black, with one very bright spot, with clouds.
 TEST(SphericalHarmonics, SkiesAtTheExtremes) {
     Rgb light[kSh];
     project({}, light);

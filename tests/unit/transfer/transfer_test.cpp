@@ -1,7 +1,7 @@
-// Transfer: the hall relit against solutions made for that very light, its floor's gloss against rays,
-// extremes.
+// Compares the relit hall with solutions made for exactly that light, and its floor's gloss with rays; and
+// tests extremes.
 #include "tests/support/headless_gl.h"
-#include "tools/measure/transfer.h"
+#include "tools/measure/oracle/transfer.h"
 
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ struct Floor {
 
 } // namespace
 
-// The sky, its clouds and the sun at every hour: what is left of one per cent is what bands beyond the fourth
-// hold. Fewer bands lose more.
+// The sky, its clouds and the sun at every hour. The error stays below one per cent; it comes from bands
+// beyond the fourth. Fewer bands lose more.
 TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
     double last[2] = {1e9, 1e9};
     for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, {1, 3, kBands}, headlessGl(), serial)) {
@@ -55,18 +55,19 @@ TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
     }
 }
 
-// Rays from the four patches of a square, by the cosine law, that bring the radiosity of the patches they
-// meet, or the sky: projected, blurred by the lobe and mirrored towards an eye by hand.
+// Rays from the four patches of a square, by the cosine law, bring the radiosity of the patches that they
+// hit, or the sky's. Their light is projected, blurred by the lobe and mirrored towards an eye, all by hand.
 TEST(Gloss, IsWhatRaysBring) {
     Floor floor(false);
     const Hall &hall = *solved().hall;
     const Model &m = hall.model;
+    ModelRays rays(m);
     const Chart &c = m.charts[hall.floor];
     const Glossy &g = hall.gloss;
     const System &s = hall.radiosity.system;
     Vec3 eye = {2.5f, 1.6f, 4};
     for (HallLight by :
-         {HallLight{kNoon, {}, {}, 1}, HallLight{kHours - 1, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
+         {HallLight{kNoon, {}, {}, 1}, HallLight{kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
         LightVector light = lightVector(by);
         std::vector<float> got = floor.seen(light, eye);
         double error = 0, all = 0;
@@ -79,32 +80,29 @@ TEST(Gloss, IsWhatRaysBring) {
                     int from = c.firstPatch + v * c.patchesAcross + u;
                     if (!hall.radiosity.factors.rows[from].known) continue;
                     ++patches;
-                    castFan(*solved().scene, c, m.patches[from].p, 48, (uint32_t)from,
-                            [&](int chart, Vec3 p, Vec3 d) {
-                                Float8 there[kSh];
-                                evaluate(broadcast(d), there);
-                                double radiance = 0;
-                                if (chart < 0) {
-                                    for (int k = 0; k < kSh; ++k)
-                                        radiance += (double)(light.bounced[k].y * there[k][0]);
-                                } else {
-                                    const Chart &met = m.charts[chart];
-                                    Vec3 q = p - met.corner;
-                                    int i = std::clamp(
-                                            (int)(dot(q, met.u) / met.width * (float)met.patchesAcross), 0,
-                                            met.patchesAcross - 1),
-                                        j = std::clamp(
-                                            (int)(dot(q, met.v) / met.height * (float)met.patchesDown), 0,
-                                            met.patchesDown - 1);
-                                    int patch = met.firstPatch + j * met.patchesAcross + i;
-                                    for (int k = 0; k < hall.radiosity.lights.bases(); ++k)
-                                        radiance += (double)(light.bounced[k].y *
-                                                             s.radiosity[patch * s.columns + 3 * k + 1]);
-                                }
-                                for (int k = 0; k < kSh; ++k)
-                                    coefficients[k] +=
-                                        radiance * (double)there[k][0] * M_PI / (double)d.y / (48 * 48);
-                            });
+                    rays.castFan(c, m.patches[from].p, 48, (uint32_t)from, [&](int chart, Vec3 p, Vec3 d) {
+                        Float8 there[kSh];
+                        evaluate(broadcast(d), there);
+                        double radiance = 0;
+                        if (chart < 0) {
+                            for (int k = 0; k < kSh; ++k)
+                                radiance += (double)(light.bounced[k].y * there[k][0]);
+                        } else {
+                            const Chart &met = m.charts[chart];
+                            Vec3 q = p - met.corner;
+                            int i = std::clamp((int)(dot(q, met.u) / met.width * (float)met.patchesAcross), 0,
+                                               met.patchesAcross - 1),
+                                j = std::clamp((int)(dot(q, met.v) / met.height * (float)met.patchesDown), 0,
+                                               met.patchesDown - 1);
+                            int patch = met.firstPatch + j * met.patchesAcross + i;
+                            for (int k = 0; k < hall.radiosity.bases.count(); ++k)
+                                radiance +=
+                                    (double)(light.bounced[k].y * s.radiosity[patch * s.columns + 3 * k + 1]);
+                        }
+                        for (int k = 0; k < kSh; ++k)
+                            coefficients[k] +=
+                                radiance * (double)there[k][0] * M_PI / (double)d.y / (48 * 48);
+                    });
                 }
             if (patches < 4) continue;
             Vec3 middle = c.at(((float)x + 0.5f) * c.width / (float)g.across,
@@ -128,7 +126,7 @@ TEST(Gloss, IsWhatRaysBring) {
 
 TEST(Gloss, SurvivesItsCompression) {
     std::vector<float> exact, got;
-    LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kHours - 1, {1, 1, 1}, {}, 1});
+    LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kNight, {1, 1, 1}, {}, 1});
     for (const LightVector &light : {noon, lamps}) {
         {
             Floor floor(false);

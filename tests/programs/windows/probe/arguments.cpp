@@ -1,6 +1,6 @@
-// Command lines, written into the place of this program's own, as the film splits them. CommandLineToArgvW
-// says how they are to be split, but where a quoted part has a doubled quotation mark in it: there Windows's
-// own libraries do not agree.
+// Tests how the film splits command lines, which are written over this program's own. CommandLineToArgvW
+// gives the expected result, except for doubled quotation marks in a quoted part, where Windows's own
+// libraries disagree.
 #include "probe.h"
 
 #include "start/windows/command_line.h"
@@ -35,7 +35,7 @@ bool same(const char *a, const char *b) {
     return *a == *b;
 }
 
-// Whether the line is split as Windows does.
+// Whether the line is split as Windows splits it.
 bool asWindows() {
     static const auto reference =
         (PROBE_WINDOWS WCHAR * *(*)(const WCHAR *, int *)) function("shell32.dll", "CommandLineToArgvW");
@@ -96,7 +96,7 @@ const struct {
     {u"p \"C:\\a b\\\" c", "p|C:\\a b\" c|"},
     {u"p \\\\host\\share\\x", "p|\\\\host\\share\\x|"},
     {u"p \\a\\ \\b", "p|\\a\\|\\b|"},
-    // What is no ASCII
+    // Characters outside ASCII
     {u"p \u017elu\u0165 \u20ac\"\u00a0\" \U0001f3b5",
      "p|\xc5\xbelu\xc5\xa5|\xe2\x82\xac\xc2\xa0|\xf0\x9f\x8e\xb5|"},
 };
@@ -118,7 +118,7 @@ void arguments() {
     }
     check("odd command lines are split as Windows does", !wrong, wrong);
 
-    // By chance, of what means something
+    // Random lines of special characters
     uint32_t random = 1;
     wrong = 0;
     for (int line = 0; line < 5000; ++line) {
@@ -134,7 +134,7 @@ void arguments() {
     }
     check("5000 others, too", !wrong, wrong);
 
-    // As many and as long as there may be
+    // The largest number and length of arguments
     for (int i = 0; i < 30000; ++i) theLine[i] = i % 2 ? ' ' : 'x';
     theLine[30000] = 0;
     Arguments &many = split();

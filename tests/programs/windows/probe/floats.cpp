@@ -1,5 +1,5 @@
-// How floats are rounded, and how deep the stack is: in the main thread, in workers, in a thread of our own.
-// What the program's own memory may be used for.
+// How floats are rounded and how deep the stack is, in the main thread, in workers, and in a thread of our
+// own; and the protection of the program's own memory.
 #include "probe.h"
 
 #include "host/process.h"
@@ -14,15 +14,15 @@ namespace {
 struct Found {
     uint32_t mxcsr;
     bool denormals;
-    int64_t off;       // of the stack's alignment
+    int64_t off;       // misalignment of the stack
     int64_t committed; // bytes of the stack below, up to what is asked
-    int deep;          // what a large frame comes to
+    int deep;          // result of a function with a large frame
     bool done;
 };
 
 constexpr int64_t kFrame = 256 << 10;
 
-// 1e-38 * 0.01 is denormal; 0 where these are flushed
+// 1e-38 * 0.01 is denormal; the product is 0 if denormals are flushed
 bool keepsDenormals() {
     volatile float small = 1e-38f, less = 0.01f;
     volatile float product = small * less;
@@ -30,7 +30,7 @@ bool keepsDenormals() {
     return product > 0 && denormal * 2 > product;
 }
 
-// Its far end first, where no guard page would have been touched
+// Touches the far end first, and so skips any guard page
 [[gnu::noinline]] int deep() {
     volatile char frame[kFrame];
     frame[0] = 1;
@@ -38,7 +38,7 @@ bool keepsDenormals() {
     return frame[kFrame - 4096];
 }
 
-// Pages alike around an address
+// Consecutive pages with equal protection around an address
 struct Memory {
     uint64_t base, first;
     uint32_t firstProtection, partition;
@@ -48,7 +48,7 @@ struct Memory {
 static_assert(sizeof(Memory) == 48);
 typedef PROBE_WINDOWS uint64_t Query(uint64_t address, Memory *, uint64_t size);
 
-// How much of the stack below may be written to, at least kFrame.
+// How much of the stack below is committed: at least kFrame.
 int64_t committed() {
     Memory memory;
     auto query = (Query *)function("kernel32.dll", "VirtualQuery");
@@ -78,7 +78,7 @@ void tell(const char *mxcsrName, const char *denormals, const char *committed, c
     tell("floats are rounded as on Linux in " who, "denormal ones survive in " who,                          \
          "the stack is committed in " who, "a large frame is written to in " who, found)
 
-// Of the program's pages: how many kinds may be executed, and how many both that and written to.
+// Counts regions of the program's pages that are executable, and those that are executable and writable.
 void countPages(uint64_t begin, uint64_t end, int &code, int &both) {
     auto query = (Query *)function("kernel32.dll", "VirtualQuery");
     Memory memory;
@@ -89,7 +89,7 @@ void countPages(uint64_t begin, uint64_t end, int &code, int &both) {
     }
 }
 
-// Threads begin as if a library had spoilt them before
+// Threads begin with the float state that a bad library might leave
 struct Start {
     void *body, *context;
 } theStarts[kMaxWorkers];
@@ -118,7 +118,7 @@ PROBE_WINDOWS void *createSpoilt(void *security, uint64_t stack, void *body, voi
                                                             flags, id);
 }
 
-// Not as bodies are: the start of a thread alone aligns its stack
+// Unlike a worker's body this does not align the stack: the start of the thread must do so
 void *threadBody(void *context) {
     Found &found = *(Found *)context;
     found.off = stackIsOff();
@@ -135,7 +135,7 @@ void workBody(const void *context, int piece, int, int worker) {
     Work &work = *(Work *)context;
     work.found[worker].off = stackIsOff();
     look(work.found[worker]);
-    // A worker takes one piece alone
+    // Each worker takes one piece only
     __atomic_add_fetch(&work.arrived, 1, __ATOMIC_ACQ_REL);
     while (__atomic_load_n(&work.arrived, __ATOMIC_ACQUIRE) < kWorkers) Sleep(1);
     (void)piece;
@@ -169,7 +169,7 @@ void floats() {
         check("the stack is aligned for the engine in a worker", !work.found[i].off, work.found[i].off);
     }
 
-    // What the file asks for: of the main thread's stack and of every other, all of it committed
+    // The file asks for the stack of the main thread and of every other, all of it committed
     auto module = (PROBE_WINDOWS char *(*)(const char *))function("kernel32.dll", "GetModuleHandleA");
     char *image = module(nullptr), *header = image + *(uint32_t *)(image + 0x3c) + 24;
     uint64_t reserved = *(uint64_t *)(header + 72), asked = *(uint64_t *)(header + 80);

@@ -1,7 +1,6 @@
-// A program that looks at Windows from within, as the film sees it: by the film's own host and start.
+// A program that checks Windows from inside as the film sees it, with the film's own host and start.
 //   probe arguments FILLER | floats | names FOLDER | passing | shown | times
-// It tells what it found in lines "ok: ..." and "FAILED: ..."; its status is 1 when there is one of the
-// latter.
+// It prints lines "ok: ..." and "FAILED: ..."; its status is 1 if there is one of the latter.
 #include "probe.h"
 
 #include "base/text.h"

@@ -1,4 +1,4 @@
-// Files: whole or absent, whatever goes wrong. What is to be left of it in the folder, ../probe.sh knows.
+// Files are whole or absent, whatever goes wrong. ../probe.sh knows which files must remain in the folder.
 #include "probe.h"
 
 #include "base/text.h"
@@ -26,7 +26,7 @@ bool says(const char *said, const char *wanted) {
     return *said == *wanted;
 }
 
-// Windows, but Wine: without a manifest names have 259 units at most, folders 247
+// Real Windows, unlike Wine, limits names without a manifest to 259 units, and folders to 247
 int length(const WCHAR *path) {
     int n = 0;
     while (path[n]) ++n;

@@ -1,5 +1,5 @@
-// How calls get to Windows: by the convention of ours, through calls.cpp. A function of ours stands for each
-// of Windows's and writes down what comes.
+// How calls reach Windows: from our calling convention through calls.cpp. Functions of our own replace
+// Windows's and record what arrives.
 #include "probe.h"
 
 #include "host/library.h"
@@ -8,7 +8,7 @@ using namespace odraz;
 
 namespace probe {
 
-// What the last call of probeRecord brought
+// The arguments of the last call of probeRecord
 extern "C" {
 uint64_t probeCame[12], probeCameStack, probeCalls, probeElsewhere;
 float probeCameFloats[4];
@@ -25,7 +25,7 @@ __asm__(".text\n"
         "movss %xmm0, probeCameFloats\n movss %xmm1, probeCameFloats + 4\n"
         "movss %xmm2, probeCameFloats + 8\n movss %xmm3, probeCameFloats + 12\n"
         "mov %rsp, probeCameStack\n incq probeCalls\n"
-        // What is the called one's: room for four arguments, all arguments, and these registers
+        // Overwrite what the callee may change: room for four arguments, the arguments, and these registers
         "mov $-1, %rax\n"
         "mov %rax, 8(%rsp)\n mov %rax, 16(%rsp)\n mov %rax, 24(%rsp)\n mov %rax, 32(%rsp)\n"
         "mov %rax, 40(%rsp)\n mov %rax, 48(%rsp)\n mov %rax, 56(%rsp)\n mov %rax, 64(%rsp)\n"
@@ -38,7 +38,7 @@ namespace {
 
 constexpr int kSlots = sizeof(windows::Functions) / sizeof(void *);
 
-// Whether a call of `ours` gets to `slot` alone, with twelve arguments, and comes back as it should.
+// Whether a call of `ours` reaches only `slot`, with twelve arguments, and returns correctly.
 bool passes(void *ours, int slot) {
     void **slots = (void **)&odrazFunctions, *usual[kSlots];
     for (int i = 0; i < kSlots; ++i) usual[i] = slots[i], slots[i] = (void *)probeWrong;
@@ -66,7 +66,7 @@ template <class R, class... A> constexpr bool mayPass(R (*)(A...)) {
 
 void passing() {
     int slot = 0, wrong = 0, mixed = 0;
-    // Each that fails is told
+    // Prints each function that fails
 #define PASSES(name)                                                                                         \
     if (!passes((void *)&name, slot)) ++wrong, check("a call passes: " #name, false, slot);                  \
     if (!mayPass(&name)) ++mixed, check("floats and integers are not mixed: " #name, false);                 \
@@ -110,7 +110,7 @@ void passing() {
     check("... each in its place", !missing, missing);
     check("a library that is not there is named", loadFunctions("no-such.dll", "a\0", slots) != nullptr);
 
-    // In earnest, with 2 to 7 arguments
+    // Real calls, with 2 to 7 arguments
     WCHAR self[600];
     uint32_t size = GetModuleFileNameW(nullptr, self, 600), got = 0;
     HANDLE file = CreateFileW(self, 0x80000000, 7, nullptr, 3, 0, nullptr);

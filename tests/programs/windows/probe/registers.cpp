@@ -1,4 +1,4 @@
-// Calls with every register that must be kept set to a number of its own.
+// Calls functions with every register that must be kept set to a number of its own.
 #include "probe.h"
 
 namespace probe {

@@ -1,4 +1,4 @@
-// The window: what Windows calls of ours keeps its registers, the display stays awake, pixels are pixels.
+// The window: when Windows calls us its registers are kept, the display stays awake, pixels are right.
 #include "probe.h"
 
 #include "host/window.h"

@@ -1,4 +1,4 @@
-// Programs started as Windows starts them: with standard handles that are closed, from a console or without.
+// Starts programs as Windows starts them: with closed standard handles, from a console or without one.
 #include "probe.h"
 
 #include "host/files.h"
@@ -23,8 +23,8 @@ struct Started {
     uint32_t ids[2];
 };
 
-// Its status; 125: it did not start. In no console: Windows gives one to programs without windows alone, Wine
-// to all.
+// Returns the program's status, or 125 if it did not start. It has no console: Windows gives a new one only
+// to programs without windows, Wine to all.
 uint32_t run(const char *line, HANDLE standard[3]) {
     static WCHAR wide[32768];
     MultiByteToWideChar(windows::kUtf8, 0, line, -1, wide, 32768);
@@ -73,7 +73,7 @@ uint32_t startInConsole(const char *which, const char *line) {
     auto allocate = (PROBE_WINDOWS int (*)())function("kernel32.dll", "AllocConsole");
     if (!allocate()) return 124;
     uint32_t status = run(line, standard);
-    // What is on the screen: the rows that are not empty
+    // Copy the rows of the screen that are not empty
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
     HANDLE screen = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);
     auto read = (PROBE_WINDOWS int (*)(HANDLE, char *, uint32_t, uint32_t, uint32_t *))function(

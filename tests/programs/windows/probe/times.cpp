@@ -20,7 +20,7 @@ void times() {
     check("the clock never goes back", !back, back);
     check("... and goes on", last > first, last - first);
 
-    // Another clock of Windows's, of milliseconds, whose ticks may be 16 ms
+    // Compare with another clock of Windows, in milliseconds, whose ticks may be 16 ms
     auto ticks = (PROBE_WINDOWS uint64_t(*)())function("kernel32.dll", "GetTickCount64");
     int64_t tick = (int64_t)ticks();
     first = nanoseconds();
@@ -28,7 +28,7 @@ void times() {
     int64_t tickPassed = ((int64_t)ticks() - tick) * 1000000, outer = nanoseconds() - first;
     check("... as fast as another clock", outer + 40000000 > tickPassed && outer > 400000000,
           outer - tickPassed);
-    // Nobody stops between: asked again where somebody did
+    // Repeat if the thread was interrupted between the readings
     for (int i = 0; i < 100; ++i) {
         tick = (int64_t)ticks();
         first = nanoseconds();

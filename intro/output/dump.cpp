@@ -1,0 +1,50 @@
+#include "output/dump.h"
+
+#include "host/files.h"
+#include "output/output.h"
+
+namespace odraz {
+
+int dump(Intro &intro, const Options &o, bool stdoutClosed) {
+    if (int status = checkOutput(o.dump, stdoutClosed)) return status;
+    bool toStdout = isStdout(o.dump);
+    if (!toStdout)
+        if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
+    const Quality &quality = o.qualityOr(QualityName::Film);
+    // As it is played, frames of even numbers are traced, into the slots by turns, and the others are made
+    // from the two beside them
+    auto slotOf = [&](int64_t n) { return o.live ? (int)(n >> 1 & 1) : 0; };
+    int64_t traced = -1;
+    Picture later = {};
+    auto trace = [&](int64_t n) {
+        if (traced != n) later = picture(intro, slotOf(n), frameTime(n, o.fps), quality);
+        traced = n;
+    };
+
+    for (int64_t n = firstFrame(o.from, o.fps), end = firstFrame(o.to, o.fps); n < end; ++n) {
+        bool made = o.live && n & 1;
+        if (made) trace(n - 1);
+        trace(n + made);
+        Picture p = made ? between(intro, slotOf(n - 1), slotOf(n + 1)) : later;
+        if (const char *limit = outgrown(intro))
+            return cannotWrite("a scene that outgrew a limit; raise in scene.h", limit);
+        // Pack it in place as a PPM: the header in front, three bytes of every four behind it
+        Text<32> header;
+        header << "P6\n" << p.width << ' ' << p.height << "\n255\n";
+        size_t pixels = (size_t)p.width * (size_t)p.height;
+        uint8_t *file = p.rgba - kHeaderRoom;
+        for (int i = 0; i < header.size; ++i) file[i] = (uint8_t)header.data[i];
+        uint8_t *to = file + header.size;
+        for (size_t i = 0; i < pixels; ++i)
+            for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
+        size_t size = (size_t)(to - file);
+
+        Text<4200> path; // too long a name is told, never cut off
+        path << o.dump;
+        if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
+        if (int status = writeOutput(path.data, file, size)) return status;
+    }
+    return 0;
+}
+
+} // namespace odraz

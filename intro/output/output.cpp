@@ -1,0 +1,36 @@
+#include "output/output.h"
+
+#include "host/files.h"
+#include "host/process.h"
+#include "options.h"
+
+namespace odraz {
+
+constexpr int kLongestName = 150; // characters; of longer names the end is told
+
+int cannotWrite(const char *what, const char *why) {
+    // Of a long name the end, so that the reason is told too
+    int length = 0;
+    while (what[length]) ++length;
+    Message m;
+    m << "cannot write ";
+    if (length > kLongestName) m << "...", what += length - kLongestName;
+    m << what << ": " << why;
+    return complain(m.data);
+}
+
+int checkOutput(const char *to, bool stdoutClosed) {
+    if (!isStdout(to)) return 0;
+    if (stdoutClosed) return cannotWrite("standard output", "it is closed");
+    if (!isTerminal(1)) return 0;
+    complain("what goes to - is not text: send it to a program or a file, not to the terminal");
+    return 2;
+}
+
+int writeOutput(const char *to, const void *data, size_t size) {
+    bool toStdout = isStdout(to);
+    const char *wrong = toStdout ? writeAll(1, data, size) : writeFile(to, data, size);
+    return wrong ? cannotWrite(toStdout ? "standard output" : to, wrong) : 0;
+}
+
+} // namespace odraz

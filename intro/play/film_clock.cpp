@@ -1,0 +1,33 @@
+#include "play/film_clock.h"
+
+namespace odraz {
+
+void FilmClock::start(double time, int64_t now) {
+    __atomic_store_n(&zero, now - (int64_t)(time * 1e9), __ATOMIC_RELAXED);
+    lastHeard = now;
+    __atomic_store_n(&running, true, __ATOMIC_RELEASE);
+}
+
+void FilmClock::hear(double time, int64_t now) {
+    double off = time - at(now);
+    // By a hundredth of what passed: then it does not stand still, however often it is asked
+    double most = (double)(now - lastHeard) * 1e-11;
+    lastHeard = now;
+    double far = (off < 0 ? -off : off) * 1e3;
+    ++offsets[far < kOffsets - 1 ? (int)far : kOffsets - 1];
+    if (!(off >= -kMostOff && off <= kMostOff)) return;
+    if (most > 5e-5) most = 5e-5;
+    off = off < -most ? -most : off > most ? most : off;
+    __atomic_sub_fetch(&zero, (int64_t)(off * 1e9), __ATOMIC_RELAXED);
+}
+
+void FilmClock::watch(int64_t now, int64_t processor) {
+    int64_t passed = now - lastWatch;
+    if (lastWatch && passed > kGap && processor - lastProcessor < passed / 16)
+        __atomic_add_fetch(&zero, passed, __ATOMIC_RELAXED);
+    lastWatch = now;
+    lastProcessor = processor;
+    __atomic_add_fetch(&watches, 1, __ATOMIC_RELEASE);
+}
+
+} // namespace odraz

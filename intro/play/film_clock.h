@@ -1,0 +1,42 @@
+// The time of the film as it is played: it runs with the system's clock and follows what the sound device
+// says is heard, so slowly that nobody sees it: by 1 % at most. It never goes back.
+#pragma once
+
+#include <stdint.h>
+
+namespace odraz {
+
+class FilmClock {
+public:
+    // The film's time, in seconds, at a moment (nanoseconds of the system's clock); unset until started.
+    double at(int64_t now) const { return (double)(now - __atomic_load_n(&zero, __ATOMIC_RELAXED)) * 1e-9; }
+    bool started() const { return __atomic_load_n(&running, __ATOMIC_ACQUIRE); }
+
+    // Sets it to a time, whatever it was: to begin, and where the viewer seeks.
+    void start(double time, int64_t now);
+    // The device says that this time of the film is heard now. If that is more than kMostOff seconds off, the
+    // device is not believed.
+    void hear(double time, int64_t now);
+    // Asked once a picture, with the processor time that the process has used: when it was stopped meanwhile
+    // (much time passed, and it did nothing) the film goes on where it stopped.
+    void watch(int64_t now, int64_t processor);
+    // How often watch() was called: after a gap in its own calls the sound waits for the next one.
+    unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }
+
+    // A histogram: how often it was off from what is heard by so many milliseconds; the last bin has what was
+    // further off, too.
+    static constexpr int kOffsets = 250;
+    int offsets[kOffsets];
+
+    static constexpr double kMostOff = 0.25;
+    static constexpr int64_t kGap =
+        250000000; // nanoseconds; a longer gap may mean that the process was stopped
+
+private:
+    int64_t zero; // the moment of the film's first picture
+    int64_t lastHeard, lastWatch, lastProcessor;
+    unsigned watches;
+    bool running;
+};
+
+} // namespace odraz

@@ -1,0 +1,115 @@
+#include "play/playback.h"
+
+namespace odraz {
+
+static_assert(kSoundRate == kDeviceRate);
+
+namespace {
+
+constexpr int64_t kSecond = 1000000000, kNap = 2000000; // nanoseconds
+// Frames. What is off by more than kLate is left out or waited for, by more than kFar sought. A device that
+// takes all it gets, and cannot tell what it holds, is kept kLead ahead of the film.
+constexpr int64_t kLate = kSoundRate / 50, kFar = kSoundRate, kLead = kSoundRate / 5;
+constexpr float kFade = 0.5f; // of the level, a block
+
+} // namespace
+
+void Playback::prepare(const SoundSource &what, const SoundOutput &where, FilmClock &by, double from) {
+    source = what;
+    output = where;
+    clock = &by;
+    position = begin = (int64_t)(from * kSoundRate);
+    // The film's begin is played as it is
+    sought = !begin;
+    level = sought;
+}
+
+// The next block, growing louder or softer to a level.
+void Playback::fill(float to) {
+    source.render(source.context, block);
+    position += kSoundBlock;
+    if (level != 1 || to != 1)
+        for (int i = 0; i < 2 * kSoundBlock; ++i)
+            block[i] = (int16_t)((float)block[i] * (level + (to - level) * (float)i * (0.5f / kSoundBlock)));
+    level = to;
+    quiet = 0;
+}
+
+// In silence, on to a frame of the film, or towards it.
+void Playback::leap(int64_t frame, bool still) {
+    int64_t off = frame - position;
+    if (!still && (!sought || off > kFar || off < -kFar)) {
+        position = frame - frame % kSoundBlock;
+        source.seek(source.context, position);
+        sought = true;
+    }
+    for (; !still && frame > position; position += kSoundBlock) source.render(source.context, block);
+    for (int16_t &sample : block) sample = 0;
+    quiet += kSoundBlock;
+}
+
+int64_t Playback::lose(int64_t now) {
+    opened = false;
+    level = 0;
+    held = left = 0;
+    __atomic_store_n(&heard, false, __ATOMIC_RELEASE);
+    openAt = now + kSecond;
+    return kNap;
+}
+
+int64_t Playback::step(int64_t now) {
+    // After a gap of our own the film's clock may be wrong, until the film has looked at it
+    if (lastStep && now - lastStep > FilmClock::kGap) {
+        doubt = true;
+        watched = clock->watched();
+    }
+    lastStep = now;
+    bool playing = clock->started(), still = __atomic_load_n(&paused, __ATOMIC_ACQUIRE);
+    if (doubt && playing && clock->watched() == watched) return kNap;
+    doubt = false;
+
+    if (!opened) {
+        if (now < openAt) return kNap;
+        opened = output.open();
+        if (!opened) return lose(now);
+    }
+    if (left) {
+        int taken = output.write(block + 2 * (kSoundBlock - left), left);
+        if (taken < 0) return lose(now);
+        left -= taken;
+        follow(now, left > 0);
+        return taken ? 0 : kNap;
+    }
+
+    // How much too late the next block would be heard, in frames. Until the film begins it is in time; where
+    // nobody knows what the device holds, it may be early
+    int64_t film = playing ? (int64_t)(clock->at(now) * kSoundRate) : begin;
+    int64_t off = playing ? film + held - position : 0;
+    bool leaps = still || !sought || off > kLate || off < -(held ? kLate : kLead + kLate);
+    if (!leaps && position - film > kLead) {
+        if (!playing) clock->start((double)begin / kSoundRate, now);
+        return kNap;
+    }
+    if (!leaps)
+        fill(level + kFade < 1 ? level + kFade : 1);
+    else if (level > 0)
+        fill(level - kFade > 0 ? level - kFade : 0);
+    else
+        leap(playing ? film + held : begin, still);
+    left = kSoundBlock;
+    return 0;
+}
+
+// Sets the clock by what is heard, from when the device has had enough on.
+void Playback::follow(int64_t now, bool full) {
+    held = output.delay();
+    if (held < 0) held = 0;
+    double time = (double)(position - left - held) / kSoundRate;
+    if (held && !clock->started() && full)
+        clock->start(time, now);
+    else if (held && clock->started() && level == 1)
+        clock->hear(time, now);
+    __atomic_store_n(&heard, quiet - left < held, __ATOMIC_RELEASE);
+}
+
+} // namespace odraz

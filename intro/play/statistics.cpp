@@ -1,0 +1,48 @@
+#include "play/statistics.h"
+
+#include "base/text.h"
+#include "output/output.h"
+
+namespace odraz {
+
+double Histogram::quantile(double share) const {
+    int wanted = (int)(share * (double)count), seen = 0;
+    for (int i = 0; i < kBins; ++i)
+        if ((seen += bins[i]) > wanted) return i * 0.1;
+    return 0;
+}
+
+int printStatistics(const Statistics &statistics, const FilmClock &clock, double untilFirst) {
+    Text<2048> t;
+    (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
+    t << "                                            trace ms        between ms      present ms\n"
+         "scene      traced  between  shown  missed  median p95      median p95      median p95      "
+         "samples/pixel\n";
+    for (int i = 0; i < kMaxScenes; ++i) {
+        const SceneStatistics &s = statistics.scenes[i];
+        if (!s.shown) continue;
+        int line = t.size;
+        (t << sceneName(i)).padTo(line + 11) << s.traced;
+        t.padTo(line + 19) << s.between;
+        t.padTo(line + 28) << s.shown;
+        t.padTo(line + 35) << s.missed;
+        const Histogram *times[] = {&s.trace, &s.make, &s.present};
+        for (int k = 0; k < 3; ++k) {
+            t.padTo(line + 43 + 16 * k).decimal(times[k]->quantile(0.5), 1);
+            t.padTo(line + 50 + 16 * k).decimal(times[k]->quantile(0.95), 1);
+        }
+        t.padTo(line + 91).decimal(s.samples / (s.traced + !s.traced), 2) << '\n';
+    }
+    int count = 0, median = 0, most = 0, seen = 0;
+    for (int times : clock.offsets) count += times;
+    for (int i = 0; i < FilmClock::kOffsets && count; ++i) {
+        seen += clock.offsets[i];
+        if (seen * 2 <= count) median = i + 1;
+        if (seen * 20 <= count * 19) most = i + 1;
+    }
+    if (count) t << "sound off by ms: median below " << median + 1 << ", p95 below " << most + 1 << '\n';
+    t << "(missed: sixtieths of a second without a new picture)\n";
+    return writeOutput("-", t.data, (size_t)t.size);
+}
+
+} // namespace odraz

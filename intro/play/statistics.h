@@ -1,0 +1,41 @@
+// What --stats tells: for every scene how many pictures were traced, made between others, shown and missed,
+// and how long that took.
+#pragma once
+
+#include "intro.h"
+#include "play/film_clock.h"
+
+namespace odraz {
+
+// Times in tenths of a millisecond; what took half a second or longer counts as half a second.
+struct Histogram {
+    static constexpr int kBins = 5000;
+    static constexpr int64_t kBin = 100000; // nanoseconds
+    int count;
+    int bins[kBins];
+
+    void add(int64_t nanoseconds) {
+        int64_t bin = nanoseconds / kBin;
+        ++bins[bin < kBins ? bin : kBins - 1];
+        ++count;
+    }
+    // The smallest time, in milliseconds, that a share of all stays within.
+    double quantile(double share) const;
+};
+
+struct SceneStatistics {
+    int traced, between, shown, missed;
+    double samples; // of all traced pictures, in every pixel
+    Histogram trace, make, present;
+};
+
+// Zero at the start.
+struct Statistics {
+    SceneStatistics scenes[kMaxScenes];
+};
+
+// Prints a row for every scene that was shown, and how far the sound was from the picture; exit status.
+// `untilFirst`: seconds from the program's start to its first picture.
+int printStatistics(const Statistics &statistics, const FilmClock &clock, double untilFirst);
+
+} // namespace odraz

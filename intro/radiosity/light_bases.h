@@ -1,0 +1,63 @@
+// Light bases: a model is solved for each of these lights alone. Light is linear, so the light of any moment
+// is a weighted sum of them.
+//
+// Their order is the same everywhere: skies, then suns, then lamps. BasisOrder tells the number of a basis.
+#pragma once
+
+#include "base/vec3.h"
+
+namespace odraz {
+
+inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16,
+                     kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps, kMaxLampCells = 256;
+
+// How many bases there are of each kind, from which follows the number of each basis.
+struct BasisOrder {
+    int skyCount, sunCount, lampCount;
+
+    constexpr int firstSun() const { return skyCount; }
+    constexpr int firstLamp() const { return skyCount + sunCount; }
+    constexpr int count() const { return firstLamp() + lampCount; }
+    constexpr bool fit() const {
+        return skyCount <= kMaxSkies && sunCount <= kMaxSuns && lampCount <= kMaxLamps;
+    }
+};
+
+using BasisSet = unsigned __int128; // a bit for each basis
+static_assert(kMaxBases <= 128);
+
+// The bases from `first` up to, but without, `end`.
+constexpr BasisSet basesBetween(int first, int end) { return ((BasisSet)1 << end) - ((BasisSet)1 << first); }
+
+// Something that shines with radiance 1: a ball, or if radius is 0 the lit side of a chart.
+struct Lamp {
+    Vec3 centre;
+    float radius;
+    int chart;
+};
+
+// A facet that shines in a colour of its own. Its red, green and blue are added to the first three skies.
+struct Glow {
+    int facet;
+    int cells; // 1 .. kMaxLampCells
+    Rgb radiance;
+};
+
+// Bases have one colour, except glows; the picture multiplies in the colour later. Whoever sets the counts
+// makes sure that they fit().
+struct LightBases : BasisOrder {
+    int glowCount;
+    // Skies stand in all windows. They are functions of the unit direction and may be negative, except the
+    // first, which tells where light from the windows changes. Null: there are no such functions, and the
+    // three skies are the red, green and blue of the glows
+    void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
+    const void *skies;
+    const Glow *glows;
+    Vec3 suns[kMaxSuns]; // directions in world space; their light is parallel; irradiance / pi is 1 on what
+                         // faces them
+    Lamp lamps[kMaxLamps];
+
+    int functions() const { return sky ? skyCount : 0; }
+};
+
+} // namespace odraz

@@ -1,0 +1,45 @@
+#include "trace/shade/glowing_balls.h"
+
+#include "trace/shade/contribute.h"
+
+namespace odraz {
+
+// The brightest that a widened image is drawn, in times white. Brighter, it would stay white where the ball
+// is too small to be seen.
+static constexpr float kMost = 6;
+
+void addGlowingBalls(const Context &c, const RayStream &in) {
+    const Scene &scene = c.scene;
+    const float bound = kMost / scene.exposure;
+    for (int i = 0; i < in.count; i += 8) {
+        Ray8 ray = {load(in.o, i), load(in.d, i)};
+        Rgb8 light = {}, weight = load(in.weight, i);
+        Int8 found = {};
+        Uint8 marks = {};
+        for (int k = 0; k < scene.glowingBallCount; ++k) {
+            const Shape &s = scene.shapes[scene.glowingBall[k]];
+            float r = s.half.x;
+            Vec3x8 to = s.centre - ray.o;
+            Float8 far = dot(to, ray.d), off = dot(to, to) - far * far;
+            // Widen the image by half of what the sample covers there
+            Float8 wide = fmadd(load(in.spread + i), far, load(in.width + i)) * 1.5f, square = wide * wide;
+            Float8 reach = fmadd(square, 4.f, r * r);
+            Int8 near = (far > 0.f) & (far - r * 1.01f < load(in.t + i)) & (off < reach * 12.f);
+            if (!any(near)) continue;
+            found |= near;
+            Float8 cover = saturate((reach - off) / (wide * sqrt(reach) * 2.f));
+            cover *= r * r / fmadd(square, 2.f, r * r);
+            Rgb8 all = weight * scene.materials[s.material].emit;
+            Float8 most = fmadd(r * r / square, bound, broadcast(bound));
+            all = {min(all.x, most), min(all.y, most), min(all.z, most)};
+            light += select(near, all * cover, Rgb8{});
+            Int8 shows = near & (maxComponent(all) * scene.exposure > c.quality.markWeight);
+            marks += (Uint8)shows & ((Uint8)loadInts(in.path + i) * 0x9e3779b1u + (uint32_t)k);
+        }
+        int32_t place[8];
+        store(place, kLanes + i);
+        if (any(found)) addRest(c, in, place, min(in.count - i, 8), light, (Int8)marks);
+    }
+}
+
+} // namespace odraz

@@ -1,0 +1,90 @@
+#include "trace/shade/secondary.h"
+
+#include "trace/shade/contribute.h"
+
+namespace odraz {
+
+namespace {
+
+// Appends to a stream those of eight rays whose share of the picture counts. The others end here and bring
+// the average ambient light. Without it they would leave darkness where followed rays bring light, and black
+// patches where the depth ends.
+struct Emitter {
+    const Context &c;
+    const RayStream &in;
+    RayStream &out;
+    Eight pick;
+    Int8 active;
+    Rgb8 ended = {};
+
+    void operator()(const Vec3x8 &o, const Vec3x8 &d, const Rgb8 &weight, Float8 width, Float8 spread,
+                    int branch) {
+        Int8 goes = active & (maxComponent(weight) * c.scene.exposure > c.quality.cutoff);
+        if (c.bounces >= c.quality.depth) goes = Int8{};
+        const Rgb low = c.scene.ambientLow, high = c.scene.ambientHigh;
+        Rgb8 light = broadcast(low) + (high - low) * fmadd(d.y, 0.5f, 0.5f);
+        ended += select(active & ~goes, weight * light, Rgb8{});
+        int lanes = laneBits(goes);
+        if (!lanes) return;
+        Int8 order = packedOrder(lanes);
+        size_t end = (size_t)out.count; // read once: GCC must assume that the stores below may change it
+        auto append = [&](auto *to, auto v) { store(to + end, permute(v, order)); };
+        auto append3 = [&](float(&to)[3][kStream], Vec3x8 v) {
+            append(to[0], v.x), append(to[1], v.y), append(to[2], v.z);
+        };
+        append3(out.o, o);
+        append3(out.d, d);
+        append3(out.weight, weight);
+        append(out.width, width);
+        append(out.spread, spread);
+        append(out.sample, pick(in.sample));
+        append(out.path, (Int8)((Uint8)pick(in.path) * 2u + (uint32_t)branch)); // the oldest bit is lost
+        out.count += __builtin_popcount((unsigned)lanes);
+    }
+};
+
+// Sends on eight rays of a run.
+void followEight(const Context &c, const RayStream &in, const Run &run, RayStream &out, int i) {
+    const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
+    Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};
+    Vec3x8 p = load(run.p, i), n = load(run.n, i), d = emit.pick(in.d);
+    Rgb8 weight = load(run.weight, i);
+    Float8 cosine = load(run.cosine + i), width = load(run.width + i), spread = emit.pick(in.spread);
+    // A curved mirror widens what it reflects
+    Float8 curve = load(run.curve + i), mirrorSpread = min(fmadd(curve, 2.f, spread), 1.f);
+    Vec3x8 mirrored = normalize(fmadd(n, cosine * 2.f, d));
+    Vec3x8 offset = n * load(run.error + i), outside = p + offset;
+    if (m.ior > 0) {
+        Float8 eta = select(load(run.side + i) > 0.f, 1.f / m.ior, m.ior);
+        Float8 sine2 = eta * eta * fmadd(-cosine, cosine, 1.f);
+        Float8 cosineT = sqrt(max(1.f - sine2, 0.f));
+        // Fresnel's equations for both polarisations; beyond the critical angle all is reflected
+        Float8 across = (eta * cosine - cosineT) / max(eta * cosine + cosineT, 1e-9f);
+        Float8 along = (cosine - eta * cosineT) / max(cosine + eta * cosineT, 1e-9f);
+        Float8 reflected = (across * across + along * along) * 0.5f, refracted = 1.f - reflected;
+        if (m.transmit > 0) reflected = broadcast(m.reflect), refracted = broadcast(m.transmit);
+        Int8 total = sine2 >= 1.f;
+        reflected = select(total, 1.f, reflected);
+        refracted = select(total, 0.f, refracted);
+        emit(outside, mirrored, weight * reflected, width, mirrorSpread, 0);
+        Vec3x8 bent = normalize(fmadd(n, eta * cosine - cosineT, d * eta));
+        emit(p - offset, bent, weight * refracted, width, min(fmadd(curve, abs(eta - 1.f), spread), 1.f), 1);
+    } else {
+        Float8 reflected = broadcast(m.reflect);
+        if (m.fresnel) {
+            Float8 grazing = 1.f - cosine, square = grazing * grazing;
+            reflected += (1.f - m.reflect) * square * square * grazing;
+        }
+        emit(outside, mirrored, weight * reflected * m.tint, width, mirrorSpread, 0);
+    }
+    if (any(maxComponent(emit.ended) * c.scene.exposure > 1e-4f))
+        addRest(c, in, run.ray + i, min(run.count - i, 8), emit.ended, Int8{});
+}
+
+} // namespace
+
+void addSecondaryRays(const Context &c, const RayStream &in, const Run &run, RayStream &out) {
+    for (int i = 0; i < run.count; i += 8) followEight(c, in, run, out, i);
+}
+
+} // namespace odraz

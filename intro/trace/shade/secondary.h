@@ -1,0 +1,11 @@
+// Secondary rays: reflected and refracted.
+#pragma once
+
+#include "trace/shade/run.h"
+
+namespace odraz {
+
+// Appends the reflected and refracted rays of a run to `out` if their share of the picture counts.
+void addSecondaryRays(const Context &c, const RayStream &in, const Run &run, RayStream &out);
+
+} // namespace odraz

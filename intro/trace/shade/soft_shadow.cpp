@@ -1,0 +1,60 @@
+#include "trace/shade/soft_shadow.h"
+
+namespace odraz {
+
+void findBlockers(const Scene &scene, const Light &light, const Bounds &box, Blockers &found) {
+    found.count = 0;
+    Vec3 middle = (box.lo + box.hi) * 0.5f, way = middle - light.position;
+    float reach = length(box.hi - middle) + light.radius, far = length(way);
+    way = way * (1 / max(far, 1e-9f));
+    for (int i = 0; i < scene.occluderCount; ++i) {
+        Vec3 to = scene.occluder[i] - light.position;
+        float r = scene.occluderRadius[i], along = dot(to, way);
+        Vec3 aside = to - way * along;
+        float wide = r + reach;
+        if (along > -wide && along < far + wide && dot(aside, aside) < wide * wide)
+            found.ball[found.count++] = (uint8_t)i;
+    }
+}
+
+Rgb8 softShadow(const Scene &scene, const Blockers &blockers, const Light &light, const Vec3x8 &p,
+                const Vec3x8 &l, Float8 far, Int8 own) {
+    constexpr float kTaken = 0.84f;      // share of light that passes a glass ball, by Fresnel's equations
+    constexpr float kLeastSpot = 0.007f; // least s^2, in radii squared: aberration blurs the focus
+    Rgb8 share = broadcast(Rgb{1, 1, 1});
+    Float8 widening = light.radius / far;
+    for (int i = 0; i < blockers.count; ++i) {
+        int k = blockers.ball[i], shape = scene.occluderShape[k];
+        float r = scene.occluderRadius[k];
+        Vec3x8 to = scene.occluder[k] - p;
+        Float8 along = dot(to, l);
+        Vec3x8 aside = to - l * along;
+        // The lamp's disc where the ball stands
+        Float8 wide = max(along * widening, 1e-3f * r), square = dot(aside, aside), reach = wide + r;
+        Int8 meets = (along > 0.f) & (along < far) & (own != shape) & (square < reach * reach);
+        if (!any(meets)) continue;
+        Float8 less = min(wide, broadcast(r)), bare = r / wide,
+               x = saturate((reach - sqrt(square)) * 0.5f / less);
+        // A smooth step for discs of very different size, nearly a line for equal ones
+        Float8 step = x * x * fmadd(x, -2.f, 3.f), even = less / max(wide, broadcast(r));
+        Float8 hidden =
+            fmadd(fmadd(x, fmadd(x, 0.45f, 0.55f), -step), even, step) * min(bare * bare, broadcast(1.f));
+        const Material &m = scene.materials[scene.shapes[shape].material];
+        Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
+        if (m.ior > 0) {
+            // `spot` is s^2: half of the light lies within s radii. It is least before the focus of the rays
+            // near the axis. The nearer the lamp is, the further behind the ball that focus lies
+            Float8 behind =
+                       max(fmadd(along * (1.f - along / far), (m.ior - 1) * 1.8f / (m.ior * r), -0.81f), 0.f),
+                   blur = wide * (0.7f / r);
+            Float8 spot = fmadd(behind, behind, fmadd(blur, blur, broadcast(kLeastSpot))),
+                   all = fmadd(square, 1 / (r * r), spot);
+            Float8 gain = spot / (all * all) * hidden * kTaken;
+            left += m.tint * gain;
+        }
+        share = select(meets, share * left, share);
+    }
+    return share;
+}
+
+} // namespace odraz

@@ -1,0 +1,23 @@
+// Model parameters: those that every search starts from, and parameters as text files, one context a line:
+//
+//     slots 22
+//     code byte1+byte2          a context of code sees these fields
+//     data column               ... of data
+//     code-weights opcode       what selects a set of weights
+//     data-weights -            nothing but what every context sees
+#pragma once
+
+#include "model.h"
+
+#include <string>
+
+namespace pack {
+
+const ModelParameters &defaultParameters();
+
+std::string printParameters(const ModelParameters &parameters);
+
+// Returns an empty line, or what is wrong with the text, with the line's number.
+std::string parseParameters(const std::string &text, ModelParameters &parameters);
+
+} // namespace pack

@@ -1,0 +1,38 @@
+// A model with its own hemicube, for tests of what hemicubes see.
+#pragma once
+
+#include "radiosity/solve.h"
+#include "tests/support/lens.h"
+
+#include <memory>
+#include <set>
+#include <vector>
+
+namespace odraz {
+
+struct HemicubeBench {
+    HeapArena memory{(size_t)200 << 20};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    std::unique_ptr<Lens> lens;
+
+    void open(int px, int block) {
+        auto scene = std::make_unique<Scene>();
+        model->pose(*scene);
+        scene->finish();
+        EXPECT_TRUE(model->divide(*scene, memory.arena, workers, block, 1));
+        lens = std::make_unique<Lens>(px);
+    }
+    Hemicubes &hemicubes() { return lens->h; }
+    std::vector<float> row(const Eye &eye, double *dark = nullptr) { return lens->row(*model, eye, dark); }
+    std::set<uint32_t> seen(const Eye &eye) {
+        Hemicubes &h = hemicubes();
+        drawHemicubes(h, *model, &eye, 1);
+        std::set<uint32_t> ids;
+        for (int y = 0; y < 3 * h.px; ++y)
+            for (int x = 0; x < h.px; ++x) ids.insert(hemicubeIds(h, 0)[y * hemicubeStride(h) + x]);
+        return ids;
+    }
+};
+
+} // namespace odraz

@@ -1,0 +1,82 @@
+// Pictures of the film's scenes and of others, traced and developed: for tests of the adaptive picture.
+#pragma once
+
+#include "show/show.h"
+#include "tests/support/threads.h"
+#include "tools/common/heap_arena.h"
+#include "tools/common/statistics.h"
+#include "trace/picture/development.h"
+#include "trace/picture/tracer.h"
+
+#include <gtest/gtest.h>
+#include <memory>
+#include <vector>
+
+namespace odraz {
+
+constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
+inline const Quality &named(QualityName name) { return kQualities[(int)name]; }
+
+struct TracedPicture {
+    HeapArena memory;
+    std::vector<uint16_t> shapes;
+    Frame frame;
+    int64_t samples;
+
+    uint8_t at(int x, int y, int channel) const {
+        return frame.rgba[((size_t)y * (size_t)frame.width + (size_t)x) * 4 + (size_t)channel];
+    }
+};
+
+inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality &quality, int width,
+                            int height, int threads = 2, bool shapes = false) {
+    size_t bytes = ((size_t)width + 8) * (size_t)height * 16 + (size_t)threads * kTileScratchBytes + 8192;
+    TracedPicture p = {HeapArena(bytes), {}, {}, 0};
+    Arena &arena = p.memory.arena;
+    Threads pool(threads);
+    Tracer tracer;
+    EXPECT_TRUE(makeTracer(tracer, arena, threads) && makeFrame(p.frame, arena, width, height));
+    if (shapes) {
+        p.shapes.resize((size_t)p.frame.stride * (size_t)height);
+        p.frame.shapes = p.shapes.data();
+    }
+    View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
+    traceFrame(tracer, pool.workers, posed, view, quality, p.frame);
+    p.samples = tracedSamples(tracer);
+    Curve curve;
+    makeCurve(curve);
+    develop(curve, p.frame, pool.workers, posed.exposure, 0);
+    return p;
+}
+
+// The film's own camera; scenes choose their detail for it.
+inline CameraKey scripted(int scene, double row) {
+    const Shot *shot = kFilm.shots;
+    while (shot->scene != scene) ++shot;
+    return pose(shot->path, row);
+}
+
+inline std::unique_ptr<Scene> posed(int scene, double row) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    kScenes[scene].pose({row, scripted(scene, row), nullptr, {}}, *s);
+    s->finish();
+    return s;
+}
+
+inline TracedPicture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width,
+                            int height, int threads = 2) {
+    return traced(*posed(scene, row), camera, quality, width, height, threads);
+}
+
+inline double decibels(const TracedPicture &a, const TracedPicture &b) {
+    double squares = 0;
+    size_t bytes = (size_t)a.frame.width * (size_t)a.frame.height * 4;
+    for (size_t i = 0; i < bytes; ++i) {
+        double d = a.frame.rgba[i] - b.frame.rgba[i];
+        squares += d * d;
+    }
+    return psnr(squares, bytes / 4 * 3);
+}
+
+} // namespace odraz

@@ -1,0 +1,253 @@
+// Tests the governor on simulated machines. The tests drive it as the player does, with pictures in the same
+// slots, on a clock that only the test moves.
+#include "play/governor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <random>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+// Seconds of one core that a picture takes at each quality, and that an in-between takes.
+struct Scene {
+    int id;
+    double film, play, draft, make;
+};
+constexpr Scene kUsual = {0, 0.18, 0.07, 0.04, 0.016}, kCostly = {1, 0.54, 0.21, 0.12, 0.048};
+// A scene where an in-between takes longer than tracing the picture.
+constexpr Scene kEntangled = {2, 0.18, 0.07, 0.04, 0.06};
+constexpr double kAlone = 0.001; // seconds of a picture that only one core can work on
+
+struct Machine {
+    double cores, noise = 0; // noise: the share by which a time varies, up or down
+    unsigned seed = 1;
+    double hiccupAt = -1;         // the first picture from this time of the film on takes one second longer
+    bool hiccupInBetween = false; // ... the in-between does
+};
+
+// What the governor decided after a traced picture.
+struct Decision {
+    double time; // of the film
+    Scene scene;
+    Governor::Way way;
+    float level;
+    bool leapt; // pictures are left out
+};
+using SceneAt = std::function<Scene(double)>;
+
+// Does what make() and play() of player.cpp do, on the clock of the test.
+class Player {
+public:
+    Player(const Machine &machine, SceneAt sceneAt)
+        : machine(machine), random(machine.seed), sceneAt(sceneAt) {}
+
+    std::vector<Decision> play(double length) {
+        std::vector<Decision> all;
+        size_t until[2] = {}, untilBetween = 0;
+        double time = 0, last = 0;
+        for (int n = 0; time < length; ++n) {
+            await(until[n & 1]);
+            Scene scene = sceneAt(time);
+            double trace = spend(traceTime(scene), hiccup(time, false)), make = 0;
+            governor.enter(scene.id);
+            if (n && governor.pairs()) {
+                await(untilBetween);
+                make = spend(scene.make, hiccup(time, true));
+                add((time + last) / 2);
+                untilBetween = made;
+            }
+            add(time);
+            until[n & 1] = made;
+            governor.spent((float)trace, (float)make);
+            double next = governor.next(time, begin < 0 ? Governor::kNotBegun : now - begin);
+            all.push_back({time, scene, governor.way, governor.level, next > time + governor.step() + 1e-9});
+            last = time;
+            time = next;
+        }
+        return all;
+    }
+
+private:
+    double traceTime(const Scene &s) const {
+        double t = governor.level;
+        return t < 1 ? s.film * std::pow(s.play / s.film, t) : s.play * std::pow(s.draft / s.play, t - 1);
+    }
+    double hiccup(double time, bool between) {
+        if (machine.hiccupAt < 0 || time < machine.hiccupAt || between != machine.hiccupInBetween) return 0;
+        machine.hiccupAt = -1;
+        return 1;
+    }
+    double spend(double oneCore, double besides) {
+        std::uniform_real_distribution<double> vary(1 - machine.noise, 1 + machine.noise);
+        double seconds = (kAlone + oneCore / machine.cores) * vary(random) + besides;
+        now += seconds;
+        return seconds;
+    }
+    void add(double time) {
+        waiting.push_back({time, now});
+        ++made;
+        if (begin < 0 && made == 3) begin = now;
+        // When each picture is shown follows from when it was made, and from the clock
+        for (; begin >= 0 && shown.size() <= made - 1; waiting.erase(waiting.begin()))
+            shown.push_back(
+                std::max({shown.empty() ? 0 : shown.back(), waiting[0].made, begin + waiting[0].time}));
+    }
+    void await(size_t number) {
+        if (!number) return;
+        ASSERT_GE(shown.size(), number) << "the player would wait for ever";
+        now = std::max(now, shown[number - 1]);
+    }
+
+    struct Waiting {
+        double time, made;
+    };
+    Machine machine;
+    std::mt19937 random;
+    SceneAt sceneAt;
+    Governor governor;
+    double now = 0, begin = -1; // moments
+    size_t made = 0;
+    std::vector<Waiting> waiting;
+    std::vector<double> shown; // moments
+};
+
+std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt) {
+    return Player(machine, sceneAt).play(length);
+}
+SceneAt always(const Scene &scene) {
+    return [=](double) { return scene; };
+}
+
+// Statistics between two times of the film.
+struct Seen {
+    int changes = 0, leaps = 0, pictures = 0; // changes: how often the way changed
+    float least = 9, most = 0;                // of the level
+    bool ways[3] = {};
+};
+Seen seen(const std::vector<Decision> &all, double from, double to) {
+    Seen s;
+    for (size_t i = 1; i < all.size(); ++i) {
+        const Decision &d = all[i];
+        if (d.time < from || d.time >= to) continue;
+        s.changes += d.way != all[i - 1].way;
+        s.leaps += d.leapt;
+        ++s.pictures;
+        s.least = std::min(s.least, d.level);
+        s.most = std::max(s.most, d.level);
+        s.ways[d.way] = true;
+    }
+    return s;
+}
+
+} // namespace
+
+TEST(Governor, SettlesWithinASecond) {
+    for (int cores = 1; cores <= 16; ++cores) {
+        auto all = played({(double)cores}, 20, always(kUsual));
+        Seen first = seen(all, 0, 1), then = seen(all, 1, 20);
+        EXPECT_LE(first.changes, 1) << cores;
+        EXPECT_EQ(then.changes, 0) << cores;
+        EXPECT_LT(then.most - then.least, 0.03f) << cores;
+        if (cores >= 3) {
+            EXPECT_EQ(then.leaps, 0) << cores;
+        }
+    }
+}
+
+TEST(Governor, NeverSwingsUnderNoise) {
+    for (int cores = 1; cores <= 16; ++cores)
+        for (unsigned seed = 1; seed <= 10; ++seed) {
+            auto all = played({(double)cores, 0.3, seed}, 30, always(kUsual));
+            EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
+            Seen then = seen(all, 1, 30);
+            EXPECT_EQ(then.changes, 0) << cores << ' ' << seed;
+            EXPECT_LT(then.most - then.least, 0.6f) << cores << ' ' << seed;
+        }
+}
+
+// A scene that costs three times as much begins suddenly and ends; once the governor is told of a new scene,
+// once not.
+TEST(Governor, TakesSteps) {
+    for (bool sameScene : {false, true})
+        for (double noise : {0., 0.3})
+            for (double cores = 1; cores <= 16; cores *= 1.05)
+                for (unsigned seed = 1; seed <= (noise > 0 ? 5 : 1); ++seed) {
+                    auto all = played({cores, noise, seed}, 30, [&](double time) {
+                        Scene s = (int)(time / 5) % 2 ? kCostly : kUsual;
+                        if (sameScene) s.id = 0;
+                        return s;
+                    });
+                    for (int step = 0; step < 6; ++step) {
+                        Seen whole = seen(all, step * 5, step * 5 + 5),
+                             then = seen(all, step * 5 + 1, step * 5 + 5);
+                        EXPECT_LE(whole.changes, 2) << cores << ' ' << seed << ' ' << step;
+                        EXPECT_LE(then.changes, noise > 0) << cores << ' ' << seed << ' ' << step;
+                        if (noise == 0 && cores >= 6.5) {
+                            EXPECT_LT(then.most - then.least, 0.1f) << cores << ' ' << step;
+                            EXPECT_EQ(then.leaps, 0) << cores << ' ' << step;
+                        }
+                    }
+                }
+}
+
+// One picture that takes a second longer says nothing about later ones.
+TEST(Governor, ForgetsAHiccup) {
+    for (bool between : {false, true})
+        for (int cores = 2; cores <= 16; ++cores) {
+            Machine machine = {(double)cores};
+            machine.hiccupAt = 5;
+            machine.hiccupInBetween = between;
+            auto all = played(machine, 15, always(kUsual));
+            Seen before = seen(all, 2, 5), later = seen(all, 7.2, 15), all15 = seen(all, 2, 15);
+            EXPECT_LE(all15.changes, 0) << cores << between;
+            EXPECT_LT(all15.most - before.most, 0.5f) << cores << between;
+            EXPECT_NEAR(later.least, before.least, 0.05f) << cores << between;
+            EXPECT_NEAR(later.most, before.most, 0.05f) << cores << between;
+        }
+}
+
+TEST(Governor, TracesAllSixtyWhereItCan) {
+    auto all = played({16}, 10, always(kUsual));
+    Seen then = seen(all, 1, 10);
+    EXPECT_TRUE(then.ways[Governor::kSixty] && !then.ways[Governor::kPairs]);
+    EXPECT_EQ(then.pictures, 540);
+    EXPECT_EQ(then.most, Governor::kBest);
+}
+
+TEST(Governor, LeavesSixtyWhenTheyCostTooMuch) {
+    auto all = played({10}, 10, [](double time) { return time < 5 ? kUsual : kCostly; });
+    EXPECT_TRUE(seen(all, 4, 5).ways[Governor::kSixty]);
+    Seen then = seen(all, 6, 10);
+    EXPECT_TRUE(then.ways[Governor::kPairs] && !then.ways[Governor::kSixty]);
+}
+
+TEST(Governor, MakesNoneBetweenWhereThatCostsMore) {
+    auto all = played({1.5}, 15, [](double time) { return time < 5 || time >= 10 ? kUsual : kEntangled; });
+    EXPECT_TRUE(seen(all, 6, 10).ways[Governor::kThirty]);
+    EXPECT_FALSE(seen(all, 6, 10).ways[Governor::kPairs]);
+    EXPECT_TRUE(seen(all, 10, 15).ways[Governor::kPairs]) << "the next scene tries again";
+    EXPECT_FALSE(seen(all, 10, 15).ways[Governor::kThirty]);
+}
+
+TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
+    auto all = played({1}, 20, always(kUsual));
+    Seen then = seen(all, 1, 20);
+    EXPECT_EQ(then.least, (float)Governor::kSteps);
+    EXPECT_NEAR(then.pictures, 19 / (0.04 + 0.016 + 2 * kAlone), 10) << "no moment is lost";
+    EXPECT_NEAR(all.back().time, 20, 0.1);
+}
+
+TEST(Governor, MixesQualities) {
+    Governor g;
+    auto thresholdAt = [&](float level) { return g.level = level, g.quality().threshold; };
+    EXPECT_EQ(thresholdAt(0), kQualities[(int)QualityName::Film].threshold);
+    EXPECT_EQ(thresholdAt(1), kQualities[(int)QualityName::Play].threshold);
+    EXPECT_EQ(thresholdAt(2), kQualities[(int)QualityName::Draft].threshold);
+    for (float level = 0; level < 1.99f; level += 0.01f)
+        EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
+}

@@ -1,0 +1,220 @@
+// The film's clock and its sound on devices that work, drift, stop, fail, lose sound and report wrong
+// positions. Time is simulated.
+#include "play/playback.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int64_t kMillisecond = 1000000, kSecond = 1000 * kMillisecond;
+
+// A device with a buffer of some frames that plays at its own speed.
+struct Device {
+    int64_t holds = kSoundRate / 20,
+            behind = 0; // frames its buffer holds; further frames that it reports as queued
+    double speed = 1;
+    int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // times
+    bool there = true, swallows = false;
+    int64_t lie = 0; // frames that it adds to its reported position
+
+    int64_t now = 0;
+    double played = 0; // frames that it should have played by now
+    std::deque<int16_t> queue;
+    struct Heard {
+        int64_t when;
+        int16_t value;
+    };
+    std::vector<Heard> heard; // the first sample of each frame
+    int opened = 0;
+
+    bool dead() const { return dies >= 0 && now >= dies && now < returns; }
+    bool stopped() const { return stops >= 0 && now >= stops && now < goesOn; }
+    void pass(int64_t until) {
+        for (; now < until; now += kMillisecond / 4) {
+            if (stopped() || dead()) continue;
+            played += speed * kSoundRate / 4000;
+            for (; played >= 1; played -= 1) {
+                if (queue.empty()) continue;
+                heard.push_back({now + behind * kSecond / kSoundRate, queue.front()});
+                queue.pop_front();
+            }
+        }
+    }
+};
+Device *theDevice;
+
+const SoundOutput kFake = {[] { return ++theDevice->opened, theDevice->there && !theDevice->dead(); },
+                           [](const int16_t *samples, int frames) {
+                               Device &d = *theDevice;
+                               if (d.dead()) {
+                                   d.queue.clear();
+                                   return -1;
+                               }
+                               if (d.stopped()) return 0;
+                               if (d.swallows) return frames;
+                               int taken = (int)std::min<int64_t>(frames, d.holds - (int64_t)d.queue.size());
+                               for (int i = 0; i < taken; ++i) d.queue.push_back(samples[2 * i]);
+                               return taken;
+                           },
+                           [] {
+                               Device &d = *theDevice;
+                               return d.swallows ? 0 : (int64_t)d.queue.size() + d.behind + d.lie;
+                           }};
+
+// Every sample holds the number of its block plus 1.
+struct Source {
+    int64_t block = 0;
+    int sought = 0;
+    SoundSource table() {
+        return {[](void *s, int64_t frame) {
+                    ((Source *)s)->block = frame / kSoundBlock;
+                    ++((Source *)s)->sought;
+                },
+                [](void *s, int16_t *samples) {
+                    int64_t n = ((Source *)s)->block++ % 30000;
+                    std::fill(samples, samples + 2 * kSoundBlock, (int16_t)(1 + n));
+                },
+                this};
+    }
+};
+
+// Plays for a time and looks at the film 30 times a second. Returns how far apart sound and film were, in
+// milliseconds, at each frame heard at full loudness between two times.
+struct Play {
+    Device device;
+    Source source;
+    FilmClock clock = {};
+    std::vector<double> film;         // at every millisecond
+    int64_t frozen = -1, thawed = -1; // when the process is stopped
+
+    std::vector<double> run(int64_t length, int64_t from, int64_t to, double begin = 0) {
+        theDevice = &device;
+        Playback player = {};
+        player.prepare(source.table(), kFake, clock, begin);
+        int64_t wake = 0, picture = 0;
+        for (int64_t now = kMillisecond; now < length; now += kMillisecond) {
+            device.pass(now);
+            if (now < frozen || now >= thawed || frozen < 0) {
+                if (now >= 300 * kMillisecond && !clock.started()) clock.start(begin, now);
+                if (now >= picture && clock.started()) {
+                    clock.watch(now, now - (frozen >= 0 && now >= thawed ? thawed - frozen : 0));
+                    picture = now + 33 * kMillisecond;
+                }
+                for (int steps = 0; now >= wake && steps < 1000; ++steps)
+                    if (int64_t nap = player.step(now)) wake = now + nap;
+            }
+            film.push_back(clock.started() ? clock.at(now) : begin);
+        }
+        std::vector<double> off;
+        for (const Device::Heard &h : device.heard) {
+            if (h.when < from || h.when >= to || h.value < 1) continue;
+            double shown = film[std::min(film.size() - 1, (size_t)(h.when / kMillisecond))];
+            off.push_back(std::fabs((h.value - 1) * 5.0 + 2.5 - shown * 1e3));
+        }
+        return off;
+    }
+    double slowest() const {
+        double least = 1;
+        for (size_t i = 400; i + 100 < film.size(); ++i)
+            least = std::min(least, (film[i + 100] - film[i]) * 10);
+        return least;
+    }
+    double fastest() const {
+        double most = 0;
+        for (size_t i = 400; i + 100 < film.size(); ++i)
+            most = std::max(most, (film[i + 100] - film[i]) * 10);
+        return most;
+    }
+};
+double largest(const std::vector<double> &off) {
+    return off.empty() ? 1e9 : *std::max_element(off.begin(), off.end());
+}
+
+} // namespace
+
+TEST(Playback, FilmFollowsADevice) {
+    for (double speed : {1.0, 0.998, 1.002}) {
+        Play p;
+        p.device.speed = speed;
+        EXPECT_LT(largest(p.run(60 * kSecond, kSecond, 60 * kSecond)), 8) << speed;
+        EXPECT_GT(p.slowest(), 0.985);
+        EXPECT_LT(p.fastest(), 1.015);
+        EXPECT_NEAR(p.film.back(), 60 * speed, 0.1); // all of it, a little later
+        EXPECT_EQ(p.source.sought, 0);
+    }
+}
+
+TEST(Playback, ADeviceMayStandFarOff) {
+    for (int64_t behind : {1000, 5000, 9000}) {
+        Play p;
+        p.device.behind = behind;
+        EXPECT_LT(largest(p.run(20 * kSecond, 2 * kSecond, 20 * kSecond)), 20) << behind;
+    }
+}
+
+TEST(Playback, BeginsInTheMiddle) {
+    Play p;
+    std::vector<double> off = p.run(10 * kSecond, kSecond, 10 * kSecond, 100);
+    EXPECT_LT(largest(off), 8);
+    EXPECT_GT(off.size(), 8.9 * kSoundRate);
+}
+
+TEST(Playback, AStoppedDeviceStopsNothing) {
+    Play p;
+    p.device.stops = 5 * kSecond;
+    p.device.goesOn = 7 * kSecond;
+    EXPECT_LT(largest(p.run(20 * kSecond, 9 * kSecond, 20 * kSecond)), 20);
+    EXPECT_GT(p.slowest(), 0.985);
+    EXPECT_LT(p.fastest(), 1.015);
+}
+
+TEST(Playback, ADeadDeviceIsOpenedAgain) {
+    Play p;
+    p.device.dies = 5 * kSecond;
+    p.device.returns = 8 * kSecond;
+    std::vector<double> off = p.run(20 * kSecond, 10 * kSecond, 20 * kSecond);
+    EXPECT_LT(largest(off), 20);
+    EXPECT_GT(off.size(), 9.9 * kSoundRate);
+    EXPECT_GT(p.slowest(), 0.985);
+    EXPECT_LE(p.device.opened, 6);
+}
+
+TEST(Playback, NoDeviceNoMatter) {
+    Play p;
+    p.device.there = false;
+    p.run(10 * kSecond, 0, 0);
+    EXPECT_NEAR(p.film.back(), 9.7, 0.01);
+    EXPECT_NEAR(p.slowest(), 1, 1e-3);
+    EXPECT_LE(p.device.opened, 11);
+}
+
+TEST(Playback, ADeviceThatSwallowsIsPaced) {
+    Play p;
+    p.device.swallows = true;
+    p.run(10 * kSecond, 0, 0);
+    EXPECT_NEAR((double)p.source.block * 0.005, 10.2, 0.1);
+    EXPECT_NEAR(p.fastest(), 1, 1e-3);
+    EXPECT_EQ(p.source.sought, 0);
+}
+
+TEST(Playback, ALyingDeviceIsNotBelieved) {
+    Play p;
+    p.device.lie = 44 * kSoundRate;
+    p.run(10 * kSecond, 0, 0);
+    EXPECT_GT(p.slowest(), 0.985);
+    EXPECT_LT(p.fastest(), 1.015);
+}
+
+TEST(Playback, AStoppedFilmGoesOnWhereItStopped) {
+    Play p;
+    p.frozen = 5 * kSecond;
+    p.thawed = 9 * kSecond;
+    EXPECT_LT(largest(p.run(20 * kSecond, 11 * kSecond, 20 * kSecond)), 20);
+    EXPECT_NEAR(p.film.back(), 16, 0.2);
+}

@@ -1,0 +1,133 @@
+// Hemicubes: what they must not see, sums and energy in closed rooms, and cleaning up.
+#include "tests/support/hemicube_bench.h"
+#include "tests/support/room.h"
+
+#include <cmath>
+#include <cstring>
+#include <dlfcn.h>
+
+using namespace odraz;
+
+TEST(ClosedRoom, RowsSumToOne) {
+    HemicubeBench b;
+    addRoom(*b.model, {-2, -1.5f, -3}, {2, 1.5f, 3}, 0.5f);
+    b.model->addBox({-0.5f, -1.5f, -0.5f}, {0.5f, 0.25f, 0.5f}, 0, 0.5f, Model::kUpright | Model::kTop);
+    b.open(64, 1);
+    for (int i = 0; i < b.model->patchCount; ++i) {
+        const Patch &p = b.model->patches[i];
+        if (p.share == 0) continue;
+        double dark, sum = 0;
+        for (float f : b.row(hemicubeEye(p.p, b.model->charts[p.chart].n, (uint32_t)i), &dark))
+            sum += (double)f;
+        EXPECT_EQ(dark, 0) << i;
+        EXPECT_NEAR(sum, 1, 1e-6) << i;
+    }
+}
+
+// A hemicube sees only the room, however near to the walls it stands: no near plane cuts it off, and it sees
+// nothing in its own plane or behind the walls.
+TEST(ClosedRoom, NothingIsSeenFromOutsideAtAnyOffset) {
+    for (float scale : {1e-3f, 1.f, 1e3f}) {
+        HemicubeBench b;
+        Vec3 half = {1, 1, 1};
+        addRoom(*b.model, -half * scale, half * scale, 0.5f * scale);
+        int inside = 0;
+        // Larger rooms around it, and squares beneath and beside the floor, some of them in its plane
+        addRoom(*b.model, -half * (1.0001f * scale), half * (1.0001f * scale), 0.5f * scale);
+        addRoom(*b.model, -half * (2 * scale), half * (2 * scale), 0.5f * scale);
+        b.model->addRect(Vec3{1, -1, -1} * scale, Vec3{0, 0, 2} * scale, Vec3{2, 0, 0} * scale, 0,
+                         0.5f * scale);
+        b.model->addRect(Vec3{-3, -1, -1} * scale, Vec3{0, 0, 2} * scale, Vec3{2, 0, 0} * scale, 0,
+                         0.5f * scale);
+        b.open(32, 1);
+        inside = b.model->charts[6].firstPatch;
+        for (float d = 1e-6f; d <= 1; d *= 1.7f)
+            for (Vec3 p : {Vec3{-1 + d, -1, 0.3f}, Vec3{-1 + d, -1, 1 - d}, Vec3{0.2f, -1, -1 + d}}) {
+                for (uint32_t id : b.seen(hemicubeEye(p * scale, {0, 1, 0}, (uint32_t)bits(d)))) {
+                    ASSERT_NE(id, kNothing) << d << " scale " << scale;
+                    ASSERT_LE(id, (uint32_t)inside) << d << " scale " << scale;
+                    // The patches of the floor lie in the plane of the hemicube
+                    const Chart &floor = b.model->charts[0];
+                    ASSERT_FALSE(id > (uint32_t)floor.firstPatch &&
+                                 id <=
+                                     (uint32_t)(floor.firstPatch + floor.patchesAcross * floor.patchesDown));
+                }
+            }
+    }
+}
+
+TEST(Depth, UsesClipControlWhereItIs) {
+    HemicubeBench b;
+    addRoom(*b.model, {-1, -1, -1}, {1, 1, 1}, 0.5f);
+    b.open(32, 1);
+    const char *override = getenv("MESA_EXTENSION_OVERRIDE");
+    EXPECT_EQ(b.hemicubes().clipControl, !(override && strstr(override, "-GL_ARB_clip_control")));
+}
+
+// Two far walls are a hair apart: the nearer one must win in every pixel.
+TEST(Depth, TellsNearFromFarAtADistance) {
+    HemicubeBench b;
+    b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
+    b.model->addRect({-1000, 99.99f, -1000}, {2000, 0, 0}, {0, 0, 2000}, 0, 500);
+    b.model->addRect({-1000, 100, -1000}, {2000, 0, 0}, {0, 0, 2000}, 0, 500);
+    b.open(64, 1);
+    const Chart &far = b.model->charts[2];
+    auto row = b.row(hemicubeEye({0.5f, 0, 0.5f}, {0, 1, 0}, 3));
+    for (int i = 0; i < far.patchesAcross * far.patchesDown; ++i)
+        EXPECT_EQ(row[(size_t)(far.firstPatch + i)], 0);
+}
+
+// Closing hemicubes frees everything that openHemicubes() made.
+TEST(Hemicubes, LeaveNothingBehind) {
+    void *egl = dlopen("libEGL.so.1", RTLD_LAZY);
+    ASSERT_TRUE(egl);
+    auto find = (void *(*)(const char *))dlsym(egl, "eglGetProcAddress");
+    ASSERT_TRUE(find);
+    auto is = [&](const char *what, GLuint name) {
+        return ((GLboolean(*)(GLuint))find(what))(name) == GL_TRUE;
+    };
+    HemicubeBench b;
+    addRoom(*b.model, {0, 0, 0}, {1, 1, 1}, 1);
+    b.open(16, 1);
+    Hemicubes h = b.hemicubes();
+    Eye eye = hemicubeEye(b.model->patches[0].p, b.model->patches[0].n, 0);
+    drawHemicubes(h, *b.model, &eye, 1);
+    auto there = [&] {
+        return is("glIsProgram", h.program) + is("glIsVertexArray", h.vertexArray) +
+               is("glIsBuffer", h.buffer) + is("glIsFramebuffer", h.framebuffer) +
+               is("glIsRenderbuffer", h.images[0]) + is("glIsRenderbuffer", h.images[1]);
+    };
+    EXPECT_EQ(there(), 6);
+    b.lens.reset();
+    EXPECT_EQ(there(), 0);
+    for (GLuint shader = 1; shader < 100; ++shader) EXPECT_FALSE(is("glIsShader", shader)) << shader;
+}
+
+// In a room where everything emits 1 and reflects rho, every radiosity is 1 / (1 - rho).
+TEST(Furnace, ComesOutEven) {
+    for (float rho : {0.f, 0.3f, 0.9f, 0.99f}) {
+        HemicubeBench b;
+        addRoom(*b.model, {-2, -1.5f, -3}, {2, 1.5f, 3}, 0.5f);
+        b.model->addBox({-0.5f, -1.5f, -0.5f}, {0.5f, 0.25f, 0.5f}, 0, 0.5f, Model::kUpright | Model::kTop);
+        b.open(64, 1);
+        std::vector<uint8_t> lit((size_t)b.model->patchCount, 1);
+        FormFactors f = {};
+        f.capacity = 1 << 20;
+        f.links = b.memory.arena.take<Link>(f.capacity);
+        ASSERT_TRUE(findFormFactors(b.hemicubes(), *b.model, lit.data(), b.workers, b.memory.arena, f, {}));
+        System s;
+        ASSERT_TRUE(makeSystem(s, b.memory.arena, f, b.model->patchCount, 1));
+        for (int i = 0; i < b.model->patchCount; ++i)
+            for (int k = 0; k < f.rows[i].count; ++k) {
+                s.direct[i * s.columns] += f.rows[i].links[k].share; // from a neighbour that emits 1
+                s.reflectance[i * s.columns] = rho;
+            }
+        int sweeps = solve(s, b.workers, 1e-6f, 5000);
+        EXPECT_LT(sweeps, 5000);
+        for (int i = 0; i < b.model->patchCount; ++i) {
+            if (b.model->patches[i].share == 0) continue;
+            double exact = 1 / (1 - (double)rho);
+            ASSERT_NEAR(1 + (double)s.radiosity[i * s.columns], exact, 0.001 * exact) << rho << ' ' << i;
+        }
+    }
+}

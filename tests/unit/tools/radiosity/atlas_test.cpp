@@ -1,0 +1,239 @@
+// Lightmaps: other programs show the solution from them, and no polygon shares texels with another.
+#include "tests/support/exported.h"
+#include "tests/support/headless_gl.h"
+#include "tools/common/arguments.h"
+#include "tools/common/machine.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/export/atlas.h"
+#include "tools/radiosity/generate/generate.h"
+#include "tools/radiosity/solve/solve.h"
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+// A room of the thesis with scattered triangles.
+Solution solved(const std::string &kind, bool adaptive = false) {
+    TemporaryFolder folder;
+    std::string model = "mtllib m.mtl\n" + generateObj(kind, 0);
+    std::mt19937 random(7);
+    auto number = [&] { return (float)(random() % 2001) / 1000 - 1; };
+    for (int i = 0; i < 60; ++i) {
+        float at[3] = {number() * 3, 4 + number() * 3, number() * 3};
+        for (int k = 0; k < 3; ++k)
+            model += "v " + std::to_string(at[0] + number()) + " " + std::to_string(at[1] + number()) + " " +
+                     std::to_string(at[2] + number()) + "\n";
+        model += "f -3 -2 -1\n";
+    }
+    writeWhole(folder / "m.obj", model);
+    writeWhole(folder / "m.mtl", generateMtl());
+    std::vector<std::string> notes;
+    Mesh mesh = readObj(folder / "m.obj", {}, notes);
+    static Workers workers = allProcessors();
+    SolveSettings settings;
+    settings.adaptive = adaptive, settings.way = adaptive ? Way::kPatches : Way::kRays;
+    settings.element = areaOf(mesh) / 8000, settings.patch = areaOf(mesh) / 800;
+    return solveModel(mesh, settings, headlessGl(), workers, &kNever, {}).solution;
+}
+
+const Solution &room() {
+    static const Solution b = solved("cube");
+    return b;
+}
+
+struct Element {
+    int chart, cell;
+    Vec3 middle;
+    Rgb radiosity; // from the CSV: its mean over triangles
+};
+std::vector<Element> elementsOf(const Solution &b) {
+    std::vector<Element> all;
+    float area = 0;
+    auto finish = [&] {
+        if (all.empty()) return;
+        all.back().middle = all.back().middle * (1 / area);
+        all.back().radiosity = all.back().radiosity * (1 / area);
+        area = 0;
+    };
+    b.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
+        if (all.empty() || cell != all.back().cell) finish(), all.push_back({chart, cell, {}, {}});
+        for (size_t i = 2; i < piece.size(); ++i) {
+            const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
+            float third = length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 6;
+            for (const SolutionPoint *q : t)
+                all.back().middle += q->p * third, all.back().radiosity += q->radiosity * third;
+            area += 3 * third;
+        }
+    });
+    finish();
+    return all;
+}
+
+float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}); }
+
+// How a folder differs at the middles of elements from the solution there, and from the CSV. The worst
+// differences are shares of the largest of red, green and blue, which a page stores in eight bits.
+struct Difference {
+    float worst = 0, ofTable = 0;
+    double squareOfTable = 0;
+    int count = 0, lost = 0;
+};
+Difference compare(const Solution &b, const Exported &out) {
+    Difference d;
+    float mean = 0;
+    std::vector<Element> elements = elementsOf(b);
+    for (const Element &e : elements) mean += most(e.radiosity) / (float)elements.size();
+    for (const Element &e : elements) {
+        Rgb shown;
+        if (!out.shows(e.chart, e.middle, shown)) {
+            ++d.lost; // it falls between two parts of its polygon
+            continue;
+        }
+        const Chart &c = b.charts[(size_t)e.chart];
+        Vec3 p = e.middle - c.corner;
+        Rgb exact =
+            b.lightIn(e.cell, dot(p, c.u), dot(p, c.v)) * b.reflectsOf(e.cell) + b.emits[(size_t)e.chart];
+        float share = most(shown - e.radiosity) / (most(e.radiosity) + 0.02f * mean);
+        d.worst = std::max(d.worst, most(shown - exact) / (most(exact) + 1e-4f * mean));
+        d.ofTable = std::max(d.ofTable, share);
+        d.squareOfTable += (double)(share * share);
+        ++d.count;
+    }
+    d.squareOfTable = std::sqrt(d.squareOfTable / d.count);
+    return d;
+}
+
+Exported exported(const Solution &b, const AtlasSettings &s) {
+    TemporaryFolder folder;
+    std::vector<std::string> notes;
+    exportAtlas(b, s, folder / "out", notes);
+    return Exported(folder / "out", s.radiosity ? "radiosity" : "light");
+}
+
+} // namespace
+
+TEST(Atlas, ShowsTheSolution) {
+    for (bool adaptive : {false, true}) {
+        Solution b = adaptive ? solved("cube", true) : room();
+        for (bool radiosity : {false, true}) {
+            AtlasSettings s;
+            s.radiosity = radiosity;
+            Exported out = exported(b, s);
+            out.mustLieApart(2 * s.padding);
+            Difference d = compare(b, out);
+            EXPECT_GT(d.count, 2000);
+            EXPECT_LT(d.lost, d.count / 100);
+            EXPECT_LT(d.worst, 1 / 150.f); // light is redder than surfaces: over one step
+            EXPECT_LT(d.squareOfTable, 0.01);
+        }
+    }
+}
+
+TEST(Atlas, TakesSeveralPagesAndWiderPadding) {
+    AtlasSettings s;
+    s.page = 128, s.padding = 9;
+    Exported out = exported(room(), s);
+    EXPECT_GT(out.pages.size(), 1u);
+    for (const ExportedPage &p : out.pages) EXPECT_TRUE(p.width <= 128 && p.height <= 128);
+    out.mustLieApart(18);
+    EXPECT_LT(compare(room(), out).worst, 1 / 150.f);
+}
+
+TEST(Atlas, HasFewerTexelsOnDemand) {
+    AtlasSettings s;
+    s.texels = 2;
+    Exported out = exported(room(), s);
+    out.mustLieApart(4);
+    Difference d = compare(room(), out);
+    EXPECT_EQ(d.lost, 0);
+    EXPECT_LT(d.squareOfTable, 0.1); // coarse, but nothing black or strange
+    EXPECT_GT(d.squareOfTable, 0.01);
+}
+
+// The texels around a chart repeat its border, and eight bits agree with floats.
+TEST(Atlas, PadsAndScales) {
+    AtlasSettings s;
+    Atlas atlas = packAtlas(room(), s);
+    std::vector<float> page = paintPage(room(), atlas, 0, Held::Light);
+    Exported out = exported(room(), s);
+    int width = atlas.pages[0].width;
+    auto texel = [&](int x, int y, int k) { return page[(size_t)(y * width + x) * 3 + (size_t)k]; };
+    for (const AtlasPlace &p : atlas.places)
+        for (int k = 0; k < 3; ++k) {
+            EXPECT_EQ(texel(p.x - s.padding, p.y - s.padding, k), texel(p.x, p.y, k));
+            EXPECT_EQ(texel(p.x + p.across + s.padding - 1, p.y, k), texel(p.x + p.across - 1, p.y, k));
+            EXPECT_EQ(texel(p.x, p.y + p.down + s.padding - 1, k), texel(p.x, p.y + p.down - 1, k));
+        }
+    double scale = 0, count = 0, off = 0;
+    auto linear = [](uint8_t x) { return x > 10 ? std::pow((x / 255. + 0.055) / 1.055, 2.4) : x / 3294.6; };
+    const ExportedPage &got = out.pages[0];
+    for (size_t i = 0; i < got.png.size(); ++i)
+        if (got.png[i] > 60 && got.png[i] < 250) scale += (double)got.hdr[i] / linear(got.png[i]), ++count;
+    scale /= count;
+    for (size_t i = 0; i < got.png.size(); ++i)
+        if (got.png[i] > 60 && got.png[i] < 250)
+            off = std::max(off, std::fabs((double)got.hdr[i] / linear(got.png[i]) / scale - 1));
+    EXPECT_GT(count, 1000);
+    EXPECT_LT(off, 0.03); // a step of eight bits
+}
+
+// A scanned figure, in which every triangle is a chart.
+TEST(Atlas, HoldsManySmallTriangles) {
+    constexpr int kMany = 300000;
+    Solution b;
+    for (int i = 0; i < kMany; ++i) {
+        Chart c = {};
+        c.corner = {(float)(i % 1000), 0, (float)(i / 1000)}, c.u = {1, 0, 0}, c.v = {0, 0, -1},
+        c.n = {0, 1, 0};
+        c.width = c.height = 1, c.across = c.down = c.patchesAcross = c.patchesDown = 1;
+        c.firstCell = i, c.firstTexel = 4 * i, c.firstFacet = i, c.facetsCount = 1;
+        b.charts.push_back(c);
+        b.facets.push_back({i, {0, 1, 0, 0}, {0, 0, 1, 1}});
+        b.cells.push_back({{4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3}, i, i, 1, 0});
+        for (int k = 0; k < 4; ++k) {
+            b.texels.push_back({i, k % 2 * kSteps, k / 2 * kSteps, 0, 15, false, false});
+            b.light.push_back({(float)i, (float)k, 1});
+        }
+        b.reflects.push_back({0.5f, 0.5f, 0.5f}), b.emits.push_back({});
+    }
+    Atlas atlas = packAtlas(b, {});
+    ASSERT_EQ(atlas.pages.size(), 1u);
+    EXPECT_EQ(atlas.used, (int64_t)kMany * 36);
+    int64_t size = (int64_t)atlas.pages[0].width * atlas.pages[0].height;
+    EXPECT_LT((double)size, 1.05 * (double)atlas.used);
+    std::vector<float> page = paintPage(b, atlas, 0, Held::Light);
+    std::vector<bool> taken((size_t)size);
+    for (int i = 0; i < kMany; ++i) {
+        const AtlasPlace &p = atlas.places[(size_t)i];
+        for (int k = 0; k < 36; ++k) {
+            size_t at = (size_t)((p.y - 2 + k / 6) * atlas.pages[0].width + p.x - 2 + k % 6);
+            ASSERT_FALSE(taken[at]);
+            taken[at] = true;
+            ASSERT_EQ(page[at * 3], (float)i);
+            ASSERT_EQ(page[at * 3 + 1], (float)((k % 6 > 2) + 2 * (k / 6 > 2)));
+        }
+    }
+}
+
+TEST(Atlas, IsWrittenWholeOrNotAtAll) {
+    TemporaryFolder folder;
+    std::vector<std::string> notes;
+    std::filesystem::create_directories(folder / "full/x");
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "full", notes), Refused);
+    writeWhole(folder / "file", "x");
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "file", notes), Refused);
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "none/out", notes), Refused);
+    std::filesystem::create_directories(folder / "empty");
+    exportAtlas(room(), {}, folder / "empty/", notes);
+    int count = 0;
+    for (const auto &entry : std::filesystem::directory_iterator(folder / ".")) {
+        EXPECT_EQ(entry.path().string().find(".part"), std::string::npos);
+        ++count;
+    }
+    EXPECT_EQ(count, 3);
+}

@@ -1,0 +1,161 @@
+// Pictures on materials: means over polygons, and elements that reflect them wherever their triangles lie.
+#include "tests/support/exported.h"
+#include "tests/support/headless_gl.h"
+#include "tools/common/machine.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/picture/picture.h"
+#include "tools/radiosity/export/atlas.h"
+#include "tools/radiosity/read/reflectance_picture.h"
+#include "tools/radiosity/solve/solve.h"
+
+#include <cmath>
+
+using namespace odraz;
+
+namespace {
+
+// White where `white` returns true, else black.
+template <class White> std::vector<uint8_t> pixels(int width, int height, White &&white) {
+    std::vector<uint8_t> all;
+    for (int j = 0; j < height; ++j)
+        for (int i = 0; i < width; ++i) all.insert(all.end(), 3, white(i, j) ? 255 : 0);
+    return all;
+}
+std::vector<TexturePoint> box(double u0, double v0, double u1, double v1) {
+    return {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+}
+
+} // namespace
+
+TEST(ReflectancePicture, IsAveragedOverAreas) {
+    ReflectancePicture checks(8, 8, pixels(8, 8, [](int i, int j) { return (i + j) % 2 == 0; }));
+    auto mean = [&](const std::vector<TexturePoint> &p, bool clamp = false) {
+        return checks.mean(p, clamp).x;
+    };
+    EXPECT_NEAR(mean(box(0, 0, 1, 1)), 0.5, 1e-4);
+    EXPECT_NEAR(mean(box(0, 0.875, 0.125, 1)), 1, 1e-6); // the first pixel, in the upper row
+    EXPECT_NEAR(mean(box(0.125, 0.875, 0.25, 1)), 0, 1e-6);
+    EXPECT_NEAR(mean(box(0.09375, 0.875, 0.1875, 1)), 1 / 3., 1e-6); // a quarter and a half of two
+    EXPECT_NEAR(mean(box(5, 7.875, 5.125, 8)), 1, 1e-6);             // repeated
+    EXPECT_NEAR(mean(box(-3, -5.125, -2.875, -5)), 1, 1e-6);
+    EXPECT_NEAR(mean(box(-3, 2, -2, 3), true), 1, 1e-6); // its corner
+    EXPECT_NEAR(mean(box(-300, -200, 600, 700)), 0.5, 1e-3);
+    EXPECT_NEAR(mean({{0, 1}, {0.125, 1}, {0, 0.875}}), 1, 1e-6); // half a pixel
+    EXPECT_NEAR(mean({{0, 1}, {0, 0.875}, {0.125, 1}}), 1, 1e-6); // mirrored
+    EXPECT_NEAR(mean({{0.05, 0.95}, {0.05, 0.95}, {0.05, 0.95}}), 1, 1e-6);
+    for (double odd : {(double)NAN, (double)INFINITY, 1e30, -1e30})
+        EXPECT_NEAR(mean({{0, 0}, {odd, 0}, {0, 1}}), 0.5, 1e-4);
+    EXPECT_NEAR(ReflectancePicture(1, 1, {188, 0, 0}).mean().x, 0.5029, 1e-4); // sRGB
+}
+
+// In sizes that are no powers of two, no texel at the border counts twice.
+TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
+    for (int width : {1, 3, 100, 129, 255}) {
+        ReflectancePicture p(width, 37,
+                             pixels(width, 37, [&](int i, int j) { return 2 * i < width || j == 3; }));
+        double wanted = 0;
+        for (int i = 0; i < width; ++i) wanted += 2 * i < width ? 1. : 1 / 37.;
+        EXPECT_NEAR(p.mean().x, wanted / width, 1e-3) << width;
+        EXPECT_NEAR(p.mean(box(0, 0, 1, 1), false).x, wanted / width, 1e-3) << width;
+    }
+}
+
+// A square of any triangles, rotated in space and on the picture: each element has the picture's mean at its
+// place.
+TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
+    TemporaryFolder folder;
+    // Brightness falls from left to right, by 128 columns
+    Picture picture = {128, 4, {}};
+    for (int j = 0; j < 4; ++j)
+        for (int i = 0; i < 128; ++i)
+            picture.rgb.insert(picture.rgb.end(), {(uint8_t)(2 * i), 0, (uint8_t)(j < 2 ? 255 : 0)});
+    ASSERT_TRUE(writePng(folder / "fall.png", picture));
+    for (int turned = 0; turned < 4; ++turned)
+        for (bool adaptive : {false, true}) {
+            Mesh mesh;
+            mesh.materials.push_back({"m", {0.5f, 0.5f, 0.5f}, {}, {}});
+            mesh.materials[0].picture.path = folder / "fall.png";
+            mesh.materials[0].picture.tint = {1, 1, 0.5f};
+            // Four triangles around a point away from the middle
+            float at[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0.3f, 0.6f}};
+            for (auto &p : at)
+                mesh.points.push_back({(double)p[0] * 2, 1 + (double)p[1] * 0.6, (double)p[1] * -0.8});
+            auto turn = [&](const float *p, int axis) {
+                float x = p[0] - 0.5f, y = p[1] - 0.5f;
+                for (int k = 0; k < turned; ++k) std::tie(x, y) = std::pair{-y, x};
+                return (axis ? y : x) + 0.5f;
+            };
+            for (int k = 0; k < 4; ++k) {
+                int corners[3] = {k, (k + 1) % 4, 4};
+                mesh.triangles.push_back({{corners[0], corners[1], corners[2]}, 0});
+                std::array<float, 6> &to = mesh.coordinates.emplace_back();
+                for (size_t c = 0; c < 6; ++c) to[c] = turn(at[corners[c / 2]], c % 2);
+            }
+            SolveSettings settings;
+            settings.surroundings.sky = evenSky({1, 1, 1});
+            settings.element = 0.0005, settings.patch = 0.02, settings.adaptive = adaptive;
+            settings.way = adaptive ? Way::kPatches : Way::kRays;
+            if (adaptive) settings.surroundings.lamps.push_back({{1, 1.5f, -0.2f}, 0.1f, {5, 5, 5}});
+            static Workers workers = allProcessors();
+            Solved solved = solveModel(mesh, settings, headlessGl(), workers, &kNever, {});
+            EXPECT_TRUE(solved.report.notes.empty());
+            const Solution &b = solved.solution;
+            b.save(folder / "a.rad");
+            Solution again(folder / "a.rad");
+            std::vector<std::string> notes;
+            std::string name = folder / std::to_string(turned * 2 + adaptive);
+            exportAtlas(b, {.radiosity = true}, name, notes);
+            Exported out(name, "radiosity");
+            out.mustLieApart(4);
+            int elements = 0;
+            b.forPieces([&](int, int cell, const std::vector<SolutionPoint> &piece) {
+                ++elements;
+                Vec3 middle = {};
+                float low = 1, high = 0;
+                for (const SolutionPoint &p : piece) {
+                    middle += p.p * (1 / (float)piece.size());
+                    float place[2] = {p.p.x / 2, p.p.z / -0.8f};
+                    low = std::min(low, turn(place, 0)), high = std::max(high, turn(place, 0));
+                }
+                float place[2] = {middle.x / 2, middle.z / -0.8f};
+                // The mean of sRGB's curve between two places
+                double wanted = 0;
+                for (int k = 0; k < 64; ++k) {
+                    double s =
+                        std::floor(((double)low + (double)(high - low) * (k + 0.5) / 64) * 128) * 2 / 255;
+                    wanted += (s > 0.04045 ? std::pow((s + 0.055) / 1.055, 2.4) : s / 12.92) / 64;
+                }
+                EXPECT_NEAR((double)b.reflectsOf(cell).x, wanted, 0.01);
+                const Chart &c = b.charts[0];
+                Rgb shown, seen = b.lightIn(cell, dot(middle - c.corner, c.u), dot(middle - c.corner, c.v)) *
+                                  b.reflectsOf(cell);
+                EXPECT_TRUE(out.shows(0, middle, shown));
+                EXPECT_NEAR(shown.x, seen.x, 0.008f * maxComponent(seen)); // a step of the format
+                EXPECT_EQ(b.reflectsOf(cell).y, 0);
+                double v = (double)turn(place, 1), blue = (double)b.reflectsOf(cell).z;
+                EXPECT_TRUE(std::fabs(v - 0.5) < 0.1 || std::fabs(blue - (v > 0.5 ? 0.5 : 0)) < 1e-3);
+                EXPECT_NEAR((double)again.reflectsOf(cell).x, (double)b.reflectsOf(cell).x, 0);
+            });
+            EXPECT_GT(elements, 100);
+            bool divided = b.cells.size() > (size_t)b.charts[0].across * (size_t)b.charts[0].down;
+            EXPECT_EQ(divided, adaptive);
+            // Patches and charts have the means of their elements
+            double wanted = 0, patches = 0, area = 0;
+            for (int i = 0; i < 128; ++i) {
+                double s = 2 * i / 255.;
+                wanted += (s > 0.04045 ? std::pow((s + 0.055) / 1.055, 2.4) : s / 12.92) / 128;
+            }
+            EXPECT_NEAR((double)b.reflects[0].x, wanted, 0.002);
+            EXPECT_NEAR(b.reflects[0].z, 0.25f, 0.002f);
+            float low = 1, high = 0;
+            if (!adaptive) continue; // solving by rays has no patches
+            for (int i = 0; i < solved.patches->model->patchCount; ++i) {
+                const Patch &p = solved.patches->model->patches[i];
+                patches += (double)(p.reflects.x * p.area), area += (double)p.area;
+                low = std::min(low, p.reflects.x), high = std::max(high, p.reflects.x);
+            }
+            EXPECT_LT(low, 0.02f);
+            EXPECT_GT(high, 0.8f);
+            EXPECT_NEAR(patches / area, wanted, 0.005);
+        }
+}

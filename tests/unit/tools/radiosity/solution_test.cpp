@@ -1,0 +1,154 @@
+// Reading solutions: files that `radiosity solve` did not write are refused, even if the checksum fits.
+#include "tests/support/headless_gl.h"
+#include "tools/common/machine.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/export/points_export.h"
+#include "tools/radiosity/export/render.h"
+#include "tools/radiosity/generate/generate.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+// A solution made by hand: two charts of two by one cells, the first cell divided; each chart has a facet.
+Solution small() {
+    Solution b;
+    for (int k = 0; k < 2; ++k) {
+        Chart c = {};
+        c.corner = {0, (float)k, 0};
+        c.u = {1, 0, 0}, c.v = {0, 0, -1}, c.n = {0, 1, 0};
+        c.width = 2, c.height = 1, c.across = 2, c.down = 1, c.patchesAcross = c.patchesDown = 1;
+        c.firstCell = 2 * k, c.firstTexel = 6 * k, c.firstFacet = k, c.facetsCount = 1;
+        b.charts.push_back(c);
+        b.facets.push_back({k, {0, 2, 2, 0}, {0, 0, 1, 1}});
+        for (int y = 0; y < 2; ++y)
+            for (int x = 0; x < 3; ++x) b.texels.push_back({k, x * kSteps, y * kSteps, 0, 15, false, false});
+        b.reflects.push_back({0.5f, 0.5f, 0.5f}), b.emits.push_back({0, 0, (float)k});
+    }
+    auto cell = [](int k, int x) {
+        int at = 6 * k + x;
+        return Cell{{at, at + 1, at + 3, at + 4}, 0, k, 1, 0};
+    };
+    for (int i = 0; i < 4; ++i) b.cells.push_back(cell(i / 2, i % 2));
+    b.cells[0].corner[0] = ~4;
+    int mid = (int)b.texels.size(), half = kSteps / 2;
+    for (auto [x, y] : {std::pair{half, 0}, {0, half}, {half, half}, {kSteps, half}, {half, kSteps}})
+        b.texels.push_back({0, x, y, 1, 15, false, false});
+    for (auto corner : {std::array{0, mid, mid + 1, mid + 2},
+                        {mid, 1, mid + 2, mid + 3},
+                        {mid + 1, mid + 2, 3, mid + 4},
+                        {mid + 2, mid + 3, mid + 4, 4}})
+        b.cells.push_back({{corner[0], corner[1], corner[2], corner[3]}, 0, 0, 0.25f, 1});
+    b.light.assign(b.texels.size(), Rgb{1, 2, 3});
+    return b;
+}
+
+class SolutionFile : public testing::Test {
+protected:
+    TemporaryFolder folder;
+    std::string path = folder / "a.rad";
+
+    // Whether the file is accepted; an accepted solution must be safe to use.
+    bool taken(const Solution &b) {
+        b.save(path);
+        try {
+            Solution again(path);
+            exportCsv(again, folder / "a.csv");
+            exportPly(again, folder / "a.ply");
+            Workers workers = serialWorkers();
+            RenderSettings s;
+            s.width = 16, s.height = 9;
+            placeCamera(again, s);
+            render(again, s, workers, folder / "a.png");
+            return true;
+        } catch (const std::runtime_error &e) {
+            EXPECT_NE(std::string(e.what()).find("damaged"), std::string::npos) << e.what();
+            return false;
+        }
+    }
+};
+
+} // namespace
+
+TEST_F(SolutionFile, ComesBackAsItWas) { EXPECT_TRUE(taken(small())); }
+
+TEST_F(SolutionFile, OfOthersIsRefused) {
+    using Spoil = void (*)(Solution &);
+    const Spoil spoils[] = {
+        [](Solution &b) { b.charts.clear(); },
+        [](Solution &b) { b.charts[0].across = 9; },
+        [](Solution &b) { b.charts[1].firstCell = -1; },
+        [](Solution &b) { b.charts[1].firstFacet = 1 << 30; },
+        [](Solution &b) { b.charts[1].facetsCount = 2; },
+        [](Solution &b) { b.charts[0].width = 0; },
+        [](Solution &b) { b.charts[0].corner.y = NAN; },
+        [](Solution &b) { std::memset((void *)&b.charts[0].open, 7, 1); },
+        [](Solution &b) { b.facets[1].chart = 2; },
+        [](Solution &b) { b.facets[1].u[2] = INFINITY; },
+        [](Solution &b) { b.cells[0].corner[0] = ~0; }, // its own child
+        [](Solution &b) { b.cells[0].corner[0] = ~6; },
+        [](Solution &b) { b.cells[1].corner[3] = 17; },
+        [](Solution &b) { b.cells[1].corner[3] = b.cells[1].corner[0]; },
+        [](Solution &b) { b.cells[2].corner[1] = 1; }, // of another chart
+        [](Solution &b) { b.cells[3].chart = -1; },
+        [](Solution &b) { b.texels[3].chart = 9; },
+        [](Solution &b) { b.texels[3].x = 1 << 30; },
+        [](Solution &b) { b.light.pop_back(); },
+        [](Solution &b) { b.light[4].y = NAN; },
+        [](Solution &b) { b.reflects.pop_back(); },
+        [](Solution &b) { b.emits.clear(); },
+        [](Solution &b) { b.cellReflects.resize(3); },
+        [](Solution &b) {
+            b.cellReflects.resize(b.cells.size(), Rgb{NAN, 0, 0});
+        },
+    };
+    for (size_t i = 0; i < std::size(spoils); ++i) {
+        Solution b = small();
+        spoils[i](b);
+        EXPECT_FALSE(taken(b)) << i;
+    }
+}
+
+// Puts any number anywhere and repairs the checksum: the file is refused, or safe to use.
+TEST_F(SolutionFile, WithAnyNumberAnywhereDoesNoHarm) {
+    std::mt19937 random(21);
+    int good = 0;
+    for (int i = 0; i < 800; ++i) {
+        Solution b = small();
+        if (i % 2) b.cellReflects.resize(b.cells.size(), Rgb{0.5f, 0.25f, 0.75f});
+        auto spoil = [&](auto &list) {
+            auto *bytes = (unsigned char *)list.data();
+            size_t size = list.size() * sizeof list[0], at = random() % (size / 4) * 4;
+            const uint32_t odd[] = {
+                0,          1,          2,          7,          0x7fffffff,        0x80000000,
+                0xffffffff, 0x7f800000, 0x7fc00000, 0x7f7fffff, (uint32_t)random()};
+            uint32_t value = odd[random() % std::size(odd)];
+            std::memcpy(bytes + at, &value, random() & 1 ? 4 : 1);
+        };
+        for (int k = 0; k < 1 + i % 3; ++k) switch (random() % 5) {
+            case 0:
+                spoil(b.charts);
+                break;
+            case 1:
+                spoil(b.facets);
+                break;
+            case 2:
+                spoil(b.cells);
+                break;
+            case 3:
+                spoil(b.texels);
+                break;
+            default:
+                spoil(b.light);
+            }
+        good += taken(b);
+    }
+    EXPECT_GT(good, 30);
+    EXPECT_LT(good, 770);
+}

@@ -1,0 +1,179 @@
+// Visible faults of the adaptive picture: flicker, squares, dashes, stairs, blinking points.
+#include "tests/support/sanitized.h"
+#include "tests/support/traced_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+using namespace odraz;
+
+// Flicker is an error that changes: while a camera moves by a quarter of a pixel each picture, the error must
+// hardly change from one to the next.
+TEST(AdaptiveFaults, DoesNotFlicker) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    constexpr int kWidth = 320, kHeight = 180, kPictures = 8;
+    auto scene = posed(kTable, 100);
+    std::vector<std::vector<int>> errors;
+    for (int i = 0; i < kPictures; ++i) {
+        CameraKey camera = kTableView;
+        camera.eye.x += (float)i * 0.0025f;
+        TracedPicture play = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight),
+                      truth = traced(*scene, camera, named(QualityName::Reference), kWidth, kHeight);
+        std::vector<int> error;
+        for (int k = 0; k < kWidth * kHeight * 4; ++k)
+            error.push_back(play.frame.rgba[k] - truth.frame.rgba[k]);
+        errors.push_back(error);
+    }
+    double squares = 0;
+    int jumps = 0, count = 0;
+    for (int i = 1; i < kPictures; ++i)
+        for (size_t k = 0; k < errors[0].size(); ++k) {
+            int change = errors[(size_t)i][k] - errors[(size_t)i - 1][k];
+            squares += change * change;
+            jumps += std::abs(change) > 48;
+            ++count;
+        }
+    double db = odraz::psnr(squares, (size_t)count / 4 * 3), share = 100. * jumps / count;
+    std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
+    EXPECT_GT(db, 36);
+    EXPECT_LT(share, 0.05);
+}
+
+// Where squares meet, the picture must be as smooth as inside them.
+TEST(AdaptiveFaults, ShowsNoSquares) {
+    TracedPicture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
+                  truth = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
+    auto bends = [](const TracedPicture &q, int phase) {
+        double sum = 0;
+        int count = 0;
+        for (int y = 0; y < 360; ++y)
+            for (int x = 8 + phase; x < 632; x += 8) {
+                // Look at second differences of smooth parts only: edges would hide all else
+                int left = q.at(x - 2, y, 1), a = q.at(x - 1, y, 1), b = q.at(x, y, 1),
+                    right = q.at(x + 1, y, 1);
+                int bend = std::abs(right - b - (a - left));
+                if (bend > 12) continue;
+                sum += bend;
+                ++count;
+            }
+        return sum / count;
+    };
+    double inside = 0, insideTruth = 0;
+    for (int phase = 2; phase < 7; ++phase)
+        inside += bends(p, phase) / 5, insideTruth += bends(truth, phase) / 5;
+    double excess = bends(p, 0) / inside, usual = bends(truth, 0) / insideTruth;
+    std::printf("bends at the squares' edges: %.3f of those inside; traced in full %.3f\n", excess, usual);
+    EXPECT_LT(excess, usual * 1.15);
+}
+
+// A scene with nothing but one emitting shape.
+static std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material bright = {};
+    bright.emit = radiance;
+    s->add(bright);
+    s->add(shape);
+    s->finish();
+    return s;
+}
+
+// A bright face seen edge-on, thinner than the distance of samples, must not be hit here and there.
+TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
+    auto face = [](float side, const Quality &quality) {
+        auto s = shining({5, 5, 5}, Shape{.kind = ShapeKind::Rect,
+                                          .centre = {side, 0, -10},
+                                          .half = {0.25f, 0, 3},
+                                          .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
+        TracedPicture p = traced(*s, {0, {0, 0, 0}, {0.3f, 0, -10}, 5, 36}, quality, 320, 180);
+        int lit = 0;
+        for (int y = 0; y < 180; ++y)
+            for (int x = 0; x < 320; ++x) lit += p.at(x, y, 1) > 8;
+        return lit;
+    };
+    for (QualityName name : {QualityName::Draft, QualityName::Play}) {
+        EXPECT_EQ(face(0.11f, named(name)), 0); // 0.15 pixels
+        EXPECT_GT(face(1.5f, named(name)), 150);
+    }
+    EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
+}
+
+// The share of a pixel beyond an edge shows at every slope of the edge, even near the axes, where stairs are
+// long.
+TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
+    auto s = shining({1, 1, 1}, Shape{.kind = ShapeKind::Rect,
+                                      .centre = {0, -100, -10},
+                                      .half = {200, 0, 100},
+                                      .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+    for (float degrees : {0.7f, 3.f, 10.f, 22.f, 41.f, 87.f}) {
+        CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, degrees, 36};
+        TracedPicture truth = traced(*s, camera, named(QualityName::Reference), 320, 180);
+        auto off = [&](QualityName name) {
+            TracedPicture p = traced(*s, camera, named(name), 320, 180);
+            double squares = 0;
+            int edges = 0;
+            for (int i = 0; i < p.frame.stride * 180; ++i) {
+                float v = truth.frame.plane[0][i];
+                if (v <= 0 || v >= 1) continue;
+                squares += std::pow(p.frame.plane[0][i] - v, 2);
+                ++edges;
+            }
+            return std::sqrt(squares / edges);
+        };
+        EXPECT_LT(off(QualityName::Play), 0.1) << degrees; // 3 x 3 samples would give up to 0.15
+        EXPECT_LT(off(QualityName::Film), 0.05) << degrees;
+    }
+}
+
+// A camera moves by fractions of a pixel through 64 positions. Returns in how many a bright point blinks: its
+// brightest pixel is below half of its maximum.
+static int blinks(const Quality &quality, const std::function<void(Scene &)> &pose) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    pose(*s);
+    s->finish();
+    std::vector<int> bright;
+    for (int i = 0; i < 64; ++i) {
+        float x = (float)(i % 8) * 0.021f, y = (float)(i / 8) * 0.021f;
+        TracedPicture p = traced(*s, {0, {x, y, 10}, {x, y, 0}, 0, 36}, quality, 320, 180);
+        int most = 0;
+        for (int v = 0; v < 180; ++v)
+            for (int u = 0; u < 320; ++u) most = std::max<int>(most, p.at(u, v, 1));
+        bright.push_back(most);
+    }
+    int most = *std::max_element(bright.begin(), bright.end());
+    EXPECT_GT(most, 60);
+    int dark = (int)std::count_if(bright.begin(), bright.end(), [&](int b) { return 2 * b < most; });
+    std::printf("%s: %d of 64\n", quality.name, dark);
+    return dark;
+}
+
+// The highlight of a ball of six pixels is found at most positions between corners (it used to be lost in 21
+// and 15 of 64).
+TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
+    auto pose = [](Scene &s) {
+        Material m = {};
+        m.specular = 0.8f;
+        m.exponent = 90;
+        s.add(sphere({0, 0, 0}, 0.22f, s.add(m)));
+        s.add(Light{{60, 50, 100}, {4e4f, 4e4f, 4e4f}});
+    };
+    EXPECT_LE(blinks(named(QualityName::Draft), pose), 15);
+    EXPECT_LE(blinks(named(QualityName::Play), pose), 8);
+}
+
+// A lamp mirrored in a small ball, less than a pixel wide, is found wherever it lies.
+TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
+    for (QualityName name : {QualityName::Draft, QualityName::Play})
+        EXPECT_EQ(blinks(named(name),
+                         [](Scene &s) {
+                             Material m = {}, glow = {};
+                             m.reflect = 0.8f;
+                             glow.emit = {60, 60, 60};
+                             s.add(sphere({0, 0, 0}, 0.5f, s.add(m)));
+                             s.add(sphere({3, 2, 5}, 0.35f, s.add(glow)));
+                         }),
+                  0);
+}

@@ -1,0 +1,147 @@
+// Glare neither loses nor makes light, whatever the size of the picture and the number of threads.
+#include "tests/support/threads.h"
+#include "tools/common/heap_arena.h"
+#include "trace/picture/development.h"
+#include "trace/picture/glare.h"
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Glaring {
+    HeapArena memory;
+    Frame frame;
+    Glare glare;
+
+    Glaring(int width, int height)
+        : memory(glareBytes(width, height) + ((size_t)width + 8) * (size_t)height * 16 + 8192) {
+        EXPECT_TRUE(makeFrame(frame, memory.arena, width, height) &&
+                    makeGlare(glare, memory.arena, width, height));
+    }
+    float &at(int c, int x, int y) { return frame.plane[c][y * frame.stride + x]; }
+    void spread(int threads = 2) {
+        Threads pool(threads);
+        spreadGlare(glare, frame, pool.workers);
+    }
+    double sum(int c) const {
+        double all = 0;
+        const Glare::Level &l = glare.level[1];
+        for (int y = 0; y < l.height; ++y)
+            for (int x = 0; x < l.width; ++x) all += l.plane[c][y * l.stride + x];
+        return all * 16; // pixels a place
+    }
+};
+
+const std::pair<int, int> kSizes[] = {{1, 1},  {2, 3},    {17, 9},    {64, 1},
+                                      {1, 64}, {333, 97}, {320, 180}, {1280, 720}};
+
+} // namespace
+
+TEST(Glare, LeavesAnEvenPictureAsItIs) {
+    for (auto [width, height] : kSizes) {
+        Glaring h(width, height);
+        for (int c = 0; c < 3; ++c)
+            for (int y = 0; y < height; ++y)
+                for (int x = 0; x < width; ++x) h.at(c, x, y) = 0.3f + (float)c;
+        h.spread();
+        for (int c = 0; c < 3; ++c) {
+            const Glare::Level &l = h.glare.level[1];
+            for (int y = 0; y < l.height; ++y)
+                for (int x = -1; x <= l.width; ++x) // its ends are repeated
+                    ASSERT_NEAR(l.plane[c][y * l.stride + x], 0.3f + (float)c, 2e-6 * (1 + c))
+                        << width << ' ' << x << ' ' << y;
+        }
+    }
+}
+
+TEST(Glare, SpreadsWhatThereIsAndNoMore) {
+    for (auto [x, y] : {std::pair{640, 360}, {641, 363}, {703, 312}, {500, 400}}) {
+        Glaring h(1280, 720);
+        h.at(1, x, y) = 1000;
+        h.spread();
+        EXPECT_NEAR(h.sum(1), 1000, 20); // the widest circles reach the picture's edges
+        EXPECT_EQ(h.sum(0), 0);
+        // It falls with distance, equally to both sides
+        const Glare::Level &l = h.glare.level[1];
+        auto ring = [&](int by) {
+            double all = 0;
+            for (int dx : {-by, by})
+                for (int dy : {-by, by}) all += l.plane[1][(y / 4 + dy) * l.stride + x / 4 + dx];
+            return all;
+        };
+        for (int by = 2; by <= 32; by *= 2) EXPECT_GT(ring(by / 2), 1.5 * ring(by)) << by;
+        EXPECT_GT(ring(32), 0);
+    }
+}
+
+TEST(Glare, IsTheSameForEveryNumberOfThreads) {
+    std::vector<float> first;
+    for (int threads : {1, 2, 5}) {
+        Glaring h(333, 197);
+        for (int i = 0; i < h.frame.stride * h.frame.height; ++i)
+            h.frame.plane[2][i] = (float)(i * 7919 % 1000);
+        h.spread(threads);
+        const Glare::Level &l = h.glare.level[1];
+        std::vector<float> all;
+        for (int y = 0; y < l.height; ++y)
+            all.insert(all.end(), l.plane[2] + y * l.stride - 1, l.plane[2] + y * l.stride + l.width + 1);
+        if (first.empty()) first = all;
+        EXPECT_EQ(std::memcmp(all.data(), first.data(), all.size() * sizeof(float)), 0) << threads;
+    }
+}
+
+// Development shows the light that went straight plus the spread light that each place receives.
+TEST(Glare, IsSeenInTheDevelopedPicture) {
+    Glaring h(256, 128);
+    for (int i = 0; i < h.frame.stride * h.frame.height; ++i)
+        for (int c = 0; c < 3; ++c) h.frame.plane[c][i] = 0.2f;
+    Threads pool(2);
+    auto curve = std::make_unique<Curve>();
+    makeCurve(*curve);
+    auto developed = [&](const Glare *glare, const CameraLook &look) {
+        develop(*curve, h.frame, pool.workers, 1, 3, glare, look);
+        return std::vector<uint8_t>(h.frame.rgba, h.frame.rgba + 256 * 128 * 4);
+    };
+    std::vector<uint8_t> plain = developed(nullptr, kPlainLook);
+    h.spread();
+    EXPECT_EQ(developed(&h.glare, {0.3f, 0, 0}), plain); // an even picture: nothing to see
+    // A lamp in the middle: around it there is light, far away hardly
+    h.at(0, 128, 64) = 1e4f;
+    h.spread();
+    std::vector<uint8_t> lamp = developed(&h.glare, {0.05f, 0, 0});
+    auto at = [&](const std::vector<uint8_t> &p, int x, int y) {
+        return (int)p[((size_t)y * 256 + (size_t)x) * 4];
+    };
+    EXPECT_GT(at(lamp, 132, 68), at(plain, 132, 68) + 40);
+    EXPECT_LT(at(lamp, 132, 68), 256);
+    EXPECT_GT(at(lamp, 132, 68), at(lamp, 190, 68) + 20);
+    h.at(0, 128, 64) = 0.2f;
+    // Corners darken, the middle does not
+    std::vector<uint8_t> dark = developed(nullptr, {0, 0.5f, 0});
+    EXPECT_NEAR(at(dark, 128, 64), at(plain, 128, 64), 1);
+    EXPECT_LT(at(dark, 0, 0), at(plain, 0, 0) - 25);
+    EXPECT_NEAR(at(dark, 0, 0), at(dark, 255, 127), 2);
+    // Grain: as wide as asked for, with the right mean, equal in all colours; white and black stay in range
+    std::vector<uint8_t> grain = developed(nullptr, {0, 0, 96});
+    double sum = 0, square = 0;
+    int most = 0;
+    for (size_t i = 0; i < grain.size(); i += 4) {
+        int d = grain[i] - plain[i];
+        sum += d, square += d * d, most = std::max(most, std::abs(d));
+    }
+    double count = (double)grain.size() / 4;
+    EXPECT_NEAR(sum / count, 0, 0.05);
+    EXPECT_NEAR(std::sqrt(square / count), 3 / std::sqrt(6.), 0.15); // of a triangle, and rounded
+    EXPECT_LE(most, 3);
+    for (float v : {0.f, 1e9f}) {
+        for (int i = 0; i < h.frame.stride * h.frame.height; ++i)
+            for (int c = 0; c < 3; ++c) h.frame.plane[c][i] = v;
+        for (uint8_t byte : developed(nullptr, {0, 0, 96}))
+            ASSERT_TRUE(v > 0 ? byte > 250 : byte < 4 || byte == 255);
+    }
+}

@@ -1,0 +1,148 @@
+// How fast radiosity is: hemicubes, and whole solutions of the sizes in table 4.1 of the thesis.
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/machine.h"
+#include "tools/common/statistics.h"
+#include "tools/measure/oracle/measured.h"
+#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/measure/oracle/reference_hall.h"
+#include "tools/radiosity/generate/generate.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+using namespace odraz;
+
+namespace {
+
+// Milliseconds for each hemicube of the model, drawn and summed.
+double hemicubeMs(const Model &m, const Gl &gl, int px) {
+    HeapArena memory(hemicubeBytes(px));
+    Hemicubes h;
+    if (!openHemicubes(h, gl, memory.arena, px)) throw std::runtime_error("no hemicubes here");
+    std::vector<float> delta((size_t)(3 * px * px)), sums((size_t)(3 * px * (px + 1))),
+        row((size_t)m.patchCount);
+    deltaFormFactors(px, delta.data());
+    accumulateFormFactors(px, delta.data(), sums.data());
+    std::vector<Eye> eyes;
+    for (int i = 0; i < m.patchCount; ++i)
+        if (m.patches[i].share > 0 && !m.charts[m.patches[i].chart].open)
+            eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
+    std::vector<double> times;
+    for (int round = 0; round < 5; ++round) {
+        double began = processorSeconds();
+        for (size_t i = 0; i < eyes.size(); i += (size_t)h.batch) {
+            int count = std::min((int)(eyes.size() - i), h.batch);
+            drawHemicubes(h, m, &eyes[i], count);
+            for (int k = 0; k < count; ++k) sumHemicube(h, k, sums.data(), row.data());
+        }
+        times.push_back((processorSeconds() - began) * 1e3 / (double)eyes.size());
+    }
+    closeHemicubes(h);
+    return median(times);
+}
+
+// Table 4.1 of the thesis: its sizes, and seconds at 100 x 100 pixels.
+struct Size {
+    size_t triangles;
+    double seconds;
+};
+constexpr Size kThesis[] = {{26360, 280}, {136512, 3500}, {546048, 34980}};
+
+// The area that gives a model at least this many triangles; curved models get about as many.
+double areaFor(const std::string &kind, size_t triangles) {
+    if (kind == "vault") return 27600 * 0.06 / (double)triangles;
+    if (kind == "terrain") return 27400 * 0.02 / (double)triangles;
+    double low = 1e-4, high = 10;
+    for (int i = 0; i < 40; ++i) {
+        double middle = std::sqrt(low * high);
+        size_t count = 0;
+        generateObj(kind, middle, &count);
+        (count >= triangles ? low : high) = middle;
+    }
+    return low;
+}
+
+void hemicubes(const Gl &gl, Workers &workers) {
+    std::printf("| processor ms of a hemicube and its row | 16 px | 32 px | 64 px | 128 px |\n"
+                "|---|---|---|---|---|\n");
+    SolvedHall hall(kHallSettings, gl, workers);
+    auto line = [&](const char *name, const Model &m) {
+        std::printf("| %s, %d polygons |", name, m.facetCount);
+        for (int px : {16, 32, 64, 128}) std::printf(" %.3f |", hemicubeMs(m, gl, px));
+        std::printf("\n");
+        std::fflush(stdout);
+    };
+    line("the film's hall", hall.hall->model);
+    SolveSettings patches;
+    patches.way = Way::kPatches;
+    for (const char *kind : {"columns", "cube"})
+        line(kind, *solveModel(generatedMesh(kind, 0), patches, gl, workers, &kNever, {}).patches->model);
+    std::printf("\nThe film's hall, as it ships: %.2f s.\n", hall.seconds);
+}
+
+// A line of the table of whole solutions. `thesis`: its seconds, or 0 if it has none. `small`: take the
+// median of three rounds and measure errors; else one round.
+void solution(const char *name, const Mesh &mesh, const SolveSettings &settings, double thesis, bool small,
+              const Gl &gl, Workers &workers) {
+    std::vector<double> times;
+    Solved b;
+    for (int round = 0; round < (small ? 3 : 1); ++round) {
+        b = {};
+        b = solveModel(mesh, settings, gl, workers, &kNever, {});
+        times.push_back(b.report.allSeconds);
+    }
+    std::printf("| %s | %zu | %zu | %d | %zu |", name, mesh.triangles.size(), b.solution.elements(),
+                b.report.sites, b.report.raysFromSite);
+    if (thesis > 0) std::printf(" %.0f", thesis);
+    std::printf(" | %.2f | %.2f |", median(times), median(times) * 1e6 / (double)mesh.triangles.size());
+    if (small) {
+        auto probes = placeMeshProbes(b.solution, 1000);
+        tracePaths(mesh, b.surroundings, probes, 64, workers);
+        MeshErrors e = errorsOf(probes);
+        std::printf(" %.2f | %.2f |", e.median, e.rms);
+    }
+    std::printf("\n");
+    std::fflush(stdout);
+}
+
+void solutions(bool quick, const Gl &gl, Workers &workers) {
+    std::printf("\n| model | triangles | elements | sites | rays from each | the thesis, s | odraz, s "
+                "| us a triangle | median of 1,000 places, %% | rms, %% "
+                "|\n|---|---|---|---|---|---|---|---|---|---|\n");
+    for (const Size &row : kThesis) {
+        if (quick && row.triangles > 30000) continue;
+        Mesh mesh = generatedMesh("columns", areaFor("columns", row.triangles));
+        SolveSettings s;
+        // At least as many elements as triangles
+        s.element = areaOf(mesh) / (double)row.triangles / 1.1;
+        s.memory = (size_t)8 << 30;
+        solution("columns", mesh, s, row.seconds, !quick && row.triangles < 30000, gl, workers);
+    }
+    // In these models few triangles lie in one plane
+    if (quick) return;
+    solution("cave", generatedMesh("cave", areaFor("cave", 26000)), {}, 0, false, gl, workers);
+    for (const char *kind : {"vault", "terrain"})
+        for (double size : {30e3, 300e3})
+            solution(kind, generatedMesh(kind, areaFor(kind, (int)size)), {}, 0, size < 1e5, gl, workers);
+}
+
+int run(Arguments &words) {
+    bool quick = false;
+    while (const char *word = words.next()) {
+        if (std::strcmp(word, "--quick")) words.refuse(word);
+        quick = true;
+    }
+    Gl gl = openGl();
+    Workers workers = allProcessors();
+    hemicubes(gl, workers);
+    solutions(quick, gl, workers);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return runProgram("bench_radiosity", "usage: bench_radiosity [--quick]\n", argc, argv, run);
+}

@@ -1,0 +1,158 @@
+// What transfer costs: each step of start-up, and every frame. Also how accurate the relit hall is over the
+// day.
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/machine.h"
+#include "tools/common/statistics.h"
+#include "tools/measure/oracle/transfer.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+using namespace odraz;
+
+namespace {
+
+// Notes when each step of a solution ends, from its progress reports.
+struct Clock {
+    struct Step {
+        const char *name;
+        float end;
+        double seconds;
+    };
+    std::vector<Step> steps = {
+        {"elements", 0.05f, 0},       {"hemicubes, form factors", 0.635f, 0}, {"direct light", 0.8f, 0},
+        {"finer elements", 0.92f, 0}, {"bounces of all bases", 0.965f, 0},    {"to the elements", 1, 0}};
+    size_t now = 0;
+    double last = processorSeconds();
+
+    Progress progress() {
+        return {[](float done, void *p) {
+                    Clock &c = *(Clock *)p;
+                    while (c.now < c.steps.size() && done >= c.steps[c.now].end - 1e-4f) {
+                        double t = processorSeconds();
+                        c.steps[c.now++].seconds = t - c.last;
+                        c.last = t;
+                    }
+                },
+                this};
+    }
+};
+
+// Prints the time of each step of start-up, and returns the solved hall.
+std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) {
+    std::vector<std::pair<std::string, std::vector<double>>> steps;
+    for (const Clock::Step &step : Clock().steps) steps.push_back({step.name, {}});
+    steps.push_back({"the floor's matrices", {}});
+    steps.push_back({"their clustered PCA", {}});
+    std::unique_ptr<SolvedHall> solved;
+    for (int round = 0; round < rounds; ++round) {
+        Clock clock;
+        solved =
+            std::make_unique<SolvedHall>(kHallSettings, gl, workers, kRoomBytes, nullptr, clock.progress());
+        // The first step begins when its memory is ready
+        clock.steps[0].seconds = solved->seconds;
+        for (size_t i = 1; i < clock.steps.size(); ++i) clock.steps[0].seconds -= clock.steps[i].seconds;
+        size_t at = 0;
+        for (const Clock::Step &step : clock.steps) steps[at++].second.push_back(step.seconds);
+        double before = 0;
+        for (bool pca : {false, true}) {
+            HeapArena memory((size_t)64 << 20);
+            GlossySettings settings;
+            if (!pca) settings.pca = {.clusters = 1, .dimensions = 0, .rounds = 0};
+            double began = processorSeconds();
+            solved->polish(settings, memory.arena, workers);
+            double took = processorSeconds() - began;
+            steps[at++].second.push_back(took - before);
+            before = took;
+        }
+    }
+    const Hall &hall = *solved->hall;
+    std::printf("%d texels, %d patches, %d lights, each in red, green and blue.\n\n"
+                "| start-up | processor s, the median of %d |\n|---|---|\n",
+                hall.model.texelCount, hall.model.patchCount, hall.radiosity.bases.count(), rounds);
+    double sum = 0;
+    for (const auto &[name, times] : steps) {
+        std::printf("| %s | %.3f |\n", name.c_str(), median(times));
+        sum += median(times);
+    }
+    std::printf("| all | %.3f |\n", sum);
+    return solved;
+}
+
+void everyPicture(SolvedHall &solved, Workers &workers) {
+    const Hall &hall = *solved.hall;
+    TexelPlanes planes(hall.model.texelCount);
+    HeapArena memory((size_t)64 << 20);
+    solved.polish({}, memory.arena, workers);
+    std::printf("\n| a picture, ms of one thread | light vector | all texels | the floor's gloss |\n"
+                "|---|---|---|---|\n");
+    auto show = [&](const char *name, const HallLight &light) {
+        LightVector v;
+        double vector = medianMs([&] { v = lightVector(light); }),
+               rows = medianMs([&] { relight(hall.radiosity, hall.model, v, planes.plane); }),
+               floor = medianMs([&] {
+                   relightGlossy(hall.gloss, v, {3, 1.55f, 3}, 0.06f, 1);
+               });
+        std::printf("| %s | %.3f | %.3f | %.3f |\n", name, vector, rows, floor);
+    };
+    show("noon", {kNoon, {}, {}, 1});
+    show("three lanterns, night", {kNight, {1, 1, 1}, {}, 1});
+    show("door of light, night", {kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
+}
+
+void compressedRows(const SolvedHall &solved, Workers &workers) {
+    const Hall &hall = *solved.hall;
+    TexelPlanes planes(hall.model.texelCount);
+    std::printf("\n| rows of texels | error, %% | MB | start-up, s | relight, ms |\n|---|---|---|---|---|\n");
+    for (bool suns : {false, true}) {
+        TransferRows rows = rowsOf(solved, suns);
+        std::vector<float> light((size_t)rows.columns, 1.f);
+        const char *with = suns ? ", with suns" : "";
+        std::printf("| %d x %d%s, uncompressed | 0 | %.1f | 0 | |\n", rows.rows, rows.columns, with,
+                    (double)rows.data.size() * 4e-6);
+        for (PcaSettings s :
+             {PcaSettings{.clusters = 64, .dimensions = 8}, PcaSettings{.clusters = 64, .dimensions = 16},
+              PcaSettings{.clusters = 64, .dimensions = 24},
+              PcaSettings{.clusters = 128, .dimensions = 24}}) {
+            Compressed c = compressed(rows, blocksOf(hall.model, s.clusters), s, workers);
+            double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
+            std::printf("| %d clusters x %d%s | %.2f | %.1f | %.3f | %.3f |\n", s.clusters, s.dimensions,
+                        with, c.errorPercent, (double)c.bytes() * 1e-6, c.seconds, ms);
+        }
+    }
+}
+
+void overTheDay(int hours, const Gl &gl, Workers &workers) {
+    std::printf("\n| hour | | rms of what comes by the lightmap, %% | rms of all light, %% |\n"
+                "|---|---|---|---|\n");
+    std::vector<float> all;
+    for (int i = 0; i < 2 * hours - 1; ++i) all.push_back((float)i * 0.5f + (i % 2 ? 0.125f : 0));
+    for (const DayError &e : dayErrors(all, {kBands}, gl, workers))
+        std::printf("| %.3f | %s | %.2f | %.2f |\n", (double)e.hour,
+                    std::fmod(e.hour, 0.25f) == 0 ? "a sun was solved there" : "between two suns", e.lightmap,
+                    e.whole);
+}
+
+int run(Arguments &words) {
+    bool quick = false;
+    while (const char *word = words.next()) {
+        if (std::strcmp(word, "--quick")) words.refuse(word);
+        quick = true;
+    }
+    Gl gl = openGl();
+    Workers workers = allProcessors();
+    std::unique_ptr<SolvedHall> solved = startUp(quick ? 1 : 5, gl, workers);
+    everyPicture(*solved, workers);
+    if (!quick) compressedRows(*solved, workers);
+    solved.reset();
+    overTheDay(quick ? 1 : kHours, gl, workers);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return runProgram("bench_transfer", "usage: bench_transfer [--quick]\n", argc, argv, run);
+}

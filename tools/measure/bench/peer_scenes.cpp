@@ -1,0 +1,152 @@
+#include "tools/measure/bench/peer_scenes.h"
+
+#include "tools/common/vec3d.h"
+
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+constexpr float kAmbient = 0.1f;
+
+Material plain(Rgb colour, float diffuse, float reflect, float specular, float exponent) {
+    Material m = {};
+    m.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}};
+    m.diffuse = diffuse;
+    m.specular = specular;
+    m.exponent = exponent;
+    m.reflect = reflect;
+    m.tint = {1, 1, 1};
+    return m;
+}
+
+Texture cloud(Rgb low, Rgb high, float scale) {
+    return {Pattern::Cloud, 1 / scale, {low, lerp(low, high, 1 / 3.f), lerp(low, high, 2 / 3.f), high}};
+}
+
+// A light that is as bright in the middle of the scene as one of this colour that does not fade.
+Light light(Vec3 at, Rgb colour, Vec3 middle) { return Light{at, colour * dot(at - middle, at - middle)}; }
+
+} // namespace
+
+void posePeerA(Scene &scene) {
+    struct Ball {
+        Vec3 centre;
+        float radius;
+        Rgb colour;
+        float diffuse, reflect, phong;
+        int kind; // 1 glass, 2 noise
+    } const balls[] = {
+        {{0, 1, 0}, 1, {0.9f, 0.9f, 0.95f}, 0.15f, 0.75f, 0.6f, 0},
+        {{-2.4f, 1, 0.6f}, 1, {1, 0.8f, 0.4f}, 0.25f, 0.65f, 0.6f, 0},
+        {{2.4f, 1, 0.8f}, 1, {1, 1, 1}, 0.05f, 0.12f, 0.8f, 1},
+        {{0.9f, 0.5f, -2.2f}, 0.5f, {0.9f, 0.4f, 0.2f}, 0.7f, 0, 0.5f, 2},
+        {{-1.1f, 0.45f, -2}, 0.45f, {0.9f, 0.15f, 0.1f}, 0.7f, 0, 0.6f, 0},
+        {{-3.6f, 0.6f, -1.2f}, 0.6f, {0.15f, 0.8f, 0.2f}, 0.7f, 0, 0.6f, 0},
+        {{3.7f, 0.7f, -1}, 0.7f, {0.15f, 0.3f, 0.9f}, 0.7f, 0, 0.6f, 0},
+        {{1.4f, 2.6f, 1.6f}, 0.8f, {0.8f, 0.8f, 0.9f}, 0.15f, 0.7f, 0.6f, 0},
+        {{-1.6f, 2.7f, 2.2f}, 0.7f, {0.95f, 0.85f, 0.2f}, 0.7f, 0, 0.6f, 0},
+        {{0.1f, 0.25f, -3.2f}, 0.25f, {0.95f, 0.95f, 0.9f}, 0.7f, 0, 0.6f, 2},
+    };
+    // POV-Ray does not scale ambient light by the diffuse weight; we do, so emission adds the rest
+    float ambient = kAmbient / 0.7f;
+    Material floor = plain({0.25f, 0.22f, 0.2f}, 0.7f, 0, 0, 1);
+    floor.other = cloud({0.55f, 0.5f, 0.45f}, {1, 0.95f, 0.9f}, 0.35f);
+    floor.cell = 1;
+    scene.add(plane({0, 0, 0}, scene.add(floor)));
+    for (const Ball &b : balls) {
+        Material m = plain(b.colour, b.diffuse, b.reflect, b.phong, 64);
+        m.emit = b.colour * max(kAmbient - b.diffuse * ambient, 0.f);
+        if (b.kind == 1) {
+            m.ior = 1.5f;
+            m.transmit = 0.85f;
+            m.emit = {};
+        }
+        if (b.kind == 2) m.texture = cloud(b.colour * 0.3f, b.colour, 0.15f);
+        scene.add(sphere({b.centre.x, b.centre.y, -b.centre.z}, b.radius, scene.add(m)));
+    }
+    Vec3 middle = {0, 0.7f, 0};
+    scene.add(light({-6, 8, 7}, {0.8f, 0.75f, 0.7f}, middle));
+    scene.add(light({7, 6, 4}, {0.5f, 0.55f, 0.6f}, middle));
+    scene.ambientLow = scene.ambientHigh = {ambient, ambient, ambient};
+    scene.sky = plainSky({0.2f, 0.35f, 0.6f}, {0.2f, 0.35f, 0.6f});
+}
+
+namespace {
+
+struct Turn {
+    double m[3][3];
+};
+
+Vec3d times(Vec3d p, const Turn &t) {
+    Vec3d q = {};
+    for (size_t j = 0; j < 3; ++j)
+        for (size_t i = 0; i < 3; ++i) q[j] += p[i] * t.m[i][j];
+    return q;
+}
+
+// Rotates about a unit axis; for row vectors.
+Turn rotation(Vec3d axis, double angle) {
+    double c = std::cos(angle), s = std::sin(angle), t = 1 - c;
+    auto [x, y, z] = axis;
+    return {{{x * x + c * (1 - x * x), x * y * t + z * s, x * z * t - y * s},
+             {x * y * t - z * s, y * y + c * (1 - y * y), y * z * t + x * s},
+             {x * z * t + y * s, y * z * t - x * s, z * z + c * (1 - z * z)}}};
+}
+
+struct Flake {
+    Scene &scene;
+    Vec3d children[9];
+    int material;
+
+    void grow(int level, Vec3d centre, Vec3d direction, double radius) {
+        // In the database z is up
+        scene.add(sphere({(float)centre.x, (float)centre.z, (float)-centre.y}, (float)radius, material));
+        if (level == 0) return;
+        auto [x, y, z] = direction;
+        double across = std::hypot(x, y);
+        Turn turn = {{{1, 0, 0}, {0, z < 0 ? -1. : 1., 0}, {0, 0, z < 0 ? -1. : 1.}}};
+        if (std::fabs(z) < 1 - 1e-12) turn = rotation({-y / across, x / across, 0}, std::acos(z));
+        for (Vec3d child : children) {
+            Vec3d to = times(child, turn);
+            grow(level - 1, centre + to * radius * 4 / 3, to, radius / 3);
+        }
+    }
+};
+
+} // namespace
+
+void posePeerB(Scene &scene, int level) {
+    Material ground = plain({1, 0.75f, 0.33f}, 0.8f, 0, 0, 1);
+    scene.add(plane({0, -0.5f, 0}, scene.add(ground)));
+    Flake flake = {scene, {}, scene.add(plain({1, 0.9f, 0.7f}, 0.5f, 0.5f, 0.3f, 16))};
+    double d = std::sqrt(0.5);
+    Turn tilt = rotation({d, -d, 0}, std::asin(2 / std::sqrt(6.)));
+    const Vec3d triad[3] = {{d, d, 0}, {d, 0, -d}, {0, d, -d}};
+    for (int n = 0; n < 3; ++n)
+        for (int i = 0; i < 3; ++i)
+            flake.children[3 * n + i] = times(times(triad[i], tilt), rotation({0, 0, 1}, n * 2 * M_PI / 3));
+    flake.grow(level, {}, {0, 0, 1}, 0.5);
+    for (Vec3 at : {Vec3{4, 2, -3}, Vec3{1, 4, 4}, Vec3{-3, 5, -1}})
+        scene.add(light(at, {0.57735f, 0.57735f, 0.57735f}, {}));
+    scene.sky = plainSky({0.078f, 0.361f, 0.753f}, {0.078f, 0.361f, 0.753f});
+}
+
+void poseField(Scene &scene) {
+    Material m = plain({0.8f, 0.8f, 0.8f}, 0.7f, 0, 0.3f, 40);
+    int matte = scene.add(m);
+    m.reflect = 0.4f;
+    int shiny = scene.add(m);
+    float pixel = 20 * std::tan(20 * 3.14159265f / 180) / 720; // at the field's distance
+    for (int i = 0; i < 800; ++i) {
+        float x = (float)(i % 40) * 0.31f - 6.1f + 0.0031f * (float)(i % 17),
+              y = (float)(i / 40) * 0.345f - 3.3f - 0.0043f * (float)(i % 29);
+        scene.add(sphere({x, y, 0}, pixel * (1 + 3 * (float)(i % 37) / 36), i % 3 ? matte : shiny));
+    }
+    scene.add(light({-6, 8, 7}, {0.8f, 0.75f, 0.7f}, {}));
+    scene.ambientLow = scene.ambientHigh = {0.1f, 0.1f, 0.1f};
+    scene.sky = plainSky({0.02f, 0.03f, 0.05f}, {0.02f, 0.03f, 0.05f});
+}
+
+} // namespace odraz

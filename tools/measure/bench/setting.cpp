@@ -1,0 +1,99 @@
+#include "tools/measure/bench/setting.h"
+
+#include "tools/common/arguments.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <vector>
+
+namespace odraz {
+
+namespace {
+
+// A number, or a quotient of two
+float number(const std::string &knob, const std::string &text) {
+    char *end = nullptr;
+    float value = std::strtof(text.c_str(), &end);
+    if (*end == '/') value /= std::strtof(end + 1, &end);
+    if (text.empty() || *end) throw Refused("'" + text + "' is no value of " + knob);
+    return value;
+}
+
+struct Knob {
+    const char *name;
+    int *whole; // one of the two is null
+    float *real;
+};
+
+std::vector<Knob> knobsOf(Quality &q) {
+    return {
+        {"grid", &q.grid, nullptr},
+        {"coarse", &q.coarse, nullptr},
+        {"fine", &q.fine, nullptr},
+        {"textureSamples", &q.textureSamples, nullptr},
+        {"depth", &q.depth, nullptr},
+        {"threshold", nullptr, &q.threshold},
+        {"markThreshold", nullptr, &q.markThreshold},
+        {"edge", nullptr, &q.edge},
+        {"markWeight", nullptr, &q.markWeight},
+        {"cutoff", nullptr, &q.cutoff},
+    };
+}
+
+void turn(Quality &q, const std::string &knob, float value) {
+    std::string known;
+    for (const Knob &k : knobsOf(q)) {
+        if (knob == k.name) {
+            if (k.whole)
+                *k.whole = (int)value;
+            else
+                *k.real = value;
+            return;
+        }
+        known += std::string(" ") + k.name;
+    }
+    throw Refused("there is no knob '" + knob + "'; there are:" + known);
+}
+
+} // namespace
+
+Quality settingOf(const std::string &words) {
+    size_t comma = words.find_first_of(", ");
+    std::string name = words.substr(0, comma), known;
+    const Quality *named = nullptr;
+    for (const Quality &q : kQualities) {
+        if (name == q.name) named = &q;
+        known += std::string(" ") + q.name;
+    }
+    if (!named) throw Refused("there is no quality '" + name + "'; there are:" + known);
+    Quality setting = *named;
+    while (comma != std::string::npos) {
+        size_t next = words.find_first_of(", ", comma + 1);
+        std::string turned = words.substr(comma + 1, next - comma - 1);
+        size_t is = turned.find('=');
+        if (is == std::string::npos) throw Refused("'" + turned + "' is not KNOB=VALUE");
+        std::string knob = turned.substr(0, is);
+        turn(setting, knob, number(knob, turned.substr(is + 1)));
+        comma = next;
+    }
+    return setting;
+}
+
+std::string wordsOf(const Quality &setting) {
+    std::string words = *setting.name ? setting.name : "play"; // a blend has no name
+    Quality q = setting, named = settingOf(words);
+    std::vector<Knob> turned = knobsOf(q), usual = knobsOf(named);
+    for (size_t i = 0; i < turned.size(); ++i) {
+        const Knob &k = turned[i], &u = usual[i];
+        char value[40];
+        if (k.whole)
+            std::snprintf(value, sizeof value, "%d", *k.whole);
+        else
+            std::snprintf(value, sizeof value, "%.9g", (double)*k.real); // exact
+        if (k.whole ? *k.whole != *u.whole : *k.real != *u.real)
+            words += std::string(" ") + k.name + "=" + value;
+    }
+    return words;
+}
+
+} // namespace odraz

@@ -1,0 +1,17 @@
+// Settings of the tracer in words: "play", or "draft,threshold=0.02,cutoff=1/64", which is a quality with
+// some knobs turned. Blanks may replace commas.
+#pragma once
+
+#include "trace/quality.h"
+
+#include <string>
+
+namespace odraz {
+
+// Parses a setting. Knobs are the numbers of Quality, by their names. Throws Refused (arguments.h).
+Quality settingOf(const std::string &words);
+
+// The inverse; words are separated by blanks.
+std::string wordsOf(const Quality &setting);
+
+} // namespace odraz

@@ -1,0 +1,70 @@
+// The scenes that tracers are measured on: those shared with other tracers, and those of the film.
+#pragma once
+
+#include "inside.h"
+#include "tools/common/heap_arena.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace odraz {
+
+// How a subject is seen: by the film's camera at a time, or by a camera of its own.
+struct SubjectCamera {
+    double seconds;                    // into the film, for its scenes
+    const CameraKey *camera = nullptr; // null: the film's camera
+};
+
+struct SubjectName {
+    std::string name;
+    bool hall;
+    std::function<void(Scene &)> pose; // empty: the film poses it
+    std::vector<SubjectCamera> cameras;
+};
+
+// All subjects, in the order in which they are measured.
+const std::vector<SubjectName> &subjectNames();
+
+// The subject of this name, or one that grows: "balls:N" is N balls on a floor, "lights:N" is A with N
+// lights. Throws Refused.
+SubjectName findSubject(const std::string &name);
+
+// A subject and the number of its camera, from 0 on: "A" or "A/2". Throws Refused.
+std::pair<SubjectName, size_t> findPicture(const std::string &name);
+
+// Poses the subject in the film's scene; returns its view.
+View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &settings, const Film &film);
+
+// A posed scene with all that tracing it needs. Throws std::runtime_error with a line that gives the reason.
+class Subject {
+public:
+    Subject(const SubjectName &name, int width, int height, int threads = 1);
+
+    // These return their processor time, in milliseconds of one thread. The constructor poses camera 0.
+    double pose(size_t camera);
+    double trace(const Quality &quality);
+    double develop(); // to the colours on the screen
+
+    double samplesPerPixel() const;
+    // The picture as eight-bit sRGB, clamped at 1, without the film curve: 3 bytes a pixel.
+    std::vector<uint8_t> picture() const;
+    // The same with 256 samples in every pixel, box-filtered.
+    std::vector<uint8_t> reference();
+
+    int width() const { return settings.width; }
+    int height() const { return settings.height; }
+    Scene &scene() { return *intro->film.scene; }
+    const View &view() const { return theView; }
+
+private:
+    IntroSettings settings;
+    HeapArena memory;
+    Workers workers;
+    Intro *intro = nullptr; // in the arena
+    SubjectName name;
+    View theView = {};
+};
+
+} // namespace odraz

@@ -1,0 +1,136 @@
+// trace_once: traces one subject once, for programs that count instructions
+// (tools/measure/bench/instructions).
+//
+// Under such a program solving the hall takes half an hour. So one run poses the scene and another traces it.
+// Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
+// it.
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/machine.h"
+#include "tools/common/statistics.h"
+#include "tools/measure/bench/setting.h"
+#include "tools/measure/bench/subject.h"
+#include "trace/picture/development.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace odraz;
+
+namespace {
+
+constexpr char kUsage[] =
+    "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
+    "       trace_once again FILE                        poses it once more, as every picture does\n"
+    "       trace_once trace FILE SETTING                traces what FILE keeps\n"
+    "       trace_once develop FILE                      develops what was never traced: a black picture\n"
+    "       trace_once bare FILE                         ... as without glare\n"
+    "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
+    "medians\n"
+    "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
+    "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n";
+
+struct Kept {
+    Intro *intro; // stands after this header
+    View view;
+    IntroSettings settings;
+    char scene[64];
+};
+
+size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
+
+void *map(const std::string &file, size_t bytes, bool make) {
+    void *place = (void *)0x200000000000;
+    int from = open(file.c_str(), make ? O_RDWR | O_CREAT | O_TRUNC : O_RDONLY, 0666);
+    struct stat is;
+    if (from < 0 || (make ? ftruncate(from, (off_t)bytes) : fstat(from, &is)) ||
+        mmap(place, make ? bytes : (size_t)is.st_size, PROT_READ | PROT_WRITE,
+             (make ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE, from, 0) != place)
+        throw Refused(file + " cannot be " + (make ? "written" : "read"));
+    close(from);
+    return place;
+}
+
+void pose(const std::string &file, const std::string &scene, const IntroSettings &settings) {
+    auto [name, camera] = findPicture(scene);
+    size_t bytes = bytesFor(settings);
+    Kept &kept = *(Kept *)map(file, bytes, true);
+    Arena arena = {(unsigned char *)&kept, bytes, sizeof(Kept)};
+    Workers workers = serialWorkers();
+    Gl gl = name.hall ? openGl() : Gl{};
+    kept.settings = settings;
+    std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
+    if (const char *missing = load(kept.intro, settings, arena, workers, name.hall ? &gl : nullptr))
+        throw std::runtime_error(missing);
+    kept.view = poseSubject(name, camera, settings, kept.intro->film);
+}
+
+// A process can start one set of threads only: each number of threads needs a run of its own.
+void time(const std::string &scene, const Quality &setting, int threads) {
+    auto [name, camera] = findPicture(scene);
+    Subject subject(name, 1280, 720, threads);
+    subject.pose(camera);
+    std::vector<double> clock, processors;
+    for (int round = 0; round < 16; ++round) {
+        double began = wallSeconds(), before = processorSeconds();
+        subject.trace(setting);
+        processors.push_back((processorSeconds() - before) * 1e3);
+        clock.push_back((wallSeconds() - began) * 1e3);
+    }
+    std::printf("%.1f %.1f\n", median(clock), median(processors));
+}
+
+int run(Arguments &words) {
+    auto needed = [&] {
+        const char *word = words.next();
+        if (!word) throw Refused("something to do, a file and a name are needed; see trace_once --help");
+        return std::string(word);
+    };
+    std::string what = needed();
+    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "bare" &&
+        what != "time")
+        words.refuse(what);
+    std::string file = needed();
+    if (what == "time") {
+        Quality setting = settingOf(needed());
+        time(file, setting, words.whole("time", 1, kMaxWorkers));
+        return 0;
+    }
+    if (what == "pose") {
+        std::string scene = needed();
+        IntroSettings settings = {1280, 720};
+        if (const char *width = words.next()) {
+            settings.width = std::atoi(width);
+            settings.height = std::atoi(needed().c_str());
+        }
+        if (settings.width < 16 || settings.width > kMaxWidth || settings.height < 16 ||
+            settings.height > kMaxHeight)
+            throw Refused("pictures are 16x16 to 7680x4320");
+        pose(file, scene, settings);
+        return 0;
+    }
+    Quality setting = what == "trace" ? settingOf(needed()) : kQualities[0];
+    Kept &kept = *(Kept *)map(file, 0, false);
+    Intro &intro = *kept.intro;
+    Workers workers = serialWorkers();
+    if (what == "trace")
+        traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, setting, intro.frame);
+    else if (what == "again") {
+        auto [name, camera] = findPicture(kept.scene);
+        poseSubject(name, camera, kept.settings, intro.film);
+    } else {
+        spreadGlare(intro.glare, intro.frame, workers);
+        bool bare = what == "bare";
+        develop(intro.curve, intro.frame, workers, intro.film.scene->exposure, 0,
+                bare ? nullptr : &intro.glare, bare ? kPlainLook : kFilmLook);
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) { return runProgram("trace_once", kUsage, argc, argv, run); }

@@ -1,0 +1,127 @@
+// flicker: how much the error of a quality changes from picture to picture.
+#include "show/show.h"
+#include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/detect/screening.h"
+
+#include <cmath>
+
+using namespace odraz;
+
+static constexpr char kUsage[] =
+    "usage: flicker [--scene NAME]... [--quality NAME=play]... [--windows N=3] [--pairs N=1] [--rate N=60]\n"
+    "               [--size WxH=1280x720] [--grid N=8] [--keep DIR]\n"
+    "Tells how much the error of a quality changes from one picture to the next, as a root mean square in\n"
+    "levels of 255. The error is the difference from `reference`, with grid x grid samples a pixel; both\n"
+    "pictures are as they are shown, but not rounded to levels.\n"
+    "Each scene has --windows windows of one second, evenly spaced, and each window --pairs pairs of\n"
+    "pictures, 1/rate s apart. A reference takes seconds; 60 pairs measure the whole second.\n"
+    "Writes a CSV to stdout. --keep writes pictures of the change, eight times enlarged, as PGM.\n";
+
+namespace {
+
+struct Options : ScreeningOptions {
+    std::vector<std::string> scenes;
+    int windows = 3, pairs = 1, grid = 8;
+    double rate = 60; // pictures a second
+};
+
+// When a scene begins and ends, in seconds; false if the film does not play it.
+bool spanOf(const std::string &name, double &from, double &to) {
+    from = to = -1;
+    for (int i = 0; i < kFilm.count; ++i) {
+        if (name != kScenes[kFilm.shots[i].scene].name) continue;
+        if (from < 0) from = (double)kFilm.shots[i].row / kRowsPerSecond;
+        to = (i + 1 < kFilm.count ? (double)kFilm.shots[i + 1].row : (double)kFilm.endRow) / kRowsPerSecond;
+    }
+    return from >= 0;
+}
+
+struct Meter {
+    Screening &screening;
+    const Options &options;
+    Quality reference = kQualities[(int)QualityName::Reference];
+
+    // Keeps a picture of the largest change of a channel, enlarged eight times.
+    void keep(double seconds, const Quality &q, const std::vector<float> &change) const {
+        IntroSettings s = sizeFrom(options.size);
+        std::string path = options.keep + "/" + std::to_string(seconds) + "-" + q.name + ".pgm",
+                    file = "P5\n" + std::to_string(s.width) + " " + std::to_string(s.height) + "\n255\n";
+        for (size_t i = 0; i < change.size(); i += (size_t)s.width * 3)
+            for (size_t x = i; x < i + (size_t)s.width; ++x) {
+                float most = 0;
+                for (size_t c = 0; c < 3; ++c)
+                    most = std::max(most, std::fabs(change[x + c * (size_t)s.width]));
+                file += (char)(uint8_t)std::min(8 * most, 255.f);
+            }
+        writeWhole(path, file);
+    }
+    // Adds the sum of squares of a pair of pictures, for every quality.
+    void add(double seconds, std::vector<double> &sums) const {
+        double next = seconds + 1 / options.rate;
+        std::vector<float> truth = screening.shown(next, reference),
+                           before = screening.shown(seconds, reference);
+        for (size_t i = 0; i < truth.size(); ++i) truth[i] -= before[i];
+        for (size_t k = 0; k < sums.size(); ++k) {
+            const Quality &q = qualityFrom(options.qualities[k]);
+            std::vector<float> a = screening.shown(seconds, q), b = screening.shown(next, q);
+            for (size_t i = 0; i < truth.size(); ++i) {
+                b[i] -= a[i] + truth[i];
+                sums[k] += (double)(b[i] * b[i]) / (double)truth.size();
+            }
+            if (!options.keep.empty()) keep(seconds, q, b);
+        }
+    }
+};
+
+int run(Arguments &words) {
+    Options o;
+    while (const char *word = words.next()) {
+        std::string w = word;
+        if (w == "--scene")
+            o.scenes.push_back(words.value(w));
+        else if (w == "--windows")
+            o.windows = words.whole(w, 1, 100);
+        else if (w == "--pairs")
+            o.pairs = words.whole(w, 1, 1000);
+        else if (w == "--rate")
+            o.rate = words.number(w, 1, 1000);
+        else if (w == "--grid")
+            o.grid = words.whole(w, 1, 16);
+        else if (!o.take(w, words))
+            words.refuse(w);
+    }
+    if (o.qualities.empty()) o.qualities = {"play"};
+    if (o.scenes.empty())
+        for (const SceneEntry &s : kScenes) o.scenes.push_back(s.name);
+    double first = duration(), last = 0;
+    for (const std::string &q : o.qualities) qualityFrom(q);
+    for (const std::string &s : o.scenes) {
+        double from, to;
+        if (!spanOf(s, from, to)) throw Refused("there is no scene '" + s + "'");
+        first = std::min(first, from), last = std::max(last, to);
+    }
+    Screening screening(sizeFrom(o.size), first, last);
+    Meter meter{screening, o};
+    meter.reference.grid = o.grid;
+
+    std::puts("scene,from,quality,rms");
+    for (const std::string &s : o.scenes) {
+        double from, to;
+        spanOf(s, from, to);
+        for (int i = 0; i < o.windows; ++i) {
+            double begin = from + (to - from) * (i + 0.5) / o.windows - 0.5;
+            std::vector<double> sums(o.qualities.size());
+            for (int k = 0; k < o.pairs; ++k) meter.add(begin + (k + 0.5) / o.pairs, sums);
+            for (size_t k = 0; k < sums.size(); ++k)
+                std::printf("%s,%.2f,%s,%.3f\n", s.c_str(), begin, o.qualities[k].c_str(),
+                            std::sqrt(sums[k] / o.pairs));
+            std::fflush(stdout);
+        }
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) { return runProgram("flicker", kUsage, argc, argv, run); }

@@ -1,0 +1,61 @@
+#include "tools/measure/detect/screening.h"
+
+#include "trace/picture/development.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace odraz {
+
+Screening::Screening(IntroSettings settings, double from, double to)
+    : workers(allProcessors()), hall(needsHall(from, to)),
+      memory(memoryNeeded(settings, workers.count, hall)) {
+    Gl gl = hall ? openGl() : Gl{};
+    if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
+        throw std::runtime_error(wrong);
+}
+
+std::vector<float> Screening::shown(double seconds, const Quality &quality) {
+    picture(seconds, quality);
+    const Frame &f = intro->frame;
+    float fade = momentAt(kFilm, seconds * kRowsPerSecond).fade,
+          exposure = intro->film.scene->exposure * fade * fade;
+    std::vector<float> levels;
+    levels.reserve((size_t)f.width * (size_t)f.height * 3);
+    for (int y = 0; y < f.height; ++y)
+        for (int c = 0; c < 3; ++c)
+            for (int x = 0; x < f.width; x += 8) {
+                Float8 v = encodeSrgb(filmic(load(f.plane[c] + (size_t)y * (size_t)f.stride + x) * exposure));
+                for (int k = 0; k < std::min(8, f.width - x); ++k) levels.push_back(v[k] * 255);
+            }
+    return levels;
+}
+
+bool ScreeningOptions::take(const std::string &option, Arguments &words) {
+    if (option == "--size")
+        size = words.value(option);
+    else if (option == "--quality")
+        qualities.push_back(words.value(option));
+    else if (option == "--keep")
+        keep = words.value(option);
+    else
+        return false;
+    return true;
+}
+
+IntroSettings sizeFrom(const std::string &words) {
+    IntroSettings s = {};
+    char behind;
+    if (std::sscanf(words.c_str(), "%dx%d%c", &s.width, &s.height, &behind) != 2 || s.width < 16 ||
+        s.height < 16 || s.width > 7680 || s.height > 4320)
+        throw Refused("a size is like 1280x720, not " + words);
+    return s;
+}
+
+const Quality &qualityFrom(const std::string &name) {
+    for (const Quality &q : kQualities)
+        if (name == q.name) return q;
+    throw Refused("there is no quality '" + name + "'");
+}
+
+} // namespace odraz

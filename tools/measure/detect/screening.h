@@ -1,0 +1,48 @@
+// Gives tools any picture of the film, traced on all processors.
+#pragma once
+
+#include "inside.h"
+#include "tools/common/arguments.h"
+#include "tools/common/heap_arena.h"
+#include "tools/common/machine.h"
+
+#include <vector>
+
+namespace odraz {
+
+class Screening {
+public:
+    // Prepares the film from one second to another; solves the hall if it is shown there. Throws
+    // std::runtime_error.
+    Screening(IntroSettings settings, double from, double to);
+    // The picture as a dump has it.
+    Picture picture(double seconds, const Quality &quality) {
+        return odraz::picture(*intro, 0, seconds, quality);
+    }
+    // The picture as it is shown, in levels of 255, neither dithered nor rounded. In each row all red values
+    // come first, then green, then blue.
+    std::vector<float> shown(double seconds, const Quality &quality);
+
+private:
+    Workers workers;
+    bool hall;
+    HeapArena memory;
+    Intro *intro = nullptr; // in the arena
+};
+
+// The options that all programs that look at the film share: --size, --quality, --keep.
+struct ScreeningOptions {
+    std::string size = "1280x720";
+    std::vector<std::string> qualities; // empty: play
+    std::string keep;                   // a folder that keeps pictures; empty: none is kept
+
+    // Takes the value if the option is one of these; else returns false. Throws Refused.
+    bool take(const std::string &option, Arguments &words);
+};
+
+// Parses "1280x720"; throws Refused for anything else.
+IntroSettings sizeFrom(const std::string &words);
+// The quality of this name; throws Refused if there is none.
+const Quality &qualityFrom(const std::string &name);
+
+} // namespace odraz

@@ -1,0 +1,223 @@
+#include "tools/measure/oracle/mesh_reference.h"
+
+#include "tools/common/luminance.h"
+#include "tools/common/statistics.h"
+#include "tools/measure/oracle/obstacles.h"
+#include "tools/measure/oracle/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace odraz {
+
+namespace {
+
+Vec3d colour(const std::array<float, 3> &c) { return {(double)c[0], (double)c[1], (double)c[2]}; }
+double brightness(Vec3d c) { return (double)luminance(toFloat(c)); }
+double largest(Vec3d c) { return std::max({c.x, c.y, c.z}); }
+
+std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
+    std::vector<Obstacles::Triangle> all;
+    for (const Triangle &t : mesh.triangles) {
+        auto corner = [&](size_t k) { return mesh.points[(size_t)t.corners[k]]; };
+        all.push_back({corner(0), corner(1), corner(2)});
+    }
+    return all;
+}
+
+// The index in ascending sums that a value falls into
+size_t placeIn(const std::vector<double> &until, double value) {
+    return std::min((size_t)(std::upper_bound(until.begin(), until.end(), value) - until.begin()),
+                    until.size() - 1);
+}
+
+class Paths {
+public:
+    Paths(const Mesh &mesh, const Surroundings &around)
+        : mesh(mesh), around(around), triangles(trianglesOf(mesh)), obstacles(triangles),
+          off(mesh.size() * 1e-5) {
+        double sum = 0;
+        for (size_t i = 0; i < triangles.size(); ++i) {
+            Vec3d e = emitted(i);
+            if (!(largest(e) > 0)) continue;
+            lamps.push_back(i);
+            until.push_back(sum += brightness(e) * length(normalOf(mesh, mesh.triangles[i])) / 2);
+        }
+    }
+
+    // The light that one path brings to a place; `backs` counts first rays that hit a back. The path starts
+    // in cell k of a side x side grid over the hemisphere.
+    Vec3d trace(Vec3d p, Vec3d n, int k, int side, Sampler &sampler, int &backs) const {
+        Vec3d sum = {}, weight = {1, 1, 1};
+        for (int depth = 0;; ++depth) {
+            Vec3d from = p + n * off;
+            // The first hit of each path takes a different part of the lamps
+            double pick = sampler.random();
+            if (depth == 0) pick = ((double)((int64_t)k * 7919 % (side * side)) + pick) / (side * side);
+            sum = sum + weight * direct(from, n, pick, sampler);
+            Vec3d d = byCosine(n, depth == 0 ? inCell(sampler, k, side) : inCell(sampler, 0, 1));
+            Obstacles::Hit hit = obstacles.nearest(from, d);
+            if (!hit.met())
+                return around.sky.width ? sum + weight * toDouble(around.sky.radiance(toFloat(d))) : sum;
+            if (hit.back) {
+                backs += depth == 0;
+                return sum;
+            }
+            const Triangle &met = mesh.triangles[(size_t)hit.number];
+            weight = weight * colour(mesh.materials[(size_t)met.material].reflects);
+            double go = std::min(1., largest(weight) * 2); // Russian roulette
+            if (!(sampler.random() < go)) return sum;
+            weight = weight / go;
+            p = from + d * hit.t;
+            n = normalize(normalOf(mesh, met));
+        }
+    }
+
+private:
+    const Mesh &mesh;
+    const Surroundings &around;
+    std::vector<Obstacles::Triangle> triangles;
+    Obstacles obstacles;
+    double off; // distance of rays' origins from their surface
+    std::vector<size_t> lamps;
+    std::vector<double> until; // running sums of the lamps' light
+
+    Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
+    // The light of all suns, and of a lamp chosen by `pick`, 0 .. 1, in proportion to its light, which stands
+    // for all lamps
+    Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
+        Vec3d sum = {};
+        for (const Sun &sun : around.suns) {
+            Vec3d towards = normalize(toDouble(sun.towards));
+            if (double c = dot(towards, n); c > 0 && !obstacles.blocked(p, towards, INFINITY))
+                sum = sum + toDouble(sun.light) * c;
+        }
+        if (lamps.empty()) return sum;
+        size_t i = lamps[placeIn(until, pick * until.back())];
+        Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
+        double far = length(to), here = dot(to, n) / far,
+               there = -dot(to, normalize(normalOf(mesh, mesh.triangles[i]))) / far;
+        if (!(here > 0 && there > 0) || obstacles.blocked(p, to / far, far * 0.9999)) return sum;
+        Vec3d e = emitted(i);
+        return sum + e * (until.back() / brightness(e) * here * there / (std::numbers::pi * far * far));
+    }
+};
+
+// A triangle of a solution's element
+struct Part {
+    SolutionPoint corner[3];
+    float area;
+    int chart, cell;
+};
+// A place and its radiosity
+struct Found {
+    Vec3 p;
+    Rgb radiosity;
+};
+
+// The triangles of all charts that reflect; those of an element are adjacent. `until`: running sums of the
+// area
+std::vector<Part> partsOf(const Solution &solution, std::vector<double> &until) {
+    std::vector<Part> parts;
+    double area = 0;
+    solution.forPieces([&](int chart, int cell, const std::vector<SolutionPoint> &piece) {
+        if (maxComponent(solution.reflects[(size_t)chart]) <= 0) return;
+        for (size_t i = 2; i < piece.size(); ++i) {
+            Vec3 u = piece[i - 1].p - piece[0].p, v = piece[i].p - piece[0].p;
+            Part part = {{piece[0], piece[i - 1], piece[i]}, length(cross(u, v)) / 2, chart, cell};
+            parts.push_back(part), until.push_back(area += (double)part.area);
+        }
+    });
+    return parts;
+}
+
+Found randomPlace(const Part &part, Sampler &sampler) {
+    const SolutionPoint *c = part.corner;
+    auto a = (float)sampler.random(), b = (float)sampler.random();
+    if (a + b > 1) a = 1 - a, b = 1 - b;
+    return {c[0].p + (c[1].p - c[0].p) * a + (c[2].p - c[0].p) * b,
+            c[0].radiosity + (c[1].radiosity - c[0].radiosity) * a + (c[2].radiosity - c[0].radiosity) * b};
+}
+
+// The middle of the element that has part k, with its mean light
+Found middleOf(const std::vector<Part> &parts, size_t k) {
+    size_t first = k, end = k + 1;
+    while (first > 0 && parts[first - 1].cell == parts[k].cell) --first;
+    while (end < parts.size() && parts[end].cell == parts[k].cell) ++end;
+    Found sum = {};
+    float area = 0;
+    for (size_t j = first; j < end; ++j)
+        for (const SolutionPoint &corner : parts[j].corner) {
+            sum.p += corner.p * parts[j].area, sum.radiosity += corner.radiosity * parts[j].area;
+            area += parts[j].area;
+        }
+    return {sum.p * (1 / area), sum.radiosity * (1 / area)};
+}
+
+} // namespace
+
+std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool middles) {
+    std::vector<double> until;
+    std::vector<Part> parts = partsOf(solution, until);
+    std::vector<MeshProbe> probes;
+    Sampler sampler(1);
+    for (int i = 0; i < count && !parts.empty(); ++i) {
+        size_t k = placeIn(until, (i + sampler.random()) / count * until.back());
+        Found found = middles ? middleOf(parts, k) : randomPlace(parts[k], sampler);
+        auto chart = (size_t)parts[k].chart;
+        // What arrives: what leaves, minus what the place emits, divided by its reflectance
+        Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflects[chart];
+        auto share = [](float x, float y) { return y > 0 ? x / y : 0; };
+        Rgb arrives = {share(leaves.x, r.x), share(leaves.y, r.y), share(leaves.z, r.z)};
+        probes.push_back({(int)chart, found.p, solution.charts[chart].n, arrives, {}, 0});
+    }
+    return probes;
+}
+
+void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes) {
+    for (MeshProbe &p : probes) p.solved = solution.lightAt(p.chart, p.p);
+}
+
+void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
+                Workers &workers) {
+    int paths = side * side;
+    Paths tracer(mesh, around);
+    std::vector<uint8_t> inside(probes.size());
+    parallelFor(workers, (int)probes.size(), [&](int i, int) {
+        MeshProbe &probe = probes[(size_t)i];
+        Sampler sampler((uint64_t)i);
+        Vec3d place = toDouble(probe.p), normal = toDouble(probe.n);
+        int backs = 0;
+        // Two independent sets of paths: their difference tells the noise
+        Vec3d means[2] = {};
+        for (Vec3d &mean : means) {
+            for (int k = 0; k < paths; ++k)
+                mean = mean + tracer.trace(place, normal, k, side, sampler, backs) / paths;
+        }
+        probe.traced = toFloat((means[0] + means[1]) * 0.5);
+        double apart = brightness(means[0]) - brightness(means[1]);
+        probe.noise2 = apart * apart / 4;
+        inside[(size_t)i] = backs > paths / 2;
+    });
+    size_t kept = 0;
+    for (size_t i = 0; i < probes.size(); ++i)
+        if (!inside[i]) probes[kept++] = probes[i];
+    probes.resize(kept);
+}
+
+MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
+    std::vector<float> relative;
+    double error = 0, all = 0, solved = 0, traced = 0, noise = 0;
+    for (const MeshProbe &p : probes) {
+        double a = (double)luminance(p.solved), b = (double)luminance(p.traced);
+        relative.push_back((float)(std::fabs(a - b) / std::max(b, 1e-12)));
+        error += (a - b) * (a - b), all += b * b, noise += p.noise2;
+        solved += a, traced += b;
+    }
+    return {100 * (double)quantile(relative, 0.5), 100 * (double)quantile(relative, 0.95),
+            100 * std::sqrt(std::max(0., error - noise) / all), 100 * (solved / traced - 1),
+            100 * std::sqrt(noise / all)};
+}
+
+} // namespace odraz

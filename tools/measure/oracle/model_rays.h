@@ -1,0 +1,38 @@
+// Rays from places of a model, and form factors by rays. Directions are random by the cosine law, in double
+// precision; nothing that ships works this way.
+#pragma once
+
+#include "radiosity/model.h"
+#include "tools/measure/oracle/obstacles.h"
+#include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/patches/row_finder.h"
+
+#include <functional>
+
+namespace odraz {
+
+// A model's facets as obstacles for rays. Windows are open.
+struct ModelRays {
+    explicit ModelRays(const Model &model);
+
+    // Casts side x side rays from a place of a chart by the cosine law, one in each cell of a grid. Calls met
+    // for each ray that hits a front or nothing (chart -1); returns how many hit a back. Another seed gives
+    // other rays.
+    int castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
+                const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const;
+    // The form factor of a facet from a place of a chart, with occlusion, by side x side rays to random
+    // points of the facet.
+    double facetFormFactor(int facet, const Chart &from, Vec3 p, int side, uint32_t seed) const;
+
+    const Model &model;
+    std::vector<int> chartOf; // of each triangle
+    Obstacles obstacles;      // the triangles
+};
+
+// Where rays from a place of a chart start: safely in front of it.
+Vec3d before(const Chart &chart, Vec3 p);
+
+// A RowFinder that casts side x side rays from each patch.
+RowFinder rowsByRays(int side);
+
+} // namespace odraz

@@ -1,0 +1,255 @@
+#include "tools/measure/oracle/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+// Distances that differ by less count as equal: the two sides of a sheet
+constexpr double kSame = 1e-10;
+
+struct Box {
+    Vec3d lo = {INFINITY, INFINITY, INFINITY}, hi = lo * -1;
+
+    void add(Vec3d p) {
+        lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
+        hi = {std::max(hi.x, p.x), std::max(hi.y, p.y), std::max(hi.z, p.z)};
+    }
+    void add(const Box &b) { add(b.lo), add(b.hi); }
+    double area() const {
+        Vec3d d = hi - lo;
+        return d.x * d.y + d.y * d.z + d.z * d.x;
+    }
+};
+
+} // namespace
+
+struct Obstacles::Builder {
+    struct Item {
+        Box box;
+        Vec3d middle;
+        int number;
+    };
+    struct Range {
+        size_t begin, end;
+        double cost; // of testing all of its triangles; 0: it is a leaf
+    };
+    const std::vector<Triangle> &triangles;
+    Obstacles &tree;
+    std::vector<Item> items = {};
+
+    void build() {
+        for (size_t i = 0; i < triangles.size(); ++i) {
+            Box box;
+            for (Vec3d p : triangles[i]) box.add(p);
+            items.push_back({box, (box.lo + box.hi) * 0.5, (int)i});
+        }
+        tree.nodes.emplace_back();
+        fill(0, 0, items.size());
+    }
+    Box boxOf(size_t begin, size_t end) const {
+        Box box;
+        for (size_t i = begin; i < end; ++i) box.add(items[i].box);
+        return box;
+    }
+    Range range(size_t begin, size_t end) const {
+        size_t count = end - begin;
+        return {begin, end, count > 4 ? boxOf(begin, end).area() * (double)count : 0};
+    }
+    // Makes a node of a range of triangles: divides the costliest part until there are four
+    void fill(size_t node, size_t begin, size_t end) {
+        std::vector<Range> parts = {range(begin, end)};
+        while (parts.size() < 4) {
+            auto most = std::max_element(parts.begin(), parts.end(),
+                                         [](const Range &a, const Range &b) { return a.cost < b.cost; });
+            if (most->end - most->begin <= 4) break;
+            size_t middle = divide(most->begin, most->end), last = most->end;
+            *most = range(most->begin, middle);
+            parts.push_back(range(middle, last));
+        }
+        for (size_t k = 0; k < 4; ++k) {
+            Box box = k < parts.size() ? boxOf(parts[k].begin, parts[k].end) : Box{};
+            for (size_t axis = 0; axis < 3; ++axis) {
+                tree.nodes[node].bound[0][axis][k] = box.lo[axis];
+                tree.nodes[node].bound[1][axis][k] = box.hi[axis];
+            }
+            tree.nodes[node].child[k] = 0;
+            if (k < parts.size()) {
+                int child = childOf(parts[k]); // may move the nodes
+                tree.nodes[node].child[k] = child;
+            }
+        }
+    }
+    int childOf(const Range &part) {
+        if (part.end - part.begin > 4) {
+            size_t node = tree.nodes.size();
+            tree.nodes.emplace_back();
+            fill(node, part.begin, part.end);
+            return (int)node;
+        }
+        Leaf leaf = {};
+        for (size_t k = 0; k < 4; ++k) {
+            leaf.number[k] = part.begin + k < part.end ? items[part.begin + k].number : -1;
+            if (leaf.number[k] < 0) continue;
+            for (size_t corner = 0; corner < 3; ++corner)
+                for (size_t axis = 0; axis < 3; ++axis)
+                    leaf.corner[corner][axis][k] = triangles[(size_t)leaf.number[k]][corner][axis];
+        }
+        tree.leaves.push_back(leaf);
+        return ~(int)(tree.leaves.size() - 1);
+    }
+    // Finds where to divide a range and sorts its items accordingly: between two bins along its longest axis,
+    // where the sum of each part's area times its count is least
+    size_t divide(size_t begin, size_t end) {
+        constexpr int kBins = 16;
+        Box middles;
+        for (size_t i = begin; i < end; ++i) middles.add(items[i].middle);
+        Vec3d size = middles.hi - middles.lo;
+        size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        if (!(size[axis] > 0)) return (begin + end) / 2;
+        auto binOf = [&](const Item &item) {
+            return std::min(kBins - 1, (int)((item.middle[axis] - middles.lo[axis]) / size[axis] * kBins));
+        };
+        Box bins[kBins];
+        int counts[kBins] = {};
+        for (size_t i = begin; i < end; ++i) {
+            int bin = binOf(items[i]);
+            bins[bin].add(items[i].box);
+            ++counts[bin];
+        }
+        // The first and the last bin are never empty, so neither part is
+        double behind[kBins], least = INFINITY;
+        Box box;
+        int count = 0, best = 1;
+        for (int k = kBins - 1; k > 0; --k) {
+            box.add(bins[k]);
+            count += counts[k];
+            behind[k] = box.area() * count;
+        }
+        box = {}, count = 0;
+        for (int k = 1; k < kBins; ++k) {
+            box.add(bins[k - 1]);
+            count += counts[k - 1];
+            double cost = box.area() * count + behind[k];
+            if (cost < least) least = cost, best = k;
+        }
+        auto from = items.begin();
+        return (size_t)(std::partition(from + (long)begin, from + (long)end,
+                                       [&](const Item &item) { return binOf(item) < best; }) -
+                        from);
+    }
+};
+
+Obstacles::Obstacles(const std::vector<Triangle> &triangles, std::vector<Ball> balls)
+    : balls(std::move(balls)), triangleCount((int)triangles.size()) {
+    if (!triangles.empty()) Builder{triangles, *this}.build();
+}
+
+// Visits the leaves that a ray reaches before `end`, nearer ones first, until a visit returns true. A visit
+// may lower `end`.
+template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end, Visit visit) const {
+    if (nodes.empty()) return;
+    double inverse[3];
+    int nearSide[3];
+    for (size_t axis = 0; axis < 3; ++axis) {
+        inverse[axis] = 1 / std::copysign(std::max(std::fabs(d[axis]), 1e-200), d[axis]);
+        nearSide[axis] = inverse[axis] < 0;
+    }
+    struct Waiting {
+        double from;
+        int child;
+    };
+    Waiting stack[256];
+    int waiting = 0;
+    stack[waiting++] = {0, 0};
+    while (waiting > 0) {
+        auto [from, child] = stack[--waiting];
+        if (from > end * (1 + kSame)) continue;
+        if (child < 0) {
+            if (visit(leaves[(size_t)~child])) return;
+            continue;
+        }
+        const Node &node = nodes[(size_t)child];
+        Double4 enters = {}, leaves = {INFINITY, INFINITY, INFINITY, INFINITY};
+        for (size_t axis = 0; axis < 3; ++axis) {
+            Double4 in = (node.bound[nearSide[axis]][axis] - o[axis]) * inverse[axis],
+                    out = (node.bound[1 - nearSide[axis]][axis] - o[axis]) * inverse[axis];
+            enters = in > enters ? in : enters;
+            leaves = out < leaves ? out : leaves;
+        }
+        int first = waiting;
+        for (int k = 0; k < 4; ++k)
+            if (enters[k] <= leaves[k] * (1 + kSame) && enters[k] <= end * (1 + kSame)) {
+                int at = waiting++;
+                for (; at > first && stack[at - 1].from < enters[k]; --at) stack[at] = stack[at - 1];
+                stack[at] = {enters[k], node.child[k]};
+            }
+    }
+}
+
+// Where a ray hits four triangles.
+struct Obstacles::Met {
+    Double4 t; // infinity: no hit
+    Mask4 back;
+};
+
+Obstacles::Met Obstacles::meet(const Leaf &leaf, Vec3d o, Vec3d d, double least) {
+    constexpr double kEdge = 1e-12; // lets no ray pass between neighbours
+    struct Vectors {
+        Double4 x, y, z;
+        Double4 times(const Vectors &b) const { return x * b.x + y * b.y + z * b.z; }
+        Vectors cross(const Vectors &b) const {
+            return {y * b.z - z * b.y, z * b.x - x * b.z, x * b.y - y * b.x};
+        }
+    };
+    auto from = [&](int corner) {
+        return Vectors{leaf.corner[corner][0] - leaf.corner[0][0], leaf.corner[corner][1] - leaf.corner[0][1],
+                       leaf.corner[corner][2] - leaf.corner[0][2]};
+    };
+    constexpr Double4 kZero = {};
+    Vectors ray = {kZero + d.x, kZero + d.y, kZero + d.z}, e1 = from(1), e2 = from(2), p = ray.cross(e2),
+            s = {o.x - leaf.corner[0][0], o.y - leaf.corner[0][1], o.z - leaf.corner[0][2]}, q = s.cross(e1);
+    Double4 determinant = e1.times(p), u = s.times(p) / determinant, v = ray.times(q) / determinant,
+            t = e2.times(q) / determinant;
+    // An unused triangle has determinant 0, so all comparisons fail
+    Mask4 inside = (u >= -kEdge) & (v >= -kEdge) & (u + v <= 1 + kEdge) & (t > least);
+    return {inside ? t : kZero + INFINITY, determinant < 0};
+}
+
+Obstacles::Hit Obstacles::nearest(Vec3d o, Vec3d d, double least) const {
+    Hit hit;
+    walk(o, d, hit.t, [&](const Leaf &leaf) {
+        Met met = meet(leaf, o, d, least);
+        for (int k = 0; k < 4; ++k) {
+            double t = met.t[k];
+            bool back = met.back[k] != 0;
+            if (t < hit.t * (1 - kSame) || (t < hit.t * (1 + kSame) && hit.back && !back))
+                hit = {t, leaf.number[k], back};
+        }
+        return false;
+    });
+    for (size_t i = 0; i < balls.size(); ++i) {
+        Vec3d to = balls[i].centre - o;
+        double along = dot(to, d);
+        Vec3d aside = to - d * along;
+        double square = balls[i].radius * balls[i].radius - dot(aside, aside);
+        if (square < 0) continue;
+        double root = std::sqrt(square), t = along - root > least ? along - root : along + root;
+        if (t > least && t < hit.t) hit = {t, triangleCount + (int)i, false};
+    }
+    return hit;
+}
+
+bool Obstacles::blocked(Vec3d o, Vec3d d, double end) const {
+    bool is = false;
+    walk(o, d, end, [&](const Leaf &leaf) {
+        Met met = meet(leaf, o, d, 0);
+        for (int k = 0; k < 4; ++k) is |= met.t[k] < end;
+        return is;
+    });
+    return is || (!balls.empty() && nearest(o, d).t < end);
+}
+
+} // namespace odraz

@@ -1,0 +1,60 @@
+// Obstacles for the oracles' rays: triangles and balls, in double precision.
+//
+// It shares no code with the trees of the tracer (intro/trace) and of tools/radiosity, because an oracle must
+// not have the faults that it looks for. Triangles lie in a tree of boxes with four children, divided by the
+// surface area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997). Balls
+// are few: each ray tests them all.
+#pragma once
+
+#include "tools/common/vec3d.h"
+
+#include <array>
+#include <vector>
+
+namespace odraz {
+
+class Obstacles {
+public:
+    using Triangle = std::array<Vec3d, 3>;
+    struct Ball {
+        Vec3d centre;
+        double radius;
+    };
+    struct Hit {
+        double t = INFINITY; // in lengths of the direction; infinity: no hit
+        int number = -1;     // triangles in their order, then balls; -1: no hit
+        bool back = false;   // the triangle runs clockwise, as seen from the origin
+
+        bool met() const { return number >= 0; }
+    };
+    explicit Obstacles(const std::vector<Triangle> &triangles = {}, std::vector<Ball> balls = {});
+
+    // The first hit that is further away than `least`. Where the front and the back of a sheet lie in one
+    // plane, it is the front.
+    Hit nearest(Vec3d origin, Vec3d direction, double least = 0) const;
+    // Whether anything lies before `end`, whichever side it shows.
+    bool blocked(Vec3d origin, Vec3d direction, double end) const;
+
+private:
+    typedef double Double4 __attribute__((vector_size(32)));
+    typedef int64_t Mask4 __attribute__((vector_size(32)));
+    struct Node {
+        Double4 bound[2][3]; // low and high ends of the four children on each axis; reversed for empty ones
+        int child[4];        // a node, or ~leaf
+    };
+    struct Leaf {
+        Double4 corner[3][3]; // [corner][axis], four triangles side by side
+        int number[4];        // -1: none
+    };
+    struct Builder;
+    struct Met;
+    std::vector<Node> nodes;
+    std::vector<Leaf> leaves;
+    std::vector<Ball> balls;
+    int triangleCount;
+
+    static Met meet(const Leaf &leaf, Vec3d origin, Vec3d direction, double least);
+    template <class Visit> void walk(Vec3d origin, Vec3d direction, const double &end, Visit visit) const;
+};
+
+} // namespace odraz

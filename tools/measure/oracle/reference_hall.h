@@ -1,0 +1,45 @@
+// The film's hall, and references for three of its lights, gathered by rays alone.
+#pragma once
+
+#include "show/hall.h"
+#include "tools/common/heap_arena.h"
+#include "tools/measure/oracle/reference.h"
+
+namespace odraz {
+
+// Planes of the texels' red, green and blue, for relight().
+struct TexelPlanes {
+    explicit TexelPlanes(int texels) {
+        for (size_t c = 0; c < 3; ++c) {
+            values[c].resize((size_t)texels + 8);
+            plane[c] = values[c].data();
+        }
+    }
+    TexelPlanes(const TexelPlanes &) = delete; // the pointers are its own
+    std::vector<float> values[3];
+    float *plane[3];
+};
+
+// The hall, solved with some settings. Throws std::runtime_error.
+struct SolvedHall {
+    // `change` may change the light bases before the hall is solved
+    SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t memory = kRoomBytes,
+               const std::function<void(LightBases &)> &change = {}, const Progress &progress = {});
+
+    // Computes the floor's gloss. Throws std::runtime_error if the arena is full.
+    void polish(const GlossySettings &settings, Arena &arena, Workers &workers);
+
+    HeapArena memory;
+    std::unique_ptr<Scene> scene;
+    std::unique_ptr<Hall> hall;
+    double seconds; // of processor time
+};
+
+// Probes from a fine solution for three lights: noon (the sky and the sun's bounces), a lantern (its bounces)
+// and a strip (all its light).
+std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, int side, Workers &workers);
+
+// The root mean square over all three lights, each relative to its own light; percent.
+double rmsPercent(const SolvedHall &solved, const std::array<std::vector<Probe>, 3> &probes);
+
+} // namespace odraz

@@ -1,0 +1,53 @@
+// Measures the hall's transfer in two ways: its rows as a matrix that is compressed by several methods, and
+// its light against radiosity solutions made for exactly that light.
+#pragma once
+
+#include "tools/measure/oracle/reference_hall.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+// A row for each texel. The columns are red, green and blue of each light basis; those of the sky and the
+// strips include direct light. Skies, suns and lamps are scaled to have equal weight.
+struct TransferRows {
+    int rows, columns;
+    std::vector<float> data;
+};
+TransferRows rowsOf(const SolvedHall &hall, bool suns);
+// Divides the texels into `clusters` blocks of equal size, by position and direction.
+std::vector<int> blocksOf(const Model &model, int clusters);
+
+struct Compressed {
+    std::unique_ptr<HeapArena> memory;
+    ClusteredPca pca;
+    double seconds;      // of processor time
+    double errorPercent; // of the whole matrix, Frobenius norm
+    size_t bytes() const {
+        return ((size_t)pca.clusters * (size_t)(1 + pca.dimensions) * (size_t)pca.columns +
+                (size_t)pca.rows * (size_t)pca.dimensions) *
+               sizeof(float);
+    }
+};
+Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
+                      Workers &workers);
+
+// Light from compressed rows. `light` has the weight of each column; each plane has one value for each row.
+void relightRows(const ClusteredPca &pca, const float *light, float *const plane[3]);
+
+// The relit hall's errors over the day. Each reference is solved for the exact sky and sun of its hour, from
+// the same form factors.
+struct DayError {
+    float hour;
+    int bands;              // how many bands of the sky are used
+    double lightmap, whole; // rms, percent: of the light in the lightmap; of all light, the sun's included
+};
+std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
+                                Workers &workers);
+
+// Settings that leave the floor's gloss uncompressed: one cluster for each of its squares.
+PcaSettings uncompressedFloor(const Hall &hall);
+
+} // namespace odraz

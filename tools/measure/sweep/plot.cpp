@@ -1,0 +1,221 @@
+#include "tools/measure/sweep/plot.h"
+
+#include "tools/measure/sweep/labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+constexpr double kLeft = 80, kTop = 40, kBottom = 60, kKey = 170; // the key is right of the plot
+constexpr double kFont = 10, kDigit = kFont * 0.58; // of names: their size, and the width of a letter
+constexpr double kMark = 4, kShippedMark = 6;
+constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
+                                    "#555555", "#c2871c", "#1c8c7a", "#a03a5c", "#3a50a0"};
+// Marks in a square from -1 to 1: circle, square, triangle, cross, diamond, plus, inverted triangle,
+// hourglass, bow tie, star. Closed marks are filled.
+constexpr const char *kMarks[] = {
+    "M-1 0A1 1 0 1 1 1 0A1 1 0 1 1-1 0Z",
+    "M-.9-.9H.9V.9H-.9Z",
+    "M0-1L1 .8H-1Z",
+    "M-1-1L1 1M-1 1L1-1",
+    "M0-1L1 0L0 1L-1 0Z",
+    "M0-1V1M-1 0H1",
+    "M-1-.8H1L0 1Z",
+    "M-1-1H1L-1 1H1Z",
+    "M-1-1L1 1V-1L-1 1Z",
+    "M0-1V1M-1 0H1M-.7-.7L.7 .7M-.7 .7L.7-.7",
+};
+constexpr int kMarkCount = sizeof kMarks / sizeof *kMarks, kColourCount = sizeof kColours / sizeof *kColours;
+
+std::string format(const char *pattern, auto... values) {
+    char text[600];
+    std::snprintf(text, sizeof text, pattern, values...);
+    return text;
+}
+
+std::string escaped(const std::string &text) {
+    std::string out;
+    for (char c : text)
+        out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
+    return out;
+}
+
+// One axis: maps values to positions, and finds round values to write on it.
+struct Axis {
+    bool logarithmic;
+    double low, high, from, to;
+
+    Axis(bool isLogarithmic, double least, double most, double begin, double end)
+        : logarithmic(isLogarithmic), low(scale(least)), high(scale(most)), from(begin), to(end) {
+        double margin = high > low ? (high - low) * 0.06 : 0.5;
+        low -= margin;
+        high += margin;
+    }
+    double scale(double v) const { return logarithmic ? std::log10(v) : v; }
+    double place(double v) const { return from + (scale(v) - low) / (high - low) * (to - from); }
+    std::vector<double> ticks() const {
+        std::vector<double> all;
+        if (logarithmic)
+            for (double decade = std::floor(low); decade <= high; ++decade)
+                for (double m : {1.0, 2.0, 5.0}) all.push_back(m * std::pow(10, decade));
+        else {
+            double step = std::pow(10, std::floor(std::log10((high - low) / 4)));
+            while ((high - low) / step > 8) step *= (high - low) / step > 16 ? 5 : 2;
+            for (double v = std::ceil(low / step) * step; v <= high; v += step) all.push_back(v);
+        }
+        std::erase_if(all, [&](double v) { return scale(v) < low || scale(v) > high; });
+        return all;
+    }
+};
+
+// A drawing of a given size; empty if names have no room in it.
+class Drawing {
+public:
+    Drawing(const Plot &of, double wide, double high)
+        : plot(of), width(wide), height(high), x(of.logarithmicX, least(0), most(0), kLeft, wide - kKey),
+          y(of.logarithmicY, least(1), most(1), high - kBottom, kTop) {}
+    std::string svg();
+
+private:
+    double value(const PlotPoint &p, int axis) const { return axis ? p.y : p.x; }
+    double least(int axis) const;
+    double most(int axis) const;
+    void text(double px, double py, const char *anchor, const std::string &what,
+              const std::string &more = "");
+    void mark(double px, double py, int series, double size, const char *kind);
+    void axes();
+    std::vector<PlotPoint> front(int series) const;
+    std::vector<Line> fronts();
+    bool names(const std::vector<Line> &avoid);
+
+    const Plot &plot;
+    double width, height;
+    Axis x, y;
+    std::string out;
+};
+
+double Drawing::least(int axis) const {
+    double v = 1e300;
+    for (const PlotPoint &p : plot.points) v = std::min(v, value(p, axis));
+    return v;
+}
+double Drawing::most(int axis) const {
+    double v = -1e300;
+    for (const PlotPoint &p : plot.points) v = std::max(v, value(p, axis));
+    return v;
+}
+
+void Drawing::text(double px, double py, const char *anchor, const std::string &what,
+                   const std::string &more) {
+    out += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", px, py, anchor, more.c_str()) +
+           escaped(what) + "</text>\n";
+}
+
+void Drawing::mark(double px, double py, int series, double size, const char *kind) {
+    const char *colour = kColours[series % kColourCount];
+    int which = series % kMarkCount;
+    bool filled = std::string(kMarks[which]).back() == 'Z';
+    out += format(
+        "<path class=\"%s\" transform=\"translate(%.1f %.1f) scale(%g)\" d=\"%s\" fill=\"%s\" stroke=\"%s\" "
+        "stroke-width=\"%.2f\"/>\n",
+        kind, px, py, size, kMarks[which], filled ? colour : "none", colour, 1.6 / size);
+}
+
+void Drawing::axes() {
+    text((kLeft + width - kKey) / 2, 22, "middle", plot.title, " font-size=\"15\"");
+    text((kLeft + width - kKey) / 2, height - 12, "middle", plot.xName);
+    text(0, 0, "middle", plot.yName, format(" transform=\"translate(18 %.0f) rotate(-90)\"", height / 2));
+    for (double v : x.ticks()) {
+        out +=
+            format("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#e9e9e9\"/>\n", x.place(v), kTop, height - kBottom);
+        text(x.place(v), height - kBottom + 18, "middle", format("%g", v));
+    }
+    for (double v : y.ticks()) {
+        out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - kKey);
+        text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
+    }
+    for (size_t i = 0; i < plot.series.size(); ++i) {
+        double at = kTop + 12 + 18 * (double)i;
+        mark(width - kKey + 20, at - 4, (int)i, kMark, "key");
+        text(width - kKey + 32, at, "start", plot.series[i]);
+    }
+}
+
+// The points that no other point of the series beats; series -1 means all points
+std::vector<PlotPoint> Drawing::front(int series) const {
+    double signX = plot.lessIsBetterX ? 1 : -1, signY = plot.lessIsBetterY ? 1 : -1;
+    auto counts = [&](const PlotPoint &p) { return series < 0 || p.series == series; };
+    std::vector<PlotPoint> all;
+    for (const PlotPoint &p : plot.points)
+        if (counts(p) && std::none_of(plot.points.begin(), plot.points.end(), [&](const PlotPoint &q) {
+                double dx = (q.x - p.x) * signX, dy = (q.y - p.y) * signY;
+                return counts(q) && dx <= 0 && dy <= 0 && (dx < 0 || dy < 0);
+            }))
+            all.push_back(p);
+    std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.x < b.x; });
+    return all;
+}
+
+// Draws the fronts; returns their lines
+std::vector<Line> Drawing::fronts() {
+    std::vector<Line> lines;
+    for (int series = plot.frontOfEach ? 0 : -1; series < (plot.frontOfEach ? (int)plot.series.size() : 0);
+         ++series) {
+        std::string path;
+        const PlotPoint *last = nullptr;
+        std::vector<PlotPoint> points = front(series);
+        for (const PlotPoint &p : points) {
+            path += format("%s%.1f %.1f", last ? "L" : "M", x.place(p.x), y.place(p.y));
+            if (last) lines.push_back({x.place(last->x), y.place(last->y), x.place(p.x), y.place(p.y)});
+            last = &p;
+        }
+        out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
+               (series < 0 ? "#999" : kColours[series % kColourCount]) + "\" stroke-dasharray=\"4 3\"/>\n";
+    }
+    return lines;
+}
+
+// Places and draws the names; false if they have no room
+bool Drawing::names(const std::vector<Line> &avoid) {
+    std::vector<NamedPoint> points;
+    for (const PlotPoint &p : plot.points)
+        points.push_back({x.place(p.x), y.place(p.y), p.shipped ? kShippedMark : kMark,
+                          kDigit * (double)p.name.size(), p.shipped});
+    std::vector<Label> labels =
+        placeLabels(points, avoid, {kLeft, kTop, width - kKey, height - kBottom}, kFont + 1);
+    if (labels.size() != points.size()) return false;
+    for (const Label &l : labels)
+        if (l.led)
+            out += format(
+                "<path class=\"leader\" d=\"M%.1f %.1fL%.1f %.1f\" stroke=\"#888\" stroke-width=\".6\"/>\n",
+                l.leader.x0, l.leader.y0, l.leader.x1, l.leader.y1);
+    for (const PlotPoint &p : plot.points)
+        mark(x.place(p.x), y.place(p.y), p.series, p.shipped ? kShippedMark : kMark, "mark");
+    for (size_t i = 0; i < labels.size(); ++i) {
+        const Box &b = labels[i].box;
+        // The width is set to the estimate, whatever the font; a white rim covers lines below
+        text(b.x0, b.y1 - 2.5, "start", plot.points[i].name,
+             format(" class=\"name\" font-size=\"%g\" textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\" "
+                    "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"%s",
+                    kFont, b.x1 - b.x0, plot.points[i].shipped ? " font-weight=\"bold\"" : ""));
+    }
+    return true;
+}
+
+std::string Drawing::svg() {
+    out = format(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %.0f %.0f\" font-family=\"sans-serif\" "
+        "font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
+        width, height);
+    axes();
+    return names(fronts()) ? out + "</svg>\n" : "";
+}
+
+} // namespace
+
+std::string svg(const Plot &plot) {
+    for (double width = 930, height = 460;; width *= 1.15, height *= 1.15)
+        if (std::string drawn = Drawing(plot, width, height).svg(); !drawn.empty()) return drawn;
+}

@@ -1,0 +1,25 @@
+// Plots as SVG: points with their names. Each series has a mark and a colour of its own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+struct PlotPoint {
+    double x, y;
+    std::string name;
+    bool shipped; // its mark is larger, its name bold
+    int series;   // the number of its series
+};
+
+struct Plot {
+    std::string title, xName, yName;
+    std::vector<std::string> series; // their names
+    std::vector<PlotPoint> points;
+    bool logarithmicX = false, logarithmicY = false;
+    bool lessIsBetterX = true, lessIsBetterY = true; // which corner the front faces
+    bool frontOfEach = false;                        // every series has a front of its own
+};
+
+// The plot with its front: the points that no other point beats on both axes, joined. On a logarithmic axis
+// all values must be positive. No text overlaps another text or a mark; a crowded drawing is made larger.
+std::string svg(const Plot &plot);

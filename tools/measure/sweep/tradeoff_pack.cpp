@@ -1,0 +1,107 @@
+#include "tools/common/arguments.h"
+#include "tools/common/clock.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/bench/corpus.h"
+#include "tools/measure/sweep/tradeoff.h"
+
+#include "elf_writer.h"
+#include "model_parameters.h"
+#include "search.h"
+#include "stub.h"
+
+using namespace pack;
+using odraz::processorSeconds;
+
+namespace {
+
+enum Series { kContexts, kMemory, kSearch };
+
+struct PackSettings {
+    uint32_t contexts, slotBits;
+    double effort; // seconds of search
+};
+using PackSetting = odraz::Setting<PackSettings>;
+
+// The parameters that ship, with another number of contexts: the first of them, or additional ones of two
+// fields each.
+ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordinary) {
+    ModelParameters parameters = {s.contexts, s.slotBits, {}};
+    for (int type = 0; type < 2; ++type) {
+        for (uint32_t i = 0; i < s.contexts; ++i)
+            parameters.masks[type][i] =
+                i < ordinary.contexts ? ordinary.masks[type][i] : (uint16_t)(3 << i % 15);
+        for (uint32_t i = 0; i < kSets - 1; ++i)
+            parameters.masks[type][s.contexts + i] = ordinary.masks[type][ordinary.contexts + i];
+    }
+    return parameters;
+}
+
+// Settings with fewer and more contexts, each with a short search to adapt; with less memory; with more
+// search.
+std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
+    std::vector<PackSetting> all;
+    for (uint32_t n : {4u, 8u, 12u, 16u, 24u}) {
+        bool shipped = n == ships.contexts;
+        if (!quick || n != 12)
+            all.push_back({std::to_string(n) + " contexts",
+                           {n, ships.slotBits, shipped || quick ? 0. : 4.},
+                           shipped,
+                           kContexts});
+    }
+    for (uint32_t bits : {16u, 18u, 20u, 22u, 23u})
+        if (bits != ships.slotBits && (!quick || bits == 18))
+            all.push_back(
+                {"2^" + std::to_string(bits) + " slots", {ships.contexts, bits, 0}, false, kMemory});
+    if (!quick)
+        for (int effort : {0, 5, 20})
+            all.push_back({std::to_string(effort) + " s of search",
+                           {ships.contexts, ships.slotBits, (double)effort},
+                           false,
+                           kSearch});
+    return all;
+}
+
+} // namespace
+
+void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
+    Program program = programIn(film);
+    program.early = kNothingEarly;
+    ModelParameters ships = defaultParameters();
+    if (!model.empty())
+        if (std::string wrong = parseParameters(readWhole(model), ships); !wrong.empty())
+            throw Refused(model + ": " + wrong);
+
+    std::vector<PackSetting> settings = settingsOf(ships, sweep.quick);
+    std::string name = film.substr(film.rfind('/') + 1);
+    Table table("file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb",
+                {"pack: " + name,
+                 "KB decoded in a second of processor time",
+                 "payload, bytes",
+                 {"contexts", "memory", "search"},
+                 {},
+                 true,
+                 false,
+                 false,
+                 true});
+    Layout layout = program.layout();
+    Workspace workspace;
+    for (const PackSetting &s : settings) {
+        // Only a search from default contexts shows what search gains: those that ship have been searched for
+        // already
+        ModelParameters parameters = parametersOf(s.value, s.series == kSearch ? defaultParameters() : ships);
+        double began = processorSeconds();
+        if (s.value.effort > 0)
+            parameters = search(filter(program.bytes, layout), layout, parameters, s.value.effort,
+                                [](const Progress &) { return true; });
+        Encoded e = encode(program.bytes, layout, parameters, workspace);
+        double encoding = processorSeconds() - began;
+        std::vector<uint8_t> packed = writePacked(program, parameters, e.payload);
+        began = processorSeconds();
+        if (decodeWithStub(packed) != program.bytes) throw std::runtime_error(film + " came back damaged");
+        double speed = (double)program.bytes.size() / 1024 / (processorSeconds() - began);
+        table.row("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped, e.payload.size(),
+                  encoding, speed, stubMemory(parameters, layout.size) / 1048576.0);
+        table.plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});
+    }
+    table.save(sweep);
+}

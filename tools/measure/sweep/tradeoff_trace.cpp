@@ -1,0 +1,176 @@
+#include "tools/common/arguments.h"
+#include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/bench/setting.h"
+#include "tools/measure/bench/subject.h"
+#include "tools/measure/detect/flip.h"
+#include "tools/measure/sweep/tradeoff.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+using namespace odraz;
+
+namespace {
+
+using TraceSetting = Setting<Quality>;
+
+const std::vector<std::string> kSeries = {
+    "qualities", "samples in every pixel", "smallest square", "threshold", "edge", "marks"};
+
+// The named qualities, the steps between them that the governor takes, plain grids, and `play` with one knob
+// turned at a time.
+std::vector<TraceSetting> settings(bool few) {
+    std::vector<TraceSetting> all;
+    auto named = [](QualityName name) { return kQualities[(int)name]; };
+    for (const Quality &q : kQualities)
+        if (q.grid == 0) all.push_back({q.name, q, true, 0});
+    Quality play = named(QualityName::Play);
+    auto with = [&](int series, const std::string &name, auto &&change) {
+        Quality q = play;
+        change(q);
+        all.push_back({name, q, false, series});
+    };
+    for (int n : {1, 2})
+        with(1, std::to_string(n) + "x" + std::to_string(n) + " samples", [&](Quality &q) { q.grid = n; });
+    if (few) return all;
+    auto text = [](const char *knob, float v) {
+        char s[60];
+        std::snprintf(s, sizeof s, "%s %g", knob, (double)v);
+        return std::string(s);
+    };
+    for (float share : {0.25f, 0.5f, 0.75f}) {
+        all.push_back({text("to film", 1 - share), blend(named(QualityName::Film), play, share)});
+        all.push_back({text("to draft", share), blend(play, named(QualityName::Draft), share)});
+    }
+    for (int fine : {8, 4})
+        with(2, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
+    with(2, "twelve samples inside pixels", [&](Quality &q) { q.fine = 1; });
+    for (int coarse : {4, 8, 32})
+        with(2, text("largest square", (float)coarse / 4), [&](Quality &q) { q.coarse = coarse; });
+    for (float v : {0.01f, 0.02f, 0.08f}) with(3, text("threshold", v), [&](Quality &q) { q.threshold = v; });
+    for (float v : {0.f, 0.02f, 0.1f})
+        with(3, text("markThreshold", v), [&](Quality &q) { q.markThreshold = v; });
+    for (float v : {0.03f, 0.06f, 0.2f, 0.4f}) with(4, text("edge", v), [&](Quality &q) { q.edge = v; });
+    for (float v : {0.05f, 0.1f, 0.4f}) with(5, text("markWeight", v), [&](Quality &q) { q.markWeight = v; });
+    for (int v : {2, 3, 9}) with(5, text("bounces", (float)v), [&](Quality &q) { q.depth = v; });
+    for (float v : {1 / 10.f, 1 / 160.f}) with(5, text("cutoff", v), [&](Quality &q) { q.cutoff = v; });
+    return all;
+}
+
+// The settings that the sweep asks for
+std::vector<TraceSetting> askedSettings(const TraceSweep &sweep) {
+    if (sweep.settings.empty()) return settings(sweep.quick || sweep.named);
+    std::vector<TraceSetting> all;
+    for (std::string words : sweep.settings) {
+        Quality q = settingOf(words);
+        std::replace(words.begin(), words.end(), ',', ' '); // commas would separate columns of the table
+        all.push_back({words, q});
+    }
+    return all;
+}
+
+// The reference, read from a folder or traced
+std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, std::string name) {
+    if (folder.empty()) return subject.reference();
+    std::replace(name.begin(), name.end(), '/', '-');
+    std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
+    if (access(file.c_str(), R_OK) == 0) {
+        std::string bytes = readWhole(file);
+        return {bytes.begin(), bytes.end()};
+    }
+    std::vector<uint8_t> traced = subject.reference();
+    writeWhole(file, {traced.begin(), traced.end()});
+    return traced;
+}
+
+// The results of a setting on a picture
+struct Measured {
+    std::vector<double> times;
+    double samples, flip, linear, shown;
+};
+
+std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> &settings, int rounds,
+                              const std::vector<uint8_t> &reference) {
+    SeenPicture truth = see(reference, subject.width(), subject.height());
+    std::vector<Measured> all(settings.size());
+    // Take turns in every round, so that what disturbs the machine disturbs all settings
+    for (int round = 0; round < rounds; ++round)
+        for (size_t i = 0; i < settings.size(); ++i) {
+            Measured &m = all[i];
+            m.times.push_back(subject.trace(settings[i].value));
+            if (round > 0) continue;
+            std::vector<uint8_t> picture = subject.picture();
+            m.samples = subject.samplesPerPixel();
+            m.flip = meanFlip(truth, see(picture, subject.width(), subject.height()));
+            m.linear = std::min(linearPsnr(picture, reference), 99.); // equal pictures shall be drawn too
+            m.shown = std::min(psnr(picture, reference), 99.);
+        }
+    return all;
+}
+
+// The pictures that the sweep asks for: a scene, and its cameras from `first` to `end`
+struct Asked {
+    SubjectName name;
+    size_t first, end;
+};
+std::vector<Asked> askedPictures(const TraceSweep &sweep) {
+    std::vector<Asked> all;
+    auto ask = [&](const SubjectName &n) { all.push_back({n, 0, sweep.quick ? 1 : n.cameras.size()}); };
+    if (sweep.pictures.empty())
+        for (const SubjectName &n : subjectNames()) ask(n);
+    for (const std::string &picture : sweep.pictures) {
+        auto [name, camera] = findPicture(picture);
+        ask(name);
+        if (picture.find('/') != std::string::npos) all.back() = {name, camera, camera + 1};
+    }
+    return all;
+}
+
+} // namespace
+
+void odraz::tradeoffTrace(const TraceSweep &sweep) {
+    std::vector<Asked> names = askedPictures(sweep);
+    std::vector<TraceSetting> all = askedSettings(sweep);
+    // A small picture costs little and gives the same ranking
+    int width = sweep.quick ? 256 : sweep.width, height = width * 9 / 16;
+    bool one = names.size() == 1;
+    Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
+                     std::to_string(width) + "x" + std::to_string(height),
+                 "processor time of a picture, ms",
+                 "mean FLIP to 256 samples a pixel",
+                 one ? kSeries : std::vector<std::string>{},
+                 {},
+                 true,
+                 true,
+                 true,
+                 true};
+    plot.frontOfEach = !one;
+    Table table("scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,"
+                "words",
+                plot);
+    for (size_t n = 0; n < names.size(); ++n) {
+        const auto &[name, first, end] = names[n];
+        Subject subject(name, width, height);
+        if (!one) table.plot.series.push_back(name.name);
+        for (size_t camera = first; camera < end; ++camera) {
+            subject.pose(camera);
+            std::vector<uint8_t> reference =
+                referenceOf(subject, sweep.references, name.name + "/" + std::to_string(camera));
+            std::vector<Measured> found = measure(subject, all, sweep.quick ? 3 : 5, reference);
+            for (size_t i = 0; i < all.size(); ++i) {
+                const TraceSetting &s = all[i];
+                const Measured &m = found[i];
+                double ms = median(m.times);
+                table.row("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.name.c_str(), camera,
+                          s.name.c_str(), s.shipped, m.samples, ms, m.flip, m.linear, m.shown,
+                          wordsOf(s.value).c_str());
+                if (camera == first)
+                    table.plot.points.push_back(
+                        {ms, std::max(m.flip, 1e-4), s.name, s.shipped, one ? s.series : (int)n});
+            }
+        }
+    }
+    table.save(sweep);
+}

@@ -1,0 +1,61 @@
+#include "tools/radiosity/divide/facets.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+// Twice the signed area of a triangle: positive if p lies to the left of the line from a to b.
+static float side(PlanePoint a, PlanePoint b, PlanePoint p) {
+    return (b.u - a.u) * (p.v - a.v) - (b.v - a.v) * (p.u - a.u);
+}
+
+Outline outlineOf(const Facet &f) {
+    Outline outline;
+    for (int k = 0; k < (f.triangle() ? 3 : 4); ++k) outline.push_back({f.u[k], f.v[k]});
+    return outline;
+}
+
+double areaOf(const Outline &p) {
+    double twice = 0;
+    for (size_t i = 0; i < p.size(); ++i) {
+        const PlanePoint &a = p[i], &b = p[(i + 1) % p.size()];
+        twice += (double)a.u * (double)b.v - (double)b.u * (double)a.v;
+    }
+    return twice / 2;
+}
+
+Outline cut(const Outline &in, PlanePoint a, PlanePoint b) {
+    Outline out;
+    for (size_t i = 0; i < in.size(); ++i) {
+        PlanePoint p = in[i], q = in[(i + 1) % in.size()];
+        float dp = side(a, b, p), dq = side(a, b, q);
+        if (dp >= 0) out.push_back(p);
+        if ((dp >= 0) != (dq >= 0)) {
+            float t = dp / (dp - dq);
+            out.push_back({p.u + (q.u - p.u) * t, p.v + (q.v - p.v) * t});
+        }
+    }
+    return out;
+}
+
+bool onFacet(const Facet &f, PlanePoint p) {
+    for (int k = 0; k < 4; ++k) {
+        int next = (k + 1) & 3;
+        if (side({f.u[k], f.v[k]}, {f.u[next], f.v[next]}, p) < 0) return false;
+    }
+    return true;
+}
+
+int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {
+    float x = p.u / c.width * (float)c.across, y = p.v / c.height * (float)c.down;
+    int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);
+    int cell = c.firstCell + j * c.across + i;
+    for (x -= (float)i, y -= (float)j; cells[cell].divided();) {
+        x *= 2, y *= 2;
+        cell = ~cells[cell].corner[0] + (x >= 1) + 2 * (y >= 1);
+        x -= (float)(x >= 1), y -= (float)(y >= 1);
+    }
+    return cell;
+}
+
+} // namespace odraz

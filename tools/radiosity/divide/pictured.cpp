@@ -1,0 +1,180 @@
+#include "tools/radiosity/divide/pictured.h"
+
+#include "tools/radiosity/divide/facets.h"
+#include "tools/radiosity/read/reflectance_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace odraz {
+
+namespace {
+
+// A triangle on its chart, and its texture coordinates there.
+class Placed {
+public:
+    Placed(const Mesh &mesh, size_t number, const Chart &c, const MeshPicture &picture) {
+        const Triangle &t = mesh.triangles[number];
+        for (size_t k = 0; k < 3; ++k) {
+            Vec3d p = mesh.points[(size_t)t.corners[k]];
+            double from[3] = {p[0] - (double)c.corner.x, p[1] - (double)c.corner.y,
+                              p[2] - (double)c.corner.z};
+            auto along = [&](const Vec3 &axis) {
+                return (float)(from[0] * (double)axis.x + from[1] * (double)axis.y +
+                               from[2] * (double)axis.z);
+            };
+            corners.push_back({along(c.u), along(c.v)});
+            for (size_t i = 0; i < 2; ++i)
+                at[k][i] = (double)mesh.coordinates[number][k * 2 + i] * (double)picture.scale[i] +
+                           (double)picture.offset[i];
+        }
+        if (areaOf(corners) < 0) std::swap(corners[1], corners[2]), std::swap(at[1], at[2]);
+        twice = 2 * areaOf(corners);
+    }
+
+    Outline corners; // counter-clockwise
+    bool flat() const { return !(twice > 0); }
+
+    TexturePoint coordinates(PlanePoint p) const {
+        double share[3];
+        for (size_t k = 0; k < 3; ++k) {
+            PlanePoint a = corners[(k + 1) % 3], b = corners[(k + 2) % 3];
+            share[k] = (((double)a.u - (double)p.u) * ((double)b.v - (double)p.v) -
+                        ((double)b.u - (double)p.u) * ((double)a.v - (double)p.v)) /
+                       twice;
+        }
+        return {share[0] * at[0][0] + share[1] * at[1][0] + share[2] * at[2][0],
+                share[0] * at[0][1] + share[1] * at[1][1] + share[2] * at[2][1]};
+    }
+
+private:
+    std::array<TexturePoint, 3> at;
+    double twice; // twice the area
+};
+
+struct Sum {
+    double area = 0, light[3] = {};
+    void add(double much, const Rgb &c) {
+        area += much;
+        light[0] += much * (double)c.x, light[1] += much * (double)c.y, light[2] += much * (double)c.z;
+    }
+    void add(const Sum &s) {
+        area += s.area;
+        for (int k = 0; k < 3; ++k) light[k] += s.light[k];
+    }
+    Rgb mean() const {
+        return {(float)(light[0] / area), (float)(light[1] / area), (float)(light[2] / area)};
+    }
+};
+
+// Adds what a triangle shows inside a cell to the undivided cells within it.
+void addTo(std::vector<Sum> &sums, std::span<const Cell> cells, int number, float u0, float v0, float u1,
+           float v1, const Placed &t, const ReflectancePicture &texture, bool clamp) {
+    const Cell &cell = cells[(size_t)number];
+    Outline part = {{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+    for (size_t k = 0; k < 3 && part.size() > 2; ++k) part = cut(part, t.corners[k], t.corners[(k + 1) % 3]);
+    if (part.size() < 3) return;
+    if (cell.divided()) {
+        float u = (u0 + u1) / 2, v = (v0 + v1) / 2;
+        for (int k = 0; k < 4; ++k)
+            addTo(sums, cells, ~cell.corner[0] + k, k & 1 ? u : u0, k & 2 ? v : v0, k & 1 ? u1 : u,
+                  k & 2 ? v1 : v, t, texture, clamp);
+        return;
+    }
+    double area = areaOf(part);
+    if (!(area > 0)) return;
+    std::vector<TexturePoint> shown;
+    for (PlanePoint p : part) shown.push_back(t.coordinates(p));
+    sums[(size_t)number].add(area, texture.mean(shown, clamp));
+}
+
+// Adds what a triangle shows to the cells that it touches.
+void addTriangle(std::vector<Sum> &sums, std::span<const Cell> cells, const Chart &c, const Placed &t,
+                 const ReflectancePicture &texture, bool clamp) {
+    if (t.flat()) return;
+    auto [left, right] = std::minmax({t.corners[0].u, t.corners[1].u, t.corners[2].u});
+    auto [low, high] = std::minmax({t.corners[0].v, t.corners[1].v, t.corners[2].v});
+    float wide = c.width / (float)c.across, tall = c.height / (float)c.down;
+    auto first = [](float x, int count) { return std::clamp((int)x, 0, count - 1); };
+    for (int y = first(low / tall, c.down); y <= first(high / tall, c.down); ++y)
+        for (int x = first(left / wide, c.across); x <= first(right / wide, c.across); ++x)
+            addTo(sums, cells, c.firstCell + y * c.across + x, (float)x * wide, (float)y * tall,
+                  (float)(x + 1) * wide, (float)(y + 1) * tall, t, texture, clamp);
+}
+
+// What pictures show in each undivided cell; empty if no picture can be read.
+std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
+                             std::span<const Cell> cells, std::vector<std::string> &notes) {
+    // Read the pictures one by one, so that memory holds one at a time
+    std::map<std::string, std::vector<size_t>> shown;
+    for (size_t i = 0; i < mesh.triangles.size() && !mesh.coordinates.empty(); ++i) {
+        const std::string &path = mesh.materials[(size_t)mesh.triangles[i].material].picture.path;
+        if (!path.empty() && chartOf[i] >= 0) shown[path].push_back(i);
+    }
+    std::vector<Sum> sums;
+    for (const auto &[path, triangles] : shown) try {
+            ReflectancePicture texture(path);
+            sums.resize(cells.size());
+            for (size_t i : triangles) {
+                const Chart &c = charts[(size_t)chartOf[i]];
+                const MeshPicture &picture = mesh.materials[(size_t)mesh.triangles[i].material].picture;
+                addTriangle(sums, cells, c, Placed(mesh, i, c, picture), texture, picture.clamp);
+            }
+        } catch (const Refused &e) {
+            notes.push_back(std::string(e.what()) + "; the material's Kd is used");
+        }
+    return sums;
+}
+
+} // namespace
+
+void Pictured::find(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
+                    std::span<const Cell> cells, std::vector<std::string> &notes) {
+    ofCell.clear(), ofChart.clear();
+    std::vector<Sum> sums = sumPictures(mesh, chartOf, charts, cells, notes);
+    if (sums.empty()) return;
+    std::vector<Sum> all(charts.size());
+    for (size_t i = 0; i < sums.size(); ++i) all[(size_t)cells[i].chart].add(sums[i]);
+    // Add the sums of divided cells from their children
+    for (size_t i = sums.size(); i-- > 0;)
+        if (cells[i].divided())
+            for (size_t k = 0; k < 4; ++k) sums[i].add(sums[(size_t)~cells[i].corner[0] + k]);
+    std::vector<const MeshMaterial *> material(charts.size());
+    for (size_t i = 0; i < chartOf.size(); ++i)
+        if (chartOf[i] >= 0)
+            material[(size_t)chartOf[i]] = &mesh.materials[(size_t)mesh.triangles[i].material];
+    for (size_t i = 0; i < all.size(); ++i) {
+        if (!material[i]) { // the chart has no triangle
+            ofChart.push_back({});
+            continue;
+        }
+        const auto &kd = material[i]->reflects, &tint = material[i]->picture.tint;
+        ofChart.push_back(all[i].area > 0 ? all[i].mean() * Rgb{tint[0], tint[1], tint[2]}
+                                          : Rgb{kd[0], kd[1], kd[2]});
+    }
+    for (size_t i = 0; i < sums.size(); ++i) {
+        size_t chart = (size_t)cells[i].chart;
+        if (!(sums[i].area > 0)) {
+            ofCell.push_back(ofChart[chart]);
+            continue;
+        }
+        const auto &tint = material[chart]->picture.tint;
+        ofCell.push_back(sums[i].mean() * Rgb{tint[0], tint[1], tint[2]});
+    }
+}
+
+void Pictured::toPatches(Model &m) const {
+    if (ofCell.empty()) return;
+    std::vector<Sum> sums((size_t)m.patchCount);
+    for (size_t i = 0; i < ofCell.size(); ++i) {
+        const Cell &c = m.cells[i];
+        int seen = 0; // quarters
+        for (int k = 0; k < 4 && !c.divided(); ++k) seen += m.quarterVisible(c, k);
+        if (seen) sums[(size_t)c.patch].add((double)c.area * seen, ofCell[i]);
+    }
+    for (int i = 0; i < m.patchCount; ++i)
+        if (sums[(size_t)i].area > 0) m.patches[i].reflects = sums[(size_t)i].mean();
+}
+
+} // namespace odraz

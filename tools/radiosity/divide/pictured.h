@@ -1,0 +1,22 @@
+// Reflectance from pictures: each element reflects the mean of the texels inside it.
+#pragma once
+
+#include "radiosity/model.h"
+#include "tools/radiosity/read/mesh.h"
+
+#include <span>
+
+namespace odraz {
+
+struct Pictured {
+    std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
+
+    // Call it again after cells were divided. `chartOf` is the chart of each triangle of the mesh. A picture
+    // that cannot be read gives a note, and its materials reflect Kd.
+    void find(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
+              std::span<const Cell> cells, std::vector<std::string> &notes);
+    // Sets each patch's reflectance to the mean of its cells.
+    void toPatches(Model &model) const;
+};
+
+} // namespace odraz

@@ -1,0 +1,279 @@
+#include "tools/radiosity/divide/regions.h"
+
+#include "tools/radiosity/divide/rectangles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+namespace odraz {
+
+namespace {
+
+constexpr double kEven = 0.999995; // normals count as parallel above this cosine of their angle
+constexpr size_t kBothSides = 4;   // triangles that meet at an edge of a sheet that is lit from both sides
+
+struct Edge {
+    int low, high, triangle;
+    bool forward; // from low to high
+};
+
+std::vector<Edge> sortedEdges(const Mesh &mesh) {
+    std::vector<Edge> edges;
+    edges.reserve(mesh.triangles.size() * 3);
+    for (size_t i = 0; i < mesh.triangles.size(); ++i)
+        for (size_t k = 0; k < 3; ++k) {
+            int a = mesh.triangles[i].corners[k], b = mesh.triangles[i].corners[(k + 1) % 3];
+            edges.push_back({std::min(a, b), std::max(a, b), (int)i, a < b});
+        }
+    std::sort(edges.begin(), edges.end(), [](const Edge &a, const Edge &b) {
+        return a.low != b.low ? a.low < b.low : a.high != b.high ? a.high < b.high : a.triangle < b.triangle;
+    });
+    return edges;
+}
+
+// Sets of triangles that can be joined (union-find).
+struct Union {
+    std::vector<int> parent;
+    explicit Union(size_t n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
+    int root(int i) {
+        while (parent[(size_t)i] != i) i = parent[(size_t)i] = parent[(size_t)parent[(size_t)i]];
+        return i;
+    }
+};
+
+// Things sorted by the set that they belong to.
+template <class T> struct Sorted {
+    std::vector<size_t> first; // of each set, and the end of the last
+    std::vector<T> things;
+
+    // root(i): the set of the i-th of `count` things, or -1; thing(i): the thing itself.
+    template <class Root, class Thing> Sorted(size_t sets, size_t count, Root &&root, Thing &&thing) {
+        first.resize(sets + 2);
+        for (size_t i = 0; i < count; ++i) ++first[(size_t)(root(i) + 2)];
+        for (size_t i = 1; i < first.size(); ++i) first[i] += first[i - 1];
+        things.resize(first.back());
+        for (size_t i = 0; i < count; ++i) things[first[(size_t)(root(i) + 1)]++] = thing(i);
+    }
+    std::span<const T> of(size_t set) const {
+        return {things.data() + first[set], first[set + 1] - first[set]};
+    }
+};
+
+// Turns sets of triangles that lie in one plane into charts.
+struct ChartBuilder {
+    const Mesh &mesh;
+    Regions &regions;
+    double tiny, cell;
+
+    // Adds the triangles as one chart; false if they fill too little of its rectangle.
+    bool add(std::span<const int> triangles, std::span<const Edge> borders) {
+        Frame frame = frameOf(triangles, borders);
+        Box box = boxOf(triangles, frame);
+        std::vector<Rectangle> rectangles;
+        if (triangles.size() > 1) {
+            std::vector<std::array<Vec2d, 2>> flat;
+            for (const Edge &e : borders) flat.push_back({place(e.low, frame), place(e.high, frame)});
+            rectangles = rectanglesOf(flat, tiny);
+            if (rectangles.empty() && box.twiceArea < 0.6 * box.width() * box.height()) return false;
+        }
+        int material = mesh.triangles[(size_t)triangles[0]].material;
+        Chart chart = chartOf(frame, box, material);
+        addFacets(triangles, rectangles, frame, box);
+        chart.facetsCount = (int)regions.facets.size() - chart.firstFacet;
+        for (int t : triangles) regions.chartOf[(size_t)t] = (int)regions.charts.size();
+        regions.charts.push_back(chart);
+        regions.material.push_back(material);
+        return true;
+    }
+
+private:
+    struct Frame { // of the plane
+        Vec3d origin, u, v, n;
+    };
+    struct Box { // in the frame
+        Vec2d lo = {1e300, 1e300}, hi = {-1e300, -1e300};
+        double twiceArea = 0; // of the triangles
+        double width() const { return hi[0] - lo[0]; }
+        double height() const { return hi[1] - lo[1]; }
+    };
+
+    // The plane's axes; u runs along the longest border.
+    Frame frameOf(std::span<const int> triangles, std::span<const Edge> borders) const {
+        Vec3d sum = {};
+        for (int t : triangles) sum = sum + normalOf(mesh, mesh.triangles[(size_t)t]);
+        Vec3d n = normalize(sum), along = {};
+        const auto &points = mesh.points;
+        for (const Edge &e : borders) {
+            Vec3d side = points[(size_t)e.high] - points[(size_t)e.low];
+            // Of borders of about equal length take the first, so that copies of a model are divided alike
+            if (dot(side, side) > dot(along, along) * 1.0001) along = side;
+        }
+        along = along - n * dot(along, n);
+        Vec3d u = normalize(along);
+        return {points[(size_t)mesh.triangles[(size_t)triangles[0]].corners[0]], u, cross(n, u), n};
+    }
+
+    Vec2d place(int point, const Frame &frame) const {
+        Vec3d d = mesh.points[(size_t)point] - frame.origin;
+        return Vec2d{dot(d, frame.u), dot(d, frame.v)};
+    }
+
+    Box boxOf(std::span<const int> triangles, const Frame &frame) const {
+        Box box;
+        for (int t : triangles) {
+            for (int c : mesh.triangles[(size_t)t].corners) {
+                Vec2d p = place(c, frame);
+                for (size_t k = 0; k < 2; ++k)
+                    box.lo[k] = std::min(box.lo[k], p[k]), box.hi[k] = std::max(box.hi[k], p[k]);
+            }
+            box.twiceArea += length(normalOf(mesh, mesh.triangles[(size_t)t]));
+        }
+        return box;
+    }
+
+    Chart chartOf(const Frame &frame, const Box &box, int material) const {
+        auto cells = [&](double side) {
+            return (int16_t)std::clamp((float)side / (float)cell + 0.5f, 1.f, (float)kMaxAcross);
+        };
+        Chart c = {};
+        // Compute in double, so that the corners of neighbours are as close as floats allow
+        c.corner = toFloat(frame.origin + (frame.u * box.lo[0] + frame.v * box.lo[1]));
+        c.u = toFloat(frame.u), c.v = toFloat(frame.v), c.n = toFloat(frame.n);
+        c.width = (float)box.width(), c.height = (float)box.height();
+        c.across = cells(box.width()), c.down = cells(box.height());
+        c.material = (uint16_t)material;
+        c.firstFacet = (int)regions.facets.size();
+        return c;
+    }
+
+    // Adds the rectangles as facets, or the triangles if there are no rectangles.
+    void addFacets(std::span<const int> triangles, const std::vector<Rectangle> &rectangles,
+                   const Frame &frame, const Box &box) {
+        auto add = [&](std::array<Vec2d, 4> corners) {
+            Facet f = {(int)regions.charts.size(), {}, {}};
+            for (size_t k = 0; k < 4; ++k)
+                f.u[k] = (float)(corners[k][0] - box.lo[0]), f.v[k] = (float)(corners[k][1] - box.lo[1]);
+            regions.facets.push_back(f);
+        };
+        for (const Rectangle &r : rectangles) add({{{r.u0, r.v0}, {r.u1, r.v0}, {r.u1, r.v1}, {r.u0, r.v1}}});
+        if (!rectangles.empty()) return;
+        for (int t : triangles) {
+            const auto &c = mesh.triangles[(size_t)t].corners;
+            Vec2d last = place(c[2], frame);
+            add({place(c[0], frame), place(c[1], frame), last, last});
+        }
+    }
+};
+
+// Grows regions: sets of triangles of one material and one plane, joined across shared edges.
+class RegionGrower {
+public:
+    explicit RegionGrower(const Mesh &mesh, double tiny)
+        : mesh(mesh), tiny(tiny), normals(mesh.triangles.size()), edges(sortedEdges(mesh)),
+          sets(mesh.triangles.size()) {
+        for (size_t i = 0; i < normals.size(); ++i) normals[i] = normalize(normalOf(mesh, mesh.triangles[i]));
+        for (size_t i = 0, end; i < edges.size(); i = end) {
+            for (end = i + 1; end < edges.size() && sameEnds(edges[end], edges[i]);) ++end;
+            joinOver({&edges[i], end - i});
+        }
+        for (size_t i = 0; i < normals.size(); ++i) roots.push_back(sets.root((int)i));
+    }
+
+    // The triangles of each set; sets are sorted by their first triangle.
+    Sorted<int> members() const {
+        return Sorted<int>(
+            roots.size(), roots.size(), [&](size_t i) { return roots[i]; }, [](size_t i) { return (int)i; });
+    }
+    // The edges of each set that are not shared in opposite directions.
+    Sorted<Edge> borders() const {
+        return Sorted<Edge>(
+            roots.size(), edges.size(), [&](size_t i) { return borderOf(i); },
+            [&](size_t i) { return edges[i]; });
+    }
+
+private:
+    const Mesh &mesh;
+    double tiny;
+    std::vector<Vec3d> normals;
+    std::vector<Edge> edges;
+    Union sets;
+    std::vector<int> roots;
+
+    static bool sameEnds(const Edge &a, const Edge &b) { return a.low == b.low && a.high == b.high; }
+
+    // Whether an edge's triangles form one sheet. Four do if the sheet is lit from both sides: two fronts and
+    // two backs.
+    bool oneSheet(std::span<const Edge> all) const {
+        if (all.size() == 2) return true;
+        if (all.size() != kBothSides) return false;
+        size_t fronts = 0;
+        for (const Edge &e : all) {
+            double angle = dot(normals[(size_t)all[0].triangle], normals[(size_t)e.triangle]);
+            if (std::fabs(angle) < kEven) return false;
+            fronts += angle > 0;
+        }
+        return fronts == kBothSides / 2;
+    }
+
+    bool joins(int a, int b) const {
+        const Triangle &s = mesh.triangles[(size_t)a], &t = mesh.triangles[(size_t)b];
+        if (s.material != t.material || dot(normals[(size_t)a], normals[(size_t)b]) < kEven) return false;
+        for (int c : t.corners)
+            if (std::fabs(dot(mesh.points[(size_t)c] - mesh.points[(size_t)s.corners[0]],
+                              normals[(size_t)a])) > tiny)
+                return false;
+        return true;
+    }
+
+    // Joins triangles that share an edge and have the same orientation.
+    void joinOver(std::span<const Edge> all) {
+        if (!oneSheet(all)) return;
+        for (size_t k = 0; k + 1 < all.size(); ++k)
+            for (size_t l = k + 1; l < all.size(); ++l) {
+                int s = all[k].triangle, t = all[l].triangle, a = sets.root(s), b = sets.root(t);
+                // Compare with the region's first triangle, so that a curved surface cannot drift out of its
+                // plane
+                if (all[k].forward != all[l].forward && a != b && joins(std::min(a, b), s) &&
+                    joins(std::min(a, b), t))
+                    sets.parent[(size_t)std::max(a, b)] = std::min(a, b);
+            }
+    }
+
+    // The region whose border the edge is, or -1.
+    int borderOf(size_t i) const {
+        int root = roots[(size_t)edges[i].triangle];
+        for (size_t k = i - std::min(i, kBothSides - 1); k < std::min(i + kBothSides, edges.size()); ++k)
+            if (k != i && sameEnds(edges[k], edges[i]) && edges[k].forward != edges[i].forward &&
+                roots[(size_t)edges[k].triangle] == root)
+                return -1;
+        return root;
+    }
+};
+
+} // namespace
+
+Regions joinRegions(const Mesh &mesh, double cell) {
+    if (mesh.materials.size() > 65535) throw ModelError("a model may have 65535 materials at most");
+    size_t count = mesh.triangles.size();
+    Regions regions;
+    regions.off = mesh.size() * 5e-6;
+    regions.chartOf.resize(count);
+    RegionGrower grower(mesh, regions.off);
+    Sorted<int> members = grower.members();
+    Sorted<Edge> borders = grower.borders();
+    ChartBuilder builder = {mesh, regions, regions.off, cell};
+    for (size_t i = 0; i < count; ++i) {
+        if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
+        // The region fills too little of its rectangle: each triangle becomes a chart
+        for (int t : members.of(i)) {
+            const auto &c = mesh.triangles[(size_t)t].corners;
+            const Edge sides[] = {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}};
+            builder.add({&t, 1}, sides);
+        }
+    }
+    return regions;
+}
+
+} // namespace odraz

@@ -1,0 +1,28 @@
+// Turns triangles into charts. Neighbours in one plane with one material are joined into regions, and each
+// region is a chart. If a region consists of rectangles, these are its facets; otherwise its triangles are.
+#pragma once
+
+#include "radiosity/model.h"
+#include "tools/radiosity/read/mesh.h"
+
+namespace odraz {
+
+// The charts and facets of a mesh, in lists of any length.
+struct Regions {
+    std::vector<Chart> charts; // not divided into patches
+    std::vector<Facet> facets;
+    std::vector<int> material; // of each chart, index into Mesh::materials
+    std::vector<int> chartOf;  // of each triangle
+    double off = 0;            // the largest distance of a corner from the plane of its chart
+};
+
+// Cells have sides of about `cell`. Throws ModelError if there are too many materials.
+Regions joinRegions(const Mesh &mesh, double cell);
+
+// Copies them into an empty model. Throws ModelError if they do not fit.
+void fillModel(Model &model, const Regions &regions);
+
+// Adds all facets of a model to a scene, as its material 0.
+void poseFacets(const Model &model, Scene &scene);
+
+} // namespace odraz

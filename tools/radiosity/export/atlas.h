@@ -1,0 +1,70 @@
+// Lightmaps: pages on which every chart of a solution has its own rectangle of texels.
+//
+// If texels are as fine as elements, they stand at the corners of elements, where solutions keep light: a
+// page sampled bilinearly shows exactly the solution. If a chart's reflectance comes from a picture, its
+// texels stand inside the elements instead, two by two, because reflectance jumps from one element to the
+// next.
+#pragma once
+
+#include "tools/radiosity/solution/solution.h"
+
+namespace odraz {
+
+// What a page holds. Light is irradiance / pi; times reflectance, plus what is emitted, it is Radiosity.
+// Reflectance gets pages only if it comes from pictures.
+enum class Held { Light, Radiosity, Reflectance };
+
+struct AtlasSettings {
+    bool radiosity = false; // the pages hold Radiosity; else Light
+    double texels = 0;      // texels for a unit of length; 0: as fine as elements
+    int padding = 2;        // texels around each chart that repeat its outermost ones, 1 ..
+    int page = 8192;        // texels along a page's longest side
+};
+
+// The texels of a chart, without padding.
+struct AtlasPlace {
+    int page, x, y, across, down;
+    bool pictured; // its reflectance differs from element to element
+    bool within;   // texels stand within elements; else at their corners
+    bool exact;    // they are as fine as elements
+
+    // Convert a place of a chart (world units along its axes) to texels, counted from the corner of the first
+    // one; and back
+    float column(const Chart &c, float u) const { return place(u / c.width, across); }
+    float row(const Chart &c, float v) const { return place(v / c.height, down); }
+    float uOf(const Chart &c, float column) const { return back(column, across) * c.width; }
+    float vOf(const Chart &c, float row) const { return back(row, down) * c.height; }
+
+private:
+    float place(float share, int count) const {
+        return within ? share * (float)count : 0.5f + share * (float)(count - 1);
+    }
+    float back(float at, int count) const {
+        return within ? at / (float)count : (at - 0.5f) / (float)(count - 1);
+    }
+};
+
+struct AtlasPage {
+    int width = 0, height = 0;
+};
+
+struct Atlas {
+    AtlasSettings settings;
+    std::vector<AtlasPlace> places; // of each chart
+    std::vector<AtlasPage> pages;
+    std::vector<uint8_t> there; // for each cell: part of a facet lies in it
+    int coarse = 0;             // charts with fewer texels than elements, because pages are not large enough
+    int64_t used = 0;           // texels, with padding
+};
+
+Atlas packAtlas(const Solution &solution, const AtlasSettings &settings);
+
+// The rows from top to bottom, three floats a texel; texels of no chart are black.
+std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int page, Held held);
+
+// Makes a folder, which must be new or empty, with model.obj, model.mtl, model.gltf, model.bin and the pages
+// as PNG and HDR: all of it or nothing. Reports what it did in `notes`. Throws Refused, std::runtime_error.
+void exportAtlas(const Solution &solution, const AtlasSettings &settings, const std::string &folder,
+                 std::vector<std::string> &notes);
+
+} // namespace odraz

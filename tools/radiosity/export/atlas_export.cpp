@@ -1,0 +1,188 @@
+// Writes lightmaps into a folder: the pages, and the model with texture coordinates on them.
+#include "tools/radiosity/export/atlas.h"
+
+#include "tools/common/arguments.h"
+#include "tools/common/print.h"
+#include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
+#include "tools/picture/picture.h"
+#include "tools/radiosity/export/atlas_gltf.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <stb/stb_image_write.h>
+
+namespace odraz {
+
+namespace {
+
+// A folder beside the one that the user named; it gets that name when it is complete.
+class Folder {
+public:
+    explicit Folder(std::string path) : path(std::move(path)) {
+        while (this->path.size() > 1 && this->path.back() == '/') this->path.pop_back();
+        std::error_code wrong;
+        if (std::filesystem::exists(this->path, wrong) &&
+            (!std::filesystem::is_directory(this->path, wrong) ||
+             !std::filesystem::is_empty(this->path, wrong)))
+            throw Refused(this->path + ": exists already: name a folder that is new or empty");
+        checkWritable(this->path);
+        errno = EEXIST;
+        for (int i = 0; i < 100 && errno == EEXIST; ++i) {
+            part = this->path + "." + std::to_string(getpid() + i) + ".part";
+            if (mkdir(part.c_str(), 0777) == 0) return;
+        }
+        part.clear();
+        fail();
+    }
+    Folder(const Folder &) = delete;
+    ~Folder() {
+        std::error_code ignored;
+        if (!part.empty()) std::filesystem::remove_all(part, ignored);
+    }
+    void write(const std::string &name, const std::string &text) const {
+        writeWhole(part + "/" + name, text);
+    }
+    std::string operator/(const std::string &name) const { return part + "/" + name; }
+    void finish() {
+        if (rename(part.c_str(), path.c_str())) fail();
+        part.clear();
+    }
+
+private:
+    std::string path, part;
+    [[noreturn]] void fail() const {
+        throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+    }
+};
+
+// The light that a PNG shows as 1: a ninth above what 99 of 100 texels do not exceed.
+float standsForOne(const Solution &b, bool radiosity) {
+    std::vector<float> all;
+    for (size_t i = 0; i < b.texels.size(); ++i) {
+        size_t chart = (size_t)b.texels[i].chart;
+        if (radiosity && maxComponent(b.emits[chart]) > 0) continue;
+        float light = maxComponent(radiosity ? b.light[i] * b.reflects[chart] : b.light[i]);
+        if (light > 0) all.push_back(light);
+    }
+    return all.empty() ? 1 : std::max(quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
+}
+
+void writePng(const Folder &folder, const std::string &name, const AtlasPage &size,
+              const std::vector<float> &texels, float one) {
+    Picture picture = {size.width, size.height, {}};
+    picture.rgb.resize(texels.size());
+    for (size_t i = 0; i < texels.size(); ++i)
+        picture.rgb[i] = (uint8_t)(srgbOfLinear(texels[i] / one) * 255 + 0.5f);
+    if (!::writePng(folder / name, picture))
+        throw std::runtime_error("cannot write " + folder / name + ": " + std::strerror(errno));
+}
+
+void writeHdr(const Folder &folder, const std::string &name, const AtlasPage &size,
+              std::vector<float> &&texels) {
+    // Add half a step of the eight bits: the writer truncates instead of rounding
+    for (size_t i = 0; i < texels.size(); i += 3) {
+        float most = std::max({texels[i], texels[i + 1], texels[i + 2]});
+        int exponent;
+        std::frexp(most, &exponent);
+        for (size_t k = 0; k < 3 && most > 0; ++k)
+            texels[i + k] = std::max(texels[i + k], 0.f) + std::ldexp(0.5f, exponent - 8);
+    }
+    std::string hdr;
+    auto append = [](void *to, void *bytes, int count) {
+        ((std::string *)to)->append((const char *)bytes, (size_t)count);
+    };
+    if (!stbi_write_hdr_to_func(append, &hdr, size.width, size.height, 3, texels.data()))
+        throw std::runtime_error("there is not enough memory for " + name);
+    folder.write(name, hdr);
+}
+
+std::string mtlOf(const AtlasModel &m) {
+    std::string text;
+    print(text, "# %s-N.png are sRGB; 1 stands for %.7g of what %s-N.hdr have, which are linear\n",
+          m.name.c_str(), (double)m.one, m.name.c_str());
+    text += m.radiosity ? "# They have radiance, with what is emitted: show them as they are\n"
+                        : "# They have irradiance over pi: radiance is that times Kd, plus Ke\n";
+    if (m.pictured)
+        text +=
+            "# Materials called pictured: instead of Kd take reflectance-N.png, at the same coordinates\n";
+    for (const AtlasMaterial &a : m.materials) {
+        print(text, "newmtl %s\nKd %.7g %.7g %.7g\nKe %.7g %.7g %.7g\n", a.name.c_str(), (double)a.reflects.x,
+              (double)a.reflects.y, (double)a.reflects.z, (double)a.emits.x, (double)a.emits.y,
+              (double)a.emits.z);
+        print(text, "map_Kd %s-%d.png\n", m.name.c_str(), a.page);
+    }
+    return text;
+}
+
+std::string objOf(const AtlasModel &m) {
+    std::string text;
+    print(text,
+          "# by odraz: vt are places on %s-N.png and .hdr; every plane is a smoothing group\n"
+          "mtllib model.mtl\n",
+          m.name.c_str());
+    for (const AtlasPoint &p : m.points)
+        print(text, "v %.8g %.8g %.8g\n", (double)p.p.x, (double)p.p.y, (double)p.p.z);
+    for (const AtlasPoint &p : m.points)
+        print(text, "vt %.8f %.8f\n", (double)p.u, 1 - (double)p.v); // v is counted from the bottom
+    for (const Chart &c : m.solution.charts)
+        print(text, "vn %.6g %.6g %.6g\n", (double)c.n.x, (double)c.n.y, (double)c.n.z);
+    for (size_t k = 0; k < m.materials.size(); ++k) {
+        print(text, "usemtl %s\n", m.materials[k].name.c_str());
+        int chart = -1;
+        for (int i : m.materials[k].facets) {
+            const Facet &f = m.solution.facets[(size_t)i];
+            if (f.chart != chart) print(text, "s %d\n", f.chart + 1);
+            chart = f.chart;
+            text += 'f';
+            for (int p = m.first[(size_t)i]; p < m.first[(size_t)i + 1]; ++p)
+                print(text, " %d/%d/%d", p + 1, p + 1, chart + 1);
+            text += '\n';
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &path,
+                 std::vector<std::string> &notes) {
+    if (b.facets.empty()) throw std::runtime_error("it has no polygon");
+    Folder folder(path);
+    Atlas atlas = packAtlas(b, s);
+    AtlasModel model(b, atlas, standsForOne(b, s.radiosity));
+    folder.write("model.obj", objOf(model));
+    folder.write("model.mtl", mtlOf(model));
+    writeGltf(model, folder / "model.gltf", folder / "model.bin");
+    int64_t texels = 0;
+    for (size_t i = 0; i < atlas.pages.size(); ++i) {
+        const AtlasPage &page = atlas.pages[i];
+        std::string name = model.name + "-" + std::to_string(i), size;
+        print(size, "%s: %d x %d texels", name.c_str(), page.width, page.height);
+        notes.push_back(size);
+        texels += (int64_t)page.width * page.height;
+        std::vector<float> light = paintPage(b, atlas, (int)i, s.radiosity ? Held::Radiosity : Held::Light);
+        writePng(folder, name + ".png", page, light, model.one);
+        writeHdr(folder, name + ".hdr", page, std::move(light));
+        if (model.pictured)
+            writePng(folder, "reflectance-" + std::to_string(i) + ".png", page,
+                     paintPage(b, atlas, (int)i, Held::Reflectance), 1);
+    }
+    folder.finish();
+    std::string all;
+    print(all, "%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g", b.charts.size(),
+          atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s", 100. * (double)atlas.used / (double)texels,
+          (double)model.one);
+    notes.push_back(all);
+    if (atlas.coarse)
+        notes.push_back(std::to_string(atlas.coarse) +
+                        " polygons have fewer texels than asked for: raise --page");
+}
+
+} // namespace odraz

@@ -1,0 +1,28 @@
+// The options of `render` and `view` that set the camera and the brightness.
+#pragma once
+
+#include "tools/common/arguments.h"
+#include "tools/radiosity/export/render.h"
+
+namespace odraz {
+
+class CameraOptions {
+public:
+    // Whether it is one of these options; if so, takes its value. Throws Refused.
+    bool take(const std::string &option, Arguments &words);
+    // Throws Refused if only half of a camera is given.
+    void finish(const std::string &command) const;
+
+    RenderSettings settings;
+    bool placed() const { return eye; }
+
+private:
+    bool eye = false, at = false;
+};
+
+// The options that place a camera like this: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.
+std::string placeOptions(RenderSettings &settings);
+// The same with all other options of the picture.
+std::string cameraLine(RenderSettings settings);
+
+} // namespace odraz

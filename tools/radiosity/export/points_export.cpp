@@ -1,0 +1,142 @@
+// Exports a solved model for spreadsheets and viewers.
+#include "tools/radiosity/export/points_export.h"
+
+#include "tools/common/print.h"
+#include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace odraz {
+
+namespace {
+
+// Converts radiosity to a colour of 0 .. 1 in sRGB; the value that 99 of 100 points do not exceed becomes
+// 0.9.
+struct Shown {
+    float scale = 1;
+    explicit Shown(const Solution &solution) {
+        std::vector<float> all;
+        solution.forPieces([&](int chart, int, const std::vector<SolutionPoint> &piece) {
+            if (maxComponent(solution.emits[(size_t)chart]) > 0) return;
+            for (const SolutionPoint &p : piece) all.push_back(maxComponent(p.radiosity));
+        });
+        if (all.empty()) return;
+        float high = quantile(std::move(all), 0.99);
+        if (high > 1e-30f) scale = 0.9f / high; // a smaller value has no finite inverse
+    }
+    float operator()(float x) const { return srgbOfLinear(x * scale); }
+};
+
+struct Corners {
+    std::vector<SolutionPoint> points;
+    std::vector<std::vector<size_t>> faces;
+    explicit Corners(const Solution &solution) {
+        solution.forPieces([&](int, int, const std::vector<SolutionPoint> &piece) {
+            std::vector<size_t> face;
+            for (const SolutionPoint &p : piece) {
+                face.push_back(points.size());
+                points.push_back(p);
+            }
+            faces.push_back(face);
+        });
+        weld();
+    }
+    void weld() {
+        // Points of equal place and equal light become one
+        std::vector<size_t> order(points.size()), to(points.size());
+        for (size_t i = 0; i < order.size(); ++i) order[i] = i;
+        auto less = [&](size_t a, size_t b) {
+            return std::memcmp(&points[a], &points[b], sizeof(SolutionPoint)) < 0;
+        };
+        std::sort(order.begin(), order.end(), less);
+        std::vector<SolutionPoint> kept;
+        for (size_t i = 0; i < order.size(); ++i) {
+            if (i == 0 || less(order[i - 1], order[i])) kept.push_back(points[order[i]]);
+            to[order[i]] = kept.size() - 1;
+        }
+        for (auto &face : faces)
+            for (size_t &corner : face) corner = to[corner];
+        points = kept;
+    }
+};
+
+} // namespace
+
+void exportCsv(const Solution &solution, const std::string &path) {
+    std::string text = "polygon,x,y,z,nx,ny,nz,area,r,g,b\n";
+    struct Sum {
+        double area, p[3], light[3];
+    };
+    // The pieces of an element follow each other
+    int chart = -1, cell = -1;
+    Sum sum = {};
+    auto put = [&] {
+        if (!(sum.area > 0)) return;
+        Vec3 n = solution.charts[(size_t)chart].n;
+        print(text, "%d,%.7g,%.7g,%.7g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart, sum.p[0] / sum.area,
+              sum.p[1] / sum.area, sum.p[2] / sum.area, (double)n.x, (double)n.y, (double)n.z, sum.area,
+              sum.light[0] / sum.area, sum.light[1] / sum.area, sum.light[2] / sum.area);
+        sum = {};
+    };
+    solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {
+        if (e != cell) put(), chart = c, cell = e;
+        // Write it as a fan of triangles
+        for (size_t i = 2; i < piece.size(); ++i) {
+            const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
+            double area = (double)length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 2;
+            sum.area += area;
+            for (const SolutionPoint *q : t) {
+                const float p[3] = {q->p.x, q->p.y, q->p.z};
+                const float light[3] = {q->radiosity.x, q->radiosity.y, q->radiosity.z};
+                for (int k = 0; k < 3; ++k)
+                    sum.p[k] += area / 3 * (double)p[k], sum.light[k] += area / 3 * (double)light[k];
+            }
+        }
+    });
+    put();
+    writeWhole(path, text);
+}
+
+void exportPly(const Solution &solution, const std::string &path) {
+    Shown shown(solution);
+    Corners corners(solution);
+    std::string text;
+    print(text,
+          "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
+          "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+          "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+          1 / (double)shown.scale, corners.points.size(), corners.faces.size());
+    auto byte = [&](float x) { return (int)(shown(x) * 255 + 0.5f); };
+    for (const SolutionPoint &p : corners.points)
+        print(text, "%.7g %.7g %.7g %d %d %d\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
+              byte(p.radiosity.x), byte(p.radiosity.y), byte(p.radiosity.z));
+    for (const auto &face : corners.faces) {
+        print(text, "%zu", face.size());
+        for (size_t corner : face) print(text, " %zu", corner);
+        text += '\n';
+    }
+    writeWhole(path, text);
+}
+
+void exportObj(const Solution &solution, const std::string &path) {
+    Shown shown(solution);
+    Corners corners(solution);
+    std::string text;
+    print(text, "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
+          1 / (double)shown.scale);
+    for (const SolutionPoint &p : corners.points)
+        print(text, "v %.7g %.7g %.7g %.4f %.4f %.4f\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
+              (double)shown(p.radiosity.x), (double)shown(p.radiosity.y), (double)shown(p.radiosity.z));
+    for (const auto &face : corners.faces) {
+        text += 'f';
+        for (size_t corner : face) print(text, " %zu", corner + 1);
+        text += '\n';
+    }
+    writeWhole(path, text);
+}
+
+} // namespace odraz

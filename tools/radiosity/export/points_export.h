@@ -1,0 +1,15 @@
+// Exports a solution for spreadsheets, and for viewers of points and polygons. Each function writes one file,
+// beside `path` and then renamed, and throws std::runtime_error.
+#pragma once
+
+#include "tools/radiosity/solution/solution.h"
+
+namespace odraz {
+
+// CSV: polygon, middle, normal, area and mean radiosity of every element.
+void exportCsv(const Solution &solution, const std::string &path);
+// PLY: polygons with sRGB colours at their points; a comment in the file gives the scale.
+void exportPly(const Solution &solution, const std::string &path);
+void exportObj(const Solution &solution, const std::string &path);
+
+} // namespace odraz

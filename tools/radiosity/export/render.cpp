@@ -1,0 +1,182 @@
+// Renders a solved model as a picture.
+#include "tools/radiosity/export/render.h"
+
+#include "base/maths.h"
+#include "tools/common/heap_arena.h"
+#include "tools/common/statistics.h"
+#include "tools/picture/picture.h"
+#include "tools/radiosity/divide/facets.h"
+#include "tools/radiosity/rays/ray_tree.h"
+#include "tools/radiosity/read/upright.h"
+#include "trace/picture/development.h"
+#include "trace/rays/view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+void placeCamera(const Solution &solution, RenderSettings &s) {
+    std::vector<Vec3> corners;
+    for (const Facet &f : solution.facets)
+        for (int k = 0; k < 4; ++k)
+            corners.push_back(upright(f.corner(solution.charts[(size_t)f.chart], k), s.upIsZ));
+    if (corners.empty()) return;
+    Vec3 lo = corners[0], hi = lo;
+    for (const Vec3 &p : corners)
+        for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
+            lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
+    // Look from the first octant; if hardly any lit front is seen from there, from where most are
+    auto from = [&](int octant) {
+        return normalize(
+            Vec3{octant & 1 ? -0.5f : 0.5f, octant & 2 ? -0.55f : 0.55f, octant & 4 ? -0.8f : 0.8f});
+    };
+    double faces[8] = {};
+    int best = 0;
+    for (int k = 0; k < 8; ++k) {
+        for (const Facet &f : solution.facets) {
+            const Chart &c = solution.charts[(size_t)f.chart];
+            faces[k] += areaOf(outlineOf(f)) * (double)std::max(dot(upright(c.n, s.upIsZ), from(k)), 0.f);
+        }
+        if (faces[k] > faces[best] * 1.001) best = k;
+    }
+    Vec3 middle = (lo + hi) * 0.5f, away = from(faces[0] < 0.1 * faces[best] ? best : 0);
+    Vec3 right = normalize(cross(Vec3{0, 1, 0}, away)), up = cross(away, right);
+    float tall = std::tan(s.lens * (kPi / 360)) * 0.95f, wide = tall * (float)s.width / (float)s.height,
+          far = 0;
+    for (const Vec3 &p : corners) {
+        Vec3 c = p - middle;
+        far = std::max(far, dot(c, away) +
+                                std::max(std::fabs(dot(c, right)) / wide, std::fabs(dot(c, up)) / tall));
+    }
+    s.eye = asInModel(middle + away * far, s.upIsZ);
+    s.target = asInModel(middle, s.upIsZ);
+}
+
+namespace {
+
+// The radiosity of a solution as a camera sees it.
+class Seen {
+public:
+    Seen(const Solution &solution, const RenderSettings &s)
+        : solution(solution),
+          view(lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height)),
+          upIsZ(s.upIsZ), eye(s.eye), tree(triangles()) {}
+
+    struct Point {
+        int chart; // -1: nothing
+        Rgb light;
+    };
+    Point at(float x, float y) const {
+        Vec3 d = asInModel(view.direction(x, y), upIsZ);
+        RayHit hit = tree.nearestFront(eye, d);
+        if (hit.triangle < 0) return {-1, {}};
+        int chart = charts[(size_t)hit.triangle];
+        return {chart, solution.radiosityAt(chart, eye + d * hit.t)};
+    }
+
+private:
+    const Solution &solution;
+    View view;
+    bool upIsZ;
+    Vec3 eye;
+    std::vector<int> charts; // of each triangle
+    RayTree tree;
+
+    std::vector<RayTree::Corners> triangles() {
+        std::vector<RayTree::Corners> all;
+        for (const Facet &f : solution.facets) {
+            const Chart &c = solution.charts[(size_t)f.chart];
+            for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
+                all.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
+                charts.push_back(f.chart);
+            }
+        }
+        return all;
+    }
+};
+
+// Traces every pixel once, then those that differ from their neighbours with 4 x 4 samples.
+void look(const Seen &seen, Workers &workers, Frame &frame) {
+    std::vector<Seen::Point> first((size_t)frame.width * (size_t)frame.height);
+    auto at = [&](int x, int y) -> Seen::Point & {
+        return first[(size_t)y * (size_t)frame.width + (size_t)x];
+    };
+    parallelFor(workers, frame.height, [&](int y, int) {
+        for (int x = 0; x < frame.width; ++x) at(x, y) = seen.at((float)x + 0.5f, (float)y + 0.5f);
+    });
+    auto differs = [](const Seen::Point &a, const Seen::Point &b) {
+        auto far = [](float x, float y) { return std::fabs(x - y) > 0.05f * std::max(x, y); };
+        return a.chart != b.chart && (a.chart < 0 || b.chart < 0 || far(a.light.x, b.light.x) ||
+                                      far(a.light.y, b.light.y) || far(a.light.z, b.light.z));
+    };
+    parallelFor(workers, frame.height, [&](int y, int) {
+        for (int x = 0; x < frame.width; ++x) {
+            Seen::Point &own = at(x, y);
+            bool edge = false;
+            for (int j = std::max(y - 1, 0); j <= std::min(y + 1, frame.height - 1); ++j)
+                for (int i = std::max(x - 1, 0); i <= std::min(x + 1, frame.width - 1); ++i)
+                    edge |= differs(own, at(i, j));
+            Rgb light = own.light;
+            if (edge) {
+                light = {};
+                for (int k = 0; k < 16; ++k)
+                    light += seen.at((float)x + ((float)(k & 3) + 0.5f) / 4,
+                                     (float)y + ((float)(k >> 2) + 0.5f) / 4)
+                                 .light *
+                             (1 / 16.f);
+            }
+            size_t to = (size_t)y * (size_t)frame.stride + (size_t)x;
+            frame.plane[0][to] = light.x, frame.plane[1][to] = light.y, frame.plane[2][to] = light.z;
+        }
+    });
+}
+
+} // namespace
+
+void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
+    HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
+    Frame frame = {};
+    if (!makeFrame(frame, memory.arena, s.width, s.height))
+        throw std::runtime_error("there is not enough memory: try a smaller --size");
+    look(Seen(solution, s), workers, frame);
+    std::vector<float> all;
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
+            float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
+            if (light > 0) all.push_back(light);
+        }
+    if (all.empty()) all.push_back(1); // all is black
+    // Choose the exposure by what the camera sees
+    float exposure = std::exp2(s.stops) * 0.5f / std::max(quantile(all, 0.6), 1e-30f);
+    Picture picture = {s.width, s.height, {}};
+    picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
+    float low = std::log(std::max(quantile(all, 0.01), 1e-30f)),
+          high = std::log(std::max(quantile(all, 0.998), 1e-30f));
+    if (!s.logarithmic) {
+        Curve curve;
+        makeCurve(curve);
+        develop(curve, frame, workers, exposure, 0);
+    }
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x,
+                   pixel = (size_t)y * (size_t)s.width + (size_t)x;
+            float c[3] = {frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]};
+            float light = std::max({c[0], c[1], c[2]});
+            // Even the darkest value is not black, so that it can be seen
+            float rank = light > 0 ? (std::log(light) - low) / std::max(high - low, 1e-3f) : 0;
+            float shown = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
+            for (size_t k = 0; k < 3; ++k)
+                picture.rgb[pixel * 3 + k] =
+                    s.logarithmic
+                        ? (uint8_t)(light > 0
+                                        ? shown * std::pow(std::max(c[k], 0.f) / light, 1 / 2.2f) * 255 + 0.5f
+                                        : 0)
+                        : frame.rgba[pixel * 4 + k];
+        }
+    if (!writePng(path, picture)) throw std::runtime_error("cannot write " + path);
+}
+
+} // namespace odraz

@@ -1,0 +1,25 @@
+// Traces a picture of a solution from a camera.
+#pragma once
+
+#include "base/parallel.h"
+#include "tools/radiosity/solution/solution.h"
+
+namespace odraz {
+
+struct RenderSettings {
+    Vec3 eye, target; // in the model's coordinates
+    bool upIsZ = false;
+    float lens = 60; // vertical field of view, degrees
+    int width = 1280, height = 720;
+    bool logarithmic = false; // show the logarithm of radiosity; else use the film's curve
+    float stops = 0;          // powers of two added to the automatic exposure
+};
+
+// Places the camera above and to one side, so that the picture holds all facets.
+void placeCamera(const Solution &solution, RenderSettings &settings);
+
+// Writes a PNG. Throws std::runtime_error.
+void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
+            const std::string &path);
+
+} // namespace odraz

@@ -1,0 +1,167 @@
+#include "tools/radiosity/generate/generate.h"
+
+#include "tools/radiosity/generate/generate_curved.h"
+#include "tools/radiosity/generate/obj_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+using odraz::Vec3d;
+
+namespace {
+
+struct Material {
+    const char *name;
+    double kd[3], ke[3];
+};
+constexpr Material kMaterials[] = {
+    {"white", {0.75, 0.75, 0.75}, {}}, {"red", {0.65, 0.1, 0.08}, {}},
+    {"green", {0.12, 0.5, 0.15}, {}},  {"stone", {0.5, 0.48, 0.42}, {}},
+    {"floor", {0.35, 0.33, 0.3}, {}},  {"lamp", {0.5, 0.5, 0.5}, {20, 18, 15}},
+};
+
+struct Writer : odraz::ObjWriter {
+    // A rectangle that is lit on the side of u x v. It is divided into as many steps along its sides as the
+    // area needs; no side of a step is more than twice the other.
+    void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
+        use(of);
+        int across = 1, down = 1;
+        if (area > 0) {
+            double side = std::sqrt(2 * area);
+            across = (int)std::ceil(length(u) / side - 1e-9), down = (int)std::ceil(length(v) / side - 1e-9);
+        }
+        auto at = [&](int i, int j) { return number(corner + u * i / across + v * j / down); };
+        char line[200];
+        for (int j = 0; j < down; ++j)
+            for (int i = 0; i < across; ++i) {
+                int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+                if (area > 0)
+                    std::snprintf(line, sizeof line, "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d);
+                else
+                    std::snprintf(line, sizeof line, "f %d %d %d %d\n", a, b, c, d);
+                faces += line;
+                triangles += 2;
+            }
+    }
+    // A box seen from outside; it has a bottom only if `bottom` names a material.
+    void box(const char *of, Vec3d lo, Vec3d hi, const char *bottom) {
+        double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+        rect(of, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
+        rect(of, {hi[0], lo[1], hi[2]}, {0, 0, -z}, {0, y, 0});
+        if (hi[1] < 10) rect(of, {lo[0], hi[1], hi[2]}, {x, 0, 0}, {0, 0, -z});
+        rect(of, {hi[0], lo[1], lo[2]}, {-x, 0, 0}, {0, y, 0});
+        rect(of, {lo[0], lo[1], hi[2]}, {x, 0, 0}, {0, y, 0});
+        if (bottom) rect(bottom, {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, 0, z});
+    }
+    // A ceiling from lo to hi at height y, with a lamp set into it.
+    void ceiling(double y, Vec3d lo, Vec3d hi, Vec3d lampLo, Vec3d lampHi) {
+        const double x[4] = {lo[0], lampLo[0], lampHi[0], hi[0]}, z[4] = {lo[2], lampLo[2], lampHi[2], hi[2]};
+        for (int j = 0; j < 3; ++j)
+            for (int i = 0; i < 3; ++i)
+                rect(i == 1 && j == 1 ? "lamp" : "white", {x[i], y, z[j]}, {x[i + 1] - x[i], 0, 0},
+                     {0, 0, z[j + 1] - z[j]});
+    }
+    // The walls and the floor of a room, seen from inside.
+    void room(Vec3d lo, Vec3d hi, const char *floor, const char *left, const char *right) {
+        double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
+        rect(floor, {lo[0], lo[1], lo[2]}, {0, 0, z}, {x, 0, 0});
+        rect(left, {lo[0], lo[1], lo[2]}, {0, y, 0}, {0, 0, z});
+        rect(right, {hi[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
+        rect("white", {lo[0], lo[1], lo[2]}, {x, 0, 0}, {0, y, 0});
+        rect("white", {hi[0], lo[1], hi[2]}, {-x, 0, 0}, {0, y, 0});
+    }
+};
+
+void cube(Writer &w) {
+    w.room({-5, 0, -5}, {5, 10, 5}, "floor", "red", "green");
+    w.ceiling(10, {-5, 10, -5}, {5, 10, 5}, {-1, 10, -1}, {1, 10, 1});
+}
+
+void columns(Writer &w) {
+    w.room({-20, 0, -15}, {20, 10, 15}, "floor", "red", "white");
+    w.rect("white", {-20, 10, -15}, {40, 0, 0}, {0, 0, 30});
+    for (int i = 0; i < 5; ++i)
+        for (int j = 0; j < 3; ++j) {
+            double x = -14.0 + 7 * i, z = -8.5 + 8.5 * j;
+            w.box("stone", {x - 0.75, 0, z - 0.75}, {x + 0.75, 10, z + 0.75}, nullptr);
+        }
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 2; ++j) {
+            double x = -10.5 + 7 * i, z = -4.25 + 8.5 * j;
+            w.box("white", {x - 0.75, 9, z - 0.75}, {x + 0.75, 9.2, z + 0.75}, "lamp");
+        }
+}
+
+void corner(Writer &w) {
+    // An L of three squares, 4 high; the lamp lights one end
+    const double y = 4;
+    for (Vec3d p : {Vec3d{0, 0, 0}, Vec3d{8, 0, 0}, Vec3d{8, 0, 8}}) {
+        w.rect("floor", p, {0, 0, 8}, {8, 0, 0});
+        if (p[0] + p[2] > 0)
+            w.rect("white", {p[0], y, p[2]}, {8, 0, 0}, {0, 0, 8});
+        else
+            w.ceiling(y, p, {8, y, 8}, {2, y, 3}, {4, y, 5});
+    }
+    w.rect("red", {0, 0, 0}, {0, y, 0}, {0, 0, 8});
+    w.rect("white", {0, 0, 0}, {8, 0, 0}, {0, y, 0});
+    w.rect("white", {8, 0, 0}, {8, 0, 0}, {0, y, 0});
+    w.rect("white", {8, 0, 8}, {-8, 0, 0}, {0, y, 0});
+    w.rect("white", {8, 0, 16}, {0, 0, -8}, {0, y, 0});
+    w.rect("green", {16, 0, 0}, {0, 0, 8}, {0, y, 0});
+    w.rect("green", {16, 0, 8}, {0, 0, 8}, {0, y, 0});
+    w.rect("white", {16, 0, 16}, {-8, 0, 0}, {0, y, 0});
+}
+
+// A sphere seen from inside, with points moved in and out; triangles near the top are the lamp.
+void cave(Writer &w) {
+    int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
+    auto at = [&](int i, int j) {
+        double a = 2 * M_PI * (i % columns) / columns, b = M_PI * j / rows;
+        double r =
+            10 + 0.8 * std::sin(5 * a) * std::sin(3 * b) + 0.4 * std::sin(11 * b + 3 * a) * std::sin(b);
+        return w.number(
+            {r * std::sin(b) * std::cos(a), 0.7 * r * std::cos(b), r * std::sin(b) * std::sin(a)});
+    };
+    for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) {
+            const char *of = j < std::max(1, rows / 16) ? "lamp" : j < rows / 2 ? "white" : "stone";
+            int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+            if (j > 0) w.triangle(of, a, c, b);
+            if (j + 1 < rows) w.triangle(of, a, d, c);
+        }
+}
+
+} // namespace
+
+std::string generateObj(const std::string &kind, double area, size_t *triangles) {
+    Writer w;
+    w.area = area;
+    if (kind == "cube")
+        cube(w);
+    else if (kind == "columns")
+        columns(w);
+    else if (kind == "corner")
+        corner(w);
+    else if (kind == "cave")
+        cave(w);
+    else if (kind == "vault")
+        makeVault(w);
+    else if (kind == "terrain")
+        makeTerrain(w);
+    else
+        return {};
+    if (triangles) *triangles = w.triangles;
+    return w.points + w.faces;
+}
+
+std::string generateMtl() {
+    std::string text;
+    for (const Material &m : kMaterials) {
+        char lines[300];
+        std::snprintf(lines, sizeof lines, "newmtl %s\nKd %g %g %g\nKe %g %g %g\n", m.name, m.kd[0], m.kd[1],
+                      m.kd[2], m.ke[0], m.ke[1], m.ke[2]);
+        text += lines;
+    }
+    return text;
+}

@@ -1,0 +1,42 @@
+#include "tools/radiosity/generate/generate_command.h"
+
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/generate/generate.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace odraz {
+
+int runGenerate(Arguments &words) {
+    std::string kind, out;
+    double area = 0;
+    while (const char *word = words.next()) {
+        std::string w = word;
+        if (w == "-o")
+            out = words.value(w);
+        else if (w == "--area")
+            area = words.number(w, 1e-4, 1e6);
+        else if (word[0] != '-' && kind.empty())
+            kind = w;
+        else
+            words.refuse(w);
+    }
+    static const char *const kinds[] = {"cube", "columns", "corner", "vault", "terrain"};
+    if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
+        throw Refused("generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
+    if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
+        throw Refused("name a file with -o MODEL.obj");
+    checkWritable(out);
+    std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);
+    size_t triangles = 0;
+    std::string model = generateObj(kind, area, &triangles);
+    writeWhole(mtl, generateMtl());
+    writeWhole(out, "mtllib " + name + "\n" + model);
+    bool fine = area > 0 || kind == "vault" || kind == "terrain";
+    std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,
+                fine ? "triangles" : "polygons");
+    return 0;
+}
+
+} // namespace odraz

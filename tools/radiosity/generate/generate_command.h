@@ -1,0 +1,11 @@
+// `radiosity generate`: writes an example model.
+#pragma once
+
+#include "tools/common/arguments.h"
+
+namespace odraz {
+
+// Runs `generate` with the words that follow it. Throws Refused. Returns the exit status.
+int runGenerate(Arguments &words);
+
+} // namespace odraz

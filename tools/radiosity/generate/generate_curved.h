@@ -1,0 +1,15 @@
+// Models of many small polygons: curved walls, many small things, things that touch.
+#pragma once
+
+#include "tools/radiosity/generate/obj_writer.h"
+
+namespace odraz {
+
+// A nave under a barrel vault with two rows of columns, arched windows to the sky, cloths, and vases, balls
+// and rings on the floor: 30,000 triangles, or the number that ObjWriter::area gives. It has no lamp.
+void makeVault(ObjWriter &w);
+
+// A closed room with a lamp. Its floor is hills with boulders.
+void makeTerrain(ObjWriter &w);
+
+} // namespace odraz

@@ -1,0 +1,56 @@
+// Writes Wavefront OBJ polygon by polygon, for the generated models.
+#pragma once
+
+#include "tools/common/vec3d.h"
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+namespace odraz {
+
+// Collects polygons as the text of an OBJ, with each point once.
+struct ObjWriter {
+    double area = 0; // of the larger triangles; 0: polygons stay undivided
+    size_t triangles = 0;
+    std::string points, faces;
+    std::map<Vec3d, int> numbers;
+    const char *material = "";
+
+    int number(Vec3d p) {
+        for (size_t k = 0; k < 3; ++k) p[k] = std::round(p[k] * 1e6) / 1e6 + 0.0;
+        auto [entry, added] = numbers.try_emplace(p, (int)numbers.size() + 1);
+        if (added) {
+            char line[100];
+            std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
+            points += line;
+        }
+        return entry->second;
+    }
+    void use(const char *of) {
+        if (of != material) faces += "usemtl " + std::string(of) + "\n";
+        material = of;
+    }
+    void triangle(const char *of, int a, int b, int c) {
+        use(of);
+        char line[100];
+        std::snprintf(line, sizeof line, "f %d %d %d\n", a, b, c);
+        faces += line;
+        ++triangles;
+    }
+    // The surface f(u, v), u and v in 0 .. 1, as columns x rows squares of two triangles each, lit on the
+    // side of df/du x df/dv. `around`: its sides u = 0 and u = 1 coincide.
+    template <class F> void surface(const char *of, int columns, int rows, bool around, F &&f) {
+        auto at = [&](int i, int j) {
+            return number(f((double)(around ? i % columns : i) / columns, (double)j / rows));
+        };
+        for (int j = 0; j < rows; ++j)
+            for (int i = 0; i < columns; ++i) {
+                int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
+                if (a != b && b != c && a != c) triangle(of, a, b, c);
+                if (a != c && c != d && a != d) triangle(of, a, c, d);
+            }
+    }
+};
+
+} // namespace odraz

@@ -1,0 +1,40 @@
+#include "tools/radiosity/patches/light_so_far.h"
+
+#include "radiosity/ties.h"
+
+namespace odraz {
+
+std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const float *radiosity) {
+    const Model &m = *p.model;
+    size_t texels = (size_t)m.texelCount, room = texels + 8;
+    std::vector<float> planes[3], unused(room);
+    for (auto &plane : planes) plane.resize(room);
+    if (radiosity) {
+        // Do what the solver's last steps do, in separate memory. Use one thread: the workers may be busy
+        // calling us
+        Workers alone = serialWorkers();
+        Radiosity r = p.radiosity;
+        size_t columns = (size_t)r.system.columns, all = (size_t)m.patchCount * columns;
+        std::vector<float> shown(radiosity, radiosity + all), indirect(all);
+        for (size_t i = 0; !task.settings.analytic && i < (size_t)m.patchCount; ++i) {
+            Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
+            shown[i * columns] += e.x, shown[i * columns + 4] += e.y, shown[i * columns + 8] += e.z;
+        }
+        findIndirect(r.factors, m.patchCount, r.system.columns, shown.data(), indirect.data(), alone);
+        r.system.indirect = indirect.data();
+        for (int k = 0; k < 3; ++k)
+            for (int c = 0; c < 3; ++c) r.bounced[k][c] = k == c ? planes[k].data() : unused.data();
+        spreadLight(r, m, alone);
+    }
+    std::vector<Rgb> light(texels);
+    float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
+    for (int k = 0; k < 3; ++k) {
+        float *plane = planes[k].data();
+        for (size_t t = 0; t < texels; ++t) plane[t] += p.radiosity.direct[k][t];
+        settle(m, plane);
+        for (size_t t = 0; t < texels; ++t) light[t].*channels[k] = plane[t];
+    }
+    return light;
+}
+
+} // namespace odraz

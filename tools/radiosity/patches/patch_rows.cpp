@@ -1,0 +1,105 @@
+#include "tools/radiosity/patches/patch_rows.h"
+
+#include "tools/common/clock.h"
+#include "tools/radiosity/patches/row_finder.h"
+#include "tools/radiosity/solution/arrays.h"
+#include "tools/radiosity/solution/memory.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+namespace {
+
+constexpr int kMissing = -1; // as a row's count: the row is unknown
+
+// Loads the rows that were saved. Throws std::runtime_error.
+void restore(SolveTask &task, PatchSystem &p) {
+    std::string &resumed = task.settings.resumed;
+    auto count = (size_t)p.model->patchCount;
+    size_t at = 0, used = 0;
+    std::vector<int32_t> counts;
+    std::vector<Link> links;
+    bool good =
+        get(resumed, at, counts) && get(resumed, at, links) && at == resumed.size() && counts.size() == count;
+    for (size_t i = 0; good && i < count; ++i) {
+        good = counts[i] >= kMissing && counts[i] <= p.model->patchCount;
+        used += (size_t)std::max(counts[i], 0);
+    }
+    good = good && used == links.size() &&
+           std::all_of(links.begin(), links.end(), [&](const Link &l) { return l.patch < count; });
+    if (!good) refuseResumed();
+    resumed.clear();
+    FormFactors &f = p.radiosity.factors;
+    f.rows = takeOrRefuse<Row>(p.arena, count);
+    Link *next = takeOrRefuse<Link>(p.arena, links.size());
+    std::copy(links.begin(), links.end(), next);
+    for (size_t i = 0; i < count; ++i)
+        if (counts[i] != kMissing) {
+            f.rows[i] = {next, counts[i], true};
+            next += counts[i];
+        }
+}
+
+// Says for each patch what its row is for: patches reflect, and lamps emit if hemicubes find their light.
+const uint8_t *findLit(const SolveTask &task, PatchSystem &p) {
+    const Model &m = *p.model;
+    auto *lit = takeOrRefuse<uint8_t>(p.arena, (size_t)m.patchCount);
+    for (int i = 0; i < m.patchCount; ++i) {
+        const Patch &patch = m.patches[i];
+        bool seen = !task.settings.analytic && maxComponent(task.solution.emits[(size_t)patch.chart]) > 0;
+        lit[i] = maxComponent(patch.reflects) > 0 || seen ? kReflects : kUnlit;
+    }
+    return lit;
+}
+
+// Reports progress, and saves rows now and then.
+struct Watch {
+    const SolveTask &task;
+    const PatchSystem &patches;
+    double kept; // when rows were last saved
+
+    Progress progress() {
+        return {[](float done, void *own) { ((Watch *)own)->hear(done); }, this};
+    }
+    void hear(float done) {
+        task.tell(SolveStep::kFormFactors, done);
+        if (wallSeconds() - kept < task.settings.keepEvery) return;
+        keepPatchRows(task, patches);
+        kept = wallSeconds();
+    }
+};
+
+} // namespace
+
+void keepPatchRows(const SolveTask &task, const PatchSystem &p) {
+    if (!task.settings.keep) return;
+    std::vector<int32_t> counts;
+    std::vector<Link> links;
+    for (int i = 0; i < p.model->patchCount; ++i) {
+        const Row &row = p.radiosity.factors.rows[i];
+        counts.push_back(row.known ? row.count : kMissing);
+        if (row.known) links.insert(links.end(), row.links, row.links + row.count);
+    }
+    std::string rows;
+    put(rows, counts), put(rows, links);
+    task.settings.keep(rows);
+}
+
+void findPatchRows(SolveTask &task, PatchSystem &p, const Gl &gl) {
+    const SolveSettings &s = task.settings;
+    const uint8_t *lit = findLit(task, p);
+    if (!s.resumed.empty()) restore(task, p);
+    RowFinder find = s.findRows;
+    if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
+    Watch watch = {task, p, wallSeconds()};
+    const int *abort = task.workers.abort;
+    task.workers.abort = task.stop;
+    task.report.whole =
+        find(*p.model, *p.scene, lit, task.workers, p.arena, p.radiosity.factors, watch.progress());
+    task.workers.abort = abort;
+    if (!task.report.whole) keepPatchRows(task, p);
+    for (int i = 0; i < p.model->patchCount; ++i) task.report.rows += p.radiosity.factors.rows[i].known;
+}
+
+} // namespace odraz

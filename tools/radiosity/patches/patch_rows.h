@@ -1,0 +1,16 @@
+// Rows of patches while a model is solved: finds them, saves them now and then, and resumes from saved ones.
+#pragma once
+
+#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/solution/solve_task.h"
+
+namespace odraz {
+
+// Fills radiosity.factors, starting with the rows of task.settings.resumed. Sets report.whole to whether all
+// rows were found before a stop, and report.rows to their number. Sets workers.abort and restores it.
+void findPatchRows(SolveTask &task, PatchSystem &patches, const Gl &gl);
+
+// Hands the rows found so far to settings.keep.
+void keepPatchRows(const SolveTask &task, const PatchSystem &patches);
+
+} // namespace odraz

@@ -1,0 +1,132 @@
+#include "tools/radiosity/patches/row_finder.h"
+
+#include "tools/radiosity/solution/memory.h"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace odraz {
+
+void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors) {
+    size_t links = 0;
+    for (const FoundRow &row : rows) links += row.links.size();
+    factors.capacity = factors.used = links;
+    factors.links = takeOrRefuse<Link>(arena, links);
+    factors.rows = takeOrRefuse<Row>(arena, rows.size());
+    Link *next = factors.links;
+    for (size_t i = 0; i < rows.size(); ++i) {
+        factors.rows[i] = {next, (int)rows[i].links.size(), rows[i].known};
+        next = std::copy(rows[i].links.begin(), rows[i].links.end(), next);
+    }
+}
+
+uint32_t patchAt(const Model &m, int chart, Vec3 at) {
+    const Chart &c = m.charts[chart];
+    auto block = [](float x, float size, int count) {
+        return std::clamp((int)(x / size * (float)count), 0, count - 1);
+    };
+    int x = block(dot(at - c.corner, c.u), c.width, c.patchesAcross),
+        y = block(dot(at - c.corner, c.v), c.height, c.patchesDown);
+    return (uint32_t)(c.firstPatch + y * c.patchesAcross + x);
+}
+
+namespace {
+
+// Estimates the number of links in all rows, from those of 64 patches or more, spread over the model, with a
+// reserve.
+size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
+    std::vector<float> delta((size_t)(3 * h.px * h.px)), sums((size_t)(3 * h.px * (h.px + 1)));
+    deltaFormFactors(h.px, delta.data());
+    accumulateFormFactors(h.px, delta.data(), sums.data());
+    auto hasRow = [&](int i) { return lit[i] && m.patches[i].share > 0; };
+    std::vector<Eye> eyes;
+    size_t rows = 0, links = 0, seen = 0;
+    for (int i = 0; i < m.patchCount; ++i) rows += hasRow(i);
+    size_t every = std::max((size_t)1, rows / (size_t)std::max(h.batch, 64));
+    for (int i = 0; i < m.patchCount; ++i)
+        if (hasRow(i) && seen++ % every == 0)
+            eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
+    if (eyes.empty()) return 1;
+    std::vector<float> row((size_t)m.patchCount);
+    for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
+        int count = std::min(h.batch, (int)(eyes.size() - first));
+        drawHemicubes(h, m, &eyes[first], count);
+        for (int k = 0; k < count; ++k) {
+            std::fill(row.begin(), row.end(), 0.f);
+            sumHemicube(h, k, sums.data(), row.data());
+            for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
+        }
+    }
+    return links * rows / eyes.size() * (size_t)h.turns * 5 / 4 + 1000;
+}
+
+// Adds the known rows to those drawn so far, then passes progress on.
+struct Merging {
+    const Model &m;
+    FormFactors &factors;
+    const Row *before; // null: none
+    const Progress &heard;
+
+    void merge() const {
+        for (int i = 0; before && i < m.patchCount; ++i)
+            if (before[i].known) factors.rows[i] = before[i];
+    }
+    Progress progress() {
+        return {[](float done, void *p) {
+                    ((Merging *)p)->merge();
+                    ((Merging *)p)->heard(done);
+                },
+                this};
+    }
+};
+
+// Hemicubes that are closed when this leaves its scope.
+struct Opened {
+    Hemicubes h;
+
+    Opened(const Gl &gl, Arena &arena, int px) {
+        if (!openHemicubes(h, gl, arena, px))
+            throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
+    }
+    Opened(const Opened &) = delete;
+    ~Opened() { closeHemicubes(h); }
+};
+
+} // namespace
+
+RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
+    return [&gl, px, turns, turn](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
+                                  Arena &arena, FormFactors &factors, const Progress &progress) {
+        Opened opened(gl, arena, px);
+        Hemicubes &h = opened.h;
+        if (turns > h.batch)
+            throw std::runtime_error("the hemicubes of one patch do not fit into one picture");
+        h.turns = turns;
+        // Known rows need not be drawn again, but others still have links to their patches
+        const Row *before = factors.rows;
+        std::vector<uint8_t> missing(lit, lit + m.patchCount);
+        size_t had = 0;
+        for (int i = 0; before && i < m.patchCount; ++i)
+            if (before[i].known) missing[(size_t)i] = kShines, had += (size_t)before[i].count;
+        // Include the memory of later stages
+        size_t all = estimateLinks(h, m, lit), links = all - std::min(all, had),
+               rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40,
+               needed = links * sizeof(Link) + rest;
+        if (arena.used + needed > arena.size) refuseMemory(arena, needed);
+        factors.links = takeOrRefuse<Link>(arena, links);
+        factors.capacity = links;
+        h.turn = turn;
+        int step = (int)(m.patchCount * 0.6180339) | 1;
+        while (std::gcd(step, m.patchCount) != 1) step += 2;
+        Merging merging = {m, factors, before, progress};
+        bool done = findFormFactors(h, m, missing.data(), workers, arena, factors, merging.progress(), step);
+        if (factors.rows) merging.merge();
+        if (!done && !workers.aborted())
+            throw std::runtime_error("the rows took more memory than estimated: raise --memory");
+        return done;
+    };
+}
+
+} // namespace odraz

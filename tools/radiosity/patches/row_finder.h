@@ -1,0 +1,23 @@
+// A RowFinder that uses hemicubes, and helpers for finders that work row by row.
+#pragma once
+
+#include "tools/radiosity/solution/solve_settings.h"
+
+#include <vector>
+
+namespace odraz {
+
+// Finds rows by hemicubes that OpenGL draws, of `px` pixels, `turns` for each patch. Another `turn` rotates
+// all of them differently. Refuses at once if the estimate does not fit the arena.
+RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn);
+
+// The result of finders that find one row at a time.
+struct FoundRow {
+    std::vector<Link> links;
+    bool known;
+};
+void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors);
+// The patch at a place of a chart.
+uint32_t patchAt(const Model &model, int chart, Vec3 at);
+
+} // namespace odraz

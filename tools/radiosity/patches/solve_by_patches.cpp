@@ -1,0 +1,273 @@
+#include "tools/radiosity/patches/solve_by_patches.h"
+
+#include "tools/common/machine.h"
+#include "tools/radiosity/patches/lamps.h"
+#include "tools/radiosity/patches/light_so_far.h"
+#include "tools/radiosity/patches/patch_rows.h"
+#include "tools/radiosity/patches/sees_backs.h"
+#include "tools/radiosity/patches/sky_light.h"
+#include "tools/radiosity/solution/memory.h"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <stdexcept>
+
+namespace odraz {
+
+namespace {
+
+constexpr int kSkyRays = 1024; // from each texel
+constexpr int kMostSweeps = 10000;
+
+// Runs the stages. Finding form factors and solving may be cut short; the others always run to their end.
+class PatchSolver {
+public:
+    PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl)
+        : task(task), s(task.settings), report(task.report), p(p), m(*p.model), r(p.radiosity), gl(gl),
+          abort(task.workers.abort) {
+        task.workers.abort = &kNever;
+    }
+    PatchSolver(const PatchSolver &) = delete;
+    ~PatchSolver() { task.workers.abort = abort; }
+
+    void run() {
+        divide();
+        task.lap(SolveStep::kDividing);
+        findDirectLight();
+        watch(nullptr);
+        task.lap(SolveStep::kDirectLight);
+        findPatchRows(task, p, gl);
+        task.lap(SolveStep::kFormFactors);
+        solveBounces();
+        fillSolution();
+        task.lap(SolveStep::kSolving);
+    }
+
+private:
+    SolveTask &task;
+    SolveSettings &s;
+    SolveReport &report;
+    PatchSystem &p;
+    Model &m;
+    Radiosity &r;
+    const Gl &gl;
+    const int *abort; // what the workers watched before
+    SolveStep step = SolveStep::kDividing;
+
+    Progress tell(SolveStep which) {
+        step = which;
+        return {[](float done, void *own) {
+                    auto &solver = *(PatchSolver *)own;
+                    solver.task.tell(solver.step, done);
+                },
+                this};
+    }
+
+    // --- Patches and elements ---
+
+    void divide() {
+        Progress progress = tell(SolveStep::kDividing);
+        progress(0);
+        fillModel(m, task.regions);
+        findLights();
+        p.scene->add(Material{});
+        poseFacets(m, *p.scene);
+        p.scene->finish();
+        progress(0.5f);
+        int levels = s.adaptive ? kDivided : 0;
+        refuseTooMany(levels);
+        if (!m.divide(*p.scene, p.arena, task.workers, cellsOfPatch(), levels))
+            refuseMemory(p.arena, texelBytes((size_t)m.texelRoom));
+        m.solid = !seesBacks(m, task.mesh);
+        findPictured(report.notes);
+        for (int i = 0; i < m.patchCount; ++i)
+            m.patches[i].reflects = task.solution.reflects[(size_t)m.patches[i].chart];
+        task.pictured.toPatches(m);
+        report.patches = m.patchCount;
+        progress(1);
+    }
+
+    // The number of cells along a side of a patch.
+    int cellsOfPatch() const {
+        // A hemicube of many polygons takes longer, so then there are fewer
+        double patch =
+            s.patch > 0 ? s.patch : areaOf(task.mesh) / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
+        return (int)std::clamp(std::sqrt(patch) / cellSide(task.mesh, s) + 0.5, 1., (double)kMaxAcross);
+    }
+
+    void findPictured(std::vector<std::string> &notes) {
+        task.findPictured({m.charts, (size_t)m.chartCount}, {m.cells, (size_t)m.cellCount}, notes);
+    }
+
+    static size_t texelBytes(size_t texels) {
+        return texels * (sizeof(Texel) + sizeof(Cell) + 6 * sizeof(Tie) + 16);
+    }
+
+    void refuseTooMany(int levels) {
+        double texels = 0;
+        for (int i = 0; i < m.chartCount; ++i) texels += m.charts[i].texels();
+        texels *= (4 << 2 * levels) / 3;
+        size_t least = texelBytes((size_t)(texels / 2));
+        if (least > s.memory) refuseMemory(p.arena, least);
+        if (texels * 1.5 > INT_MAX)
+            throw std::runtime_error("there are too many elements: make --element larger");
+    }
+
+    // --- Direct light ---
+
+    // Prepares direct light: by shadow rays from the texels or, where that takes too long, by hemicubes.
+    void findLights() {
+        p.glows = findLamps(task.mesh, task.regions, m, s.lampSamples);
+        report.lamps = p.glows.size();
+        const Surroundings &around = s.surroundings;
+        if (p.glows.size() > kManyLamps) s.analytic = false;
+        r.bases.skyCount = 3;
+        // Suns and lamps are separate bases until their light has arrived
+        Vec3 middle = toFloat(task.mesh.middle());
+        float far = (float)(1000 * task.mesh.size());
+        for (const Sun &sun : around.suns) r.bases.suns[r.bases.sunCount++] = middle + sun.towards * far;
+        for (const BallLamp &lamp : around.lamps)
+            r.bases.lamps[r.bases.lampCount++] = {lamp.centre, lamp.radius, -1};
+        if (!s.analytic) return;
+        r.bases.glows = p.glows.data();
+        r.bases.glowCount = (int)p.glows.size();
+    }
+
+    void findDirectLight() {
+        RadiositySettings settings;
+        settings.levels = s.adaptive ? kDivided : 0;
+        settings.contrast = s.contrast;
+        takePlanes();
+        findDirect(r, m, *p.scene, settings, task.workers, tell(SolveStep::kDirectLight));
+        std::vector<std::string> known; // notes by divide()
+        if (s.adaptive) findPictured(known);
+        addOutsideLight();
+    }
+
+    void takePlanes() {
+        size_t texels = (size_t)m.texelRoom + 8;
+        for (int k = 3; k < r.bases.count(); ++k) r.direct[k] = takeOrRefuse<float>(p.arena, texels);
+        for (int k = 0; k < 3; ++k) {
+            r.direct[k] = takeOrRefuse<float>(p.arena, texels);
+            p.light[k] = takeOrRefuse<float>(p.arena, texels);
+            float *unused = takeOrRefuse<float>(p.arena, texels);
+            for (int c = 0; c < 3; ++c) r.bounced[k][c] = k == c ? p.light[k] : unused;
+        }
+    }
+
+    // Adds the light of suns, lamps and sky to that of the model's own lamps.
+    void addOutsideLight() {
+        const Surroundings &around = s.surroundings;
+        auto add = [&](int basis, const Rgb &light) {
+            const float share[3] = {light.x, light.y, light.z};
+            for (int k = 0; k < 3; ++k)
+                for (int t = 0; t < m.texelCount; ++t) r.direct[k][t] += share[k] * r.direct[basis][t];
+        };
+        for (size_t i = 0; i < around.suns.size(); ++i)
+            add(r.bases.firstSun() + (int)i, around.suns[i].light);
+        for (size_t i = 0; i < around.lamps.size(); ++i)
+            add(r.bases.firstLamp() + (int)i, around.lamps[i].radiance);
+        r.bases.sunCount = r.bases.lampCount = 0;
+        if (around.sky.width) addSky(m, *p.scene, around.sky, kSkyRays, task.workers, r.direct);
+    }
+
+    // --- Bounces ---
+
+    // Solves for the light that patches receive and reflect, and from it the texels' reflected light.
+    void solveBounces() {
+        System &system = r.system;
+        if (!fillSystem(r, m, p.arena, task.workers))
+            refuseMemory(p.arena, (size_t)m.patchCount * kSolveBlock * 4 * sizeof(float));
+        // The right-hand sides are separate colours: red light has no green
+        size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
+        for (size_t i = 0; i < (size_t)m.patchCount; ++i)
+            for (size_t k = 0; k < 9; ++k)
+                if (k % 4) system.reflectance[i * columns + k] = 0;
+        const float *seen = s.analytic ? nullptr : lightOfSeenLamps();
+        for (size_t i = 0; seen && i < all; ++i) system.direct[i] += seen[i];
+        s.bounces < 0 ? solveToResidual() : countBounces();
+        findIndirect(system, task.workers);
+        for (size_t i = 0; seen && i < all; ++i) system.indirect[i] += seen[i];
+        spreadLight(r, m, task.workers);
+        settleLight(r, m, task.workers);
+    }
+
+    // The light of lamps that hemicubes find, for each patch and column.
+    const float *lightOfSeenLamps() {
+        const System &system = r.system;
+        size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
+        auto *seen = takeOrRefuse<float>(p.arena, all), *lamps = takeOrRefuse<float>(p.arena, all);
+        for (int i = 0; i < m.patchCount; ++i) {
+            Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
+            float *to = lamps + (size_t)i * columns;
+            to[0] = e.x, to[4] = e.y, to[8] = e.z;
+        }
+        findIndirect(r.factors, m.patchCount, system.columns, lamps, seen, task.workers);
+        return seen;
+    }
+
+    void countBounces() {
+        for (Progress progress = tell(SolveStep::kSolving); report.sweeps < s.bounces;
+             progress((float)report.sweeps / (float)s.bounces)) {
+            bounce(r.system, task.workers);
+            ++report.sweeps;
+            watch(r.system.radiosity);
+        }
+    }
+
+    void solveToResidual() {
+        report.residual = kInfinity; // it may be stopped before the first sweep
+        task.workers.abort = task.stop;
+        report.sweeps = odraz::solve(
+            r.system, task.workers, s.residual, kMostSweeps,
+            {[](float residual, void *own) { ((PatchSolver *)own)->afterSweep(residual); }, this});
+        task.workers.abort = &kNever;
+        if (!report.whole || report.residual <= s.residual || !task.stopped()) return;
+        report.whole = false;
+        keepPatchRows(task, p);
+    }
+
+    void afterSweep(float residual) {
+        report.residual = residual;
+        task.tell(SolveStep::kSolving, task.solvedShare(residual), residual);
+        // There is one block, whose radiosities solve() keeps there
+        watch(r.system.indirect);
+    }
+
+    // --- The solution ---
+
+    void fillGeometry() {
+        Solution &to = task.solution;
+        to.charts.assign(m.charts, m.charts + m.chartCount);
+        to.facets.assign(m.facets, m.facets + m.facetCount);
+        to.cells.assign(m.cells, m.cells + m.cellCount);
+        to.texels.assign(m.texels, m.texels + m.texelCount);
+    }
+
+    void fillSolution() {
+        fillGeometry();
+        std::vector<Rgb> &light = task.solution.light;
+        light.resize((size_t)m.texelCount);
+        for (size_t t = 0; t < light.size(); ++t) light[t] = {p.light[0][t], p.light[1][t], p.light[2][t]};
+    }
+
+    // Shows the light so far; without radiosities only direct light.
+    void watch(const float *radiosity) {
+        if (!task.watched()) return;
+        fillGeometry();
+        task.solution.light = lightSoFar(task, p, radiosity);
+        s.watcher(task.solution, radiosity);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl) {
+    auto p = std::make_unique<PatchSystem>(task.settings.memory);
+    PatchSolver(task, *p, gl).run();
+    if (task.progress) task.progress(nullptr, 1, task.report.residual);
+    return p;
+}
+
+} // namespace odraz

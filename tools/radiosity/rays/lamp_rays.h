@@ -1,0 +1,62 @@
+// Direct light on a mesh by shadow rays: from triangles that emit, from balls and from suns. The sky's light
+// is found by the rays for indirect light (ray_system.h).
+//
+// If at most 256 triangles emit, the unshadowed light from each is its form factor, by Lambert's formula or,
+// from afar, as a disc. Shadow rays to points on it, at least one for each triangle, give the visible share.
+//
+// If more emit, they are divided into parts. A place samples some of these, chosen by their power and spread
+// over space, at a different point each time. The places of one texel, or of a small polygon, share the
+// samples.
+#pragma once
+
+#include "tools/radiosity/rays/light_grid.h"
+#include "tools/radiosity/read/surroundings.h"
+
+namespace odraz {
+
+class LampRays {
+public:
+    static constexpr int kMost = 128, kFew = 32, kMostWhole = 256;
+
+    // The largest emitting polygon has about `samples` parts.
+    LampRays(const Mesh &mesh, const Regions &regions, int samples);
+    bool none() const { return parts.empty(); }
+    double share() const { return shining; } // of the model's area
+    void clear() { parts.clear(), until.clear(), wholes.clear(); }
+
+    // The mean light at the places of one texel, 1 to 4, as irradiance / pi. `seed` is different for every
+    // texel. `sharers` is the number of places that share the rays (one for each part), and `shift`, 0 .. 1,
+    // selects this texel's share of them.
+    Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 *p, int places, const Vec3 &n,
+           uint32_t seed, float shift, int sharers) const;
+
+private:
+    struct Part {
+        Vec3 corner[3], n;
+        float area;
+        Rgb radiance;
+        Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
+        // A point of the triangle, evenly distributed for two numbers 0 .. 1.
+        Vec3 point(float a, float b) const {
+            if (a + b > 1) a = 1 - a, b = 1 - b;
+            return corner[0] + (corner[1] - corner[0]) * a + (corner[2] - corner[0]) * b;
+        }
+    };
+    double shining = 0;
+    std::vector<Part> parts;
+    std::vector<float> until; // running sums of the parts' power
+    std::vector<Part> wholes; // triangles that emit, undivided; empty if there are too many
+    void divide(const Mesh &mesh, const Triangle &t, int samples, double largest);
+    void sortParts(const Mesh &mesh);
+    static float formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near);
+    Rgb fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed, int rays) const;
+    Rgb fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32_t seed, float shift,
+                 int some) const;
+};
+
+// The direct light of all visible texels: the mean over their places. A bit of `behind` is set for each of a
+// site's places that does not count (ray_system.h).
+std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
+                             const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
+
+} // namespace odraz

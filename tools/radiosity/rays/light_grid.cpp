@@ -1,0 +1,210 @@
+#include "tools/radiosity/rays/light_grid.h"
+
+#include "tools/radiosity/divide/facets.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {} // namespace
+
+std::vector<RayTree::Corners> cornersOf(const Mesh &mesh) {
+    std::vector<RayTree::Corners> all(mesh.triangles.size());
+    for (size_t i = 0; i < all.size(); ++i)
+        for (size_t k = 0; k < 3; ++k) all[i][k] = toFloat(mesh.points[(size_t)mesh.triangles[i].corners[k]]);
+    return all;
+}
+
+LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers) : charts(regions.charts) {
+    divide();
+    makeSites(regions, see(regions, tree, workers));
+    orderHidden();
+}
+
+void LightGrid::divide() {
+    size_t cellCount = 0, texelCount = 0;
+    for (Chart &c : charts) {
+        c.firstCell = (int)cellCount, c.firstTexel = (int)texelCount;
+        c.patchesAcross = c.across, c.patchesDown = c.down;
+        cellCount += (size_t)c.across * (size_t)c.down, texelCount += (size_t)c.texels();
+    }
+    if (texelCount > 0x7ffffff0)
+        throw std::runtime_error("there are too many elements: make --element larger");
+    cells.resize(cellCount), texels.resize(texelCount);
+    for (size_t index = 0; index < charts.size(); ++index) {
+        const Chart &c = charts[index];
+        for (int j = 0; j <= c.down; ++j)
+            for (int i = 0; i <= c.across; ++i)
+                texels[(size_t)c.texel(i, j)] = {(int)index, i * kSteps, j * kSteps, 0, 0, false, false};
+        float area = c.width * c.height / (float)(c.across * c.down);
+        for (int j = 0; j < c.down; ++j)
+            for (int i = 0; i < c.across; ++i) {
+                int t = c.texel(i, j), below = t + c.across + 1;
+                cells[(size_t)(c.firstCell + j * c.across + i)] = {
+                    {t, t + 1, below, below + 1}, 0, (int)index, area, 0};
+            }
+    }
+}
+
+Vec3 LightGrid::at(const Texel &t) const {
+    const Chart &c = charts[(size_t)t.chart];
+    return c.at((float)t.x * c.width / (float)(c.across * kSteps),
+                (float)t.y * c.height / (float)(c.down * kSteps));
+}
+
+LightGrid::Spot LightGrid::spotAt(int chart, const Vec3 &p) const {
+    const Chart &c = charts[(size_t)chart];
+    Vec3 d = p - c.corner;
+    float x = std::clamp(dot(d, c.u) / c.width, 0.f, 1.f) * (float)c.across,
+          y = std::clamp(dot(d, c.v) / c.height, 0.f, 1.f) * (float)c.down;
+    int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);
+    return {&cells[(size_t)(c.firstCell + j * c.across + i)], x - (float)i, y - (float)j};
+}
+
+// --- What can be seen ---
+
+// A texel's place in the plane of its chart.
+static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
+    float quarter = 0.25f * kSteps;
+    float x = (float)t.x + (number & 1 ? quarter : -quarter),
+          y = (float)t.y + (number & 2 ? quarter : -quarter);
+    return c.at(x * c.width / (float)(c.across * kSteps), y * c.height / (float)(c.down * kSteps));
+}
+
+// The height above a chart's plane from which a ray looks for its triangles.
+static float above(const Regions &regions, const Chart &c) { return c.off() * 4 + (float)regions.off * 2; }
+
+// The place just above the triangle that the ray hit after `drop`.
+static Vec3 landed(const Regions &regions, const Chart &c, const Vec3 &p, float drop) {
+    return p + c.n * above(regions, c) - c.n * (drop - c.off());
+}
+
+// The drop to the chart's triangle at a place; kNowhere if there is none.
+constexpr float kNowhere = -1;
+static float land(const Regions &regions, const RayTree &tree, int chart, const Vec3 &p) {
+    const Chart &c = regions.charts[(size_t)chart];
+    float high = above(regions, c);
+    RayHit below = tree.nearest(p + c.n * high, -c.n);
+    bool there =
+        below.triangle >= 0 && below.t <= 2 * high && regions.chartOf[(size_t)below.triangle] == chart;
+    return there ? below.t : kNowhere;
+}
+
+// Inside a closed body rays to all sides see only backs. None goes straight up, because tubes have no lids.
+static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
+    for (int i = 0; i < 8; ++i) {
+        float slant = i & 2 ? 0.5f : 2.f, a = (i & 1 ? -slant : slant) * 0.8f,
+              b = (i & 4 ? -slant : slant) * 0.6f;
+        if (!tree.nearest(p, normalize(c.n + c.u * (i & 4 ? -a : a) + c.v * b)).back) return false;
+    }
+    return true;
+}
+
+std::vector<float> LightGrid::see(const Regions &regions, const RayTree &tree, Workers &workers) {
+    std::vector<float> drops(texels.size() * 4, kNowhere);
+    parallelRanges(workers, (int)texels.size(), 1024, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            Texel &t = texels[(size_t)i];
+            const Chart &c = charts[(size_t)t.chart];
+            for (int k = 0; k < 4; ++k) {
+                int x = t.x + (k & 1 ? 1 : -1), y = t.y + (k & 2 ? 1 : -1);
+                if (x < 0 || y < 0 || x > c.across * kSteps || y > c.down * kSteps) continue;
+                Vec3 p = placeAt(c, t, k);
+                float drop = land(regions, tree, t.chart, p);
+                if (drop == kNowhere || inside(tree, c, landed(regions, c, p, drop))) continue;
+                drops[(size_t)i * 4 + (size_t)k] = drop;
+                t.visible |= (uint8_t)(1 << k);
+            }
+        }
+    });
+    return drops;
+}
+
+void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drops) {
+    siteOf.assign(texels.size(), kNone);
+    for (size_t index = 0; index < charts.size(); ++index) {
+        const Chart &c = charts[index];
+        bool small = c.across == 1 && c.down == 1;
+        auto begin = [&](float area) {
+            sites.push_back({(uint32_t)places.size(), 0, small, (int)index, std::sqrt(area)});
+        };
+        auto end = [&] {
+            sites.back().places = (uint16_t)(places.size() - sites.back().firstPlace);
+            if (!sites.back().places) sites.pop_back();
+        };
+        if (small) {
+            double area = 0;
+            for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
+                area += areaOf(outlineOf(regions.facets[(size_t)f]));
+            begin((float)area);
+        }
+        for (int t = c.firstTexel; t < c.firstTexel + c.texels(); ++t) {
+            size_t first = places.size();
+            if (!small) begin(c.width * c.height / (float)(c.across * c.down));
+            for (int k = 0; k < 4; ++k)
+                if (const Texel &texel = texels[(size_t)t]; texel.visible >> k & 1)
+                    places.push_back(
+                        {landed(regions, c, placeAt(c, texel, k), drops[(size_t)t * 4 + (size_t)k]), t});
+            if (places.size() > first) siteOf[(size_t)t] = (uint32_t)(sites.size() - 1);
+            if (!small) end();
+        }
+        if (small) end();
+    }
+    // For watchers: the patch of a cell is the site that sends out its rays
+    for (Cell &cell : cells)
+        for (int t : cell.corner)
+            if (siteOf[(size_t)t] != kNone) {
+                cell.patch = (int)siteOf[(size_t)t];
+                break;
+            }
+}
+
+// --- What cannot ---
+
+// Visits all texels of the chart that are next to one.
+template <class Visit> static void around(const Chart &c, int texel, const Visit &visit) {
+    int wide = c.across + 1, i = (texel - c.firstTexel) % wide, j = (texel - c.firstTexel) / wide;
+    for (int y = std::max(j - 1, 0); y <= std::min(j + 1, (int)c.down); ++y)
+        for (int x = std::max(i - 1, 0); x <= std::min(i + 1, (int)c.across); ++x)
+            if (x != i || y != j) visit((size_t)c.texel(x, y));
+}
+
+void LightGrid::orderHidden() {
+    ring.assign(texels.size(), 0);
+    // Go outwards from known texels, ring by ring
+    std::vector<int> front;
+    constexpr uint16_t kFar = 0xffff;
+    for (size_t t = 0; t < texels.size(); ++t)
+        if (!texels[t].visible) ring[t] = kFar;
+    for (size_t t = 0; t < texels.size(); ++t) {
+        if (ring[t] != kFar) continue;
+        bool near = false;
+        around(charts[(size_t)texels[t].chart], (int)t, [&](size_t k) { near |= ring[k] == 0; });
+        if (near) front.push_back((int)t);
+    }
+    for (uint16_t number = 1; !front.empty() && number < kFar; ++number) {
+        std::vector<int> next;
+        for (int t : front) ring[(size_t)t] = number, tied.push_back(t), texels[(size_t)t].filled = true;
+        for (int t : front)
+            around(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
+                if (ring[k] != kFar) return;
+                ring[k] = kFar - 1; // already on the list
+                next.push_back((int)k);
+            });
+        front = std::move(next);
+    }
+}
+
+void LightGrid::fill(std::vector<Rgb> &light) const {
+    for (int t : tied) {
+        Rgb sum = {};
+        int count = 0;
+        around(charts[(size_t)texels[(size_t)t].chart], t, [&](size_t k) {
+            if (ring[k] < ring[(size_t)t]) sum += light[k], ++count;
+        });
+        light[(size_t)t] = sum * (1 / (float)count);
+    }
+}
+
+} // namespace odraz

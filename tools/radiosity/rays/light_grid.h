@@ -1,0 +1,66 @@
+// The grid that holds light: cells over the charts with texels at their corners (trace/scene/lightmap.h), and
+// the sites that send out rays.
+//
+// A texel has up to four places around it, each a quarter of a cell's side away, as in radiosity/visible.h.
+// Places on no triangle, or inside a closed body, do not count. A chart of one cell is one site with all its
+// places; in larger charts every texel is a site.
+#pragma once
+
+#include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/rays/ray_tree.h"
+
+#include "base/parallel.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace odraz {
+
+// The corners of a mesh's triangles, for RayTree.
+std::vector<RayTree::Corners> cornersOf(const Mesh &mesh);
+
+struct LightGrid {
+    static constexpr uint32_t kNone = 0xffffffff;
+    struct Place {
+        Vec3 p; // just off the surface
+        int texel;
+    };
+    struct Site {
+        uint32_t firstPlace;
+        uint16_t places; // 1 ..
+        bool small;      // stands for its whole chart
+        int chart;
+        float size; // square root of its area
+    };
+    std::vector<Chart> &charts;
+    std::vector<Cell> cells;
+    std::vector<Texel> texels;
+    std::vector<uint32_t> siteOf; // of each texel; kNone: it is hidden
+    std::vector<Site> sites;
+    std::vector<Place> places; // of each site, and of each texel, in order
+    std::vector<int> tied;     // hidden texels, in the order of filling
+
+    // Numbers the cells and texels of the charts, which the caller keeps.
+    LightGrid(Regions &regions, const RayTree &tree, Workers &workers);
+
+    Vec3 at(const Texel &t) const;
+    // The cell at a place of a chart, and the position in it, 0 .. 1.
+    struct Spot {
+        const Cell *cell;
+        float x, y;
+    };
+    Spot spotAt(int chart, const Vec3 &p) const;
+    // Gives each hidden texel the mean of the known texels around it; `light` has all texels.
+    void fill(std::vector<Rgb> &light) const;
+
+private:
+    std::vector<uint16_t> ring; // of a hidden texel: its distance from known ones, 1 ..; else 0
+    void divide();
+    // Finds the visible places of the texels. Returns how far below the start of its ray each of the four
+    // places is.
+    std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);
+    void makeSites(const Regions &regions, const std::vector<float> &drops);
+    void orderHidden();
+};
+
+} // namespace odraz

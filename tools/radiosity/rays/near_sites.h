@@ -1,0 +1,47 @@
+// Finds the sites near a place.
+#pragma once
+
+#include "tools/radiosity/rays/light_grid.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+// A k-d tree: the node of a range is its middle item.
+class NearSites {
+public:
+    explicit NearSites(const LightGrid &grid);
+
+    Vec3 at(uint32_t site) const { return middles[site]; }
+    // Calls visit(site, distance) for all sites within a radius.
+    template <class Visit> void within(const Vec3 &p, float radius, const Visit &visit) const {
+        look(0, order.size(), p, radius, visit);
+    }
+
+private:
+    std::vector<Vec3> middles; // the centre of each site's places
+    std::vector<uint32_t> order;
+    std::vector<uint8_t> axes;
+    static float component(const Vec3 &v, int axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
+    void sort(size_t first, size_t end);
+
+    template <class Visit>
+    void look(size_t first, size_t end, const Vec3 &p, float radius, const Visit &visit) const {
+        while (first < end) {
+            size_t middle = (first + end) / 2;
+            uint32_t site = order[middle];
+            Vec3 d = middles[site] - p;
+            if (float square = dot(d, d); square < radius * radius) visit(site, sqrt(square));
+            float aside = component(d, axes[middle]); // of the middle from here
+            if (aside > -radius && aside < radius) {
+                look(first, middle, p, radius, visit);
+                first = middle + 1;
+            } else if (aside >= 0)
+                end = middle;
+            else
+                first = middle + 1;
+        }
+    }
+};
+
+} // namespace odraz

@@ -1,0 +1,245 @@
+#include "tools/radiosity/rays/ray_system.h"
+
+#include "base/random.h"
+#include "tools/common/luminance.h"
+#include "tools/radiosity/solution/arrays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace odraz {
+
+namespace {
+
+// `count` directions about z by the cosine law; consecutive ones are close.
+std::vector<Vec3> spiralOf(int count) {
+    std::vector<Vec3> all;
+    for (int i = 0; i < count; ++i) {
+        double u = (i + 0.5) / count, r = std::sqrt(u), angle = i * 2.399963229728653;
+        all.push_back({(float)(r * std::cos(angle)), (float)(r * std::sin(angle)), (float)std::sqrt(1 - u)});
+    }
+    // Sort them by strips of the disc, in alternating direction
+    auto strip = [&](const Vec3 &d) { return (int)((d.y + 1) * std::sqrt((float)count) / 4); };
+    std::sort(all.begin(), all.end(), [&](const Vec3 &a, const Vec3 &b) {
+        int s = strip(a), t = strip(b);
+        return s != t ? s < t : s & 1 ? a.x > b.x : a.x < b.x;
+    });
+    return all;
+}
+
+__m128 wide(const Rgb &c) { return _mm_setr_ps(c.x, c.y, c.z, 0); }
+Rgb narrow(__m128 v) {
+    alignas(16) float f[4];
+    _mm_store_ps(f, v);
+    return {f[0], f[1], f[2]};
+}
+
+} // namespace
+
+RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
+                     const Surroundings &around)
+    : near(grid), regions(regions), grid(grid), tree(tree), around(around) {
+    size_t sites = grid.sites.size();
+    firstOf.resize(sites + 1), found.resize(sites);
+    arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
+        behind.resize(sites);
+}
+
+size_t RaySystem::setRays(const std::vector<uint16_t> &counts) {
+    std::vector<uint64_t> at(counts.size() + 1);
+    for (size_t i = 0; i < counts.size(); ++i) at[i + 1] = at[i] + counts[i];
+    std::vector<uint32_t> now(at.back(), kDark);
+    size_t missing = 0;
+    for (size_t i = 0; i < counts.size(); ++i) {
+        size_t had = rays(i);
+        found[i] = found[i] && had == counts[i];
+        missing += !found[i];
+        for (size_t k = 0; had && k < counts[i]; ++k) now[at[i] + k] = rows[firstOf[i] + k % had];
+    }
+    rows = std::move(now), firstOf = std::move(at);
+    return missing;
+}
+
+void RaySystem::save(std::string &to) const {
+    put(to, firstOf), put(to, rows), put(to, found), put(to, sky), put(to, skySquare), put(to, reach),
+        put(to, behind);
+}
+
+bool RaySystem::restore(const std::string &from, size_t &at) {
+    size_t count = grid.sites.size();
+    if (!get(from, at, firstOf) || !get(from, at, rows) || !get(from, at, found) || !get(from, at, sky) ||
+        !get(from, at, skySquare) || !get(from, at, reach) || !get(from, at, behind) ||
+        firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
+        found.size() != count || sky.size() != count || skySquare.size() != count || reach.size() != count ||
+        behind.size() != count)
+        return false;
+    for (size_t i = 0; i < count; ++i)
+        if (firstOf[i] > firstOf[i + 1] || behind[i] >> grid.sites[i].places) return false;
+    return std::all_of(rows.begin(), rows.end(), [&](uint32_t k) { return k < count || k == kDark; });
+}
+
+// Calls met(i, place, direction, hit) for every ray of a site.
+template <class Met>
+void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const {
+    const LightGrid::Site &s = grid.sites[site];
+    const Chart &c = grid.charts[(size_t)s.chart];
+    float turn = unitFloat(pcg((uint32_t)site * 2u + 1)) * 6.2831853f, sine = std::sin(turn),
+          cosine = std::cos(turn);
+    Vec3 u = c.u * cosine + c.v * sine, v = c.v * cosine - c.u * sine;
+    uint32_t from[16], places = 0;
+    for (uint32_t k = 0; k < s.places; ++k)
+        if (!(behind[site] >> k & 1)) from[places++] = s.firstPlace + k;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 &d = spiral[(size_t)i];
+        uint32_t place = from[(uint32_t)i % places];
+        Vec3 direction = u * d.x + v * d.y + c.n * d.z;
+        met(i, place, direction, tree.nearest(grid.places[place].p, direction));
+    }
+}
+
+uint32_t RaySystem::siteAt(int chart, const Vec3 &p, uint32_t random) const {
+    LightGrid::Spot spot = grid.spotAt(chart, p);
+    float weight[4], sum = 0, x = spot.x, y = spot.y;
+    for (int k = 0; k < 4; ++k) {
+        bool known = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;
+        weight[k] = known ? (k & 1 ? x : 1 - x) * (k & 2 ? y : 1 - y) + 1e-6f : 0;
+        sum += weight[k];
+    }
+    if (!(sum > 0)) return kDark;
+    float at = unitFloat(random) * sum;
+    int k = 0;
+    for (; k < 3 && (at -= weight[k]) >= 0; ++k) {
+    }
+    while (!(weight[k] > 0)) k = (k + 3) % 4;
+    return grid.siteOf[(size_t)spot.cell->corner[k]];
+}
+
+void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
+    uint32_t *row = &rows[firstOf[site]], first = grid.sites[site].firstPlace;
+    auto count = (int)rays(site);
+    Rgb open = {};
+    float near = 0, squares = 0;
+    int backs[16] = {}, all[16] = {};
+    cast(site, count, spiral, [&](int i, uint32_t place, const Vec3 &d, const RayHit &hit) {
+        row[i] = kDark;
+        ++all[place - first];
+        if (hit.triangle < 0) {
+            Rgb light = around.sky.width ? around.sky.radiance(d) : Rgb{};
+            open += light, squares += luminance(light) * luminance(light);
+            return;
+        }
+        near += 1 / std::max(hit.t, 1e-30f);
+        if (hit.back)
+            ++backs[place - first];
+        else
+            row[i] = siteAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t,
+                            pcg((uint32_t)(site * 8191 + (size_t)i)));
+    });
+    sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
+    reach[site] = near > 0 ? (float)count / near : kInfinity;
+    // Repeat without the places that lie behind something
+    if (behind[site] || !judges) return;
+    bool clear = false;
+    uint16_t hidden = 0;
+    for (int k = 0; k < grid.sites[site].places; ++k) {
+        clear |= backs[k] * 20 < all[k];
+        if (backs[k] * 4 > all[k]) hidden |= (uint16_t)(1 << k);
+    }
+    if (!clear || !hidden) return;
+    behind[site] = hidden;
+    findRow(site, spiral);
+}
+
+void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
+    std::map<size_t, std::vector<Vec3>> spirals;
+    for (size_t site = first; site < end; ++site)
+        if (auto &spiral = spirals[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
+    parallelRanges(workers, (int)(end - first), 32, [&](int from, int to, int) {
+        for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site)
+            if (!found[site]) findRow(site, spirals.at(rays(site)));
+    });
+    std::fill(found.begin() + (ptrdiff_t)first, found.begin() + (ptrdiff_t)end, true);
+}
+
+int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
+                     float residual, int sweeps, Workers &workers,
+                     const std::function<bool(float)> &afterSweep) {
+    size_t count = grid.sites.size(), blocks = bounces ? 1 : std::clamp(count / 512, (size_t)1, (size_t)64);
+    struct alignas(16) Wide {
+        __m128 v;
+    };
+    std::vector<Wide> shines(count + 1), next(count); // the last one is dark
+    shines[count] = {_mm_setzero_ps()};
+    auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
+    double sources = 0;
+    // Add the light of the sky and of what emits
+    std::vector<Rgb> source = sky;
+    for (size_t i = 0; i < count && !emits.empty(); ++i) {
+        Rgb sum = {};
+        for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
+            if (rows[k] != kDark) sum += emitted(rows[k]);
+        source[i] += sum * (1 / (float)rays(i));
+    }
+    for (size_t i = 0; i < count; ++i) {
+        arrives[i] = source[i];
+        Rgb b = reflects[i] * (direct[i] + source[i]);
+        shines[i] = {wide(b)};
+        sources += area(i) * (double)maxComponent(b);
+    }
+    std::vector<double> changed(count);
+    int done = 0;
+    for (bool on = sources > 0; on && done < sweeps;) {
+        for (size_t b = 0; b < blocks; ++b) {
+            size_t first = count * b / blocks, end = count * (b + 1) / blocks;
+            parallelRanges(workers, (int)(end - first), 64, [&](int from, int to, int) {
+                for (size_t i = first + (size_t)from; i < first + (size_t)to; ++i) {
+                    const uint32_t *row = &rows[firstOf[i]];
+                    size_t rays = this->rays(i);
+                    __m128 sum = _mm_setzero_ps();
+                    for (size_t k = 0; k < rays; ++k)
+                        sum = _mm_add_ps(sum, shines[std::min((size_t)row[k], count)].v);
+                    arrives[i] = source[i] + narrow(sum) * (1 / (float)rays);
+                    Rgb b = reflects[i] * (direct[i] + arrives[i]);
+                    Rgb d = b - narrow(shines[i].v);
+                    changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
+                    next[i] = {wide(b)};
+                }
+            });
+            std::copy(next.begin() + (ptrdiff_t)first, next.begin() + (ptrdiff_t)end,
+                      shines.begin() + (ptrdiff_t)first);
+        }
+        ++done;
+        double change = 0;
+        for (double c : changed) change += c;
+        auto left = (float)(change / sources);
+        on = afterSweep(left) && (bounces || left > residual);
+    }
+    return done;
+}
+
+void RaySystem::finalGather(int count, const std::vector<Rgb> &texels,
+                            const std::function<Rgb(int)> &reflects, Workers &workers) {
+    const std::vector<Vec3> spiral = spiralOf(count);
+    parallelRanges(workers, (int)grid.sites.size(), 32, [&](int first, int end, int) {
+        for (int site = first; site < end; ++site) {
+            Rgb sum = {};
+            cast((size_t)site, count, spiral, [&](int, uint32_t place, const Vec3 &d, const RayHit &hit) {
+                if (hit.triangle < 0) {
+                    if (around.sky.width) sum += around.sky.radiance(d);
+                } else if (!hit.back) {
+                    LightGrid::Spot s =
+                        grid.spotAt(regions.chartOf[(size_t)hit.triangle], grid.places[place].p + d * hit.t);
+                    const int *c = s.cell->corner;
+                    auto l = [&](int k) { return texels[(size_t)c[k]]; };
+                    sum += lerp(lerp(l(0), l(1), s.x), lerp(l(2), l(3), s.x), s.y) *
+                           reflects((int)(s.cell - grid.cells.data()));
+                    if (!emits.empty()) sum += emits[(size_t)s.cell->chart];
+                }
+            });
+            arrives[(size_t)site] = sum * (1 / (float)count);
+        }
+    });
+}
+
+} // namespace odraz

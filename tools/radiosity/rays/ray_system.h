@@ -1,0 +1,93 @@
+// Light from the sky and from other surfaces, by rays from every site: form factors as rows of rays, and the
+// radiosity system solved with them.
+//
+// A site sends out rays by the cosine law. The sites that they hit are its row, each hit with an equal share,
+// like a hemicube whose pixels count the same; rays that hit nothing see the sky. The system is E = S + F rho
+// (D + E), where E is what arrives, D direct light and S the sky's. Directions form a spiral (Vogel, 1979:
+// the golden angle on a disc), rotated differently at each site. Where a chart has several sites around the
+// point that a ray hits, one of them is chosen at random, near ones more often.
+//
+// In the end neighbouring sites share light where the split-sphere model (Ward, Rubinstein and Clear, "A Ray
+// Tracing Solution for Diffuse Interreflection", 1988) says that light changes little: much where everything
+// is far away, nothing where things touch.
+#pragma once
+
+#include "tools/radiosity/rays/light_grid.h"
+#include "tools/radiosity/rays/near_sites.h"
+#include "tools/radiosity/read/surroundings.h"
+
+#include <functional>
+#include <string>
+
+namespace odraz {
+
+class RaySystem {
+public:
+    static constexpr uint32_t kDark = 0xffffffff; // the sky, a back, or a place without light
+    static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
+    static constexpr double kAllRays = 24e6;
+
+    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
+
+    // Sets the number of rays of each site. A site whose number stays keeps its row; others repeat their old
+    // row until the new one is found. Returns the number of rows to find.
+    size_t setRays(const std::vector<uint16_t> &rays);
+    size_t rays(size_t site) const { return firstOf[site + 1] - firstOf[site]; }
+    // Finds the missing rows of sites first .. end.
+    void findRows(size_t first, size_t end, Workers &workers);
+
+    // The number of rays that each site needs, estimated from the light of its present ones, for a relative
+    // error of `error` after sharing: powers of two, kLeastRays to kMostRays, kAllRays in total.
+    std::vector<uint16_t> raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
+                                  float error, float share, Workers &workers) const;
+
+    // Solves for what arrives, from direct light at the sites and what they reflect, in `sweeps` sweeps at
+    // most. afterSweep(residual) is called after each one, and stops it by returning false. With `bounces` a
+    // sweep is one bounce; without, new values are used at once. Returns the number of sweeps.
+    int solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces, float residual,
+              int sweeps, Workers &workers, const std::function<bool(float residual)> &afterSweep);
+
+    // The final gather: `rays` more rays from every site collect the interpolated light of the texels.
+    void finalGather(int rays, const std::vector<Rgb> &texels, const std::function<Rgb(int cell)> &reflects,
+                     Workers &workers);
+
+    // What arrives at all visible texels, without direct light: the light of sites, shared between neighbours
+    // where that changes it by less than `share`.
+    std::vector<Rgb> atTexels(float share, Workers &workers) const;
+
+    // The rows found so far, as arrays of a file; false if they do not fit the grid.
+    void save(std::string &to) const;
+    bool restore(const std::string &from, size_t &at);
+
+    std::vector<Rgb> arrives; // at every site
+    // What charts emit that these rays must find; empty if lamps count as direct light
+    std::vector<Rgb> emits;
+    std::vector<uint64_t> firstOf; // start of each site's row in `rows`, and the end of the last
+    std::vector<uint32_t> rows;    // the sites that were hit
+    std::vector<uint8_t> found;    // whether the site's row is found
+    bool judges = true;            // findRows() also finds which places lie behind something
+    std::vector<Rgb> sky;          // of every site
+    std::vector<float> skySquare;  // mean of its squared brightness
+    std::vector<float> reach;      // harmonic mean of the distances of what it sees
+    // A bit is set for each of a site's places that does not count: it sees many backs while others of the
+    // site see none. Such a place lies behind or under something thin that cuts through the surface.
+    std::vector<uint16_t> behind;
+
+private:
+    NearSites near;
+    const Regions &regions;
+    const LightGrid &grid;
+    const RayTree &tree;
+    const Surroundings &around;
+    Rgb emitted(size_t site) const { return emits.empty() ? Rgb{} : emits[(size_t)grid.sites[site].chart]; }
+    template <class Met>
+    void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
+    void findRow(size_t site, const std::vector<Vec3> &spiral);
+    // Calls visit(other, weight) for all sites whose light counts at a place of a site
+    template <class Visit>
+    void neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
+                    const Visit &visit) const;
+    uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
+};
+
+} // namespace odraz

@@ -1,0 +1,89 @@
+// How sites share light, and how many rays this requires.
+#include "tools/common/luminance.h"
+#include "tools/radiosity/rays/ray_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+template <class Visit>
+void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
+                           const Visit &visit) const {
+    const LightGrid::Site &s = grid.sites[own];
+    float radius = std::min(share * reach[own], 3.5f * s.size);
+    if (radius < 0.7f * s.size) return;
+    Vec3 n = grid.charts[(size_t)s.chart].n;
+    near.within(p, radius, [&](uint32_t i, float far) {
+        const LightGrid::Site &other = grid.sites[i];
+        const Vec3 &m = grid.charts[(size_t)other.chart].n;
+        float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
+        float off = (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
+        // A site behind the middle plane sees things that this one does not
+        if (off >= 1 || std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
+        visit(i, (1 - off) * (1 - far / radius) * other.size * other.size);
+    });
+}
+
+std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
+                                         float error, float share, Workers &workers) const {
+    size_t count = grid.sites.size();
+    std::vector<float> variance(count), wanted(count);
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto i = (size_t)first; i < (size_t)end; ++i) {
+            double sum = (double)luminance(sky[i]), squares = (double)skySquare[i],
+                   share = 1 / (double)rays(i);
+            for (uint64_t k = firstOf[i]; k < firstOf[i + 1]; ++k)
+                if (uint32_t j = rows[k]; j != kDark) {
+                    auto l = (double)luminance(reflects[j] * (direct[j] + arrives[j]) + emitted(j));
+                    sum += l * share, squares += l * l * share;
+                }
+            variance[i] = (float)std::max(squares - sum * sum, 0.);
+        }
+    });
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto i = (size_t)first; i < (size_t)end; ++i) {
+            // Few rays may miss something small and bright, so the hits of nearby sites count too
+            float all = variance[i], light = luminance(direct[i] + arrives[i]), weights = 1, sum = 0,
+                  square = 0;
+            neighbours((uint32_t)i, near.at((uint32_t)i), share, near, [&](uint32_t k, float w) {
+                w /= grid.sites[i].size * grid.sites[i].size;
+                all += w * variance[k], light += w * luminance(direct[k] + arrives[k]), weights += w;
+                sum += w, square += w * w;
+            });
+            float sharers = square > 0 ? sum * sum / square : 1, least = error * light / weights;
+            // The error of a spiral falls faster than that of random rays
+            if (least > 0) wanted[i] = std::pow(all / weights / (sharers * least * least), 1 / 1.4f);
+        }
+    });
+    double scale = 1;
+    std::vector<uint16_t> all(count);
+    for (int tries = 0; tries < 20; ++tries, scale *= 0.7) {
+        double sum = 0;
+        for (size_t i = 0; i < count; ++i) {
+            uint16_t n = kLeastRays;
+            while (n < kMostRays && (double)n < (double)wanted[i] * scale) n = (uint16_t)(n * 2);
+            sum += all[i] = n;
+        }
+        if (sum <= kAllRays) break;
+    }
+    return all;
+}
+
+std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
+    std::vector<Rgb> light(grid.texels.size());
+    parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
+        for (int t = first; t < end; ++t) {
+            uint32_t own = grid.siteOf[(size_t)t];
+            if (own == LightGrid::kNone) continue;
+            Rgb sum = {};
+            float weights = 0;
+            neighbours(own, grid.at(grid.texels[(size_t)t]), share, near,
+                       [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
+            light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[own];
+        }
+    });
+    return light;
+}
+
+} // namespace odraz

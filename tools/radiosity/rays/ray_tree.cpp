@@ -1,0 +1,140 @@
+#include "tools/radiosity/rays/ray_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+struct RayTree::Ray {
+    Vec3x8 o, inverse;
+    int kx, ky, kz; // axes, chosen so that the ray runs upwards along kz
+    Float8 sx, sy, sz;
+
+    Ray(const Vec3 &origin, const Vec3 &direction) : o(broadcast(origin)) {
+        auto invert = [](float x) { return broadcast(1 / (std::fabs(x) < 1e-20f ? 1e-20f : x)); };
+        inverse = {invert(direction.x), invert(direction.y), invert(direction.z)};
+        const float d[3] = {direction.x, direction.y, direction.z};
+        kz = 0;
+        for (int k = 1; k < 3; ++k)
+            if (std::fabs(d[k]) > std::fabs(d[kz])) kz = k;
+        kx = (kz + 1) % 3, ky = (kz + 2) % 3;
+        if (d[kz] < 0) std::swap(kx, ky); // keeps the handedness
+        sx = broadcast(d[kx] / d[kz]), sy = broadcast(d[ky] / d[kz]), sz = broadcast(1 / d[kz]);
+    }
+    // Distances at which the ray enters eight boxes, or kInfinity if not before the limit. Far sides are
+    // moved out by the possible rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+    Float8 enter(const Node &n, float limit) const {
+        Float8 ax = (load(n.lo[0]) - o.x) * inverse.x, bx = (load(n.hi[0]) - o.x) * inverse.x;
+        Float8 ay = (load(n.lo[1]) - o.y) * inverse.y, by = (load(n.hi[1]) - o.y) * inverse.y;
+        Float8 az = (load(n.lo[2]) - o.z) * inverse.z, bz = (load(n.hi[2]) - o.z) * inverse.z;
+        Float8 in = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
+        Float8 out = min(min(max(ax, bx), max(ay, by)), max(az, bz)) * 1.0000005f;
+        return select((in <= out) & (in <= broadcast(limit)), in, kInfinity);
+    }
+    // Distances to a leaf's triangles, kInfinity for a miss; `back` is set where the back was hit. Corners
+    // are sheared so that the ray becomes an axis. Neighbours then compute the same values for a shared edge,
+    // and rounding cannot let the ray pass between them.
+    Float8 meet(const Leaf &l, Int8 &back) const {
+        struct Sheared {
+            Float8 x, y, z;
+        };
+        const Float8 from[3] = {o.x, o.y, o.z};
+        auto corner = [&](int k) {
+            Float8 z = load(l.corner[k][kz]) - from[kz];
+            return Sheared{fmadd(-sx, z, load(l.corner[k][kx]) - from[kx]),
+                           fmadd(-sy, z, load(l.corner[k][ky]) - from[ky]), z * sz};
+        };
+        // a b - c d, nearly exact (Kahan)
+        auto difference = [](Float8 a, Float8 b, Float8 c, Float8 d) {
+            Float8 cd = c * d;
+            return (Float8)_mm256_fmsub_ps(a, b, cd) + (Float8)_mm256_fnmadd_ps(c, d, cd);
+        };
+        Sheared a = corner(0), b = corner(1), c = corner(2);
+        Float8 u = difference(c.x, b.y, c.y, b.x), v = difference(a.x, c.y, a.y, c.x),
+               w = difference(b.x, a.y, b.y, a.x);
+        Float8 least = min(u, min(v, w)), most = max(u, max(v, w)), sum = u + v + w;
+        Float8 t = fmadd(u, a.z, fmadd(v, b.z, w * c.z)) / sum;
+        back = sum < 0.f;
+        Int8 hit = ((least >= 0.f) | (most <= 0.f)) & (sum != 0.f) & (t > 0.f);
+        return select(hit, t, kInfinity);
+    }
+};
+
+namespace {
+
+// Nodes still to visit, the nearest last.
+struct Waiting {
+    int node;
+    float enter;
+};
+constexpr int kWaiting = 512;
+// Distances to backs count this much more: of a back and a front in one plane, the front is hit
+constexpr float kBehind = 1.0001f;
+
+} // namespace
+
+template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &direction) const {
+    Ray ray(origin, direction);
+    RayHit hit;
+    float limit = kInfinity; // only nearer hits count
+    Waiting stack[kWaiting];
+    int waiting = 0;
+    stack[waiting++] = {0, 0};
+    while (waiting) {
+        Waiting next = stack[--waiting];
+        if (next.enter > limit) continue;
+        if (next.node < 0) {
+            const Leaf &l = leaves[(size_t)~next.node];
+            Int8 back;
+            Float8 t = ray.meet(l, back), far = select(back, kFronts ? broadcast(kInfinity) : t * kBehind, t);
+            for (int lanes = laneBits((far <= broadcast(limit)) & (far < kInfinity)); lanes;
+                 lanes &= lanes - 1) {
+                int i = __builtin_ctz((unsigned)lanes);
+                // Of equal distances take the first triangle: the result does not depend on how the tree was
+                // built
+                if (l.number[i] < 0 || far[i] > limit || (far[i] == limit && l.number[i] > hit.triangle))
+                    continue;
+                limit = far[i];
+                hit = {t[i], l.number[i], back[i] != 0};
+            }
+            continue;
+        }
+        const Node &n = nodes[(size_t)next.node];
+        Float8 enter = ray.enter(n, limit);
+        int base = waiting;
+        for (int lanes = laneBits(enter < kInfinity); lanes; lanes &= lanes - 1) {
+            int i = __builtin_ctz((unsigned)lanes), at = waiting++;
+            float e = enter[i];
+            for (; at > base && stack[at - 1].enter < e; --at) stack[at] = stack[at - 1];
+            stack[at] = {n.child[i], e};
+        }
+    }
+    return hit;
+}
+
+RayHit RayTree::nearest(const Vec3 &origin, const Vec3 &direction) const {
+    return find<false>(origin, direction);
+}
+RayHit RayTree::nearestFront(const Vec3 &origin, const Vec3 &direction) const {
+    return find<true>(origin, direction);
+}
+
+bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end) const {
+    Ray ray(origin, direction);
+    int stack[kWaiting], waiting = 0;
+    stack[waiting++] = 0;
+    while (waiting) {
+        int next = stack[--waiting];
+        if (next < 0) {
+            Int8 back;
+            if (any(ray.meet(leaves[(size_t)~next], back) < broadcast(end))) return true;
+            continue;
+        }
+        const Node &n = nodes[(size_t)next];
+        for (int lanes = laneBits(ray.enter(n, end) < kInfinity); lanes; lanes &= lanes - 1)
+            stack[waiting++] = n.child[__builtin_ctz((unsigned)lanes)];
+    }
+    return false;
+}
+
+} // namespace odraz

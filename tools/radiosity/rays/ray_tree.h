@@ -1,0 +1,55 @@
+// Rays against any number of triangles: a tree of boxes with eight children and leaves of eight triangles. A
+// ray is tested against eight boxes or triangles at once, so rays need not be coherent.
+//
+// Triangles are hit from both sides. Where neighbours share corners, no ray passes between them (Woop,
+// Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). The time of a ray grows with the
+// logarithm of the number of triangles.
+#pragma once
+
+#include "base/vec3.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace odraz {
+
+struct RayHit {
+    float t = kInfinity; // in lengths of the direction
+    int triangle = -1;   // -1: no hit
+    bool back = false;   // it is clockwise as seen from the origin
+};
+
+class RayTree {
+public:
+    using Corners = std::array<Vec3, 3>;
+    explicit RayTree(const std::vector<Corners> &triangles);
+
+    // The first hit in front of the origin. Where a front and a back lie in one plane, as in a sheet given
+    // from both sides, it is the front.
+    RayHit nearest(const Vec3 &origin, const Vec3 &direction) const;
+    // The first front that is hit; backs are transparent.
+    RayHit nearestFront(const Vec3 &origin, const Vec3 &direction) const;
+    // Whether anything lies before `end`, whichever side it shows.
+    bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
+
+    // The bytes that a tree of so many triangles needs, also while it is built.
+    static size_t bytesFor(size_t triangles) { return triangles * 270; }
+
+private:
+    struct alignas(32) Node {
+        float lo[3][8], hi[3][8];
+        int child[8]; // a node, or ~leaf
+    };
+    struct alignas(32) Leaf {
+        float corner[3][3][8]; // [corner][axis][triangle]
+        int number[8];         // -1: none
+    };
+    struct Builder;
+    struct Ray;
+    std::vector<Node> nodes;
+    std::vector<Leaf> leaves;
+    template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction) const;
+};
+
+} // namespace odraz

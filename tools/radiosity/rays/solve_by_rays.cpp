@@ -1,0 +1,243 @@
+#include "tools/radiosity/rays/solve_by_rays.h"
+
+#include "tools/common/clock.h"
+#include "tools/radiosity/rays/lamp_rays.h"
+#include "tools/radiosity/rays/ray_system.h"
+#include "tools/radiosity/solution/arrays.h"
+#include "tools/radiosity/solution/memory.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace odraz {
+
+namespace {
+
+constexpr double kLarge = 0.25; // share of the model's area: if more of it emits, it counts as no lamp
+constexpr float kFirst = 0.25f; // share of the rays' time for the first ones, about
+// The relative error of a site's light that its rays, with those of its neighbours, may leave
+constexpr float kError = 0.014f;
+// The change of light up to which sites share it: before and after the final gather
+constexpr float kShared = 0.2f, kFinalShared = 0.1f;
+constexpr int kMostSweeps = 10000;
+
+// The bytes that a solution needs, known before any are allocated.
+size_t memoryFor(const SolveTask &task) {
+    const SolveSettings &s = task.settings;
+    size_t charts = task.regions.charts.size(), texels = 0, cells = 0, sites = 0;
+    for (const Chart &c : task.regions.charts) {
+        bool small = c.across == 1 && c.down == 1;
+        texels += (size_t)c.texels(), cells += (size_t)c.across * (size_t)c.down;
+        sites += small ? 1 : (size_t)c.texels();
+    }
+    double first = s.rays > 0 ? s.rays : RaySystem::kLeastRays, sent = (double)sites * first;
+    if (s.rays == 0)
+        sent += std::max(sent, std::min((double)sites * RaySystem::kMostRays, RaySystem::kAllRays));
+    size_t points = task.mesh.points.size(), triangles = task.mesh.triangles.size();
+    return points * sizeof(Vec3d) + triangles * (sizeof(Triangle) + 40) + RayTree::bytesFor(triangles) +
+           charts * (sizeof(Chart) + 2 * sizeof(Facet)) + cells * 2 * sizeof(Cell) +
+           texels * (2 * sizeof(Texel) + 5 * sizeof(Rgb) + 24) + sites * 260 + (size_t)sent * 4;
+}
+
+// Solves for the light at the sites, step by step.
+class RaySolver {
+public:
+    RaySolver(SolveTask &task, const RayTree &tree, LightGrid &grid)
+        : task(task), s(task.settings), report(task.report), tree(tree), grid(grid),
+          system(task.regions, grid, tree, s.surroundings) {}
+
+    void run() {
+        resume();
+        findFirstRows();
+        findDirectLight();
+        fillGeometry();
+        if (task.watched()) {
+            task.solution.light = direct;
+            grid.fill(task.solution.light);
+            s.watcher(task.solution, false);
+        }
+        if (s.rays == 0 && report.whole) refineRows();
+        report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
+        solve();
+        task.solution.light = lightOfTexels(kShared);
+        if (s.finalRays > 0 && report.whole) finalGather();
+        task.lap(SolveStep::kSolving);
+    }
+
+private:
+    SolveTask &task;
+    SolveSettings &s;
+    SolveReport &report;
+    const RayTree &tree;
+    LightGrid &grid;
+    RaySystem system;
+    double kept = wallSeconds(); // when rows were last saved
+    bool refined = false;        // the number of rays that each site needs is known
+    std::vector<Rgb> direct;     // light of each texel
+    std::vector<Rgb> directAtSites, reflects;
+
+    void resume() {
+        if (s.resumed.empty()) return;
+        size_t at = 0;
+        std::vector<uint8_t> flag;
+        if (!get(s.resumed, at, flag) || flag.size() != 1 || !system.restore(s.resumed, at) ||
+            at != s.resumed.size())
+            refuseResumed();
+        s.resumed.clear();
+        refined = flag[0];
+    }
+
+    void keep(bool refinedRows) {
+        if (!s.keep) return;
+        std::string rows;
+        put(rows, std::vector<uint8_t>{refinedRows});
+        system.save(rows);
+        s.keep(rows);
+        kept = wallSeconds();
+    }
+    bool keepIsDue() const { return wallSeconds() - kept > s.keepEvery; }
+
+    // Finds the missing rows for these numbers of rays. For progress it is the part from .. to of the step.
+    void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {
+        size_t missing = system.setRays(rays), count = rays.size(), done = 0;
+        size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
+        for (size_t first = 0; first < count; first += piece) {
+            size_t end = std::min(first + piece, count);
+            task.tell(SolveStep::kFormFactors,
+                      from + (to - from) * (float)done / (float)std::max(missing, (size_t)1));
+            bool stopped = task.stopped();
+            if (stopped) report.whole = false;
+            if (stopped || keepIsDue()) keep(refinedRows);
+            if (!report.whole) return;
+            for (size_t i = first; i < end; ++i) done += !system.found[i];
+            system.findRows(first, end, task.workers);
+            report.rows = (int)end;
+        }
+        task.tell(SolveStep::kFormFactors, to);
+    }
+
+    void findFirstRows() {
+        auto rays = (uint16_t)(s.rays > 0 ? s.rays : RaySystem::kLeastRays);
+        if (!refined)
+            findRows(std::vector<uint16_t>(grid.sites.size(), rays), false, 0, s.rays > 0 ? 1 : kFirst);
+        system.judges = false;
+        task.lap(SolveStep::kFormFactors);
+    }
+
+    void findDirectLight() {
+        task.tell(SolveStep::kDirectLight, 0);
+        LampRays lamps(task.mesh, task.regions, s.lampSamples);
+        if (lamps.share() > kLarge) { // then rays find it better than samples
+            system.emits = task.solution.emits;
+            lamps.clear();
+        }
+        direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
+        describeSites();
+        task.lap(SolveStep::kDirectLight);
+        task.tell(SolveStep::kDirectLight, 1);
+    }
+
+    // The direct light and the reflectance of the sites: means over those of their places that count.
+    void describeSites() {
+        directAtSites.resize(grid.sites.size()), reflects.resize(grid.sites.size());
+        for (size_t i = 0; i < grid.sites.size(); ++i) {
+            const LightGrid::Site &site = grid.sites[i];
+            int count = 0;
+            for (uint32_t k = 0; k < site.places; ++k)
+                if (!(system.behind[i] >> k & 1))
+                    directAtSites[i] += direct[(size_t)grid.places[site.firstPlace + k].texel], ++count;
+            directAtSites[i] = directAtSites[i] * (1 / (float)count);
+            reflects[i] = task.solution.reflects[(size_t)site.chart];
+            const std::vector<Rgb> &ofCell = task.solution.cellReflects;
+            if (ofCell.empty()) continue;
+            reflects[i] = {};
+            for (uint32_t k = 0; k < site.places; ++k) {
+                auto *cell = grid.spotAt(site.chart, grid.places[site.firstPlace + k].p).cell;
+                reflects[i] += ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.places);
+            }
+        }
+    }
+
+    void fillGeometry() {
+        task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
+        task.solution.cells = grid.cells, task.solution.texels = grid.texels;
+    }
+
+    // Uses a first solution to decide which sites need more rays.
+    void refineRows() {
+        std::vector<uint16_t> rays(grid.sites.size());
+        for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)system.rays(i);
+        if (!refined) {
+            system.solve(directAtSites, reflects, false, 0.01f, 100, task.workers,
+                         [](float) { return true; });
+            task.lap(SolveStep::kSolving);
+            rays = system.raysFor(directAtSites, reflects, kError, kShared, task.workers);
+        }
+        findRows(rays, true, kFirst, 1);
+        task.lap(SolveStep::kFormFactors);
+    }
+
+    void solve() {
+        bool counted = s.bounces >= 0;
+        auto afterSweep = [&](float residual) {
+            report.residual = residual;
+            if (report.whole && keepIsDue()) keep(s.rays == 0);
+            task.tell(SolveStep::kSolving, task.solvedShare(residual), residual);
+            if (task.watched()) {
+                task.solution.light = lightOfTexels(kShared);
+                s.watcher(task.solution, true);
+            }
+            return !task.stopped();
+        };
+        report.sweeps = system.solve(directAtSites, reflects, counted, s.residual,
+                                     counted ? s.bounces : kMostSweeps, task.workers, afterSweep);
+        bool done = counted ? report.sweeps == s.bounces : report.residual <= s.residual;
+        if (report.whole && !done && task.stopped()) {
+            report.whole = false;
+            keep(s.rays == 0);
+        }
+        if (!counted && !done && !task.stopped())
+            report.notes.emplace_back(
+                "the light does not converge: surfaces with a Kd of 1 reflect all of it");
+    }
+
+    void finalGather() {
+        task.tell(SolveStep::kFinalRays, 0);
+        auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
+        system.finalGather(s.finalRays, task.solution.light, reflectsAt, task.workers);
+        task.solution.light = lightOfTexels(kFinalShared);
+        task.tell(SolveStep::kFinalRays, 1);
+    }
+
+    // Direct and reflected light of all texels; hidden ones are filled from those around them.
+    std::vector<Rgb> lightOfTexels(float share) {
+        std::vector<Rgb> light = system.atTexels(share, task.workers);
+        for (size_t t = 0; t < light.size(); ++t) light[t] += direct[t];
+        grid.fill(light);
+        return light;
+    }
+};
+
+} // namespace
+
+void solveByRays(SolveTask &task) {
+    SolveReport &report = task.report;
+    report.whole = true;
+    task.tell(SolveStep::kDividing, 0);
+    RayTree tree(cornersOf(task.mesh));
+    task.tell(SolveStep::kDividing, 0.4f);
+    size_t bytes = memoryFor(task);
+    if (bytes > task.settings.memory)
+        refuseMemory(bytes, task.settings.memory, "larger elements or fewer rays need less");
+    if (task.settings.needs) task.settings.needs(bytes);
+    LightGrid grid(task.regions, tree, task.workers);
+    report.sites = (int)grid.sites.size();
+    task.findPictured(task.regions.charts, grid.cells, report.notes);
+    task.tell(SolveStep::kDividing, 1);
+    task.lap(SolveStep::kDividing);
+    RaySolver(task, tree, grid).run();
+    if (task.progress) task.progress(nullptr, 1, report.residual);
+}
+
+} // namespace odraz

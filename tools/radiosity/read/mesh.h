@@ -1,0 +1,67 @@
+// Models as triangles, read from Wavefront OBJ.
+#pragma once
+
+#include "tools/common/arguments.h"
+#include "tools/common/vec3d.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+// An error in a file: one line that begins with the file's name and, if known, the line number.
+struct ModelError : odraz::Refused {
+    using Refused::Refused;
+};
+
+// A map_Kd: the material reflects `tint` times the picture at the coordinates times `scale` plus `offset`.
+struct MeshPicture {
+    std::string path; // empty: no picture
+    std::array<float, 3> tint = {1, 1, 1};
+    std::array<float, 2> scale = {1, 1}, offset = {};
+    bool clamp = false; // outside 0 .. 1 the border is repeated, not the picture
+};
+
+struct MeshMaterial {
+    std::string name;
+    std::array<float, 3> reflects, emits; // Kd, 0 .. 1; Ke, or Ka if that is above 1, 0 ..
+    MeshPicture picture = {};
+};
+
+struct Triangle {
+    std::array<int, 3> corners; // points, counter-clockwise as seen from the lit side
+    int material;
+};
+
+struct Mesh {
+    std::vector<odraz::Vec3d> points; // all different
+    std::vector<Triangle> triangles;
+    // Texture coordinates of each triangle's corners, NaN for a triangle that has none; empty if no material
+    // has a picture
+    std::vector<std::array<float, 6>> coordinates;
+    std::vector<MeshMaterial> materials;
+    int flat = 0, twice = 0; // triangles left out: without area; duplicates
+
+    double size() const; // the diagonal of its bounding box
+    odraz::Vec3d middle() const;
+};
+
+struct ReadSettings {
+    double scale = 1;      // of coordinates
+    bool twoSided = false; // both sides are lit
+};
+
+// Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
+// everything that it repaired or ignored. Throws ModelError.
+Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+
+// The triangle's normal, with a length of twice its area.
+odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);
+
+// The least and greatest coordinates of the points; there must be at least one.
+std::pair<odraz::Vec3d, odraz::Vec3d> boxOf(const std::vector<odraz::Vec3d> &points);
+
+// Whether some triangle emits light.
+bool shines(const Mesh &mesh);
+
+// The area of all triangles.
+double areaOf(const Mesh &mesh);

@@ -1,0 +1,23 @@
+// Prepares the text of a Wavefront OBJ for tinyobjloader, which skips what it cannot read and reports no
+// lines.
+#pragma once
+
+#include <string>
+#include <vector>
+
+// Ends every line with LF instead of CR LF or CR. Joins lines that end with a backslash to the next, and
+// removes the byte order mark and zero bytes. The number of lines stays the same.
+std::string plainText(std::string text);
+
+// Whether a line begins with `word`; if so, `rest` becomes what follows, without blanks around it.
+bool isLine(const std::string &line, const char *word, std::string &rest);
+
+struct ObjText {
+    std::string all;                    // without mtllib; each usemtl has an index into `used`
+    std::vector<std::string> libraries; // the text after each mtllib
+    std::vector<std::string> used;      // names of materials, each once
+    int shortPolygons = 0;              // with fewer than three points, left out
+
+    // Throws ModelError with the line number for anything that the parser would read wrongly.
+    ObjText(const std::string &path, std::string text);
+};

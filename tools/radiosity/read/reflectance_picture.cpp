@@ -1,0 +1,162 @@
+#include "tools/radiosity/read/reflectance_picture.h"
+
+#include "tools/common/arguments.h"
+#include "tools/common/statistics.h"
+#include "tools/common/whole_file.h"
+
+#include <stb/stb_image.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace odraz {
+
+namespace {
+
+using Polygon = std::vector<TexturePoint>;
+constexpr double kMostTexels = 16; // along a side of the polygon
+
+double areaOf(const Polygon &p) {
+    double twice = 0;
+    for (size_t i = 0; i < p.size(); ++i) {
+        const TexturePoint &a = p[i], &b = p[(i + 1) % p.size()];
+        twice += a[0] * b[1] - b[0] * a[1];
+    }
+    return twice / 2;
+}
+
+// The part of a polygon beyond a line across one axis: above it, or below if `sign` is -1.
+void cut(const Polygon &in, size_t axis, double at, double sign, Polygon &out) {
+    out.clear();
+    for (size_t i = 0; i < in.size(); ++i) {
+        const TexturePoint &p = in[i], &q = in[(i + 1) % in.size()];
+        double dp = (p[axis] - at) * sign, dq = (q[axis] - at) * sign;
+        if (dp >= 0) out.push_back(p);
+        if ((dp >= 0) != (dq >= 0)) {
+            double t = dp / (dp - dq);
+            out.push_back({p[0] + (q[0] - p[0]) * t, p[1] + (q[1] - p[1]) * t});
+        }
+    }
+}
+
+} // namespace
+
+ReflectancePicture::ReflectancePicture(const std::string &path) {
+    std::string file = readWhole(path);
+    if (file.size() > (size_t)256 << 20) throw Refused("cannot read " + path + ": it has more than 256 MB");
+    auto *bytes = (const stbi_uc *)file.data();
+    int width, height, channels, size = (int)file.size();
+    if (!stbi_info_from_memory(bytes, size, &width, &height, &channels))
+        throw Refused("cannot read " + path + ": its format is unknown");
+    if ((int64_t)width * height > 1 << 26)
+        throw Refused("cannot read " + path + ": it has more than 2^26 pixels");
+    std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
+        stbi_load_from_memory(bytes, size, &width, &height, &channels, 3), stbi_image_free);
+    if (!pixels) throw Refused("cannot read " + path + ": it is damaged");
+    file = {};
+    make(width, height, pixels.get());
+}
+
+ReflectancePicture::ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb) {
+    make(width, height, srgb.data());
+}
+
+void ReflectancePicture::make(int width, int height, const uint8_t *srgb) {
+    std::array<uint16_t, 256> linear;
+    for (size_t i = 0; i < 256; ++i) linear[i] = (uint16_t)(linearOfSrgb((uint8_t)i) * 65535 + 0.5);
+    levels.push_back({width, height, {}});
+    levels[0].texels.resize((size_t)width * (size_t)height);
+    for (size_t i = 0; i < levels[0].texels.size(); ++i)
+        for (size_t k = 0; k < 3; ++k) levels[0].texels[i][k] = linear[srgb[i * 3 + k]];
+    while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
+}
+
+// If a side is odd, each texel of the smaller picture covers parts of three.
+ReflectancePicture::Level ReflectancePicture::half(const Level &of) {
+    Level to = {(of.width + 1) / 2, (of.height + 1) / 2, {}};
+    struct Tap {
+        int at;
+        double share;
+    };
+    auto taps = [](int i, int count, int of) {
+        double from = (double)i * of / count, end = (double)(i + 1) * of / count;
+        std::vector<Tap> all;
+        for (int k = (int)from; k < std::min((int)std::ceil(end - 1e-9), of); ++k)
+            all.push_back({k, (std::min(k + 1., end) - std::max((double)k, from)) / (end - from)});
+        return all;
+    };
+    std::vector<std::vector<Tap>> columns;
+    for (int i = 0; i < to.width; ++i) columns.push_back(taps(i, to.width, of.width));
+    for (int j = 0; j < to.height; ++j) {
+        auto rows = taps(j, to.height, of.height);
+        for (const auto &column : columns) {
+            double sum[3] = {};
+            for (const Tap &y : rows)
+                for (const Tap &x : column)
+                    for (size_t k = 0; k < 3; ++k)
+                        sum[k] +=
+                            y.share * x.share * of.texels[(size_t)y.at * (size_t)of.width + (size_t)x.at][k];
+            to.texels.push_back(
+                {(uint16_t)(sum[0] + 0.5), (uint16_t)(sum[1] + 0.5), (uint16_t)(sum[2] + 0.5)});
+        }
+    }
+    return to;
+}
+
+Rgb ReflectancePicture::texel(const Level &l, int64_t i, int64_t j, bool clamp) {
+    auto within = [&](int64_t at, int64_t count) {
+        return clamp ? std::clamp<int64_t>(at, 0, count - 1) : (at % count + count) % count;
+    };
+    const auto &c = l.texels[(size_t)(within(j, l.height) * l.width + within(i, l.width))];
+    return Rgb{(float)c[0], (float)c[1], (float)c[2]} * (1 / 65535.f);
+}
+
+Rgb ReflectancePicture::mean() const { return texel(levels.back(), 0, 0, true); }
+
+Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
+    // Convert to texels, counted from the top, of the finest picture in which the polygon is small
+    Polygon polygon = given, row, strip, piece;
+    double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
+    for (TexturePoint &p : polygon) {
+        if (!(std::fabs(p[0]) < 1e9 && std::fabs(p[1]) < 1e9)) return mean(); // not a number, or too large
+        p[1] = 1 - p[1];
+        for (size_t k = 0; k < 2; ++k) lo[k] = std::min(lo[k], p[k]), hi[k] = std::max(hi[k], p[k]);
+    }
+    size_t level = 0;
+    while (level + 1 < levels.size() && ((hi[0] - lo[0]) * levels[level].width > kMostTexels ||
+                                         (hi[1] - lo[1]) * levels[level].height > kMostTexels))
+        ++level;
+    const Level &l = levels[level];
+    // The polygon covers many repetitions of the picture: take its mean
+    if ((hi[0] - lo[0]) * l.width > 4 * kMostTexels || (hi[1] - lo[1]) * l.height > 4 * kMostTexels)
+        return mean();
+    double middle[2] = {};
+    for (TexturePoint &p : polygon) {
+        p[0] *= l.width, p[1] *= l.height;
+        for (size_t k = 0; k < 2; ++k) middle[k] += p[k] / (double)polygon.size();
+    }
+    if (areaOf(polygon) < 0) std::reverse(polygon.begin(), polygon.end());
+    double sum[3] = {}, all = 0;
+    for (int64_t j = (int64_t)std::floor(lo[1] * l.height); (double)j < hi[1] * l.height; ++j) {
+        cut(polygon, 1, (double)j, 1, strip);
+        cut(strip, 1, (double)j + 1, -1, row);
+        if (row.size() < 3) continue;
+        double left = 1e300, right = -1e300;
+        for (const TexturePoint &p : row) left = std::min(left, p[0]), right = std::max(right, p[0]);
+        for (int64_t i = (int64_t)std::floor(left); (double)i < right; ++i) {
+            cut(row, 0, (double)i, 1, strip);
+            cut(strip, 0, (double)i + 1, -1, piece);
+            double area = areaOf(piece);
+            if (!(area > 0)) continue;
+            Rgb c = texel(l, i, j, clamp);
+            sum[0] += area * (double)c.x, sum[1] += area * (double)c.y, sum[2] += area * (double)c.z;
+            all += area;
+        }
+    }
+    if (!(all > 1e-12))
+        return texel(l, (int64_t)std::floor(middle[0]), (int64_t)std::floor(middle[1]), clamp);
+    return {(float)(sum[0] / all), (float)(sum[1] / all), (float)(sum[2] / all)};
+}
+
+} // namespace odraz

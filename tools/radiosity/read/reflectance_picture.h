@@ -1,0 +1,40 @@
+// Pictures as the reflectance of materials: converted from sRGB to linear light and averaged over polygons.
+#pragma once
+
+#include "trace/scene/scene.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+// Coordinates on a picture: it fills 0 .. 1, and its first row lies at 1.
+using TexturePoint = std::array<double, 2>;
+
+class ReflectancePicture {
+public:
+    // Reads PNG, JPEG, TGA or BMP, up to 2^26 pixels and 256 MB. Throws Refused.
+    explicit ReflectancePicture(const std::string &path);
+    ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb); // three bytes a pixel
+
+    // The mean over a convex polygon, or the value at its middle if it has no area. Outside 0 .. 1 the
+    // picture is repeated, or with `clamp` its border is. A polygon of many texels uses means of 2 x 2, 4 x 4
+    // .., so that it reads at most some hundreds.
+    Rgb mean(const std::vector<TexturePoint> &polygon, bool clamp) const;
+    Rgb mean() const; // of the whole picture
+
+private:
+    struct Level {
+        int width, height;
+        std::vector<std::array<uint16_t, 3>> texels; // 65535 is 1
+    };
+    std::vector<Level> levels; // the last one has a single texel
+
+    void make(int width, int height, const uint8_t *srgb);
+    static Level half(const Level &of);
+    static Rgb texel(const Level &level, int64_t i, int64_t j, bool clamp);
+};
+
+} // namespace odraz

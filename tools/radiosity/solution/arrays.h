@@ -1,0 +1,55 @@
+// Arrays in files, stored as they lie in memory, with a checksum against damage.
+#pragma once
+
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+inline uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
+    uint64_t sum = 0xcbf29ce484222325u;
+    for (; size >= 8; p += 8, size -= 8) {
+        uint64_t word;
+        std::memcpy(&word, p, 8);
+        sum = (sum ^ word) * 0x100000001b3u;
+        sum ^= sum >> 29;
+    }
+    for (; size; ++p, --size) sum = (sum ^ (unsigned char)*p) * 0x100000001b3u;
+    return sum;
+}
+
+// The content of a file: a line that names its kind, the checksum of the rest, and the rest.
+inline std::string withChecksum(const std::string &magic, const std::string &body) {
+    uint64_t sum = checksum(body.data(), body.size());
+    return magic + std::string((const char *)&sum, sizeof sum) + body;
+}
+// Where the part after the checksum begins; npos if that is damaged, 0 if it is another kind of file.
+inline size_t bodyOf(const std::string &file, const std::string &magic) {
+    size_t at = magic.size() + sizeof(uint64_t);
+    if (file.size() < at || file.compare(0, magic.size(), magic) != 0) return 0;
+    uint64_t sum;
+    std::memcpy(&sum, file.data() + magic.size(), sizeof sum);
+    return sum == checksum(file.data() + at, file.size() - at) ? at : std::string::npos;
+}
+
+// Writes an array as its count, the size of an item, and its bytes.
+template <class T> void put(std::string &to, const std::vector<T> &from) {
+    const uint64_t head[2] = {from.size(), sizeof(T)};
+    to.append((const char *)head, sizeof head);
+    if (!from.empty()) to.append((const char *)from.data(), from.size() * sizeof(T));
+}
+template <class T> bool get(const std::string &from, size_t &at, std::vector<T> &to) {
+    uint64_t head[2];
+    if (from.size() - at < sizeof head) return false;
+    std::memcpy(head, from.data() + at, sizeof head);
+    at += sizeof head;
+    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T)) return false;
+    to.resize(head[0]);
+    if (head[0]) std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
+    at += head[0] * sizeof(T);
+    return true;
+}
+
+} // namespace odraz

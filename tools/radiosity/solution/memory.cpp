@@ -1,0 +1,17 @@
+#include "tools/radiosity/solution/memory.h"
+
+#include <stdexcept>
+#include <string>
+
+namespace odraz {
+
+void refuseMemory(size_t bytes, size_t most, const char *remedy) {
+    throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
+                             std::to_string(most >> 20) + " of --memory: " + remedy);
+}
+
+void refuseMemory(const Arena &arena, size_t more) {
+    refuseMemory(arena.used + more, arena.size, "larger patches or elements need less");
+}
+
+} // namespace odraz

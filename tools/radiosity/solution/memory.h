@@ -1,0 +1,19 @@
+// Refuses a solution that does not fit into --memory, with a line that says how much it needs.
+#pragma once
+
+#include "base/arena.h"
+
+namespace odraz {
+
+// Throws std::runtime_error: `bytes` are needed, `most` are allowed; `remedy` says which option lowers the
+// need.
+[[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
+// The same for an arena that cannot hold `more` bytes.
+[[noreturn]] void refuseMemory(const Arena &arena, size_t more);
+
+template <class T> T *takeOrRefuse(Arena &arena, size_t count) {
+    if (T *p = arena.take<T>(count)) return p;
+    refuseMemory(arena, count * sizeof(T));
+}
+
+} // namespace odraz

@@ -1,0 +1,78 @@
+#include "tools/radiosity/solution/solution.h"
+
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/divide/facets.h"
+#include "tools/radiosity/solution/arrays.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace odraz {
+
+namespace {
+
+constexpr char kMagic[] = "odraz radiosity 2\n";
+
+} // namespace
+
+void Solution::save(const std::string &path) const {
+    std::string body;
+    put(body, charts), put(body, facets), put(body, cells), put(body, texels);
+    put(body, light), put(body, reflects), put(body, emits), put(body, cellReflects);
+    writeWhole(path, withChecksum(body));
+}
+
+std::string Solution::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
+
+Solution::Solution(const std::string &path) {
+    std::string all = readWhole(path);
+    size_t at = bodyOf(all, kMagic);
+    if (!at) throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    bool good = at != std::string::npos && get(all, at, charts) && get(all, at, facets) &&
+                get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
+                get(all, at, reflects) && get(all, at, emits) && get(all, at, cellReflects) &&
+                at == all.size() && valid(*this);
+    if (!good)
+        throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
+}
+
+Rgb Solution::reflectsOf(int cell) const {
+    return cellReflects.empty() ? reflects[(size_t)cells[(size_t)cell].chart] : cellReflects[(size_t)cell];
+}
+
+Rgb Solution::lightIn(int cell, float u, float v) const {
+    // Position within the cell, in steps of the finest cells
+    const Chart &c = charts[(size_t)cells[(size_t)cell].chart];
+    const int *corner = cells[(size_t)cell].corner;
+    const Texel &low = texels[(size_t)corner[0]], &high = texels[(size_t)corner[3]];
+    auto share = [](float x, int low, int high) {
+        return std::clamp((x - (float)low) / (float)(high - low), 0.f, 1.f);
+    };
+    float x = share(u / c.width * (float)(c.across * kSteps), low.x, high.x),
+          y = share(v / c.height * (float)(c.down * kSteps), low.y, high.y);
+    auto l = [&](int k) { return light[(size_t)corner[k]]; };
+    return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
+}
+
+Rgb Solution::radiosityIn(int cell, float u, float v) const {
+    return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)cells[(size_t)cell].chart];
+}
+
+Solution::Spot Solution::spotAt(int chart, const Vec3 &p) const {
+    const Chart &c = charts[(size_t)chart];
+    float u = std::clamp(dot(p - c.corner, c.u), 0.f, c.width),
+          v = std::clamp(dot(p - c.corner, c.v), 0.f, c.height);
+    return {cellAt(cells.data(), c, {u, v}), u, v};
+}
+
+Rgb Solution::lightAt(int chart, const Vec3 &p) const {
+    Spot s = spotAt(chart, p);
+    return lightIn(s.cell, s.u, s.v);
+}
+
+Rgb Solution::radiosityAt(int chart, const Vec3 &p) const {
+    Spot s = spotAt(chart, p);
+    return radiosityIn(s.cell, s.u, s.v);
+}
+
+} // namespace odraz

@@ -1,0 +1,126 @@
+// Cuts elements into the pieces that lie on facets.
+#include "tools/radiosity/solution/solution.h"
+
+#include "tools/radiosity/divide/facets.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace odraz {
+
+size_t Solution::elements() const {
+    size_t count = 0;
+    int last = -1;
+    forPieces([&](int, int cell, const std::vector<SolutionPoint> &) { count += cell != last, last = cell; });
+    return count;
+}
+
+namespace {
+
+// Lists the facets that may lie in each undivided cell, so that thousands of cells need not search thousands
+// of facets each.
+class FacetsByCell {
+public:
+    FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
+        for (const Chart &c : charts) {
+            if (c.facetsCount <= kFew) continue;
+            auto &lists = many[&c];
+            lists.resize((size_t)c.across * (size_t)c.down);
+            // Facets of a plane do not overlap, except in forged files: limit the work
+            int64_t room = 64 * ((int64_t)lists.size() + c.facetsCount);
+            for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount && room >= 0; ++f)
+                room -= list(f, outlineOf(facets[(size_t)f]), c, lists);
+            if (room < 0) many.erase(&c);
+        }
+    }
+    const std::vector<int> &of(int chart, int x, int y) {
+        const Chart &c = charts[(size_t)chart];
+        if (auto found = many.find(&c); found != many.end()) return found->second[(size_t)(y * c.across + x)];
+        few.clear();
+        for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f) few.push_back(f);
+        return few;
+    }
+
+private:
+    static constexpr int kFew = 16;
+    const std::vector<Chart> &charts;
+
+    // Goes row by row, because slivers cross many cells. Returns the amount of work.
+    static int64_t list(int facet, const Outline &outline, const Chart &c,
+                        std::vector<std::vector<int>> &lists) {
+        float wide = c.width / (float)c.across, tall = c.height / (float)c.down, low = c.height, high = 0;
+        for (const PlanePoint &p : outline) low = std::min(low, p.v), high = std::max(high, p.v);
+        auto cell = [](float at, float size, int count) {
+            return (int)std::clamp(at / size, 0.f, (float)(count - 1));
+        };
+        int64_t work = 0;
+        for (int y = cell(low, tall, c.down); y <= cell(high, tall, c.down); ++y) {
+            float v0 = ((float)y - 1e-3f) * tall, v1 = ((float)y + 1.001f) * tall;
+            Outline row = cut(cut(outline, {0, v0}, {1, v0}), {1, v1}, {0, v1});
+            float left = c.width, right = 0;
+            for (const PlanePoint &p : row) left = std::min(left, p.u), right = std::max(right, p.u);
+            int first = cell(left - 1e-3f * wide, wide, c.across),
+                last = cell(right + 1e-3f * wide, wide, c.across);
+            work += 1 + std::max(last - first, 0);
+            for (int x = first; x <= last && !row.empty(); ++x)
+                lists[(size_t)(y * c.across + x)].push_back(facet);
+        }
+        return work;
+    }
+    std::unordered_map<const Chart *, std::vector<std::vector<int>>> many;
+    std::vector<int> few;
+};
+
+} // namespace
+
+void Solution::forPieces(
+    const std::function<void(int, int, const std::vector<SolutionPoint> &)> &visit) const {
+    // Sort texels by place, to find those that lie on the sides of larger cells
+    struct Key {
+        int chart, x, y;
+        bool operator<(const Key &b) const {
+            return chart != b.chart ? chart < b.chart : y != b.y ? y < b.y : x < b.x;
+        }
+    };
+    std::vector<Key> known;
+    bool divided = std::any_of(cells.begin(), cells.end(), [](const Cell &c) { return c.divided(); });
+    if (divided) {
+        for (const Texel &t : texels) known.push_back({t.chart, t.x, t.y});
+        std::sort(known.begin(), known.end());
+    }
+    FacetsByCell byCell(charts, facets);
+    std::vector<SolutionPoint> piece;
+    for (size_t i = 0; i < cells.size(); ++i) {
+        const Cell &cell = cells[i];
+        if (cell.divided()) continue;
+        const Chart &c = charts[(size_t)cell.chart];
+        const Texel &low = texels[(size_t)cell.corner[0]], &high = texels[(size_t)cell.corner[3]];
+        float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
+        // Its outline, counter-clockwise, with the texels on its sides
+        Outline outline;
+        auto side = [&](int x0, int y0, int x1, int y1) {
+            int steps = std::max(std::abs(x1 - x0), std::abs(y1 - y0));
+            for (int k = 0; k < steps; ++k) {
+                int x = x0 + (x1 - x0) * k / steps, y = y0 + (y1 - y0) * k / steps;
+                if (k == 0 ||
+                    (divided && std::binary_search(known.begin(), known.end(), Key{cell.chart, x, y})))
+                    outline.push_back({(float)x * du, (float)y * dv});
+            }
+        };
+        side(low.x, low.y, high.x, low.y);
+        side(high.x, low.y, high.x, high.y);
+        side(high.x, high.y, low.x, high.y);
+        side(low.x, high.y, low.x, low.y);
+        for (int f : byCell.of(cell.chart, low.x / kSteps, low.y / kSteps)) {
+            Outline left = outline, facet = outlineOf(facets[(size_t)f]);
+            for (size_t k = 0; k < facet.size() && left.size() > 2; ++k)
+                left = cut(left, facet[k], facet[(k + 1) % facet.size()]);
+            if (left.size() < 3 || !(areaOf(left) > 1e-5 * (double)cell.area)) continue;
+            piece.clear();
+            for (const PlanePoint &p : left) piece.push_back({c.at(p.u, p.v), radiosityIn((int)i, p.u, p.v)});
+            visit(cell.chart, (int)i, piece);
+        }
+    }
+}
+
+} // namespace odraz

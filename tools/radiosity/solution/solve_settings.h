@@ -1,0 +1,68 @@
+// How to solve a model and who hears about the progress: the options of `solve` and `view`. Areas are in
+// squared units of the model.
+#pragma once
+
+#include "radiosity/form_factor.h"
+#include "tools/radiosity/read/surroundings.h"
+#include "tools/radiosity/solution/solution.h"
+
+#include <functional>
+#include <string>
+
+namespace odraz {
+
+// How light is transported between surfaces: by rays from every element (rays/), or between patches by
+// hemicubes that OpenGL draws, as in the film (patches/).
+enum class Way { kRays, kPatches };
+
+// Finds form factors: fills `factors` with the rows of the patches that `lit` asks for (form_factor.h), in
+// memory of the arena; `model` is posed in the scene. Keeps rows that are known already. Returns false if
+// workers.abort stopped it; all rows found so far are then complete. Throws std::runtime_error if memory is
+// short.
+using RowFinder =
+    std::function<bool(const Model &model, const Scene &scene, const uint8_t *lit, Workers &workers,
+                       Arena &arena, FormFactors &factors, const Progress &progress)>;
+
+// Reports progress on the thread that solves: the current step, its share done (0 .. 1), and during solving
+// the residual (else below 0). At the end `step` is null.
+using SolveProgress = std::function<void(const char *step, float done, float residual)>;
+
+// Receives light during the solution, on the thread that solves. First comes direct light alone, with
+// `bounced` false; then light after every sweep.
+using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
+
+struct SolveSettings {
+    Way way = Way::kRays;
+    double element = 0;   // area of an element; 0: 1/30,000 of the model's, with final rays 1/120,000
+    int lampSamples = 16; // shadow rays to the largest lamp from each place, 1 .. kMaxLampCells
+    int bounces = -1;     // -1: until the residual is reached
+    float residual = 1e-4f;
+    size_t memory = (size_t)8192 << 20; // bytes; a solution that needs more is refused
+    Surroundings surroundings;
+
+    // By rays
+    int rays = 0;      // from an element, up to 32768; 0: as many as each one needs
+    int finalRays = 0; // from an element in the final gather; 0: there is none
+
+    // Between patches
+    int hemicube = 16;    // pixels along the top face; even, 4 .. kMaxHemicube
+    double patch = 0;     // area of a patch; 0: 1/6000 of the model's, or larger if it has many polygons
+    bool analytic = true; // direct light by shadow rays; false: hemicubes see the lamps
+    bool adaptive = false;
+    float contrast = 0.05f; // see RadiositySettings
+    uint32_t turn = 0;      // seed of the hemicubes' rotations
+    int turns = 1;          // hemicubes for each patch, each rotated differently: anti-aliasing
+    RowFinder findRows;     // null: by hemicubes
+
+    LightWatcher watcher; // null: nobody watches
+    std::function<bool()>
+        wantsLight; // whether the watcher wants light now, because making it takes time; null: always
+    // By rays: reports how many bytes are needed before they are allocated
+    std::function<void(size_t bytes)> needs;
+    // Saves the rows found so far (solve_state.h), every `keepEvery` seconds and after a stop
+    std::function<void(const std::string &rows)> keep;
+    double keepEvery = 60;
+    std::string resumed; // saved rows to continue from; empty: none
+};
+
+} // namespace odraz

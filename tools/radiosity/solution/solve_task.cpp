@@ -1,0 +1,84 @@
+#include "tools/radiosity/solution/solve_task.h"
+
+#include "tools/common/clock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace odraz {
+
+const char *nameOf(SolveStep step) {
+    switch (step) {
+    case SolveStep::kDividing:
+        return "dividing";
+    case SolveStep::kFormFactors:
+        return "form factors";
+    case SolveStep::kDirectLight:
+        return "direct light";
+    case SolveStep::kSolving:
+        return "solving";
+    case SolveStep::kFinalRays:
+        return "final rays";
+    }
+    return "";
+}
+
+double cellSide(const Mesh &mesh, const SolveSettings &s) {
+    // Final rays are for quality, so they come with small elements
+    double element = s.element > 0 ? s.element : areaOf(mesh) / (s.finalRays > 0 ? 120000 : 30000);
+    return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
+}
+
+void refuseResumed() {
+    throw std::runtime_error("the saved state is damaged or belongs to another model: solve it again");
+}
+
+SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
+                     const SolveProgress &progress)
+    : mesh(mesh), settings(settings), workers(workers), stop(stop), progress(progress) {
+    double side = cellSide(mesh, settings);
+    regions = joinRegions(mesh, side);
+    int coarse = 0;
+    for (Chart &c : regions.charts) {
+        coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * side;
+        // A chart about as large as an element becomes one element
+        if ((double)(c.width * c.height) < 3 * side * side) c.across = c.down = 1;
+    }
+    if (coarse > 0)
+        report.notes.push_back(std::to_string(coarse) + " polygons are longer than " +
+                               std::to_string(kMaxAcross) +
+                               " elements: their elements are longer than --element asks");
+    for (int material : regions.material) {
+        const MeshMaterial &m = mesh.materials[(size_t)material];
+        solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});
+        solution.emits.push_back({m.emits[0], m.emits[1], m.emits[2]});
+    }
+    lastLap = processorSeconds();
+}
+
+void SolveTask::tell(SolveStep step, float done, float residual) const {
+    if (progress) progress(nameOf(step), done, residual);
+}
+
+void SolveTask::lap(SolveStep step) {
+    double now = processorSeconds(), took = now - lastLap;
+    report.seconds[(int)step] += took, report.allSeconds += took;
+    lastLap = now;
+}
+
+void SolveTask::findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
+                             std::vector<std::string> &notes) {
+    pictured.find(mesh, regions.chartOf, charts, cells, notes);
+    solution.cellReflects = pictured.ofCell;
+    if (!pictured.ofChart.empty()) solution.reflects = pictured.ofChart;
+}
+
+float SolveTask::solvedShare(float residual) {
+    double now = std::log(std::max((double)residual, 1e-12)), end = std::log((double)settings.residual);
+    if (firstResidual == 0) firstResidual = now;
+    return (float)std::clamp(firstResidual <= end ? 1 : (firstResidual - now) / (firstResidual - end), 0.,
+                             1.);
+}
+
+} // namespace odraz

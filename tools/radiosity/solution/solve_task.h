@@ -1,0 +1,74 @@
+// A model that is being solved: the input and the results that both ways share.
+#pragma once
+
+#include "tools/radiosity/divide/pictured.h"
+#include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/solution/solve_settings.h"
+
+namespace odraz {
+
+enum class SolveStep { kDividing, kFormFactors, kDirectLight, kSolving, kFinalRays };
+inline constexpr int kSolveSteps = 5;
+const char *nameOf(SolveStep step);
+
+// The results besides light.
+struct SolveReport {
+    bool whole = false;               // false: it was stopped, so rows or sweeps are missing
+    int rows = 0;                     // rows found, of sites or patches
+    int sweeps = 0;                   // or bounces
+    float residual = 0;               // after the last sweep
+    double seconds[kSolveSteps] = {}; // processor time of each step
+    double allSeconds = 0;
+    std::vector<std::string> notes; // for the user, one line each
+
+    // By rays
+    int sites = 0;
+    size_t raysFromSite = 0; // the mean
+    // Between patches
+    int patches = 0;
+    size_t lamps = 0; // facets that emit
+};
+
+struct SolveTask {
+    const Mesh &mesh; // placed near the origin, where floats are finest
+    SolveSettings settings;
+    Workers &workers; // they watch no abort flag
+    const int *stop;  // any value other than 0 stops it early, with the light found so far
+    const SolveProgress &progress;
+
+    Regions regions;   // the mesh as charts, divided into cells of cellSide()
+    Pictured pictured; // the reflectance of materials with pictures
+    Solution solution; // either way fills its cells, texels and light
+    SolveReport report;
+
+    // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
+    SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
+              const SolveProgress &progress);
+
+    void tell(SolveStep step, float done, float residual = -1) const;
+    // Adds the processor time since the last lap to a step.
+    void lap(SolveStep step);
+    bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
+    // Finds the reflectance of cells and charts with pictures.
+    void findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
+                      std::vector<std::string> &notes);
+    // The share of solving that is done, 0 .. 1: by the logarithm of the residual, from the first one to the
+    // one asked for.
+    float solvedShare(float residual);
+    // Whether the watcher wants light now.
+    bool watched() const { return settings.watcher && (!settings.wantsLight || settings.wantsLight()); }
+
+private:
+    double lastLap;           // seconds of processor time
+    double firstResidual = 0; // its logarithm; 0: none yet
+};
+
+// How often adaptive solutions divide cells; the side of a cell before that.
+inline constexpr int kDivided = 2;
+static_assert(kDivided <= kFinest);
+double cellSide(const Mesh &mesh, const SolveSettings &settings);
+
+// Throws std::runtime_error because SolveSettings::resumed does not belong to this model.
+[[noreturn]] void refuseResumed();
+
+} // namespace odraz

@@ -1,0 +1,57 @@
+#include "tools/radiosity/solve/solve.h"
+
+#include "tools/radiosity/patches/solve_by_patches.h"
+#include "tools/radiosity/rays/solve_by_rays.h"
+
+namespace odraz {
+
+namespace {
+
+// The vector from the origin, where floats are finest, to the model; zero if that is close enough.
+Vec3d offsetOf(const Mesh &mesh) {
+    Vec3d middle = mesh.middle();
+    return length(middle) < 4 * mesh.size() ? Vec3d{} : middle;
+}
+
+Mesh moved(const Mesh &mesh, const Vec3d &from) {
+    Mesh near = mesh;
+    for (Vec3d &p : near.points) p = p - from;
+    return near;
+}
+
+// Adds an even sky to a model in which nothing emits.
+void lightUp(SolveTask &task) {
+    if (shines(task.mesh) || task.settings.surroundings.shine()) return;
+    task.settings.surroundings.sky = evenSky({1, 1, 1});
+    task.report.notes.emplace_back(
+        "nothing in the model shines: an even sky lights it (--sky, --sun and --lamp give other light)");
+}
+
+} // namespace
+
+Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl, Workers &workers,
+                  const int *stop, const SolveProgress &progress) {
+    Vec3d away = offsetOf(given);
+    bool far = length(away) > 0;
+    Mesh near;
+    if (far) near = moved(given, away);
+    SolveTask task(far ? near : given, settings, workers, stop, progress);
+    for (BallLamp &lamp : task.settings.surroundings.lamps) lamp.centre = lamp.centre - toFloat(away);
+    if (given.size() < length(away) * 1e-5)
+        task.report.notes.emplace(
+            task.report.notes.begin(),
+            "the model lies too far from the origin for precise coordinates: move it closer");
+    lightUp(task);
+    Solved solved;
+    if (settings.way == Way::kRays)
+        solveByRays(task);
+    else
+        solved.patches = solveByPatches(task, gl);
+    for (Chart &chart : task.solution.charts) chart.corner += toFloat(away);
+    solved.solution = std::move(task.solution);
+    solved.report = std::move(task.report);
+    solved.surroundings = std::move(task.settings.surroundings);
+    return solved;
+}
+
+} // namespace odraz

@@ -1,0 +1,21 @@
+// Solves a model by rays or between patches, for `radiosity solve` and for measuring programs.
+#pragma once
+
+#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/solution/solve_task.h"
+
+namespace odraz {
+
+struct Solved {
+    Solution solution;
+    SolveReport report;
+    Surroundings surroundings;            // light from outside: as given, or an even sky
+    std::unique_ptr<PatchSystem> patches; // the system of patches; null if solved by rays
+};
+
+// Only hemicubes use OpenGL. Workers must watch no abort flag. A value other than 0 in `stop` ends it early,
+// with the light found so far. Throws ModelError, or std::runtime_error for other failures.
+Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl, Workers &workers,
+                  const int *stop, const SolveProgress &progress);
+
+} // namespace odraz

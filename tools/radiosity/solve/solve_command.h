@@ -1,0 +1,11 @@
+// `radiosity solve`: finds a model's light while a bar grows, and saves it in a file.
+#pragma once
+
+#include "tools/common/arguments.h"
+
+namespace odraz {
+
+// Runs `solve` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
+int runSolve(Arguments &words);
+
+} // namespace odraz

@@ -1,0 +1,105 @@
+#include "tools/radiosity/view/background_solve.h"
+
+#include "tools/common/clock.h"
+#include "tools/common/machine.h"
+#include "tools/radiosity/solve/solve.h"
+
+#include <cstdio>
+
+namespace odraz {
+
+BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera,
+                                 void (*wake)())
+    : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
+    this->settings.wantsLight = [this] { return wantsLight(); };
+    this->settings.watcher = [this](const Solution &soFar, bool) { look(soFar); };
+    std::unique_lock held(lock);
+    thread = std::thread([this] { run(); });
+    opened.wait(held, [this] { return open; });
+}
+
+BackgroundSolve::~BackgroundSolve() {
+    stop();
+    thread.join();
+}
+
+void BackgroundSolve::run() {
+    auto tell = [this](auto change) {
+        std::lock_guard held(lock);
+        change();
+        open = true;
+        opened.notify_one();
+    };
+    try {
+        Gl gl = openGl();
+        Workers workers = allProcessors();
+        tell([] {});
+        auto progress = [&](const char *step, float done, float residual) {
+            if (!step) return;
+            char text[80], left[40] = "";
+            if (residual >= 0) std::snprintf(left, sizeof left, ", residual %.1e", (double)residual);
+            std::snprintf(text, sizeof text, "%s %.0f %%%s", step, (double)done * 100, left);
+            tell([&] { does = text; });
+        };
+        Solved solved = solveModel(mesh, settings, gl, workers, &stopped, progress);
+        bool geometry = !solution || solution->texels.size() != solved.solution.texels.size() ||
+                        solution->cells.size() != solved.solution.cells.size();
+        solution = std::make_unique<Solution>(std::move(solved.solution));
+        tell([&] { news.notes = solved.report.notes; });
+        solved = {};
+        hand(geometry, true);
+        tell([&] { does = ""; });
+    } catch (...) {
+        tell([this] { wrong = std::current_exception(); });
+    }
+    wake();
+}
+
+// The time to make light counts as looking.
+bool BackgroundSolve::wantsLight() {
+    if (wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
+    if (!looking) began = wallSeconds();
+    return looking = true;
+}
+
+void BackgroundSolve::look(const Solution &soFar) {
+    bool first = !solution;
+    if (first)
+        solution = std::make_unique<Solution>(soFar);
+    else
+        solution->light = soFar.light;
+    hand(first, false);
+    // Making light may take a fifth of the time at most; small models show every sweep
+    double end = wallSeconds();
+    next = end + 4 * (end - began);
+    looking = false;
+    wake();
+}
+
+void BackgroundSolve::hand(bool geometry, bool done) {
+    if (geometry) {
+        shown = std::make_shared<ViewMesh>(*solution);
+        placeCamera(*solution, camera);
+    }
+    auto light = std::make_shared<const std::vector<Rgb>>(shown->light(*solution));
+    std::lock_guard held(lock);
+    if (geometry) news.mesh = shown, news.camera = camera;
+    news.light = std::move(light);
+    news.done = done;
+    ++news.pictures;
+}
+
+SolveNews BackgroundSolve::take() {
+    std::lock_guard held(lock);
+    if (wrong) std::rethrow_exception(wrong);
+    SolveNews taken = news;
+    news.mesh = nullptr, news.light = nullptr;
+    return taken;
+}
+
+std::string BackgroundSolve::step() {
+    std::lock_guard held(lock);
+    return does;
+}
+
+} // namespace odraz

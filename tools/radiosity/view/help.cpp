@@ -1,0 +1,43 @@
+#include "tools/radiosity/view/help.h"
+
+#include "show/font.h"
+#include "tools/common/heap_arena.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace odraz {
+
+// In heights of a digit
+static constexpr float kLine = 2, kMargin = 1.5f, kSecond = 8, kWide = 33, kHigh = 2 * kMargin - 1;
+
+std::string viewKeysLine() {
+    std::string all;
+    for (const ViewKey &k : kViewKeys) all += (all.empty() ? "" : ", ") + std::string(k.keys) + " " + k.does;
+    return all;
+}
+
+Picture viewHelp(int width, int height) {
+    static constexpr float kLines = kLine * (float)std::size(kViewKeys);
+    float size = std::min({11.f, (float)width / kWide, (float)height / (kLines + kHigh)});
+    Picture p = {std::max((int)(kWide * size), 1), std::max((int)((kLines + kHigh) * size), 1), {}};
+    HeapArena memory(((size_t)p.width + 64) * (size_t)p.height * 32 + 4096);
+    Frame frame = {};
+    makeFrame(frame, memory.arena, p.width, p.height); // there is room
+    float y = (kMargin + 1) * size;
+    for (const ViewKey &k : kViewKeys) {
+        drawText(frame, k.keys, kMargin * size, y, size, 0.12f, 0, Align::Left, {1, 0.8f, 0.4f}, 1);
+        drawText(frame, k.does, (kMargin + kSecond) * size, y, size, 0.12f, 0, Align::Left, {1, 1, 1}, 1);
+        y += kLine * size;
+    }
+    for (int j = 0; j < p.height; ++j)
+        for (int i = 0; i < p.width; ++i)
+            for (const float *plane : frame.plane) {
+                float ink = plane[(size_t)j * (size_t)frame.stride + (size_t)i];
+                p.rgb.push_back((uint8_t)std::lround(20 + 210 * std::clamp(ink, 0.f, 1.f)));
+            }
+    return p;
+}
+
+} // namespace odraz

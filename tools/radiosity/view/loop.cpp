@@ -1,0 +1,118 @@
+// The loop of `view`: draws what has changed until the window closes.
+#include "tools/radiosity/view/window.h"
+
+#include "trace/picture/frame.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace odraz {
+
+// Samples along a pixel's side while nothing moves: this many come close to the tracer's edges.
+static constexpr int kStillSamples = 4;
+
+void ViewWindow::drawWhatChanged(bool moving) {
+    if (redraw) {
+        picture->draw(s.camera, s.layers, moving ? 1 : kStillSamples);
+        if (picture->measure(moving ? 200 : kMaxWidth, wanted) && !lit) {
+            tone.exposure = exposure(), tone.low = wanted.low, tone.high = wanted.high;
+            lit = true;
+        }
+        rough = moving;
+        toned = true;
+    }
+    if (s.layers.hemicube) pickPatch();
+    redraw = false;
+}
+
+void ViewWindow::pickPatch() {
+    int width, height, x = s.camera.width / 2, y = s.camera.height / 2;
+    glfwGetWindowSize(window, &width, &height);
+    if (s.screenshot.empty() && width > 0 && height > 0)
+        x = (int)(mouseX * s.camera.width / width), y = (int)(mouseY * s.camera.height / height);
+    if (!redraw && x == pointerX && y == pointerY) return;
+    pointerX = x, pointerY = y;
+    int found = picture->patchAt(x, y);
+    if (!redraw && found == patch) return;
+    patch = found;
+    if (patch) picture->drawHemicube(patch, s.camera.upIsZ);
+    toned = true;
+}
+
+float ViewWindow::exposure() const { return wanted.exposure * std::exp2(s.camera.stops); }
+
+// Adapts the exposure gradually, as eyes do; at once for a screenshot. Returns whether it must continue.
+bool ViewWindow::glide(float seconds) {
+    float stops = std::log(exposure() / tone.exposure), low = wanted.low - tone.low,
+          high = wanted.high - tone.high, off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
+    if (off == 0) return false;
+    bool there = off < 0.004f || !s.screenshot.empty();
+    float share = there ? 1 : 1 - std::exp(-seconds / 0.15f);
+    tone.exposure = there ? exposure() : tone.exposure * std::exp(stops * share);
+    tone.low = there ? wanted.low : tone.low + low * share;
+    tone.high = there ? wanted.high : tone.high + high * share;
+    toned = true;
+    return !there;
+}
+
+void ViewWindow::present() {
+    int width, height;
+    glfwGetFramebufferSize(window, &width, &height);
+    picture->show(tone, s.layers, patch, height, help);
+    glfwSwapBuffers(window);
+    toned = false;
+    if (s.screenshot.empty() || !solved || size == 0) return;
+    if (!writePng(s.screenshot, picture->read())) throw std::runtime_error("cannot write " + s.screenshot);
+    std::printf("%s: light was shown %d times\n", s.screenshot.c_str(), pictures);
+    glfwSetWindowShouldClose(window, 1);
+}
+
+void ViewWindow::title(const std::string &step) {
+    char stops[40] = "";
+    if (s.camera.stops != 0) std::snprintf(stops, sizeof stops, "  %+g stops", (double)s.camera.stops);
+    std::string text = "radiosity: " + s.name + (step.empty() ? "" : "  (" + step + ")");
+    const ViewLayers &l = s.layers;
+    for (auto [on, name] : {std::pair{l.patches, "patches"},
+                            {l.elements, "elements"},
+                            {l.wireframe, "wireframe"},
+                            {l.hemicube, "hemicube"},
+                            {l.backs, "backs"},
+                            {tone.logarithmic, "log"}})
+        if (on) text += std::string("  ") + name;
+    text += std::string(stops) + "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
+    if (text != titled) glfwSetWindowTitle(window, text.c_str());
+    titled = text;
+}
+
+void ViewWindow::run(BackgroundSolve *solver) {
+    solved = !solver;
+    double last = glfwGetTime(), moved = -1;
+    bool gliding = false;
+    while (!glfwWindowShouldClose(window)) {
+        bool hurry = gliding || toned || redraw || rough || last - moved < 0.3;
+        hurry ? glfwPollEvents() : glfwWaitEventsTimeout(solver && !solved ? 0.2 : 1);
+        double now = glfwGetTime();
+        auto passed = (float)(now - last);
+        last = now;
+        if (solver) hear(*solver);
+        title(solver ? solver->step() : "");
+        int width, height;
+        glfwGetFramebufferSize(window, &width, &height);
+        if (s.screenshot.empty() && width > 0 && height > 0 &&
+            (width != s.camera.width || height != s.camera.height))
+            s.camera.width = width, s.camera.height = height, redraw = true;
+        bool moving = fly(passed);
+        if (moving) moved = now;
+        if (rough && now - moved > 0.2) redraw = true;
+        drawWhatChanged(moving);
+        gliding = glide(passed);
+        if (toned) present();
+    }
+}
+
+} // namespace odraz

@@ -1,0 +1,66 @@
+// Draws a solved model by OpenGL: first the scene, as linear light and numbers of patches, then the
+// tone-mapped picture.
+#pragma once
+
+#include "tools/picture/picture.h"
+#include "tools/radiosity/export/render.h"
+#include "tools/radiosity/view/gl.h"
+#include "tools/radiosity/view/mesh.h"
+#include "trace/rays/view.h"
+
+namespace odraz {
+
+struct ViewLayers {
+    bool patches = false, elements = false, wireframe = false, hemicube = false, backs = false;
+};
+
+// The tone of `render`, chosen by what the camera sees.
+struct ViewTone {
+    bool logarithmic = false;
+    float exposure = 1, low = 0, high = 1; // the last two: logarithms
+};
+
+class ViewPicture {
+public:
+    explicit ViewPicture(const ViewGl &gl); // for the current context. Throws std::runtime_error
+    void load(std::shared_ptr<const ViewMesh> mesh);
+    void relight(const std::vector<Rgb> &light);
+
+    // Draws the scene with `samples` along a pixel's side, or fewer if that is too much.
+    void draw(const RenderSettings &camera, const ViewLayers &layers, int samples);
+    // Finds the tone, without stops, from the light that was drawn, reduced to `most` x `most` pixels at
+    // most. False if there is no light.
+    bool measure(int most, ViewTone &tone);
+    // The patch at a pixel, from 1 on; 0: none.
+    int patchAt(int x, int y) const;
+    // Draws the unfolded view of the patch's hemicube.
+    void drawHemicube(int patch, bool upIsZ);
+    // Combines both into the picture and shows it in the upper left corner of the window, with the keys over
+    // it.
+    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight, bool helped);
+    Picture read() const;
+
+private:
+    struct Target { // linear light and depth
+        GLuint framebuffer = 0, colour = 0, depth = 0;
+        int width = 0, height = 0;
+    };
+    void shape(Target &target, int width, int height, GLint colours, bool depth);
+    void drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, const Vec3 &ahead, int lines,
+                  bool backs) const;
+    void clear(float number) const;
+    void layHelp(int width, int height);
+    GLuint program(const char *vertex, const char *fragment, bool reversed);
+    void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
+
+    ViewGl gl;
+    bool reversed;
+    GLuint sceneProgram, meanProgram, showProgram, arrays[3], buffers[5];
+    std::shared_ptr<const ViewMesh> mesh;
+    bool outlined = false; // the buffer of outlines is filled
+    Target scene, hemicube, small, final, help;
+    int helpFor[2] = {}; // the size of the picture that `help` was made for
+    int samples = 1;
+};
+
+} // namespace odraz

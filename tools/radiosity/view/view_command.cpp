@@ -1,0 +1,109 @@
+#include "tools/radiosity/view/view_command.h"
+
+#include "host/process.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/export/camera_options.h"
+#include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/view/help.h"
+#include "tools/radiosity/view/window.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace odraz {
+
+namespace {
+
+struct Job {
+    std::string in;
+    ViewSettings view;
+    CameraOptions camera;
+    SolveOptions solve;
+    std::string solving; // the first option that only a model to be solved can have
+};
+
+void addLayer(ViewLayers &to, const std::string &name) {
+    bool &layer = name == "patches"     ? to.patches
+                  : name == "elements"  ? to.elements
+                  : name == "wireframe" ? to.wireframe
+                  : name == "hemicube"
+                      ? to.hemicube
+                      : throw Refused("--layer is patches, elements, wireframe or hemicube, not " + name);
+    layer = true;
+}
+
+bool isModel(const std::string &path) {
+    std::string end = path.substr(path.size() - std::min<size_t>(path.size(), 4));
+    std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
+    return end == ".obj";
+}
+
+Job readJob(Arguments &words) {
+    Job job;
+    while (const char *word = words.next()) {
+        std::string w = word;
+        if (w == "--screenshot")
+            job.view.screenshot = words.value(w);
+        else if (w == "--layer")
+            addLayer(job.view.layers, words.value(w));
+        else if (job.camera.take(w, words)) // --up belongs to both
+            job.solve.upIsZ = job.camera.settings.upIsZ;
+        else if (job.solve.take(w, words))
+            job.solving = job.solving.empty() ? w : job.solving;
+        else if (word[0] != '-' && job.in.empty())
+            job.in = w;
+        else
+            words.refuse(w);
+    }
+    if (job.in.empty()) throw Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
+    if (!isModel(job.in) && !job.solving.empty())
+        throw Refused(job.solving + " is an option for models: " + job.in + " is a solution");
+    job.camera.finish("view");
+    job.solve.finish();
+    if (!job.view.screenshot.empty()) checkWritable(job.view.screenshot);
+    job.view.name = job.in.substr(job.in.rfind('/') + 1);
+    job.view.camera = job.camera.settings;
+    job.view.placed = job.camera.placed();
+    return job;
+}
+
+} // namespace
+
+int runView(Arguments &words) {
+    Job job = readJob(words);
+    auto keys = [&] {
+        if (job.view.screenshot.empty()) std::printf("%s\n", viewKeysLine().c_str()), std::fflush(stdout);
+    };
+    if (!isModel(job.in)) {
+        Solution solution(job.in);
+        auto mesh = std::make_shared<const ViewMesh>(solution);
+        ViewWindow window(job.view);
+        keys();
+        RenderSettings camera = job.view.camera;
+        placeCamera(solution, camera);
+        window.show(mesh, mesh->light(solution), camera);
+        window.run(nullptr);
+        return 0;
+    }
+    auto tell = [](const std::vector<std::string> &notes) {
+        for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
+    };
+    std::vector<std::string> notes;
+    Mesh mesh = readObj(job.in, job.solve.read, notes);
+    ViewWindow window(job.view);
+    keys();
+    tell(notes);
+    BackgroundSolve solver(std::move(mesh), job.solve.settings, job.view.camera, ViewWindow::wake);
+    try {
+        window.run(&solver);
+    } catch (const ModelError &e) {
+        throw ModelError(job.in + ": " + e.what());
+    }
+    // The program ends without waiting for the solver
+    if (std::fflush(stdout)) return 1;
+    if (!solver.take().done) endProcess(0);
+    tell(solver.take().notes);
+    return 0;
+}
+
+} // namespace odraz

@@ -1,0 +1,11 @@
+// `radiosity view`: a window to fly through a model, solved or being solved.
+#pragma once
+
+#include "tools/common/arguments.h"
+
+namespace odraz {
+
+// Runs `view` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
+int runView(Arguments &words);
+
+} // namespace odraz

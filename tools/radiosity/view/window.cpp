@@ -1,0 +1,144 @@
+#include "tools/radiosity/view/window.h"
+
+#include "host/library.h"
+#include "host/process.h"
+#include "tools/radiosity/export/camera_options.h"
+#include "tools/radiosity/read/upright.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+
+namespace odraz {
+
+static ViewWindow &of(GLFWwindow *window) { return *(ViewWindow *)glfwGetWindowUserPointer(window); }
+
+ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
+    Quiet libraries;
+    if (!glfwInit()) throw std::runtime_error("there is no display to open a window on: set DISPLAY");
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    window =
+        glfwCreateWindow(s.camera.width, s.camera.height, ("radiosity: " + s.name).c_str(), nullptr, nullptr);
+    ViewGl gl;
+    auto find = [](const char *name) { return (void *)glfwGetProcAddress(name); };
+    bool missing = !window;
+    if (window) {
+        glfwMakeContextCurrent(window);
+        missing =
+            findGl(find, gl) || findFunctions(find, ODRAZ_VIEW_GL(ODRAZ_NAME), (void **)&gl.glUniform1i);
+    }
+    if (missing) {
+        glfwTerminate();
+        throw std::runtime_error("no OpenGL 3.3 on this display: install libgl1-mesa-dri, or the driver");
+    }
+    glfwSwapInterval(1);
+    glfwSetWindowUserPointer(window, this);
+    glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int) {
+        if (action != GLFW_RELEASE) of(w).key(key);
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
+    // Handle events in order: if pictures take long, a whole gesture may happen between two of them
+    glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
+        if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
+    });
+    glfwSetCursorPosCallback(window, [](GLFWwindow *w, double x, double y) { of(w).pointer(x, y); });
+    glfwSetInputMode(window, GLFW_STICKY_KEYS, 1);
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow *w) { of(w).toned = true; });
+    glfwGetCursorPos(window, &mouseX, &mouseY);
+    tone.logarithmic = s.camera.logarithmic;
+    picture = std::make_unique<ViewPicture>(gl);
+}
+
+// The display's libraries stay loaded until the process ends: if unloaded, they would leak memory.
+ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
+
+void ViewWindow::wake() { glfwPostEmptyEvent(); }
+
+// A change of light, tone or numbers alone does not draw the scene again.
+void ViewWindow::key(int key) {
+    toned = true;
+    if (key == GLFW_KEY_1)
+        s.layers.patches ^= true, redraw |= s.layers.wireframe;
+    else if (key == GLFW_KEY_2)
+        s.layers.elements ^= true, redraw = true;
+    else if (key == GLFW_KEY_3)
+        s.layers.wireframe ^= true, redraw = true;
+    else if (key == GLFW_KEY_4)
+        s.layers.hemicube ^= true, pointerX = -1, patch = 0;
+    else if (key == GLFW_KEY_B)
+        s.layers.backs ^= true, redraw = true;
+    else if (key == GLFW_KEY_T)
+        tone.logarithmic ^= true, s.camera.logarithmic = tone.logarithmic;
+    else if (key == GLFW_KEY_R)
+        s.camera.eye = start.eye, s.camera.target = start.target, redraw = true;
+    else if (key == GLFW_KEY_C)
+        std::printf("%s\n", cameraLine(s.camera).c_str()), std::fflush(stdout);
+    else if (key == GLFW_KEY_H || key == GLFW_KEY_F1)
+        help ^= true;
+    else if (key == GLFW_KEY_ESCAPE)
+        glfwSetWindowShouldClose(window, 1);
+}
+
+void ViewWindow::wheel(double notches) {
+    s.camera.stops = std::clamp(s.camera.stops + (float)notches * 0.25f, -20.f, 20.f);
+}
+
+void ViewWindow::pointer(double x, double y) {
+    if (looking) lookX += (float)(x - mouseX), lookY += (float)(y - mouseY);
+    mouseX = x, mouseY = y;
+}
+
+void ViewWindow::show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rgb> &light,
+                      const RenderSettings &camera) {
+    size = mesh->size;
+    if (!s.placed) s.camera.eye = camera.eye, s.camera.target = camera.target;
+    if (!s.placed && !s.screenshot.empty()) std::printf("%s\n", placeOptions(s.camera).c_str());
+    s.placed = true;
+    start = s.camera;
+    picture->load(std::move(mesh));
+    picture->relight(light);
+    redraw = true;
+    patch = 0;
+    ++pictures;
+}
+
+void ViewWindow::hear(BackgroundSolve &solver) {
+    SolveNews news = solver.take();
+    if (news.mesh)
+        show(news.mesh, *news.light, news.camera);
+    else if (news.light)
+        picture->relight(*news.light), redraw = true, ++pictures;
+    toned |= news.done && !solved; // for a screenshot
+    solved = news.done;
+}
+
+// Turns about the eye; the distance to the target stays.
+bool ViewWindow::fly(float seconds) {
+    auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
+    float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
+          rise = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
+    float dx = std::exchange(lookX, 0.f), dy = std::exchange(lookY, 0.f);
+    if ((ahead == 0 && aside == 0 && rise == 0 && dx == 0 && dy == 0) || size == 0) return false;
+    RenderSettings &c = s.camera;
+    Vec3 eye = upright(c.eye, c.upIsZ), to = upright(c.target, c.upIsZ) - eye;
+    float distance = std::max(length(to), size * 1e-3f), yaw = std::atan2(to.x, -to.z),
+          pitch = std::asin(std::clamp(to.y / distance, -1.f, 1.f));
+    yaw += dx * 0.004f;
+    if (dy != 0) pitch = std::clamp(pitch - dy * 0.004f, -1.5f, 1.5f);
+    Vec3 forward = {std::cos(pitch) * std::sin(yaw), std::sin(pitch), -std::cos(pitch) * std::cos(yaw)};
+    Vec3 right = {std::cos(yaw), 0, std::sin(yaw)};
+    float way = 0.15f * size * std::min(seconds, 0.2f) * (held(GLFW_KEY_LEFT_SHIFT) != 0 ? 5.f : 1.f);
+    eye += forward * (ahead * way) + right * (aside * way) + Vec3{0, rise * way, 0};
+    c.eye = asInModel(eye, c.upIsZ);
+    c.target = asInModel(eye + forward * distance, c.upIsZ);
+    return redraw = true;
+}
+
+} // namespace odraz

@@ -1,0 +1,66 @@
+// The window of `view`: keys, mouse and wheel, and when to draw.
+#pragma once
+
+#include "tools/radiosity/view/background_solve.h"
+#include "tools/radiosity/view/picture.h"
+
+#include <string>
+
+struct GLFWwindow;
+
+namespace odraz {
+
+struct ViewSettings {
+    std::string name; // name of the model, for the title
+    RenderSettings camera;
+    bool placed = false; // the user placed the camera; else it stands where render would put it
+    ViewLayers layers;
+    std::string screenshot; // file to write; the window closes once it is written
+};
+
+class ViewWindow {
+public:
+    // Opens the window; there can be only one. Throws std::runtime_error that says what is missing.
+    explicit ViewWindow(const ViewSettings &settings);
+    ~ViewWindow();
+    ViewWindow(const ViewWindow &) = delete;
+
+    void show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rgb> &light,
+              const RenderSettings &camera);
+    // Runs until the window is closed or the screenshot is written. `solver` may be null.
+    void run(BackgroundSolve *solver);
+    static void wake();
+
+private:
+    void key(int key);
+    void wheel(double notches);
+    void pointer(double x, double y);
+    void hear(BackgroundSolve &solver);
+    bool fly(float seconds);
+    void drawWhatChanged(bool moving);
+    void pickPatch();
+    float exposure() const; // the wanted exposure
+    bool glide(float seconds);
+    void present();
+    void title(const std::string &step);
+
+    ViewSettings s;
+    RenderSettings start; // the camera to return to
+    GLFWwindow *window = nullptr;
+    std::unique_ptr<ViewPicture> picture;
+    float size = 0; // of the model; 0: none yet
+    ViewTone tone, wanted;
+    // The work to do: draw the scene, tone-map it; whether it was drawn at low quality; whether light was
+    // measured
+    bool redraw = true, toned = true, rough = false, lit = false;
+    bool solved = true; // the light shown is final
+    int patch = 0, pictures = 0;
+    double mouseX = 0, mouseY = 0;
+    bool looking = false; // the left button is held
+    bool help = false;    // shown over the picture
+    float lookX = 0, lookY = 0;
+    int pointerX = 0, pointerY = 0;
+    std::string titled;
+};
+
+} // namespace odraz
