@@ -1,5 +1,5 @@
-// Decoding: the format's definition. What encodes differs only in the coder, which then knows the bits and
-// writes them down.
+// Decoding, which defines the format. The encoder runs the same code with another coder, which knows the bits
+// and writes them.
 #pragma once
 
 #include "model.h"
@@ -21,7 +21,7 @@ inline uint64_t modelMemory(const ModelParameters &parameters, uint32_t size) {
     return sizeof(Model) + memoryBehindModel(parameters, size);
 }
 
-// Binary range decoding: the code's place within the range, which is kept above 2^24 (as in LZMA).
+// A binary range decoder, as in LZMA: `code` is a position within `range`, which is kept at 2^24 or above.
 constexpr uint32_t kRangeBits = 24;
 struct Decoder {
     const uint8_t *in;
@@ -53,7 +53,7 @@ void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, 
     uint32_t fields[kFields] = {};
     Parser parser = {};
     expandOpcodes(m.opcodes);
-    float *weights = (float *)m.finalWeights; // the others lie behind them
+    float *weights = (float *)m.finalWeights; // the other weights follow in memory
     for (uint32_t i = 0; i < kPhases * kSets + kSets * kRows * kMostInputs; ++i) weights[i] = kFirstWeight;
 
     for (uint32_t i = 0; i < layout.size; ++i) {

@@ -23,7 +23,7 @@ struct ElfFile {
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
     }
-    // None in a file without section headers, as some tools strip it.
+    // Empty for a file without section headers; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
         constexpr char kCut[] = "cut short: its section headers are incomplete";
         auto header = at<Elf64_Ehdr>(0, kCut);
@@ -35,7 +35,7 @@ struct ElfFile {
         need(all.empty() || header.e_shstrndx < all.size(), "its section headers make no sense");
         return all;
     }
-    // A string of a section that is a table of strings.
+    // A string in `table`, which must be a section of strings.
     std::string text(const Elf64_Shdr &table, uint64_t offset) const {
         constexpr char kCut[] = "cut short: a table of names is incomplete";
         need(within(table.sh_offset, offset, 0, bytes.size()), kCut);

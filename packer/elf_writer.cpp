@@ -33,7 +33,7 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
     f.header.e_phnum = 5;
     f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter), at(offsetof(Front, interpreter)),
                             sizeof kInterpreter, sizeof kInterpreter, 1);
-    // 1 and 2 are the caller's
+    // The caller fills segments 1 and 2
     constexpr size_t kDynamic = sizeof f.dynamic + sizeof f.dynamicEnd;
     f.segments[3] = segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), at(offsetof(Front, dynamic)),
                             kDynamic, kDynamic, 8);
@@ -42,7 +42,7 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
     std::memcpy(f.interpreter, kInterpreter, sizeof kInterpreter);
     std::memcpy(f.functions, "dlopen\0dlsym", 13);
     std::memcpy(f.library, "libdl.so.2", 11);
-    // Strings count from the first function's name on
+    // The table of strings begins with the first function's name
     constexpr size_t kStrings = offsetof(Front, functions);
     f.dynamic[0] = {DT_NEEDED, {offsetof(Front, library) - kStrings}};
     f.dynamic[1] = {DT_STRTAB, {at(kStrings)}};

@@ -12,13 +12,14 @@ std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &
 // Bytes of a packed file that are not payload.
 size_t overhead(const ModelParameters &parameters);
 
-// Runs the stub's own code on a packed file in memory, which writePacked has made.
+// Runs the stub's own code on a packed file in memory, which writePacked() must have made. Returns the
+// decoded bytes.
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);
 
-// From any source. Throws Unsuitable.
+// Takes a packed file apart, but does not decode it. The file may come from any source. Throws Unsuitable.
 Packed openPacked(const std::vector<uint8_t> &file);
 
-// The same, and decoded with care.
+// Does the same, and decodes without reading beyond the payload. Throws Unsuitable.
 Program readPacked(const std::vector<uint8_t> &file);
 
 // An executable that lies in memory exactly like `program`, not packed.

@@ -9,7 +9,7 @@ namespace pack {
 
 namespace {
 
-// Hands out the bits of bytes that are known.
+// Hands out the bits of the bytes to encode.
 struct Known {
     const uint8_t *bytes;
     uint32_t position = 0;
@@ -26,7 +26,8 @@ double cost(uint32_t bit, uint32_t share) {
     return -std::log2((bit ? share : kAll - share) / kAll);
 }
 
-// The mirror of Decoder. `low` is where the range starts, below what is already out.
+// The inverse of Decoder. `low` is where the range starts, without the bytes already written; it may carry
+// into these.
 struct Encoder {
     Known known;
     Encoded &to;
@@ -47,7 +48,8 @@ struct Encoder {
         }
         return bit;
     }
-    // The highest of four bytes leaves. The very first is always zero and not written.
+    // Writes the highest of low's four bytes, and its carry. The very first byte is always zero and is not
+    // written.
     void shift() {
         if (low >> 32)
             for (auto byte = to.payload.rbegin(); ++*byte == 0; ++byte) {
@@ -56,8 +58,8 @@ struct Encoder {
         started = true;
         low = (low & 0xffffff) << 8;
     }
-    // Two bytes such that whatever follows them lies within the range, more if the last bits have left less
-    // of it than that
+    // Writes two bytes such that any bytes after them decode within the range; more bytes if the range is too
+    // small for two
     void finish() {
         for (; range < 1 << 17; range <<= 8) shift();
         low += 0xffff;
@@ -80,7 +82,7 @@ struct Meter {
     }
 };
 
-// Decoder, but careful.
+// A Decoder that does not read beyond the payload.
 struct CarefulDecoder {
     const uint8_t *in, *end;
     Decoder inner{nullptr};
@@ -100,7 +102,7 @@ struct CarefulDecoder {
 
 void *Workspace::zeroed(uint64_t size) {
     constexpr uint64_t kPageSize = 4096;
-    // Fresh pages from the kernel, rather than cleared ones: a short run touches few of them
+    // Take fresh pages from the kernel instead of clearing old ones: a short run touches few of them
     memory.reset();
     memory.reset(std::calloc(size + kPageSize, 1));
     if (!memory) throw std::bad_alloc();

@@ -9,7 +9,7 @@
 
 namespace pack {
 
-// Zeroed memory for the model, page-aligned, for one run after another.
+// Zeroed, page-aligned memory for the model, for one run at a time.
 class Workspace {
 public:
     void *zeroed(uint64_t size);
@@ -26,16 +26,17 @@ std::vector<uint8_t> filter(const std::vector<uint8_t> &image, const Layout &lay
 
 struct Encoded {
     std::vector<uint8_t> payload;
-    std::vector<float> bits; // what each byte of the image costs
+    std::vector<float> bits; // cost of each byte of the image
 };
 Encoded encode(const std::vector<uint8_t> &image, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace);
 
-// The payload's size in bytes, without making it. Gives up at `enough`, and returns that then.
+// The payload's size in bytes, without making the payload. Stops when the size exceeds `enough`, and returns
+// `enough` then.
 double measure(const std::vector<uint8_t> &filtered, const Layout &layout, const ModelParameters &parameters,
                Workspace &workspace, double enough = 1e30);
 
-// Decodes with the C++ model. Never reads behind the payload: what is missing reads as zeros.
+// Decodes with the C++ model. Never reads beyond the payload: missing bytes count as zeros.
 std::vector<uint8_t> decode(const uint8_t *payload, size_t payloadSize, const Layout &layout,
                             const ModelParameters &parameters, Workspace &workspace);
 

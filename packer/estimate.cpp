@@ -14,10 +14,10 @@ typedef float Float8 __attribute__((vector_size(32)));
 typedef int32_t Int8 __attribute__((vector_size(32)));
 typedef int16_t Short8 __attribute__((vector_size(16)));
 
-constexpr uint32_t kLanes = 4; // of a context: its inputs and a zero
+constexpr uint32_t kLanes = 4; // floats of a context: its three inputs and a zero
 constexpr uint32_t kMost8 = kMostContexts * kLanes / 8;
-constexpr uint32_t kStretch = 2048; // bytes between two looks at how it goes
-constexpr float kUnit = 1 << 13;    // of inputs, in units of a float's last bit: logarithms end at 24 << 23
+constexpr uint32_t kStretch = 2048; // bytes between two comparisons with another estimate
+constexpr float kUnit = 1 << 13; // a step of the inputs, in a float's last bits; logarithms end at 24 << 23
 constexpr float kRate = kLearning * kUnit, kFinalRate = kFinalLearning * kUnit;
 
 // What is known about every byte, whatever the parameters.
@@ -26,7 +26,7 @@ struct Place {
     uint8_t byte, type;
 };
 
-// The mixer, and what it has come to.
+// The mixer's state, and the payload's bits so far.
 struct Mixer {
     Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
     Float8 finalWeights[kPhases], weights[kSets][kRows][kMost8];
@@ -40,7 +40,8 @@ struct Sources {
     uint32_t contexts;
 };
 
-// Every bit is known, so that what the next one needs can be fetched ahead: all this waits for is memory.
+// The rows that a bit selects. All bits are known beforehand, so the next bit's rows can be prefetched;
+// without that, the time would go into waiting for memory.
 struct Rows {
     Float8 *weights[kSets];
     Counter *corrections;
@@ -174,7 +175,7 @@ struct Estimator::Work {
             slots.assign(1u << slotBits, Slot{});
             std::memset((void *)context.get(), 0, sizeof *context);
         }
-        // The next byte's slots are fetched ahead
+        // Prefetches the slots of the next byte
         auto next = [&](const Place &place) {
             uint32_t hash = hashOf(parameters, place.type, i, place.fields);
             for (uint32_t start : {1u, 16u + (place.byte >> 4)}) {
@@ -241,7 +242,7 @@ Estimate Estimator::operator()(const ModelParameters &parameters, const Estimate
     // Each context has its share of the slots
     uint32_t slotBits = parameters.slotBits - (uint32_t)std::bit_width(parameters.contexts - 1);
     Sources from = {{}, {}, parameters.contexts};
-    std::vector<int16_t> *late = nullptr; // inputs that are computed as far as they are needed
+    std::vector<int16_t> *late = nullptr; // inputs that are computed stretch by stretch, as far as needed
     uint32_t lateContext = 0;
     for (uint32_t i = 0; i < parameters.contexts; ++i) {
         if (same(i))

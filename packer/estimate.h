@@ -1,10 +1,10 @@
-// What a payload would come to with other contexts, estimated: for the search, which asks thousands of times.
+// Estimates a payload's size with other contexts, for the search, which asks thousands of times.
 //
-// A context's inputs depend on its own masks and on the bits coded, and on other contexts only where slots
-// collide. So they are kept, 16 bits each. For parameters that differ in one context, only that
-// context's inputs are computed, from a table of its own; then all are mixed, with vectors of eight where the
-// processor has AVX2. The estimate is within 1 % of measure(), and much nearer where two estimates are
-// compared.
+// A context's inputs depend on its own masks and on the bits coded; other contexts change them only where
+// slots collide. So the inputs are kept, 16 bits each. For parameters that differ in one context, only that
+// context's inputs are computed anew, with a table of slots of its own; then all are mixed, eight floats at a
+// time (by AVX2 where the processor has it). The estimate is within 1 % of measure(), and the difference of
+// two estimates is much more accurate.
 #pragma once
 
 #include "decoder.h"
@@ -14,7 +14,7 @@
 
 namespace pack {
 
-// Inputs of a context for every bit, four with a zero; hashes of a selector for every byte.
+// A context's inputs, three and a zero for every bit; a selector's hashes, one for every byte.
 using Inputs = std::shared_ptr<const std::vector<int16_t>>;
 using Hashes = std::shared_ptr<const std::vector<uint32_t>>;
 
@@ -22,20 +22,20 @@ constexpr double kTooMany = 1e30;
 
 struct Estimate {
     ModelParameters parameters;
-    double bytes = 0;         // of payload; kTooMany if it was given up
-    std::vector<float> curve; // what the payload comes to after each kStretch bytes of the program
+    double bytes = 0;         // of the payload; kTooMany if the estimate was abandoned
+    std::vector<float> curve; // bytes of payload after each kStretch bytes of the program
     std::vector<Inputs> inputs;
     std::vector<Hashes> selectors;
 };
 
-// One for each thread: it keeps some tens of megabytes to work in.
+// Use one for each thread. It holds some tens of megabytes of working memory.
 class Estimator {
 public:
     Estimator(const std::vector<uint8_t> &filtered, const Layout &layout);
     ~Estimator();
 
-    // Takes from `like` what is the same there. Gives up, if `slack` is given, where it is that many bytes
-    // behind `like`.
+    // Reuses what is the same in `like`. If `slack` is given, abandons the estimate where it is more than
+    // that many bytes larger than `like`.
     Estimate operator()(const ModelParameters &parameters, const Estimate *like = nullptr,
                         double slack = kTooMany);
 

@@ -1,4 +1,4 @@
-// What is known about a place in the program, as small numbers for contexts to choose from.
+// What is known at a place in the program. Each context uses some of these fields.
 #pragma once
 
 #include <stddef.h>
@@ -7,21 +7,21 @@
 namespace pack {
 
 enum Field {
-    kWhere, // part of every context. Code: what the next byte is part of, how many bytes of it are to come.
-            // The parser's left << kPhaseBits | phase
-    kByte1, // the last byte; from here on each context chooses
+    kWhere, // used by every context: what the next byte of code is part of, and how many bytes of that are
+            // to come, as the parser's left << kPhaseBits | phase
+    kByte1, // the last byte; a context may use any fields from here on
     kByte5 = 5, // the fifth-last byte
     kColumn,    // address modulo kColumns
-    kTarget, // what the last operand named that is relative to its instruction, as an offset in the program
+    kTarget,    // target of the last operand that was relative to its instruction: an offset in the program
     kInstruction1, // the instruction before this one, hashed
     kOpcode1,      // its opcode
     kOpcode2,      // the opcode of the one before that
     kOpcode3,      // ... and of the one before that
     kModrm1,       // the ModRM byte of the instruction before this one
     kOpcode,       // of this instruction, as far as it is known, with map and prefixes
-    kModrm,        // its ModRM byte, or 0
-    kMode,         // the same without the register operand
-    kSoFar,        // all its bytes so far, hashed
+    kModrm,        // this instruction's ModRM byte, or 0
+    kMode,         // that byte without the register operand
+    kSoFar,        // all bytes of this instruction so far, hashed
     kFields
 };
 

@@ -20,10 +20,10 @@ bool readFile(const char *path, std::vector<uint8_t> &bytes) {
 }
 
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable) {
-    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    // A pipe or a device stays where it is and is written to directly
     struct stat s;
     bool stays = stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
-    // Else under a name of one's own: nothing that lies there already is written to
+    // Otherwise create a new file under a name that no file has yet
     std::string part = path;
     int fd = stays ? open(path.c_str(), O_WRONLY) : -1;
     if (!stays) errno = EEXIST;

@@ -1,4 +1,4 @@
-// Files, read and written whole. On failure: false, and errno says why.
+// Reads and writes whole files. On failure the functions return false, and errno says why.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@ namespace pack {
 
 bool readFile(const char *path, std::vector<uint8_t> &bytes);
 
-// Beside the target first, under a name of its own, so that it is never half-written. A pipe or a device is
-// written to as it is.
+// Writes a new file beside the target, then renames it, so that the target is never half-written. A pipe or a
+// device is written to directly.
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable);
 
-// -1 if there is no such file.
+// In bytes; -1 if there is no such file.
 long fileSize(const char *path);
 
 } // namespace pack

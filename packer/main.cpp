@@ -50,7 +50,7 @@ struct Refusal {
 
 std::vector<uint8_t> read(const char *path) {
     std::vector<uint8_t> bytes;
-    // What never ends, or waits for somebody, is no file
+    // A device may never end, and a pipe waits for a writer: take regular files only
     struct stat s;
     if (stat(path, &s) == 0 && !S_ISREG(s.st_mode))
         throw Refusal{std::string("cannot read ") + path + ": it is not a regular file", 2};

@@ -1,17 +1,18 @@
-// The model: a probability for the next bit, mixed from what followed the same contexts before.
+// The model: it predicts the next bit from the bits that followed the same contexts before.
 //
-// A context is a choice of fields (fields.h), hashed. With the bits of the byte so far it names a slot, which
-// gives three inputs, each an adaptive probability: the slot's own; one named by the last bits that followed
-// there; and one named by the byte that followed there last, the two shared by all slots of the context in
-// one phase of the parser. Eight sets of weights, each selected by fields and bits of its own, mix all
-// inputs; a ninth, selected by the phase, mixes their eight results; a last table corrects the outcome by
-// where in an instruction we are. Probabilities are mixed as ln(p / (1 - p)), weights follow the error (as in
+// A context is a choice of fields (fields.h); their values are hashed. Together with the bits of the byte so
+// far, the hash selects a slot, which gives three inputs. Each input is an adaptive probability: the slot's
+// own; one selected by the last bits seen in the slot; and one selected by the last byte seen there. The
+// latter two are shared by all slots of the context in one phase of the parser. Eight sets of weights mix all
+// inputs. Each set has many rows; fields and bits of its own select one. A ninth set, whose row the phase
+// selects, mixes the eight results. A last table, selected by fields and bits too, corrects the mixed
+// probability. Probabilities are mixed as ln(p / (1 - p)), and the weights are trained by the error (as in
 // Mahoney's PAQ).
 //
 // This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
-// anything. They must agree to the last bit: single floats, one operation at a time in the order written,
-// sums in four lanes. Compile without contraction. The order of contexts and counters matters too, as slots
-// may collide.
+// anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
+// written, sums in four lanes. Compile without contraction. The order of contexts and counters matters too,
+// because slots may collide.
 #pragma once
 
 #include "x86.h"
@@ -20,15 +21,15 @@ namespace pack {
 
 constexpr uint32_t kMostContexts = 24, kContextInputs = 3, kMostInputs = kMostContexts * kContextInputs;
 constexpr uint32_t kSets = 8;
-constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // of a set but the first, chosen by a hash
+constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
 struct ModelParameters {
     uint32_t contexts; // a multiple of four, 4 .. kMostContexts
     uint32_t slotBits; // 2^slotBits slots of eight bytes
-    // Fields seen, a bit each from kByte1 on, by each context and then by the selectors of all sets but the
-    // first; of code, and the same for data
+    // Which fields each context uses, one bit for each field from kByte1 on; then the same for the selectors
+    // of all sets but the first. [0] is for code, [1] for data
     uint16_t masks[2][kMostContexts + kSets - 1];
     static_assert(kFields - kByte1 <= 8 * sizeof(masks[0][0]));
 
@@ -40,42 +41,43 @@ struct ModelParameters {
     }
 };
 
-// A probability, signed: -kHalf .. kHalf for 0 .. 1, over the number of bits it has seen, up to 255: 24 and 8
-// bits. Fresh memory is one that has seen nothing.
+// The upper 24 bits are a probability, signed: -kHalf .. kHalf for 0 .. 1. The lower 8 bits count the bits
+// that it has seen, up to 255. Zeroed memory is a counter that has seen nothing.
 typedef uint32_t Counter;
 constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
-// A counter moves by 1 / (seen + settled) of its error. Of a context's three counters that of the byte that
-// followed last is the most cautious
+// A counter moves by 1 / (seen + settled) of its error. Of a context's three counters, the one selected by
+// the last byte is the most cautious
 constexpr float kSettled[kContextInputs] = {1.05f, 1.05f, 1.3f};
-constexpr int32_t kShareBits = 20; // of what predict says
+constexpr int32_t kShareBits = 20; // of the probability that predict() returns
 
 struct Slot {
     Counter counter;
-    uint8_t history;  // the last bits seen behind a leading one, seven at most; the lowest bit flipped
-    uint8_t lastByte; // at the slot of a byte's first bit only: the byte that followed here last
-    uint16_t check;   // whose slot it is
+    uint8_t history;  // a leading one and the last bits seen, at most seven; the lowest bit is stored flipped
+    uint8_t lastByte; // only in the slot of a byte's first bit: the last byte seen here
+    uint16_t check;   // low bits of the hash that owns the slot
 };
 
-constexpr uint32_t kHistoryFull = 128; // its leading one, when it holds seven
+constexpr uint32_t kHistoryFull = 128; // the leading one of a history of seven bits
 
 typedef float Float4 __attribute__((vector_size(16)));
-// Logarithms are in units of a float's last bit.
+// Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
 constexpr float kFirstWeight = 1.0f / 20, kLearning = 1.0f / 160 * kLogUnit,
                 kFinalLearning = 1.0f / 1024 * kLogUnit;
-constexpr float kMostSum = 11 / kLogUnit; // what weights and inputs may add up to
-// Corrections: of 65,536 rows one is chosen by a hash, in it one of 32 by the sum, 1.25 to a factor of e
+constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
+// Corrections: a hash selects one of 65,536 rows, and the weighted sum one of its 32 counters, 1.25 of them
+// for a factor of e
 constexpr uint32_t kCorrectionRowBits = 16, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
-constexpr uint32_t kFirstTrust = 10; // bits that a correction starts with
+constexpr uint32_t kFirstTrust = 10; // bits that a new correction counts as seen
 
 struct Context {
     Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
     Counter *counter[kContextInputs];
     struct {
         Counter histories[256], afterLast[256][256];
-    } shared[kPhases]; // by all slots, of one phase of the parser
+    } shared[kPhases]; // by all slots, for each phase of the parser
 };
 
 struct Model {
@@ -129,7 +131,8 @@ inline void adapt(Counter &c, uint32_t bit, float settled) {
     c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
 }
 
-// What context i of code (0) or data (1) sees, then the selectors of all sets but the first.
+// Hash of the fields that context i uses, in code (type 0) or data (1). After the contexts, i counts the
+// selectors of all sets but the first.
 inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
     uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kWhere]), mask = parameters.masks[type][i];
     for (uint32_t j = kByte1; mask; mask >>= 1, ++j)
@@ -139,10 +142,10 @@ inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_
 
 inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
 
-// The slots of one nibble are neighbours, sixteen in two cache lines: its hash says which sixteen, and what
-// has been coded of it which of them.
+// The slots of one nibble are adjacent, sixteen of them in two cache lines. The nibble's hash selects the
+// sixteen; the bits coded of the nibble so far select one of them.
 struct Nibble {
-    uint32_t start, step; // the byte's bits before it, behind a leading one; 1 .. 15
+    uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
 };
 inline Nibble nibbleOf(uint32_t bits) {
     uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
@@ -181,8 +184,8 @@ inline void learn(Context &c, uint32_t bit) {
     history = (uint8_t)((h * 2 + bit) ^ 1);
 }
 
-// The row of a set's weights: chosen by its selector's hash and by some of the byte's bits so far; in the
-// first set by phase and all bits.
+// The row of a set's weights, selected by the hash of its selector and by some of the byte's bits so far; in
+// the first set by the phase and all bits so far.
 inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits) {
     return set ? hash >> (32 - kRowBits) ^ bits >> ((kSets + 1 - set) | 4) : phase << 8 | bits;
 }
@@ -193,8 +196,8 @@ inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *f
     m.phase = phaseOf(fields);
 }
 
-// The probability of a one, of 2^kShareBits; 1 .. 2^kShareBits - 1. `bits`: the byte so far behind a leading
-// one.
+// The probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1. `bits`: a
+// leading one, then the byte's bits so far.
 inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits) {
     for (uint32_t i = 0; i < parameters.contexts; ++i)
         find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, bits);
@@ -202,7 +205,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
     for (uint32_t i = 0; i < parameters.contexts; ++i)
         for (uint32_t k = 0; k < kContextInputs; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
 
-    // Mix. The last set's result lies first
+    // Mix. The results are stored in reverse order of the sets
     for (uint32_t i = 0; i < kSets; ++i) {
         m.rows[i] = m.weights[i][rowOf(i, m.hashes[parameters.contexts + i - 1], m.phase, bits)];
         results[kSets - 1 - i] = mix(m.rows[i], m.inputs, parameters.inputs4());
@@ -215,7 +218,7 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
                    (int32_t)(sum * kSteepness + kMiddle);
     int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
     if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
-    // Half of what was mixed, half of what became of it here before
+    // The mean of the mixed and the corrected probability
     int32_t twice = ((int32_t)*m.correction >> kSeenBits) + kHalf + p;
     return (uint32_t)twice >> (kProbabilityBits + 1 - kShareBits) | 1;
 }
@@ -230,7 +233,7 @@ inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {
     adapt(*m.correction, bit, kSettled[0]);
 }
 
-// The byte was this.
+// Ends a byte that was decoded as `byte`.
 inline void end(Model &m, const ModelParameters &parameters, uint8_t byte) {
     for (uint32_t i = 0; i < parameters.contexts; ++i) m.contexts[i].byteSlot->lastByte = byte;
 }

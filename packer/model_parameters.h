@@ -17,7 +17,7 @@ const ModelParameters &defaultParameters();
 
 std::string printParameters(const ModelParameters &parameters);
 
-// Returns an empty line, or what is wrong with the text, with the line's number.
+// Returns an empty string, or a message that says what is wrong, with the line's number.
 std::string parseParameters(const std::string &text, ModelParameters &parameters);
 
 } // namespace pack

@@ -86,10 +86,10 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
 
 std::vector<uint8_t> decodePayloadSection(const std::vector<uint8_t> &file, size_t at, StubDecode &decode) {
     std::vector<uint8_t> copy = file;
-    copy.resize(copy.size() + 8); // it may read on a little
+    copy.resize(copy.size() + 8); // the stub may read a little beyond the end
     PayloadHeader p;
     std::memcpy(&p, copy.data() + at, sizeof p);
-    p.early = kNothingEarly; // not here
+    p.early = kNothingEarly; // only decode, do not run the early part
     std::memcpy(copy.data() + at, &p, sizeof p);
     Workspace workspace;
     std::vector<uint8_t> image(p.layout.size);

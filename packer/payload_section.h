@@ -25,11 +25,12 @@ void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
                           const ModelParameters &parameters, const std::vector<uint8_t> &payload,
                           size_t checkedFrom, size_t size);
 
-// Takes the section at `at` apart; its program takes `span` bytes of memory. Throws Unsuitable where the
-// section is damaged. The caller fills in the program's slots.
+// Takes apart the section that begins at `from` in the file; its program takes `span` bytes of memory. Throws
+// Unsuitable if the section is damaged. The program's slots are in order of address; the caller knows which
+// is whose.
 Packed openPayloadSection(const std::vector<uint8_t> &file, size_t at, size_t checkedFrom, uint64_t span);
 
-// Decodes the section by a stub's own code: stubDecode or stubDecodeWindows of stub.h.
+// Decodes the section at `at` with a stub's own code: stubDecode or stubDecodeWindows of stub.h.
 using StubDecode = void(const uint8_t *header, uint8_t *image, void *memory);
 std::vector<uint8_t> decodePayloadSection(const std::vector<uint8_t> &file, size_t at, StubDecode &decode);
 

@@ -1,5 +1,5 @@
-// The tables of a PE file (PE32+, x86-64), as far as a program of ours has them. Names and values are those
-// of Microsoft's "PE Format"; addresses in them (RVA) count from the image's base.
+// The tables of a PE file (PE32+, x86-64), as far as our programs use them. Names and values are those of
+// Microsoft's "PE Format"; addresses in them (RVA) count from the image's base.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ struct PeSection {
 static_assert(sizeof(PeSection) == 40);
 
 struct PeImports {
-    uint32_t names; // of the table that says what is imported; 0: that is what the slots say at first
+    uint32_t names; // address of the table of imported names; 0: the slots themselves hold it at first
     uint32_t time, forwarder, library, slots;
 };
 static_assert(sizeof(PeImports) == 20);

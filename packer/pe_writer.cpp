@@ -15,7 +15,7 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
     return (uint32_t)(bytes + kPeFileAlign - 1) & ~(kPeFileAlign - 1);
 }
 
-// Where the first section lies; the header has the page before
+// Where the first section lies; the headers take the page before
 constexpr uint32_t kFirst = kPage;
 
 // The fields of a header that do not depend on the program.
@@ -186,7 +186,7 @@ std::vector<uint8_t> writePlainPe(const Program &program) {
     h.directories[kPeImports] = {kFirst, sizeof(PeImports) * 2};
     h.directories[kPeImportSlots] = {codeAt + slots, 16};
     Imports imports = makeImports(kFirst, codeAt + slots, first);
-    std::memcpy(image.data() + slots, imports.names, 16); // as loaders expect it
+    std::memcpy(image.data() + slots, imports.names, 16); // a copy of the names' table, as loaders expect
     uint32_t codeFile = kPeFileAlign + fileWhole(sizeof imports), dataFile = codeFile + program.readOnly;
     PeSection sections[3] = {
         {".idata", codeAt - kFirst, kFirst, fileWhole(sizeof imports), kPeFileAlign, {}, kPeConst},

@@ -1,13 +1,13 @@
-// Executables for Windows (PE32+) of programs that were linked as ELF: same code, same addresses. What calls
-// Windows does so by its calling convention (ms_abi), the rest is as it is on Linux.
+// Makes executables for Windows (PE32+) from programs that were linked as ELF: same code, same addresses.
+// Calls between the program and Windows use Microsoft's convention (ms_abi); everything else is as on Linux.
 #pragma once
 
 #include "payload_section.h"
 
 namespace pack {
 
-// The main thread's stack and that of every thread that asks for no other, all of it committed: code that was
-// not compiled for Windows steps over the page that would make it grow.
+// Bytes of stack of the main thread and of every thread that asks for no other size. All of it is committed,
+// because code that was not compiled for Windows may step over the guard page that makes a stack grow.
 constexpr uint64_t kPeStack = 1 << 20;
 
 // An executable that lies in memory exactly like `program`, not packed: a section with its imports, one of

@@ -20,7 +20,7 @@ inline void need(bool condition, const std::string &otherwise) {
 
 // What a program may take for granted where it runs: one library, and its two functions that find all others.
 struct System {
-    const char *library, *functions[2]; // that open a library, and find a function in it
+    const char *library, *functions[2]; // open a library, and find a function in it
     const char *interpreter;            // null where there is none
 };
 inline constexpr System kLinux = {"libdl.so.2", {"dlopen", "dlsym"}, kInterpreter};

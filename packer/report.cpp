@@ -14,7 +14,7 @@ namespace {
 
 constexpr char kMapBegins[] = "Linker script and memory map";
 
-// What any stretch of the program costs.
+// Tells the cost of any range of addresses.
 class Sum {
 public:
     Sum(const Program &program, const std::vector<float> &bits) : base(program.base), sums(bits.size() + 1) {
@@ -93,7 +93,7 @@ void readMap(const std::string &map, const Sum &sum, Report &report) {
     }
 }
 
-// Of numbers and short words.
+// snprintf for numbers and short words: at most 199 characters.
 std::string format(const char *pattern, auto... values) {
     char line[200];
     std::snprintf(line, sizeof line, pattern, values...);

@@ -18,18 +18,19 @@ struct Report {
     std::map<std::string, Cost> sections, objects, symbols;
 };
 
-// Whether it is what GNU ld writes with -Map.
+// Whether the text is a map that GNU ld writes with -Map.
 bool isMap(const std::string &text);
 
 // `elf`: the program as it was read, for its sections and, if it is not stripped, its functions and objects.
-// `map`: the linker's, for the object files; may be empty. `bits`: for each byte. Throws Unsuitable.
+// `map`: the linker's, for the object files; may be empty. `bits`: the cost of each byte of `program`. Throws
+// Unsuitable.
 Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
                   const std::vector<float> &bits, size_t fileSize, size_t overhead);
 
-// Objects by their cost, and the twenty costliest symbols.
+// As text: the object files by their cost, and the twenty costliest symbols.
 std::string printReport(const Report &report);
 
-// JSON, one part a line, in the order of their names.
+// As JSON, one part a line, ordered by name.
 std::string printJson(const Report &report);
 
 } // namespace pack

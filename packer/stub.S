@@ -6,9 +6,9 @@
 // file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
 // Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
-// Registers while decoding: rbx the payload header, rbp within the model's memory, r12 the next byte of the image, r13
-// the same in the copy of coded bytes, r14 the payload; r11d the byte so far (bits), r8 the slots. Subroutines
-// clobber what they like of the rest.
+// Registers while decoding: rbx the payload header, rbp a place within the model's memory, r12 the next byte of the
+// image, r13 the same in the copy of coded bytes, r14 the next byte of the payload; r11d the byte so far (bits), r8 the
+// slots. Subroutines may clobber all other registers.
 
 #include "stub_memory.S"
 
@@ -18,8 +18,8 @@ start:
     push rsi
     lea ebx, [rip + payload_header]
 
-    // Check the file. If the file is too short for a page, the page must not be touched: access() tells whether it is
-    // there. Nothing unchecked is believed: the file's beginning is found from this code's own address
+    // Check the file. A truncated file lacks pages, which must not be touched: access() tells whether a page is there.
+    // Nothing is trusted before it is checked, so the file's beginning is computed from this code's own address
     lea edi, [rip + start - FRONT]
     mov edx, [rbx + WORDS]
     xor esi, esi
@@ -38,7 +38,7 @@ start:
     jne 1b
     test ebp, ebp
     je get_memory
-damaged: // the texts stand here, so that a file cut short still has them; all are 23 long
+damaged: // the messages are here so that a truncated file still has them; each has 23 bytes
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -71,10 +71,10 @@ get_memory:
     syscall
     test rax, rax
     js no_memory
-    push rax // to give it back
+    push rax // for munmap
     lea rbp, [rax - FIELDS]
 
-    // Decode; what the loader has found for the program stays
+    // Decode. Decoding overwrites the slots of the imports, so save them around it
     mov edi, [rbx + IMPORTS]
     push [rdi]
     push [rdi + 8]
@@ -96,8 +96,8 @@ get_memory:
     mov eax, [rbx + ENTRY]
     jmp rax
 
-// Makes esi bytes of the image R-X. Where what was written may never run (SELinux, systemd's
-// MemoryDenyWriteExecute), the kernel refuses.
+// Makes esi bytes of the image R-X. The kernel refuses where memory that was written may not become executable
+// (SELinux, systemd's MemoryDenyWriteExecute).
 protect:
     mov edi, [rbx + IMAGE]
     push 5 // read, execute

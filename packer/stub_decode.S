@@ -1,7 +1,7 @@
 // Part of stub.S: decoder.h and model.h.
 
 decode:
-    // expandOpcodes, and the weights, which lie behind
+    // expandOpcodes(), then the weights, which follow in memory
     lea rdi, [rbp + OPCODES]
     lea rsi, [rip + runs]
     push runs_end - runs
@@ -132,9 +132,9 @@ find:
     pop rdx
     cmovae rcx, rax
     shl rdx, 8 * SLOT_CHECK
-    mov [rcx], rdx // all else of it is 0
+    mov [rcx], rdx // its other fields become 0
 1:  mov rax, rcx
-2:  stosq // its counter is its first
+2:  stosq // a slot begins with its counter
     mov rcx, rax
     movzx eax, byte ptr [rcx + SLOT_HISTORY]
     lea rax, [r15 + rax * COUNTER]
@@ -179,7 +179,7 @@ find:
     pop r10
     mov eax, r11d
     mov ah, [rbp + PHASE]
-1:  lea eax, [r10 + rax * SETS] // rows of the eight sets lie together
+1:  lea eax, [r10 + rax * SETS] // the eight sets' rows of one number are adjacent
     imul eax, eax, ROW
     lea rdx, [rbp + rax + WEIGHTS - ROW]
     mov [rbp + r10 * 8 + ROWS - 8], rdx
@@ -273,7 +273,7 @@ find:
     call point_to_results
     call train
 
-    // ... the counters, that of the correction too
+    // ... the counters, including the correction's
     lea rsi, [rbp + COUNTERS]
     lea r10d, [r9 - 1]
     xor r10d, CERTAIN // or its complement
@@ -284,7 +284,7 @@ find:
     movzx ecx, byte ptr [rax]
     cvtsi2ss xmm1, ecx
     addss xmm1, xmm2
-    pshufd xmm2, xmm2, 0b001001 // the next one's, of three
+    pshufd xmm2, xmm2, 0b001001 // rotate to the next counter's
     mov edx, [rax]
     sar edx, SEEN_BITS
     mov edi, r10d

@@ -2,11 +2,11 @@
 
 .intel_syntax noprefix
 
-// --- What is agreed with C++ ---
+// --- Numbers shared with C++ ---
 #define STUB_NUMBER(name, value, meaning) .set name, value;
 #include "stub_numbers.h"
 
-// --- From rbx: the payload header; in front of it the constants at the end of stub_rest.S ---
+// --- Relative to rbx: the payload header, and before it the constants at the end of stub_rest.S ---
 .set MOST, -44
 .set LEAST, -40
 .set ONE, -36
@@ -17,7 +17,7 @@
 .set MIDDLE, -8
 .set SCALE, -4
 
-// --- The model's memory, from rbp, which points behind the first variables so that most offsets are one byte ---
+// --- The model's memory, relative to rbp, which points past the first variables so that most offsets are one byte ---
 .set FIELDS, -112
 .set WHERE, FIELDS + 4 * FIELD_WHERE
 .set TARGET, FIELDS + 4 * FIELD_TARGET
@@ -43,7 +43,7 @@
 .set NIBBLE, TYPE + 4
 .set RESULTS, 0
 .set STEP, RESULTS + 4 * SETS
-.set ROWS, STEP + 4 // of the last set first, as the results
+.set ROWS, STEP + 4 // the last set's row first, like the results
 .set HASHES, ROWS + 8 * SETS
 .set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS - 1)
 .set COUNTERS, INPUTS + 4 * MOST_INPUTS
@@ -56,7 +56,7 @@
 .set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
 .set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * PHASES * SHARED - FIELDS
-.set SLOTS, SLOTS_FROM + 255 - (SLOTS_FROM + 255) % 256 + FIELDS // so that their neighbours are found by a bit
+.set SLOTS, SLOTS_FROM + 255 - (SLOTS_FROM + 255) % 256 + FIELDS // flipping a bit finds the other slots
 // The slots follow, then kPast zeros and the coded bytes
 
 // --- What the code relies on beyond these names ---
@@ -64,22 +64,22 @@
 EQUAL(FIELD_WHERE, 0) // fields up to the column are written in a row
 EQUAL(FIELD_BYTE1, 1)
 EQUAL(FIELD_COLUMN, FIELD_BYTE5 + 1)
-EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two move on as one
+EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two are copied at once
 EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
 EQUAL(FIELD_MODRM, FIELD_OPCODE + 1) // what is cleared with the parser's state
 EQUAL(FIELD_MODE, FIELD_OPCODE + 2)
 EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 3)
 EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
-EQUAL(PHASE_START, 0) // the order in which phases are told apart
+EQUAL(PHASE_START, 0) // phases are compared in this order
 EQUAL(PHASE_VEX, 1)
 EQUAL(PHASE_MODRM, 2)
 EQUAL(PHASE_SIB, 3)
 EQUAL(PHASE_DISPLACEMENT, 4)
-EQUAL(SLOT_COUNTER, 0) // a fresh slot is its check, shifted up
+EQUAL(SLOT_COUNTER, 0) // a new slot is its check, shifted up
 EQUAL(SLOT_CHECK, SLOT - 2)
-EQUAL(COUNTER, 4) // seen: its lowest byte
+EQUAL(COUNTER, 4) // its lowest byte counts the bits seen
 EQUAL(SEEN_BITS, 8)
-EQUAL(HISTORY_FULL, 128) // the sign of a byte
+EQUAL(HISTORY_FULL, 128) // the sign bit of a byte
 EQUAL((SLOTS - FIELDS) & (2 * SLOT * NIBBLE_SLOTS - 1), 0)
 EQUAL((INPUTS | FINAL_WEIGHTS | WEIGHTS) & 15, 0) // vectors
-EQUAL(NIBBLE + 4, RESULTS) // the variables end in front of it, and keep it aligned
+EQUAL(NIBBLE + 4, RESULTS) // the variables end where RESULTS begins, which is aligned

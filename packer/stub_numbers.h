@@ -1,11 +1,11 @@
 // The numbers that the stub shares with C++: STUB_NUMBER(name in the stub, value, what it is in C++). The
-// assembler takes names and values from here (stub.S), and C++ compiles only where each value is what the
-// last column says (stub.h). A value may use the names above it. What is not here is the stub's own: how it
-// lays out its memory, the kernel's calls, x86 opcodes, which are Intel's.
+// assembler takes names and values from here (stub.S), and the C++ compiles only if each value equals the
+// last column (stub.h). A value may use the names above it. Other numbers belong to the stub alone: its
+// memory layout, system calls, x86 opcodes.
 // clang-format off
 
 STUB_NUMBER(FRONT, 528, sizeof(Front))
-// The payload header, in front of masks and payload
+// The payload header, before masks and payload
 STUB_NUMBER(WORDS, 0, offsetof(PayloadHeader, words))
 STUB_NUMBER(IMAGE, 4, offsetof(PayloadHeader, image))
 STUB_NUMBER(READ_ONLY, 8, offsetof(PayloadHeader, readOnly))

@@ -30,7 +30,7 @@ parse:
     mov [r12 - 3], eax
     xor eax, eax
 
-behind: // ... an opcode, an operand, or a byte of one
+behind: // after an opcode, an operand, or a byte of an operand
     test eax, eax
     jne return
     or eax, [rbp + IMMEDIATE]

@@ -1,5 +1,5 @@
 // The code in front of every program packed for Windows: checks the file, decodes the program, starts it. It does what
-// stub.S does on Linux, with the same decoder and with the functions of kernel32.dll that the file imports (Start in
+// stub.S does on Linux, with the same decoder and with the functions of kernel32.dll that the file imports (PeStart in
 // pe_format.h). They use Microsoft's calling convention: the caller gives them 32 bytes of stack. Decoder and program
 // use System V's. pe_format.h describes its input, its actions and its results, and holds its texts.
 
@@ -22,7 +22,7 @@ start:
     sub rsp, 40 // aligned to 16, as everywhere below
     lea ebx, [rip + payload_header]
 
-    // Check all of the section behind the slots. Its length comes from the header, which the loader has checked
+    // Check all of the section after the slots. Its length comes from the header, which the loader has checked
     mov ecx, [FRONT + PE_FILE_SIZE]
     shr ecx, 2
     sub ecx, PE_SLOTS / 4
@@ -35,19 +35,19 @@ start:
     test ebp, ebp
     jne damaged
 
-    mov edx, [rbx + MEMORY] // rcx is 0: anywhere
+    mov edx, [rbx + MEMORY] // rcx is 0: at any address
     mov r8d, 0x3000 // reserve, commit
     push 4 // read, write
     pop r9
     call VIRTUAL_ALLOC
     test rax, rax
     je no_memory
-    push rax // to give it back
+    push rax // for VirtualFree
     lea rbp, [rax - FIELDS]
     mov r12d, [rbx + IMAGE]
     call give_imports // for the early part
     call decode
-    call give_imports // decoding has gone over them
+    call give_imports // decoding has overwritten them
     pop r12
     mov esi, [rbx + READ_ONLY]
     call protect
@@ -73,7 +73,7 @@ protect:
     mov edx, esi
     push 0x20 // execute, read
     pop r8
-    lea r9, [rsp + 32] // what they were
+    lea r9, [rsp + 32] // for the old protection
     call VIRTUAL_PROTECT
     add rsp, 40
     test eax, eax
@@ -114,7 +114,7 @@ refuse:
     xor ecx, ecx
     mov rdx, rsi
     mov r8, rsi
-    push 0x10 // an error's sign
+    push 0x10 // MB_ICONERROR
     pop r9
     call rax
 1:  push 1

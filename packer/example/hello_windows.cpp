@@ -1,6 +1,6 @@
-// The smallest program that pack --pe takes; build.sh makes it. It is linked like hello.cpp, as ELF, and what
-// it may be is the same, but that it imports LoadLibraryA and GetProcAddress of kernel32.dll. Who calls
-// Windows, and who is called by it, does so by Microsoft's convention, ms_abi; all else is as on Linux.
+// The smallest program that pack --pe takes; build.sh makes it. It is linked as ELF like hello.cpp and has to
+// keep the same contract, except that it imports LoadLibraryA and GetProcAddress from kernel32.dll. Calls to
+// and from Windows use Microsoft's convention, ms_abi; everything else is as on Linux.
 #define WINDOWS __attribute__((ms_abi))
 
 extern "C" {
@@ -11,7 +11,7 @@ __attribute__((noplt)) WINDOWS void *GetProcAddress(void *library, const char *n
 static int theSum = 40; // data must survive packing, too
 static int theZeros[1000];
 
-// It begins as a function that Windows calls.
+// Windows calls this function, hence its convention.
 extern "C" [[noreturn]] WINDOWS void _start() {
     void *kernel = LoadLibraryA("kernel32.dll");
     auto output = (void *(WINDOWS *)(unsigned))GetProcAddress(kernel, "GetStdHandle");
