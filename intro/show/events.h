@@ -44,7 +44,7 @@ inline constexpr Event kEvents[] = {
     {kWordComes,        kPoint,    80, true}, // and a stroke of it on every beat from then on
     {kWordStands,       kPoint,   112, true},
 
-    {kBallsSetOff,      kTable,    16, true}, // one a beat
+    {kBallsSetOff,      kTable,    16, true}, // one ball a beat
 
     {kGeneration1,      kFlake,    16, true},
     {kGeneration2,      kFlake,    32, true},
@@ -89,7 +89,7 @@ inline constexpr Event kEvents[] = {
     {kBall4Leaves,      kOdraz,    88, false},
     {kBall3Leaves,      kOdraz,    96, true},
     {kBall1Leaves,      kOdraz,   116, true},
-    {kWordIsFound,      kOdraz,   136, false}, // behind the eye, in the last ball
+    {kWordIsFound,      kOdraz,   136, false}, // mirrored in the last ball: it stands behind the camera
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  12, true},

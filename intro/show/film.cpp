@@ -17,13 +17,13 @@ constexpr SceneEntry kScenes[kSceneCount] = {
 static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 
 // Rows count from the scene's start; eye, target, roll, field of view (a 35 mm lens is 37.8 degrees high).
-// Keys may lie outside their shot, which moves at its first and at its last picture then.
+// Keys may lie outside their shot, so that the camera moves from the first picture to the last.
 static constexpr CameraKey kPushIn[] = {
     {-64, {0.9f, 0.86f, 5.1f}, {0.0f, 0.60f, 0}, 0, 37.8f},
     {192, {0.05f, 0.64f, 3.3f}, {0.22f, 0.50f, 0}, 0, 37.8f},
 };
 
-// So many degrees around and so far from the axis, for ways around it.
+// A place for paths around the y axis: degrees around it, distance from it, height.
 static consteval Vec3 place(float degrees, float away, float height) {
     float angle = degrees * (kPi / 180);
     return {away * __builtin_cosf(angle), height, away * __builtin_sinf(angle)};
@@ -31,7 +31,7 @@ static consteval Vec3 place(float degrees, float away, float height) {
 static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
     return {row, place(degrees, away, height), {0, aim, 0}, 0, fov};
 }
-// It sinks to the table's height, until it lies on it and faces the sun.
+// The camera sinks until it is just above the table and faces the sun.
 static constexpr CameraKey kOrbit[] = {
     around(-48, 128, 6.9f, 1.6f, 0.8f, 36), around(0, 93, 6.5f, 1.5f, 0.8f, 36),
     around(48, 60, 6.0f, 1.3f, 0.8f, 36),   around(96, 27, 5.3f, 0.95f, 0.7f, 37),
@@ -66,7 +66,7 @@ static constexpr CameraKey kWalkIn[] = {
     {176, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
     {224, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
 };
-// Down the nave between the columns; the eye turns with the sun, up to the lamps, and to the door.
+// Down the nave between the columns; the camera turns with the sun, up to the lamps, and to the door.
 static constexpr CameraKey kWalk[] = {
     {0, {1.0f, 1.6f, 8.5f}, {-3.4f, 2.4f, 1.2f}, 0, 48},
     {64, {0.95f, 1.6f, 6.6f}, {-3.4f, 2.2f, -0.8f}, 0, 48},
@@ -77,7 +77,7 @@ static constexpr CameraKey kWalk[] = {
     {228, {0.05f, 1.6f, 1.8f}, {0, 2.3f, -7}, 0, 47},
     {288, {0, 1.6f, 0.1f}, {0, 2.2f, -9}, 0, 46},
 };
-// Above those who come, then down to the one that stays.
+// Above the balls that come, then down to the one that stays.
 static constexpr CameraKey kCrane[] = {
     {0, {-0.5f, 1.3f, 7.4f}, {0, 1.5f, -5}, 0, 42},     {64, {0.4f, 2.5f, 6.7f}, {0, 1.0f, -2}, 0, 42},
     {112, {0.7f, 2.7f, 5.4f}, {0, 0.8f, -0.6f}, 0, 41}, {152, {0.5f, 1.6f, 3.7f}, {0, 0.8f, 0.3f}, 0, 38},

@@ -9,14 +9,14 @@ namespace odraz {
 enum class Align { Left, Centre, Right };
 
 // Draws a line of text with its baseline at y and its start, middle or end at x (pixels); `size` is the
-// height of a figure in pixels, `weight` the stroke's width as a share of it. Unknown characters are left
-// out.
+// height of a figure in pixels, `weight` the stroke's width as a share of it, `tracking` the extra space
+// between letters in twelfths of it. Unknown characters are left out.
 void drawText(Frame &frame, const char *text, float x, float y, float size, float weight, float tracking,
               Align align, const Rgb &radiance, float opacity);
 
 // Stands a line of text in a scene, as tubes in the plane of x and y with the foot of its first letter at a
-// place; `unit` is a twelfth of a figure's height. A pen draws it: so many rows it has had so far, and a line
-// after an arc, an arc after a line and every letter begin on a beat.
+// place; `unit` is a twelfth of a figure's height. A pen draws it, and has done so for `rows` rows. Every
+// letter begins on a beat; within a letter, so does a line after an arc and an arc after a line.
 void standText(Scene &scene, const char *text, const Vec3 &place, float unit, float rows, int material);
 
 } // namespace odraz

@@ -10,11 +10,11 @@ namespace odraz {
 
 namespace {
 
-constexpr float kDust = 0.017f; // share of light that it scatters, a metre
+constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
 constexpr float kStripArea = 0.28f * 3.9f;
 constexpr Rgb kLanternLight = Rgb{60, 45, 30}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
-// From one grey for all to the material.
+// Blends a material (grey 0) with a grey that is the same for all (grey 1).
 Material faded(Material m, float grey) {
     if (grey == 0) return m;
     Rgb plain = {0.6f, 0.6f, 0.6f};
@@ -38,8 +38,9 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
 }
 
-// Where the sun stands in the air. The windows' depth lets pass what falls through both of its ends; the
-// columns before the other wall are left out, whose shadows lie in those of the first ones or beyond.
+// Adds the beams of sun that are seen in the air. Windows are deep: light must pass both ends of the opening.
+// The columns at the far wall are left out, because their shadows lie within those of the near ones or
+// beyond.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
     // A low sun's shafts lie along the view, and would hide the hall
@@ -64,9 +65,10 @@ void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
 LightVector lightVector(const HallLight &light, const float *drawn) {
     LightVector v = {};
     Daylight now = daylightAt(light.hour);
-    now.sky.near = {}; // it is part of the sun
+    now.sky.near = {}; // it counts as part of the sun
     project(now.sky, v.bounced);
-    // The sun's bounce, between two positions; its light, where the tracer does not draw it
+    // The sun's bounced light, interpolated between two positions; its direct light, as far as the tracer
+    // does not draw it
     float at = clamp(light.hour * 4, 0.f, (float)(kSuns - 1));
     int before = min((int)at, kSuns - 2);
     for (int i = 0; i < 2; ++i) {
@@ -116,8 +118,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     raiseShafts(scene.shafts, now, light);
     if (light.sun > 0) scene.add(Light{now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))});
 
-    // The two strongest lanterns are drawn by the tracer, but for what lets one take another's place unseen:
-    // the third's share
+    // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its own
+    // light is drawn in part, so that no jump is seen when two change places
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
@@ -137,7 +139,7 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
         scene.add(Light{{0, 2.1f, -9.4f}, kStripLight * on, 1});
     }
 
-    // Balls get what floor and ceiling get on average
+    // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);
     scene.ambientLow = meanLight(hall, hall.vault);
     scene.ballsOcclude = true;

@@ -9,7 +9,7 @@
 namespace odraz {
 
 inline constexpr int kLanterns = 3, kStrips = 8;
-inline constexpr int kHallMaterials = 8 + kLanterns + kStrips; // that it gives a scene
+inline constexpr int kHallMaterials = 8 + kLanterns + kStrips; // that it adds to a scene
 inline constexpr int kSuns = 28; // positions whose bounces are solved, four for each hour
 // Its skies are the spherical harmonics; its lamps are the lanterns, then the strips
 inline constexpr BasisOrder kHallBases = {kSh, kSuns, kLanterns + kStrips};
@@ -34,22 +34,22 @@ struct HallLight {
 // null: none.
 LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 
-// Builds its model and lights, and fills a scene with it, finished: for solveRoom().
+// Builds the hall's model and lights, and fills and finishes a scene with it, for solveRoom().
 void prepareHall(Hall &hall, Scene &scene);
 
-// As it ships: see `tradeoff radiosity`.
+// The settings that ship: `tradeoff radiosity` shows how they were chosen.
 inline constexpr RadiositySettings kHallSettings = {.px = 16,
                                                     .block = 1,
                                                     .levels = 1,
                                                     .contrast = 0.3f,
                                                     .traced = basesBetween(kFirstSun, kFirstStrip),
                                                     .residual = 1e-2f};
-// With them, of a hall that is prepared: what there is of each basis in the course of a day, the light that
-// scene 4 follows and the patch that it visits.
+// Settings for solveRoom(), for a prepared hall: kHallSettings, how strong each basis becomes in the course
+// of a day, the light that scene 4 follows and the place of the patch that it visits.
 RoomSettings hallSettings(const Hall &hall);
 
 // Fills a scene with the hall and its lights, lit for an eye: the sun and the two strongest lanterns are left
-// to the tracer. `grey` 1 .. 0 has all surfaces alike or in their own materials.
+// to the tracer. `grey`: 1 makes all surfaces the same grey, 0 gives them their own materials.
 void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, Scene &scene);
 
 } // namespace odraz

@@ -28,7 +28,7 @@ inline constexpr float kColumnX = 2.25f, kColumnRadius = 0.32f,
                        kColumns[] = {-4.875f, -1.625f, 1.625f, 4.875f};
 inline constexpr float kLanternRadius = 0.15f;
 
-// Adds charts and facets to its empty model, whose names it notes, and its lamps: lanterns, then strips.
+// Fills the hall's empty model, keeps the charts that Hall names, and adds the lamps: lanterns, then strips.
 void buildHall(Hall &hall);
 
 } // namespace odraz

@@ -1,4 +1,4 @@
-// How long the film is: all of its content that is known before it is decoded.
+// The film's length: the only content that is known before the film is decoded.
 #pragma once
 
 namespace odraz {

@@ -14,10 +14,10 @@ extern const Material kPlaster, kWarmPlaster;
 extern const Material kBeamAlong, kBeamAcross; // oak that runs along world z, or x
 extern const Material kGranite, kOak, kGlass, kMirror, kCopper;
 
-Material pearl(bool warm, float reflect); // silver, or copper, and so much of a mirror
+Material pearl(bool warm, float reflect); // copper if warm, else silver; reflect: how much of a mirror
 Material lamp(const Rgb &radiance);       // a body that only glows
 
-// Dusk under clouds that drift with the rows, and burn where the sun is: its place, for a light.
+// Dusk under clouds that drift with the rows and glow near the sun. kDuskSun: the sun's place, for a light.
 Sky duskSky(float row);
 inline constexpr Vec3 kDuskSun = {-13.7f, 4.9f, 10.6f};
 

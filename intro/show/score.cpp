@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-// A number of eight significant bits: the ear needs no more, and a packer none of the others.
+// Rounds a number to eight significant bits: the ear needs no more, and fewer bits pack better.
 static consteval float operator""_s(long double x) { return fromBits((bits((float)x) + 0x8000) & ~0xffff); }
 
 // clang-format off
@@ -150,7 +150,7 @@ static constexpr Heard kHeard[] = {
 
 namespace {
 
-constexpr float kRing = 16; // rows that an event sounds
+constexpr float kRing = 16; // rows that the sound of an event lasts
 
 constexpr bool isHeard(const Event &event) {
     for (const Heard &h : kHeard)
@@ -165,7 +165,7 @@ static_assert(
     }(),
     "what is marked as heard has a sound, and nothing else has");
 
-// Steps of the scale from D, of a letter: A lies below D, a above.
+// Steps of the scale from D to a letter: A lies below D, a above.
 int stepOf(char letter) { return (letter & 31) - 'D' % 32 + (letter < 'a' ? 0 : 7); }
 
 void strike(Mixer &m, const Articulation &articulation, char tone, char chord, float velocity, float rows) {

@@ -47,7 +47,7 @@ struct Heard {
           tone(tone) {}
 };
 
-// Plays what begins on a row of the film, any from 0 on: a Player.
+// Plays the notes that begin on a row of the film, from 0 on. It is a Player (mixer.h).
 void playRow(Mixer &mixer, int row);
 
 } // namespace odraz

@@ -13,16 +13,17 @@
 
 namespace odraz {
 
-// What the credits tell of this copy and this machine; null or 0 where it must not enter the picture (dumps).
+// What the credits tell about this copy and this machine; null or 0 where the picture must not depend on it
+// (dumps).
 struct Facts {
     int64_t bytes;       // size of the executable
     const char *machine; // the processor's name
 };
 
-// What a scene is told when it is on.
+// What a scene is told when it is posed.
 struct Cue {
-    double row;       // of its story
-    CameraKey camera; // that looks at it, be it scripted or flown
+    double row;       // of the scene's story
+    CameraKey camera; // that looks at the scene, scripted or flown
     Hall *hall;       // null where no scene needs it
     Facts facts;
 };
@@ -46,7 +47,7 @@ struct Film {
     Facts facts;
 };
 
-// What is on at a time.
+// What is shown at a time.
 struct Posed {
     const SceneEntry *entry;
     Cue cue;
@@ -58,8 +59,7 @@ struct Posed {
     }
 };
 
-// Poses the film's scene at a time, ready to be traced. With a camera given, that one looks instead of the
-// scripted one.
+// Poses the film's scene at a time, ready to be traced. `camera` replaces the scripted one.
 Posed poseAt(const Film &film, double seconds, const CameraKey *camera = nullptr);
 
 // Each in a file of its own.

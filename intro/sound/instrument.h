@@ -1,7 +1,7 @@
-// An instrument: a row of figures from which all of a note's partials follow.
+// An instrument: numbers that determine all of a note's partials.
 //
 // Partial k = 1, 2, ... sounds at k^stretch times the note's pitch: 1 is a string or a pipe, 1.4 to 1.8 are
-// glass, bars and bells, whose partials stand wider apart. Its amplitude is k^-tilt, and it dies k^damp times
+// glass, bars and bells, whose partials lie further apart. Its amplitude is k^-tilt, and it dies k^damp times
 // as fast as the first. Risset and Mathews, "Analysis of musical-instrument tones", Physics Today 22(2),
 // 1969.
 #pragma once
@@ -22,13 +22,13 @@ struct Instrument {
     float damp = 0;    // exponent
     float attack = 0.005f; // seconds, at least kBlock samples
     float release = 1;     // seconds from the note's end to silence
-    float detune = 0;      // the left copy of a partial is sharp, the right one flat, by so many parts of it
+    float detune = 0;      // the left copy of a partial is sharp, the right one flat, by this share
     float spread = 0;      // how far their phases are apart at the start, turns: 0 a point .. 1 all around
     float bend = 0;        // a drum: it begins at 1 + bend times its pitch,
     float bendTime = 1;    // and half of that is gone after so many seconds
     float room = 0;        // sent to the room, as a share of what is heard dry
-    float ducks = 0;       // how far it pushes down those that can be ducked: 0 .. 1
-    float ducked = 0;      // how far it lets itself be pushed: 0 .. 1
+    float ducks = 0;       // how far it pushes other instruments down: 0 .. 1
+    float ducked = 0;      // how far others may push it down: 0 .. 1
 };
 
 inline constexpr float kHighest = 20000; // Hz: no partial is above, so nothing aliases

@@ -7,8 +7,8 @@ namespace {
 constexpr float kLoud = 1.7f; // of all, before it is clipped softly
 constexpr float kRoomLevel = 0.42f;
 constexpr float kCross = 0.12f;      // of each side is heard on the other
-constexpr float kPeak = 0.84f;       // the loudest that comes out: room for what lies between samples
-constexpr int kSeekBlocks = 8 * 200; // rendered before a time that is sought: the room is full then
+constexpr float kPeak = 0.84f;       // the largest sample: leaves room for peaks between samples
+constexpr int kSeekBlocks = 8 * 200; // rendered before the block that is sought, so that the room is full
 
 } // namespace
 
@@ -19,13 +19,13 @@ void playNote(Mixer &m, const Note &note) {
 }
 
 void renderBlock(Mixer &m, float *stereo) {
-    // Denormal numbers are slow: they count as zeros, here and nowhere else
+    // Denormal numbers are slow: treat them as zeros, only here
     unsigned control = _mm_getcsr();
     _mm_setcsr(control | 0x8040);
     float ducked = m.ducked;
     if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
 
-    // Where voices are many the quietest one goes, within this block: by the next row there is place again
+    // If there are many voices, the quietest one fades out within this block, so that the next row finds room
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;
     int left = 0;
@@ -43,7 +43,7 @@ void renderBlock(Mixer &m, float *stereo) {
                 m.voice[n] = Float8{};
             }
         }
-        // Those that are over, a block from now, make place
+        // Drop voices that will be inaudible when the block ends
         float loudness = v.loudness((float)(time + kBlock));
         if (i == stolen || !(loudness > kInaudible)) continue;
         if (loudness < least) least = loudness, m.quietest = left;

@@ -11,7 +11,7 @@ namespace odraz {
 
 inline constexpr int kBlocksPerRow = 25; // 8 rows a second
 inline constexpr int kVoices = 128;
-inline constexpr int kVoicesAtOnce = 16; // so many notes may begin on one row: more are not heard
+inline constexpr int kVoicesAtOnce = 16; // notes that may begin on one row; more may be lost
 
 struct Mixer;
 // Plays all notes of a row.
@@ -21,25 +21,26 @@ using Player = void (*)(Mixer &mixer, int row);
 struct Mixer {
     Player player;
     int block;    // the next one
-    float ducked; // how far the loud push the others down: 0 .. 1
+    float ducked; // how far loud instruments push the others down: 0 .. 1
     int voiceCount;
-    int quietest; // of the voices, before the row that is begun
+    int quietest; // index of the quietest voice, in the last block
     Voice voices[kVoices];
     Reverb reverb;
     Echo echo;
     Float8 voice[kBlock], dry[kBlock], wet[kBlock]; // of one voice, and of all: zero between blocks
 };
 
-// Begins a note with the next block, unless its key or its velocity is not positive, its room negative, or
-// one of them a NaN. What is above 20 kHz is not heard, nor what has a NaN for its length.
+// Begins a note with the next block. Ignores it if its key or velocity is not positive, its room is negative,
+// one of them is NaN, or kVoices voices sound already. Partials above 20 kHz are silent, and so is a note
+// whose length is NaN.
 void playNote(Mixer &mixer, const Note &note);
 
-// Renders the next block: kBlock pairs of left and right, within -1 .. 1. Null goes on without rendering,
-// which costs nearly nothing: voices are where they would be, the room and the echo are not.
+// Renders the next block: kBlock pairs of left and right, within -1 .. 1. With null, time goes on without
+// rendering, at hardly any cost: the voices are as they would be, the room and the echo are not.
 void renderBlock(Mixer &mixer, float *stereo);
 
-// Goes to a time as if everything before it had been rendered, except that the room forgets what was more
-// than some seconds before.
+// Goes to a block as if everything before it had been rendered, except that room and echo hold only what
+// sounded in the 8 seconds before.
 void seekBlock(Mixer &mixer, int block);
 
 } // namespace odraz

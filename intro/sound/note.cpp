@@ -13,16 +13,16 @@ struct Phasor {
     Float8 cos, sin;
 };
 
-// Not inlined: it stands at two places.
+// Not inlined, to save bytes: it is called at two places.
 [[gnu::noinline]] Phasor phasor(Uint8 phase, Float8 amplitude) {
     Float8 angle = toFloat((Int8)phase) * (2 * kPi / kTurn);
     return {cos(angle) * amplitude, sin(angle) * amplitude};
 }
 
-// Turns as a phase: whole ones do not matter.
+// Turns as a phase: whole turns do not matter.
 Uint8 phaseOf(Float8 turns) { return (Uint8)toInt((turns - round(turns)) * kTurn); }
 
-// How much of a bend is over.
+// The share of a bend that is over.
 float bent(const Instrument &i, int time) {
     return 1 - exp2((float)time * (-1.f / kSampleRate) / i.bendTime);
 }
@@ -56,8 +56,8 @@ void beginVoice(Voice &v, const Note &note, int block) {
         Int8 left = kLanes & 3;
         Float8 k = log2(toFloat(left + 4 * g + 1));
         uint32_t seed = (uint32_t)(block * 32 + g) * 3 + (uint32_t)(int)note.key * 1664525u;
-        // Both sides share what is random about a partial, but for a part of its phase: so no two notes are
-        // alike
+        // Random numbers make no two notes alike. Both sides of a partial share them, except for a part of
+        // its phase
         Float8 mine = randomLanes(seed), shared = (Float8)_mm256_permute2f128_ps(mine, mine, 0);
         Float8 side = select(kLanes < 4, 1.f, -1.f);
         Float8 ratio = exp2(k * i.stretch);
@@ -84,8 +84,8 @@ void renderVoice(const Voice &v, int time, float gain0, float gain1, Float8 *out
         const Voice::Group &group = v.group[g];
         Float8 amplitude = group.amplitude * exp2(group.fall * (float)time);
         if (!any(amplitude > kInaudible)) continue;
-        // Where the block begins, and how far a sample turns in it: straight between what the bend is at its
-        // ends
+        // The phase at the block's start, and the turn per sample: within the block, the bend goes straight
+        // from its value at the start to that at the end
         Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.bend * bend0);
         Uint8 turn = group.turn + (Uint8)toInt(group.bend * (bend1 - bend0) * (kTurn / kBlock));
         Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));

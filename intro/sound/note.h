@@ -1,9 +1,9 @@
 // A note as a sum of partials, eight at a time: lanes 0 to 3 are heard on the left, 4 to 7 are the same
 // partials on the right, a little out of tune with them.
 //
-// It is a function of time and remembers nothing: the phase of a partial is an integer of 2^-32 turns that is
-// multiplied with the time, its amplitude a power of two, and only within a block are phasors turned from
-// sample to sample. So they need no renormalising, a note can be joined at any moment, and no number becomes
+// A note is a function of time and has no state: the phase of a partial is the time multiplied by an integer
+// of 2^-32 turns, its amplitude is a power of two, and only within a block are phasors turned from sample to
+// sample. So phasors need no renormalising, rendering can begin at any time in a note, and no number becomes
 // denormal.
 #pragma once
 
@@ -16,8 +16,8 @@ struct Note {
     const Instrument *instrument;
     float key;      // semitones, MIDI's: 69 is a' = 440 Hz; above 0, and below 20 kHz to be heard
     float velocity; // 0 .. 1
-    float length;   // seconds until it is let go
-    float room;     // how much of the instrument's send it takes, from 0; 1 is all
+    float length;   // seconds until it is released
+    float room;     // factor of the instrument's send to the room, from 0
 };
 
 // A note as it sounds.
@@ -26,24 +26,25 @@ struct Voice {
     int start; // block of the film, kBlock samples each
     int groups;
     struct Group {
-        Uint8 turn, phase; // 2^-32 turns: a sample, and at the start
+        Uint8 turn, phase; // in 2^-32 turns: per sample, and at the start
         Float8 bend;       // turns that the bend adds in all
         Float8 amplitude;  // at the start
-        Float8 fall;       // log2 of the amplitude, a sample: not above 0
+        Float8 fall;       // change of log2(amplitude) per sample: not above 0
     } group[8];
 
-    // Of its envelope and its first partial at a time since its start, in samples; 0 after its end.
+    // The envelope, and the amplitude of the first partial with it, `time` samples after the start; 0 after
+    // the end.
     float envelope(float time) const;
     float loudness(float time) const;
 };
 
-// Below this a partial is not heard, and left out; a voice that has fallen below it is over. -110 dB.
+// A partial below this amplitude (-110 dB) is left out; a voice that has fallen below it is over.
 inline constexpr float kInaudible = 3e-6f;
 
 void beginVoice(Voice &voice, const Note &note, int block);
 
 // Adds a block to `out`, kBlock samples of eight lanes, `time` samples after the voice's start (a multiple of
-// kBlock); its level goes from gain0 to gain1, the envelope not counted.
+// kBlock); its level goes from gain0 to gain1, both multiplied by the envelope.
 void renderVoice(const Voice &voice, int time, float gain0, float gain1, Float8 *out);
 
 } // namespace odraz

@@ -8,8 +8,8 @@ namespace odraz {
 // in turn.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
-// Where the ends of the lines are at the beginning of a block: they go to and fro, each in a time of its own,
-// of some 20 seconds, and evenly, so that all that sounds is out of tune by the same.
+// The lengths of the lines at the beginning of a block. Each goes to and fro with a period of its own, some
+// 20 seconds, and at constant speed, so that it puts everything equally out of tune.
 static Float8 drifted(int block) {
     Float8 turned = fmadd(toFloat(kLanes), 0.00002f, 0.0002f) * (float)block;
     return fmadd(abs(turned - round(turned)), 4 * kDrift, kLengths);

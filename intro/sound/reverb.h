@@ -1,10 +1,10 @@
 // The room that answers, and an echo in tempo. Both take and give eight lanes, 0 to 3 the left ones.
 //
-// The room is a feedback delay network of eight lines, one a lane: what comes out of them is mixed by a
-// Hadamard matrix and goes in again, so that echoes multiply until they are a room's. A line's loss follows
-// from its length, so that all modes die alike, and high ones faster, by a low-pass in each. The lengths
-// drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks for designing artificial
-// reverberators", 90th AES convention, 1991.
+// The room is a feedback delay network of eight lines, one a lane: their outputs are mixed by a Hadamard
+// matrix and go in again, so that echoes multiply until they sound like a room. A line's loss follows from
+// its length, so that all modes decay alike; a low-pass in each line makes high frequencies decay faster. The
+// lengths drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks for designing
+// artificial reverberators", 90th AES convention, 1991.
 #pragma once
 
 #include "base/float8.h"
@@ -19,11 +19,11 @@ inline constexpr float kDrift = 9;        // samples, either way of a line's mea
 struct Reverb {
     static constexpr int kLength = 8192; // a power of two above the longest line
     Float8 lines[kLength];
-    Float8 low; // what the low-passes remember
+    Float8 low; // state of the low-passes
     int at;
 };
 
-// Adds what the room makes of a block to `out`.
+// Sends a block into the room, and adds what comes back to `out`.
 void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out);
 
 struct Echo {

@@ -1,5 +1,5 @@
-// Scene 7. The word of the beginning on its marble, before the last ball: what it is, how many bytes, what it
-// ran on.
+// Scene 7. The word of scene 1 on its marble, before the last ball. Text tells what the film is, how many
+// bytes it has and what it ran on.
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"

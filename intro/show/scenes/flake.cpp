@@ -12,7 +12,8 @@ namespace {
 
 constexpr int kLevels = 3; // 1 + 9 + 81 + 729 balls
 constexpr int kShades = 6;
-// Detail is that of a picture of so many lines, whatever its size and the lens: pixels of what is a unit away
+// Detail is chosen as for a picture of kLines lines, whatever its size and the lens. kPixelsPerUnit: the
+// pixels of a length of 1 at distance 1
 constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
 // When each generation grows out of the one before
 constexpr Key kGrow[kLevels][2] = {{{rowOf(kGeneration1), 0, Smooth}, {rowOf(kGeneration1) + 14, 1, Linear}},
@@ -24,12 +25,12 @@ struct Flake {
     CameraKey camera;
     float grown[kLevels], turn;
     int silver;
-    int pearls[2][kShades]; // by how much of a mirror they are
+    int pearls[2][kShades]; // [warm][how much of a mirror]
 
     // A ball and what grows on it: six around its waist, three above, all sixty degrees apart.
     void add(int level, const Vec3 &centre, float radius, const Mat3 &frame) {
-        // Detail by projected size: a ball of a few pixels mirrors nothing, and what would be smaller yet
-        // grows as we come near
+        // Detail by projected size: a ball of a few pixels mirrors nothing, and still smaller ones grow as we
+        // come near
         float away = max(length(centre - camera.eye) - 2 * radius, 0.1f),
               pixels = radius / away * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);

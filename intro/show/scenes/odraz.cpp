@@ -1,6 +1,6 @@
 // Scene 6. Odraz: out of the door of light come mirrors, copper and glass, two a beat, their shadows before
-// them; everything reflects everything. They go back as the lights die, and one is left: in it stands,
-// behind the eye, the word of the beginning.
+// them; everything reflects everything. They go back as the lights die, and one is left: it mirrors the word
+// of scene 1, which stands behind the camera.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -14,7 +14,7 @@ static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
                                     {rowOf(kLampLights) + 24, 0.45f, Linear},
                                     {rowOf(kDoorDies), 0.45f, Smooth},
                                     {rowOf(kDoorDies) + 20, 0, Linear}};
-// How much of their light is drawn with shadows: none any more when the lamps rule
+// How much of their light is drawn with shadows: none once the lamps have taken over
 static constexpr Key kDoor[] = {{rowOf(kLampLights) + 4, 0.6f, Smooth}, {rowOf(kLampLights) + 24, 0, Linear}};
 static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
                                  {rowOf(kLampLights) + 16, 0.5f, Linear},
@@ -30,8 +30,8 @@ static constexpr Key kExposure[] = {{8, 2.6f, Smooth},
                                     {rowOf(kLampLights) + 24, 2.1f, Linear},
                                     {rowOf(kOuterLampsDie), 2.1f, Smooth},
                                     {160, 2.8f, Linear}};
-// Of the way from the door, what lies before them; and how far they have gone back: squared, as they brake
-// and set off evenly.
+// The share of the way from the door that a ball still has before it, and the share that it has gone back.
+// Both are squared, so that balls brake and set off evenly.
 static constexpr Key kLeft[] = {{0, 1, Linear}, {48, 0, Linear}};
 static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 
@@ -39,14 +39,14 @@ static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale, kGround };
 static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 
-// Three lanes. Who comes first stands foremost and goes last, so that nobody passes anybody: the one that
-// stays and three behind it between six on either side.
+// Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
+// front and goes last, so that no ball passes another.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
 constexpr float kHidden = -11; // in z, behind the door
 constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kClear, kRed, kPale},
                                       {kClear, kPale, kRed, kSilver, kPale, kRed}};
 
-// A ball of a lane, rolled.
+// Adds a ball of a lane, rolled by the way that it has come.
 static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
                     int material) {
     float left = value(track(kLeft), row - comes), back = value(track(kBack), row - goes);

@@ -1,8 +1,8 @@
-// Scene 4. The hall, before light: its patches, flat and nearly black; one is visited, its half-cube rises
-// over it and unfolds into five pictures of what it sees, the hall as it is then; it takes its colour. Then
-// there is light for all, and bounce by bounce what each adds: in copper, brightened so that it can be seen,
-// before it joins the rest. We walk in, and patches become surfaces. Everything shown is the solver's: the
-// patches, the hemicube, the light after each bounce.
+// Scene 4. The hall, before light: its patches, flat and nearly black; one is visited: its half-cube rises
+// over it and unfolds into five pictures of what it sees, the hall as it is then, and the patch takes its
+// colour. Then all patches get direct light, then bounce after bounce. What a bounce adds is shown in copper,
+// brightened so that it can be seen, before it joins the rest. We walk in, and patches become surfaces.
+// Everything shown is the solver's: the patches, the hemicube, the light after each bounce.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/half_cube.h"
@@ -25,8 +25,8 @@ static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
 static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
 static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 8, 0, Smooth}, {rowOf(kPatchesMelt) + 36, 1, Linear}};
 
-// Direct light and the bounces, one after the other: the row on which each begins, and how much brighter than
-// it is what it adds is shown.
+// Direct light and the bounces, one after the other: the row on which each begins, and by how much its
+// contribution is brightened.
 static constexpr struct {
     float row, gain;
     char name[16];
@@ -40,7 +40,7 @@ static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
 static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f};
 
-// How far a step has come: what it adds rises and, before its bar ends, joins the rest.
+// How far a step has come: its contribution rises and, before its bar ends, joins the rest.
 struct Step {
     int number; // -1: there is no light yet
     float rise, join;
@@ -61,7 +61,7 @@ struct Step {
     }
 };
 
-// What a patch shows: nearly nothing, by the way it faces, and then light.
+// What a patch shows: a dark grey that depends on its normal, and later its light.
 static Rgb patchLight(const Hall &hall, int i, const Step &step, float lit) {
     const Model &m = hall.model;
     const Chart &c = m.charts[m.patches[i].chart];
@@ -85,7 +85,7 @@ void posePatches(const Cue &cue, Scene &scene) {
     hall->map.mosaic = 1 - melt;
     if (melt == 1) return;
 
-    // The patches' light, as it has spread from the visited one
+    // Colour the patches. Light spreads over them from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
     float reach = ((float)row - rowOf(kDirectLight)) * 3;
@@ -96,7 +96,7 @@ void posePatches(const Cue &cue, Scene &scene) {
         Rgb own = patchLight(*hall, i, step, lit);
         if (i == hall->visited && step.number < 0)
             own = lerp(own, hall->bounce[1][i] * 2.f, value(track(kTaken), row));
-        // What its own reflectance makes of the light, until surfaces have that themselves
+        // Use the patch's own reflectance, not that of the common grey, until its own material is shown
         own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
         if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kHalfCubeCloses) - 2) {
             float pulse = 0.5f - 0.5f * cos(((float)row - rowOf(kPatchIsVisited)) * (kPi / 4));

@@ -13,7 +13,7 @@ static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
                                     {rowOf(kLightIsBorn) + 3, 0.5f, Smooth},
                                     {rowOf(kLightGrows), 0.45f, Smooth},
                                     {rowOf(kRimLightWakes), 1, Linear}};
-// Born beside the ball, it passes behind it and rises above it
+// The light begins beside the ball, passes behind it and rises above it
 static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth},
                                   {rowOf(kCausticFalls), -1.3f, Linear}};
 static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth},

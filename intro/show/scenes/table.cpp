@@ -1,5 +1,5 @@
-// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on a dark mirror
-// of a ground, before a burning sky.
+// Scene 2. Whitted's table: mirror and glass balls circle over a checker of stone and wood, on dark ground
+// that mirrors them, before a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/show.h"
@@ -23,7 +23,7 @@ constexpr Shape side(int i) {
     s.textureShift = {0.3f, 0.9f + 0.7f * (float)i, 2.0f * (float)i};
     return s;
 }
-// What stands: the table, the ground, and one great mirror in the middle.
+// What does not move: the table, the ground, and a large mirror ball in the middle.
 constexpr Shape kShapes[] = {
     box({0, -0.06f, 0}, {3.0f, 0.06f, 3.0f}, kBoard),
     side(0),
@@ -59,14 +59,14 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.addAll(kLights);
     float rows = (float)cue.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
-        // From rest to its speed within a beat
+        // It sets off from rest and reaches its speed within a beat
         float speeds = clamp(rows, 0.f, kBeat),
               turn = (speeds * speeds * (0.5f / kBeat) + max(rows - kBeat, 0.f)) * kSpeed;
         rows -= kBeat;
         float angle = m.angle + turn * m.speed;
         Vec3 place = {m.distance * cos(angle), m.radius + m.lift, m.distance * sin(angle)};
         Shape *s = scene.add(sphere(place, m.radius, m.material));
-        // Roll without slipping: about the radius, by the length of the way over the ball's radius
+        // Roll without slipping, by the length of the way divided by the ball's radius
         float roll = -turn * m.speed * m.distance / m.radius;
         Mat3 outward = {{cos(angle), 0, sin(angle)}, {0, 1, 0}, {-sin(angle), 0, cos(angle)}};
         Mat3 rolled = {{1, 0, 0}, {0, cos(roll), sin(roll)}, {0, -sin(roll), cos(roll)}};
