@@ -12,9 +12,9 @@ struct Border {
     float inside(const Corner &c) const { return fmadd(sign, upright ? c.y : c.x, limit * c.w); }
 };
 
-// Cuts a convex polygon. A new corner is found from the end of its side that lies nearer to the border: that
-// is precise, and neighbours that share the side find the same corner. Then it is put exactly onto the
-// border, which for a wall that passes within a hair of the eye it may miss by many pixels.
+// Cuts a convex polygon. A new corner is computed from the end of its side that lies nearer to the border:
+// that is precise, and neighbours that share the side compute the same corner. Then it is put exactly onto
+// the border: for a wall that passes very close to the eye, rounding might leave it many pixels away.
 int clip(const Corner *in, int count, Corner *out, const Border &border) {
     int n = 0;
     for (int i = 0; i < count; ++i) {

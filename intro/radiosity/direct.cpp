@@ -12,14 +12,14 @@ namespace {
 struct Places {
     Vec3x8 p, n; // just off the surface
     Int8 active;
-    int round; // 0 .. 3: whose parts of what shines they look at
+    int round; // 0 .. 3: which parts of a shining area they sample from afar
 };
 
 // A part of a shining area: a parallelogram, or a triangle that repeats its last corner. The corners are
 // clockwise as seen from the side that shines.
 struct Part {
     Vec3 corner[4], middle;
-    int round; // that looks at it from afar
+    int round; // of the places that sample it from afar
 };
 
 // Lambert's formula, a sum over the edges. What is below the horizon counts as negative, so little of the
@@ -35,9 +35,9 @@ Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
     }
     return max(sum, 0.f) * (0.5f / kPi);
 }
-constexpr float kNear = 16; // distance^2 over a part's area within which discs would not do
+constexpr float kNear = 16; // distance^2 over a part's area below which a disc is too inexact
 
-constexpr int kParts = 32; // of a window or a lamp of its own
+constexpr int kParts = 32; // of a window or of a lamp's chart
 
 // A part, as seen from eight places.
 struct Seen {
@@ -88,7 +88,7 @@ struct Context {
     int partCount;
     Part parts[kMaxLampCells];
 
-    // What share of the way to the points `to` is clear.
+    // The share of light that passes between the places and `to`; `d` gets the directions to `to`.
     Float8 clear(const Places &at, Vec3x8 to, Int8 active, Vec3x8 &d) {
         to = to - at.p;
         Float8 distance = max(length(to), 1e-20f);
@@ -96,8 +96,8 @@ struct Context {
         return transmittance(scene, {at.p, d}, distance * 0.9999f, active, broadcast(-1)).y;
     }
 
-    // Finds the directions and form factors of the parts of a facet that this place looks at: every fourth,
-    // or all where it is near. Returns how many.
+    // Finds the directions and form factors of the parts of a facet that these places sample: every fourth
+    // part, or all parts if the facet is near. Returns how many.
     int look(const Places &at, int facet, int most, Seen *seen) {
         const Facet &f = model.facets[facet];
         const Chart &c = model.charts[f.chart];
@@ -134,7 +134,7 @@ struct Context {
         return count;
     }
 
-    // Everything that shines on a chart.
+    // Calls `take` for all parts that a shining chart has.
     template <class Take> void lookAtChart(const Places &at, int chart, Seen *seen, Take &&take) {
         const Chart &c = model.charts[chart];
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)

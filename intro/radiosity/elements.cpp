@@ -11,7 +11,7 @@ uint32_t hashOf(int chart, int x, int y) {
     return pcg((uint32_t)chart ^ pcg((uint32_t)x * 0x9e3779b1u ^ (uint32_t)y));
 }
 
-// Marks a texel to be looked at again, for cells as small as those of `level`.
+// Makes a texel fresh, for cells as small as those of `level`.
 void wake(Model &m, int number, int level) {
     Texel &t = m.texels[number];
     if (t.level < level) t.level = (uint8_t)level;
@@ -35,8 +35,8 @@ int findOrAdd(Model &m, int chart, int x, int y, int level) {
     return number;
 }
 
-// Whether some of a cell, or all that was looked at, is hidden although it lies on a facet: what is to be
-// seen of it may be small.
+// Whether a cell on a facet is hidden at some of the places that were sampled, or, if it is undivided, at all
+// of them: the part of it that is visible may be small.
 bool partlyHidden(const Model &m, const Cell &cell) {
     int quarters = 0;
     for (int k = 0; k < 4; ++k) quarters += m.quarterVisible(cell, k);
@@ -46,7 +46,7 @@ bool partlyHidden(const Model &m, const Cell &cell) {
     float du = c.width / (float)(c.across * kSteps), dv = c.height / (float)(c.down * kSteps);
     for (int i = c.firstFacet; i < c.firstFacet + c.facetsCount; ++i) {
         const Facet &f = m.facets[i];
-        if (f.triangle()) continue; // it fills half of its rectangle anyway
+        if (f.triangle()) continue; // a triangle leaves half of its rectangle empty anyway
         float u0 = min(min(f.u[0], f.u[1]), f.u[2]), u1 = max(max(f.u[0], f.u[1]), f.u[2]),
               v0 = min(min(f.v[0], f.v[1]), f.v[2]), v1 = max(max(f.v[0], f.v[1]), f.v[2]);
         if (u0 < (float)high.x * du && u1 > (float)low.x * du && v0 < (float)high.y * dv &&

@@ -17,7 +17,7 @@ double arcTangent(double x) {
 constexpr double kTwoPi = 6.283185307179586;
 
 // Integrals of the hemicube's kernels, 1 / (pi (1 + a^2 + b^2)^2) on the top face and b times that on a side,
-// over [0, a] x [0, b] up to what cancels in the differences below.
+// over [0, a] x [0, b], except for terms that cancel in the differences below.
 double topIntegral(double a, double b) {
     double ra = root(1 + a * a), rb = root(1 + b * b);
     return (a / ra * arcTangent(b / ra) + b / rb * arcTangent(a / rb)) / kTwoPi;
@@ -56,10 +56,10 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
     float dark = 0;
     for (int y = 0; y < 3 * px; ++y, ids += stride, sums += px + 1) {
         int start = 0;
-        auto end = [&](int x) { // of a run of one number
+        auto end = [&](int x) { // ends a run of one number
             uint32_t id = ids[start];
             if (id == kNothing) {
-                // Of what is seen on both sides, if that is something, one gets the crack
+                // A crack counts as one of its neighbours, if something is seen on both sides of it
                 for (int k = start; k < x; ++k) {
                     uint32_t left = k > 0 ? ids[k - 1] : 0, right = k + 1 < px ? ids[k + 1] : 0;
                     uint32_t above = y > 0 ? ids[k - stride] : 0,
@@ -78,7 +78,7 @@ float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row) 
             }
             start = x;
         };
-        // Where one number ends and the next begins, for eight pixels at once
+        // Find where one number ends and the next begins, for eight pixels at once
         int x = 1;
         for (; x + 8 <= px; x += 8)
             for (int ends = laneBits(loadInts((const int *)ids + x - 1) != loadInts((const int *)ids + x));

@@ -8,7 +8,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kVertices = 1 << 16; // laid out before they are drawn
+constexpr int kVertices = 1 << 16; // that are laid out before a draw call
 // A vertex: x, y, w in the atlas; place on the chart, in patches; first patch + 1; patches across and down
 constexpr int kFloats = 7;
 

@@ -28,8 +28,8 @@ struct Eye {
     Mat3 frame;
 };
 
-// A hemicube around the unit normal n. It is turned about it by an angle that is random but fixed for each
-// number; without that the grids of neighbours would alias together.
+// A hemicube around the unit normal n. It is turned about n by an angle that is random but fixed for each
+// number; without that, neighbouring hemicubes would all show the same aliasing.
 Eye hemicubeEye(const Vec3 &p, const Vec3 &n, uint32_t number);
 
 struct Hemicubes {

@@ -11,7 +11,7 @@ namespace odraz {
 inline constexpr int kMaxSkies = 32, kMaxSuns = 32, kMaxLamps = 16,
                      kMaxBases = kMaxSkies + kMaxSuns + kMaxLamps, kMaxLampCells = 256;
 
-// How many bases there are of each kind, from which follows the number of each basis.
+// How many bases there are of each kind; the number of each basis follows from that.
 struct BasisOrder {
     int skyCount, sunCount, lampCount;
 
@@ -49,7 +49,7 @@ struct LightBases : BasisOrder {
     int glowCount;
     // Skies stand in all windows. They are functions of the unit direction and may be negative, except the
     // first, which tells where light from the windows changes. Null: there are no such functions, and the
-    // three skies are the red, green and blue of the glows
+    // only skies are the red, green and blue of the glows
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;
     const Glow *glows;

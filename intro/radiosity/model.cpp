@@ -13,7 +13,8 @@ int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int materia
     c = {};
     c.corner = corner;
     c.width = length(u), c.height = length(v);
-    // Divided, not multiplied: along an axis it is exactly 1, and neighbours' corners meet exactly
+    // Divide, do not multiply by the inverse: along an axis the result is exactly 1, and neighbours' corners
+    // meet exactly
     auto unit = [](Vec3 a, float length) { return Vec3{a.x / length, a.y / length, a.z / length}; };
     c.u = unit(u, c.width), c.v = unit(v, c.height);
     c.n = cross(c.u, c.v);
@@ -52,7 +53,7 @@ void Model::addBox(const Vec3 &lo, const Vec3 &hi, int material, float cell, uns
         if (sides >> i & 1) addRect(all[i].corner, all[i].u, all[i].v, material, cell);
 }
 
-// Where the hemicube of a patch stands, and how much of it is to be seen.
+// Finds where the hemicube of a patch stands, and how much of the patch is visible.
 static void place(const Model &model, int index, Patch &patch) {
     const Chart &c = model.charts[patch.chart];
     int wide = c.patchAcross(), high = c.patchDown(), firstI = index % c.patchesAcross * wide,
@@ -77,7 +78,7 @@ static void place(const Model &model, int index, Patch &patch) {
     float least = kInfinity;
     places([&](Vec3 p) {
         float distance = length(p - middle);
-        if (distance >= least * 0.999f) return; // of equals the first, whatever their rounding
+        if (distance >= least * 0.999f) return; // of equals take the first, so that rounding does not decide
         least = distance;
         patch.p = p;
     });
@@ -87,7 +88,8 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     if (overflow) return false;
     texelCount = cellCount = patchCount = tieCount = freshCount = 0;
     for (int i = 0; i < chartCount; ++i) {
-        // Whole patches: the blocks nearest to what is asked, the cells as many as they hold
+        // Charts hold whole patches: take the number of blocks nearest to what is asked, and the number of
+        // cells that fills them
         Chart &c = charts[i];
         auto divideSide = [&](int16_t &cells, int16_t &patches) {
             int blocks = max((cells + block / 2) / block, 1);
@@ -103,8 +105,8 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
         cellCount += c.across * c.down;
         patchCount += c.patchesAcross * c.patchesDown;
     }
-    // A cell and all that it is divided into. Ties: 4 in a cell with hidden corners, of which there are fewer
-    // than texels; 2 of a texel that hangs
+    // Room for a cell and all that it may be divided into. Ties: up to 4 for a cell with hidden corners
+    // (there are fewer of these than texels), and 2 for a texel that hangs
     int growth = (4 << 2 * levels) / 3;
     texelRoom = texelCount * growth, cellRoom = cellCount * growth, tieRoom = texelRoom * 6;
     tableMask = 1;

@@ -3,8 +3,8 @@
 // A chart is a rectangle of a plane with a grid of cells over it; facets are the parts of it that are really
 // there, rectangles or triangles (a wall with windows has several), so that light is continuous over a whole
 // wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their quadtrees are
-// the elements; they carry the light, at their corners (elements.h). World units as in Scene; any scale. Up
-// to kMaxCharts charts and kMaxFacets facets: divide() refuses a model that was to have more.
+// the elements; they carry the light, at their corners (elements.h). World units as in Scene; any scale. A
+// model has up to kMaxCharts charts and kMaxFacets facets: divide() refuses one that was given more.
 #pragma once
 
 #include "base/arena.h"
@@ -28,9 +28,9 @@ struct Facet {
 };
 
 struct Patch {
-    Vec3 p;       // its middle; where some of it is hidden, the visible place nearest to the middle of those
+    Vec3 p;       // its middle; if part is hidden, the visible place nearest to the middle of those visible
     Vec3 n;       // of its plane
-    Rgb reflects; // what share of the light that arrives; the solver's caller says it
+    Rgb reflects; // share of the light that arrives; the solver's caller sets it
     float share;  // of its places that are visible, 0 .. 1; 0: it has no hemicube and no light
     float area;   // of what is visible, once the elements are final
     int chart;
@@ -42,7 +42,7 @@ struct Texel {
     int chart, x, y; // in kSteps of an undivided cell
     uint8_t level;   // of the smallest cell around it
     uint8_t visible; // a bit for each place that is on a facet and not inside a solid
-    bool fresh;      // it waits to be looked at
+    bool fresh;      // its visibility and direct light must still be found
     bool filled;     // hidden, but with light from its neighbours
 };
 
@@ -55,17 +55,17 @@ struct Tie {
 struct Model {
     int chartCount, facetCount;
     bool overflow; // something did not fit
-    bool solid; // no back is to be seen from where there is light: hemicubes leave backs out, which is faster
+    bool solid;    // no back is visible from where there is light: hemicubes leave backs out, which is faster
 
     // Made by divide(), refined by split()
     Patch *patches;
     Texel *texels;
     Cell *cells;
     Tie *ties;
-    int *fresh; // texels that wait to be looked at
+    int *fresh; // numbers of the texels that are fresh
     int patchCount, texelCount, cellCount, tieCount, freshCount;
     int texelRoom, cellRoom, tieRoom;
-    int *table; // of the texels inside divided cells, by their place
+    int *table; // hash table of the texels inside divided cells, by their place
     uint32_t tableMask;
 
     Chart charts[kMaxCharts];
@@ -77,7 +77,7 @@ struct Model {
     enum Kind { kWhole, kPieces, kOpen };
     int addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell,
                 Kind kind = kWhole);
-    // To the chart that was added last.
+    // Adds a facet to the chart that was added last.
     void addFacet(float u0, float v0, float u1, float v1) {
         const float u[4] = {u0, u1, u1, u0}, v[4] = {v0, v0, v1, v1};
         addFacet(u, v);
@@ -98,8 +98,8 @@ struct Model {
     }
 
     // Divides all charts: patches have `block` x `block` cells where charts are large enough. Then finds what
-    // is hidden, in a scene that holds the posed model, finished. There is room to divide all cells `levels`
-    // times, up to kFinest. False when the arena is full, or the model was.
+    // is hidden; `scene` must hold the posed, finished model. There is room to divide all cells `levels`
+    // times, up to kFinest. False when the arena is full or something did not fit into the model.
     bool divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels);
 };
 

@@ -22,7 +22,8 @@ void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiosityS
     for (int level = 0;; ++level) {
         findDirectLight(model, scene, bases, workers, r.direct, level ? Progress{} : progress);
         settleFresh(model);
-        // The first light tells what is much; of skies that are functions the first one alone
+        // Measure the light on undivided cells: it tells which change is large. Of skies that are functions,
+        // only the first one counts
         for (int k = 0; k < bases.count() && level == 0; ++k)
             if ((k == 0 || k >= bases.functions()) && !(settings.traced >> k & 1))
                 count += measure(model, r.direct[k], settings.contrast, measures[count]);

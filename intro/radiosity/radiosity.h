@@ -4,15 +4,15 @@
 // light of suns and lamps is kept apart, as one number a texel, so that it can be left out where the tracer
 // draws it.
 //
-// The stages, in their order; solveRadiosity() goes through them for a room that is relit, tools go through
-// them too, with rows, lights and steps between of their own:
+// These are the stages, in order. solveRadiosity() goes through all of them for a room that is relit; tools
+// go through them with rows of form factors, lights and additional steps of their own:
 //   Model::divide()    patches and texels, and what of them is hidden; the caller says what patches reflect
-//   findFormFactors()  by hemicubes that OpenGL draws, or whoever else fills FormFactors
-//   findDirect()       light from all that shines to the texels, which are refined and tied
-//   fillSystem()       what patches reflect, and what of direct light arrives there
-//   solve()            until little changes; or bounce(), so many times
-//   findIndirect()     what arrives at the patches in the end
-//   spreadLight()      and from there at the texels
+//   findFormFactors()  by hemicubes that OpenGL draws; tools may fill FormFactors in other ways
+//   findDirect()       direct light on the texels, which are refined and tied
+//   fillSystem()       what patches reflect, and the direct light that arrives there
+//   solve()            until little changes; or bounce(), once for each bounce
+//   findIndirect()     the indirect light that arrives at patches
+//   spreadLight()      from the patches to the texels
 #pragma once
 
 #include "base/progress.h"
@@ -21,16 +21,16 @@
 namespace odraz {
 
 struct RadiositySettings {
-    int px = 32;   // of a hemicube
+    int px = 32;   // pixels along the top face of a hemicube
     int block = 3; // a patch is so many undivided cells wide and high
-    // Cells are divided up to so often, kFinest at most, where some basis changes over them by more than
-    // `contrast`, as a share of the root mean square of its light; but for suns and lamps that the tracer
-    // draws
+    // Cells are divided up to `levels` times (kFinest at most) where some basis changes over them by more
+    // than `contrast`, as a share of the root mean square of its light. The bases in `traced`, suns and
+    // lamps, do not count, because the tracer draws them
     int levels = 0;
     float contrast = 0.3f;
     BasisSet traced = 0;
     float residual = 1e-4f;
-    int sweeps = 100;       // no more than these
+    int sweeps = 100;       // at most so many
     size_t links = 6 << 20; // room for form factors
 };
 
@@ -38,7 +38,7 @@ struct Radiosity {
     FormFactors factors;
     System system; // of all bases; columns 3 basis + channel
     LightBases bases;
-    float *bounced[kMaxBases][3]; // planes of texels; of skies all that arrives, direct light too
+    float *bounced[kMaxBases][3]; // planes of texels; those of skies include direct light
     float *direct[kMaxBases];     // planes: what share arrives from the sky, the sun or the lamp itself
     Hemicubes hemicubes;          // open as long as the context is
 };
@@ -59,8 +59,8 @@ void spreadLight(Radiosity &r, const Model &model, Workers &workers);
 // Adds direct light of the skies to their bounced light, and moves all planes as the ties say.
 void settleLight(Radiosity &r, const Model &model, Workers &workers);
 
-// Goes through all stages: divides the model and solves it. `scene` serves for shadow rays, and patches
-// reflect what their materials do on average. False when the arena is too small, OpenGL cannot do it, or the
+// Goes through all stages: divides the model and solves it. `scene` is for shadow rays and for the mean
+// reflectance of materials, which patches get. False when the arena is too small, OpenGL cannot do it, or the
 // viewer left.
 bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySettings &settings, const Gl &gl,
                     Arena &arena, Workers &workers, const Progress &progress);

@@ -10,8 +10,8 @@ struct Pair {
     Float8 a, b;
 };
 
-// F B of one patch, for a block of columns. Links are summed four at a time, in four sums: the additions need
-// not wait for each other.
+// F B of one patch, for a block of columns. Links are added four at a time to four separate sums, so that
+// additions need not wait for each other.
 Pair multiplyRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;

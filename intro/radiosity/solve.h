@@ -28,10 +28,10 @@ struct System {
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
 // Solves and returns the number of sweeps, or `most` if those were not enough. `told` gets the residual after
-// each sweep of the first right-hand sides.
+// each sweep of the first block of right-hand sides.
 int solve(System &system, Workers &workers, float residual, int most, const Progress &told = {});
 
-// Computes one bounce; call it once for each bounce, instead of solve().
+// Computes one bounce. Instead of solve(), call this once for each bounce.
 void bounce(System &system, Workers &workers);
 
 // Indirect light F B, from radiosities B of `columns` columns.

@@ -22,7 +22,7 @@ void addToTexels(const Model &m, const float *values, int columns, float *const 
         for (int i = first; i < end; ++i) {
             const Texel &t = m.texels[i];
             const Chart &c = m.charts[t.chart];
-            // Between which two middles it lies, and where
+            // The two middles between which it lies, and where it lies there
             auto place = [](int x, int size, int patches, int &first, int &next) {
                 float at = (float)x / (float)(size * kSteps) - 0.5f;
                 first = clamp((int)(at + 1) - 1, 0, max(patches - 2, 0));

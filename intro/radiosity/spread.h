@@ -9,9 +9,9 @@ namespace odraz {
 void meansOfPatches(const Model &model, const float *plane, float *mean, int stride);
 
 // Spreads values of patches ([patches][columns], `columns` a multiple of 8) over the texels. They are
-// bilinear between the middles of patches and extrapolated outside, but not below half of the least. Column k
-// is added to planes[k], for `count` of them. The first `tied` columns may be negative and must stay a linear
-// system: all are extrapolated as far as the first one may be.
+// interpolated bilinearly between the middles of patches and extrapolated beyond these, but not below half of
+// the least of the four. Column k is added to planes[k], for `count` columns. The first `tied` columns may be
+// negative, and their proportions matter: all of them are extrapolated only as far as the first one may be.
 void addToTexels(const Model &model, const float *values, int columns, float *const *planes, int count,
                  Workers &workers, int tied = 0);
 

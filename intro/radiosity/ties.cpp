@@ -14,7 +14,7 @@ float visibleArea(const Model &m, const Cell &cell) {
 void tieBetween(Model &m, int a, int b) {
     const Texel &p = m.texels[a], &q = m.texels[b];
     int x = p.x + q.x, y = p.y + q.y;
-    if ((x | y) & 1) return; // between the finest
+    if ((x | y) & 1) return; // no texel lies between the finest ones
     int middle = findTexel(m, p.chart, x / 2, y / 2);
     if (middle < 0) return;
     m.ties[m.tieCount++] = {middle, a, 1};
@@ -40,7 +40,7 @@ void tie(Model &m) {
         // A texel with several ties gets the mean of all
         for (int i = begin; i < m.tieCount; ++i) {
             Texel &t = m.texels[m.ties[i].texel];
-            if (!t.filled) t.level = 0; // from now on it counts
+            if (!t.filled) t.level = 0; // from now on it counts the ties
             t.filled = true;
             ++t.level;
         }
@@ -51,7 +51,7 @@ void tie(Model &m) {
     }
     for (int i = 0; i < m.cellCount; ++i)
         if (!m.cells[i].divided()) m.patches[m.cells[i].patch].area += visibleArea(m, m.cells[i]);
-    // Those that hang
+    // Texels that hang
     for (int i = 0; i < m.cellCount; ++i) {
         const int *c = m.cells[i].corner;
         if (c[0] < 0) continue;

@@ -19,7 +19,7 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 
 // A place inside a solid that stands against a wall may look along the wall and see its front, so it looks in
 // several directions. It looks from two sides, so that what touches a solid's edge counts as inside. In a
-// model whose backs may be seen, a place is inside if it sees only backs to all sides; upwards it may see
+// model whose backs may be seen, a place is inside if it sees only backs on all sides; upwards it may see
 // other things, because tubes have no lids.
 Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
     Int8 some = {}, all = places.active;

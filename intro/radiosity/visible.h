@@ -9,7 +9,7 @@ namespace odraz {
 struct Texels8 {
     Vec3x8 p, u, v, n; // the texel itself; its chart's axes and normal
     Float8 du, dv;     // a quarter of a cell's sides
-    Float8 off;        // how far off the plane points lie surely on its side
+    Float8 off;        // distance from the plane at which a point is on its side despite rounding
     Int8 active;
 
     // A place just off the plane, moved aside by so many quarters.
@@ -18,7 +18,7 @@ struct Texels8 {
 // The `count` texels with the given numbers.
 Texels8 loadTexels(const Model &model, const int *numbers, int count);
 
-// One place of each of eight texels: the round-th that its mask has.
+// One place of each of eight texels: number `round` (from 0) of those in its mask.
 struct Places8 {
     Float8 x, y; // -1 or 1: on which side of the texel
     Int8 number; // 0 .. 3
