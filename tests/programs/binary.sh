@@ -26,10 +26,10 @@ check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"
 # Code that runs before the processor is known must be baseline code
 avx='%ymm|\bv[a-z0-9]+[ps][sd] '
 objdump -d --no-show-raw-insn "$BUILD/libhost.a" >"$WORK/host"
-check "the host is free of AVX" lacks "$avx" "$WORK/host"
+check "code of host/ uses no AVX" lacks "$avx" "$WORK/host"
 for part in odraz/{early,linux/entry,start,memory} odraz-windows/{windows/entry,windows/command_line}; do
     objdump -d --no-show-raw-insn "$BUILD/intro/CMakeFiles/${part%%/*}.elf.dir/start/${part#*/}.cpp.o" >"$WORK/start"
-    check "start/${part#*/} too" lacks "$avx" "$WORK/start"
+    check "... nor does start/${part#*/}" lacks "$avx" "$WORK/start"
 done
 check "(the search would find it)" grep -qE "$avx" "$WORK/code"
 
@@ -46,32 +46,32 @@ early_is() { # early_is PROGRAM OBJECT...
     early "$WORK/$1.map" | diff "$WORK/expected" - >&2
 }
 cp "$BUILD/odraz.map" "$BUILD/odraz-windows.map" "$WORK"
-check "what is decoded first is what it must be" early_is odraz $neutral $(printf 'libhost.a(%s.cpp.o) ' $host)
+check "the part that is decoded first holds these objects and no others" early_is odraz $neutral $(printf 'libhost.a(%s.cpp.o) ' $host)
 check "... for Windows, too" early_is odraz-windows $neutral command_line.cpp.o $(printf 'libhost_windows.a(%s.cpp.o) ' $host calls context)
 for intruder in 'libplay.a(film_clock.cpp.o)' 'libengine.a(clock.cpp.o)' 'intro/CMakeFiles/odraz.elf.dir/main.cpp.o'; do
     awk -v line=" .text.intruder 0x0000000000402000       0x29 $intruder" '{ print } /^\.early / { print line }' "$BUILD/odraz.map" >"$WORK/odraz.map"
     early_is odraz $neutral $(printf 'libhost.a(%s.cpp.o) ' $host) 2>/dev/null
-    check "(that ${intruder##*/} lies there would be found)" test $? = 1
+    check "(${intruder##*/} in that part would be found)" test $? = 1
 done
 
 # For Windows, from the same objects
 check "odraz.exe is within its budget" test "$(stat -c %s "$BUILD/odraz.exe")" -le 65536
 objdump -d --no-show-raw-insn "$BUILD/odraz-windows.elf" >"$WORK/windows"
 objdump -d --no-show-raw-insn "$BUILD/libhost_windows.a" >"$WORK/host"
-check "it names no other libraries than these" test "$(grep -aoiE '[a-z0-9_-]+\.(dll|drv)' "$BUILD/odraz-safe.exe" | tr A-Z a-z | sed -E "s/.*(gdi32|kernel32|opengl32|user32|winmm)\\./\\1./" | sort -u | tr '\n' ' ')" = "gdi32.dll kernel32.dll opengl32.dll user32.dll winmm.dll "
+check "odraz.exe names only the libraries that it should" test "$(grep -aoiE '[a-z0-9_-]+\.(dll|drv)' "$BUILD/odraz-safe.exe" | tr A-Z a-z | sed -E "s/.*(gdi32|kernel32|opengl32|user32|winmm)\\./\\1./" | sort -u | tr '\n' ' ')" = "gdi32.dll kernel32.dll opengl32.dll user32.dll winmm.dll "
 objdump -p "$BUILD/odraz.exe" >"$WORK/headers"
 check "... and imports from one" test "$(grep -c 'DLL Name: ' "$WORK/headers")" = 1 -a "$(grep -c 'DLL Name: kernel32.dll' "$WORK/headers")" = 1
-check "its host is free of AVX" lacks "$avx" "$WORK/host"
+check "its code of host/ uses no AVX" lacks "$avx" "$WORK/host"
 for code in code windows; do
-    check "nothing is kept below the stack's end" lacks '[^x]-0x[0-9a-f]+\(%rsp' "$WORK/$code"
-    check "nothing goes by fs or gs" lacks '%[fg]s:' "$WORK/$code"
+    check "no code keeps data below the stack pointer (red zone)" lacks '[^x]-0x[0-9a-f]+\(%rsp' "$WORK/$code"
+    check "no code uses the segments fs and gs" lacks '%[fg]s:' "$WORK/$code"
 done
 g++ -O2 -fno-pic -fstack-protector-all -x c++ -c -o "$WORK/red.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 g++ -O2 -fno-pic -fno-stack-protector -x c++ -c -o "$WORK/zone.o" - <<<'int f(int *p) { volatile int a[4]; a[*p] = 1; return a[*p]; }'
 check "(both would be found)" test "$(objdump -d "$WORK/red.o" | grep -c '%fs:')" -gt 0 -a "$(objdump -d --no-show-raw-insn "$WORK/zone.o" | grep -cE '[^x]-0x[0-9a-f]+\(%rsp')" -gt 0
 # Windows calls one function of ours, which must restore all of these registers
 awk '/^[0-9a-f]+ <.*receive.*>:/ { on = 1 } /^$/ { on = 0 } on' "$WORK/host" | grep -oE 'movaps +%xmm[0-9]+,[(0-9]' | grep -oE 'xmm[0-9]+' | sort -u >"$WORK/kept"
-check "what Windows calls keeps ten registers" test "$(tr '\n' ' ' <"$WORK/kept")" = "xmm10 xmm11 xmm12 xmm13 xmm14 xmm15 xmm6 xmm7 xmm8 xmm9 "
+check "functions that Windows calls save xmm6 to xmm15" test "$(tr '\n' ' ' <"$WORK/kept")" = "xmm10 xmm11 xmm12 xmm13 xmm14 xmm15 xmm6 xmm7 xmm8 xmm9 "
 
 # While it runs, none of its memory is both writable and executable. OpenGL drivers that compile shaders for the
 # processor may have such memory, so the interval is one without them. We look when the first picture is there

@@ -18,22 +18,22 @@ check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz
 check "it refuses a bad value" refuses 2 "--fps needs" "$odraz" --dump - --fps abc
 check "it refuses a missing value" refuses 2 "--size needs" "$odraz" --size
 check "it refuses a time beyond the film" refuses 2 "beyond the film's end" "$odraz" --to 999
-check "it repeats what is no text in one line" refuses 2 "not 'a?b?[31m'" "$odraz" --fps $'a\nb\e[31m'
-check "--help on a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --help >/dev/full"
-check "--version on a closed stdout" refuses 1 "closed" bash -c "exec '$odraz' --version >&-"
+check "it repeats unprintable characters as ?, in one line" refuses 2 "not 'a?b?[31m'" "$odraz" --fps $'a\nb\e[31m'
+check "--help reports a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --help >/dev/full"
+check "--version reports a closed stdout" refuses 1 "closed" bash -c "exec '$odraz' --version >&-"
 
 small=(--size 64x36 --from 20 --to 20.2 --quality draft)
-check "it dumps to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
-check "it dumps into a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
-check "it dumps to a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --dump - ${small[*]} >&-"
+check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
+check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
+check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --dump - ${small[*]} >&-"
 not_to_terminal() { # pictures must not go there either
     script -qec "$odraz --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
 check "it does not dump to a terminal" not_to_terminal
-check "it dumps into a file's place" refuses 1 "not a directory" "$odraz" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
-check "it dumps below nowhere" refuses 1 "no such directory" "$odraz" --dump "$WORK/no/where" "${small[@]}"
-check "it dumps into a directory it may not write" refuses 1 "cannot write /proc/frame-000500.ppm" "$odraz" --dump /proc "${small[@]}"
+check "--dump refuses a folder's name that is a file" refuses 1 "not a directory" "$odraz" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
+check "... a folder below one that does not exist" refuses 1 "no such directory" "$odraz" --dump "$WORK/no/where" "${small[@]}"
+check "... a folder that it may not write to" refuses 1 "cannot write /proc/frame-000500.ppm" "$odraz" --dump /proc "${small[@]}"
 
 # Closed standard descriptors must not be taken for files
 five() { # five pictures, whole, and nothing else
@@ -47,5 +47,5 @@ for closed in '<&-' '>&-' '2>&-' '<&- >&- 2>&-'; do
     check "... five pictures" five
 done
 "$odraz" --dump - --from 3 --to 3 >"$WORK/none"
-check "it makes an empty interval of no frames" test $? = 0 -a ! -s "$WORK/none"
+check "an empty interval makes no frames" test $? = 0 -a ! -s "$WORK/none"
 finish

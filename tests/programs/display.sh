@@ -44,8 +44,8 @@ check_full_screen() {
     shot && mv "$WORK/shot.png" "$WORK/first.png"
     check "the picture changes" await differs
     check "the aspect is kept, bars are black" is_black 1000x67+0+0
-    check "below too" is_black 1000x67+0+633
-    check "... and the picture is not" await is_bright
+    check "... below too" is_black 1000x67+0+633
+    check "... and the picture is not black" await is_bright
 }
 # grows TIMES [PID]: the copper share of the middle row grows so many times, until the film begins, which is black at
 # first. PID is stopped while we look, so that a busy machine does not make us miss steps

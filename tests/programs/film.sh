@@ -6,10 +6,10 @@ odraz=$BUILD/odraz safe=$BUILD/odraz-safe
 check "--version is that of odraz-safe" prints "^$("$safe" --version | sed 's/[.+]/\\&/g')\$" "$odraz" --version
 check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz" --nope
 small=(--size 64x36 --from 20 --to 20.2 --quality draft)
-check "it dumps to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
+check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
 check "it dumps with all descriptors closed" bash -c "exec '$odraz' --dump '$WORK/frames' ${small[*]} <&- >&- 2>&-"
 "$safe" --dump "$WORK/same" "${small[@]}"
-check "... what odraz-safe dumps" diff -r "$WORK/same" "$WORK/frames"
+check "... the same as odraz-safe" diff -r "$WORK/same" "$WORK/frames"
 
 check "without a display" refuses 1 "no X display" "$odraz"
 check "without libX11.so.6" refuses 1 "libX11.so.6 is missing" env LD_LIBRARY_PATH="$(lacking libX11.so.6)" "$odraz"

@@ -75,7 +75,7 @@ tells() {
 check "nothing was measured: told, with how" tells 1 '^unmeasured: two: tools/measure/all --only two, 1 minutes$'
 check "all is measured" measures
 check "... and --check has nothing to tell" tells 0 ''
-check "... but the sum" grep -qx '2 sections, 0 of them stale; 1 figures' "$WORK/told"
+check "... except the totals" grep -qx '2 sections, 0 of them stale; 1 figures' "$WORK/told"
 check "figures are written where their marks are, as they are told" test "$(grep -c 'one.ball-->1,235<!--/--> ms' README.md)" = 2
 check "hashes are git's" grep -qF "\`intro/trace\` $(git rev-parse HEAD:intro/trace | head -c 12), " "$to"
 
@@ -96,7 +96,7 @@ echo new >intro/base/new.h
 check "a new file counts" tells 0 '^stale: one: since then intro/base$'
 rm intro/base/new.h
 echo text >intro/base/README.md
-check "... but no README" tells 0 ''
+check "... but a README does not" tells 0 ''
 rm intro/base/README.md
 
 cp "$to" "$WORK/before"
@@ -131,18 +131,18 @@ check "... as is a source that is not there" tells 1 '^unknown: two measures int
 git checkout -q tools/measure/results/two
 
 LACKS="a moon" measures --only two
-check "what cannot be had does not undo what was measured" cmp "$WORK/two" <(section two)
+check "a section that cannot be measured here keeps its figures" cmp "$WORK/two" <(section two)
 check "... and is told" grep -q 'two needs a moon' "$WORK/err"
 sed -i '/^<!-- two -->/,$d' "$to"
 LACKS="a moon" measures --only two
-check "... and where nothing was, it stands there" grep -q '\. It was not measured: it needs a moon\.$' "$to"
-check "... as its verdict for these sources" tells 0 ''
+check "... and where there were none, the section says why" grep -q '\. It was not measured: it needs a moon\.$' "$to"
+check "... and is not stale" tells 0 ''
 
 (while :; do :; done) & PIDS+=($!)
 (while :; do :; done) & PIDS+=($!)
-check "where others work, a section is measured" eval 'SLEEP=2 measures --only one'
+check "on a busy machine, a section is measured" eval 'SLEEP=2 measures --only one'
 kill "${PIDS[@]}"
-check "... whose rows tell it" grep -qE '^\| ball \| 1234.56 \| [1-9]\.[0-9] \|$' "$to"
+check "... whose rows tell how busy it was" grep -qE '^\| ball \| 1234.56 \| [1-9]\.[0-9] \|$' "$to"
 rm -rf .git
 check "without git" refuses 2 "staleness is told by git" "$all" --check
 

@@ -16,7 +16,7 @@ check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
 check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
 check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
-if can_be_unwritten; then check "where nothing runs that was written" refuses 1 "use odraz-safe instead" "${UNWRITTEN[@]}" "$hello"; fi
+if can_be_unwritten; then check "where written memory may not be executed" refuses 1 "use odraz-safe instead" "${UNWRITTEN[@]}" "$hello"; fi
 
 check "--test says that it is whole" prints ': whole; ' "$pack" --test "$hello"
 check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
@@ -25,8 +25,8 @@ check "... and that runs" says 7 "hello, 2 words, 42" "$WORK/plain" a
 read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *PROGBITS *[0-9a-f]* \([0-9a-f]*\) \([0-9a-f]*\) .*/\1 \2/p')"
 part() { tail -c +$(($2 + 0x$offset + 1)) "$1" | head -c $((0x$size)); }
 part "$WORK/plain" 4096 >"$WORK/code"
-check "with some code" test "$(stat -c %s "$WORK/code")" = $((0x${size:-0})) -a -s "$WORK/code"
-check "... the same in the same place" cmp "$WORK/code" <(part "$WORK/hello.elf" 0)
+check "the plain file has code" test "$(stat -c %s "$WORK/code")" = $((0x${size:-0})) -a -s "$WORK/code"
+check "... the same as before packing, in the same place" cmp "$WORK/code" <(part "$WORK/hello.elf" 0)
 
 check "-d of the film" "$pack" -d "$BUILD/odraz" -o "$WORK/film"
 picture() { "$1" --dump - --from 20 --to 20.04 --size 64x36 >"$WORK/$2" && [ -s "$WORK/$2" ]; }
@@ -55,7 +55,7 @@ numbers() { # wild numbers where the check reads what it shall look at
         is_refused || { echo "at $from: $wild"; return 1; }
     done
 }
-check "... wild numbers behind the stub, too" numbers
+check "... and wild numbers in the payload header" numbers
 cut_short() {
     local size
     for size in $(seq 660 97 $((total - 1))) $((total - 1)); do

@@ -63,15 +63,15 @@ check "... in a file" prints 'bytes left' "$pack" "$hello" -o "$WORK/suited" --m
 check "over budget is refused" refuses 1 "over budget by 1 bytes" "$pack" "$hello" -o "$WORK/c" --budget $((size - 1))
 check "... and nothing written" test ! -e "$WORK/c"
 cp "$WORK/b" "$WORK/d"
-check "... nor replaced" refuses 1 "over budget" "$pack" "$hello" -o "$WORK/d" --budget 100
-check "... by anything" cmp "$WORK/b" "$WORK/d"
+check "... nor a file that is there replaced" refuses 1 "over budget" "$pack" "$hello" -o "$WORK/d" --budget 100
+check "... which stays as it was" cmp "$WORK/b" "$WORK/d"
 check "at the budget is fine" prints ', 0 bytes left' "$pack" "$hello" -o "$WORK/c" --budget "$size"
 check "no input" refuses 2 "it takes IN.elf -o OUT" "$pack"
 check "no output" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in"
 check "bad budget" refuses 2 "--budget needs" "$pack" "$in" -o "$WORK/x" --budget 64k
 check "bad effort" refuses 2 "--effort needs fast, normal, best or a number of seconds" "$pack" "$in" -o "$WORK/x" --effort more
 mkfifo "$WORK/fifo"
-for endless in "$WORK/fifo" /dev/zero; do check "what never ends" refuses 2 "not a regular file" "$pack" "$endless" -o "$WORK/x"; done
+for endless in "$WORK/fifo" /dev/zero; do check "a file that is a pipe or a device" refuses 2 "not a regular file" "$pack" "$endless" -o "$WORK/x"; done
 check "a name of two lines, told in one" refuses 2 "cannot use '--two?lines'" "$pack" $'--two\nlines'
 check "a missing model" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --model "$WORK/none"
 echo "code byte7" >"$WORK/bad"
@@ -79,7 +79,7 @@ check "a wrong model" refuses 2 "line 1: unknown field in 'byte7'" "$pack" "$in"
 check "a missing map" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --map "$WORK/none"
 echo "a map" >"$WORK/map"
 check "a map that is none" refuses 2 "not a map of GNU ld" "$pack" "$in" -o "$WORK/x" --map "$WORK/map"
-check "two at once" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
+check "two modes at once" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
 check "what is for packing alone" refuses 2 "--budget is for packing alone" "$pack" --test "$BUILD/odraz" --budget 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$pack" --fast
 check "a file where a folder should be" refuses 2 "cannot write" "$pack" "$hello" -o /dev/full/x

@@ -51,9 +51,9 @@ check "... with other threads, from within" "$odraz" --dump "$WORK/within" "${li
 check "... the picture between two others" test "$(ls "$WORK/within")" = frame-002391.ppm
 check "... is the same" cmp "$WORK/within/frame-002391.ppm" "$WORK/live/frame-002391.ppm"
 "$odraz" --dump "$WORK/traced" --fps 60 --quality play --size 203x117 --from 39.8 --to 40.2
-check "even frames are those of play" cmp <(cd "$WORK/live" && cksum ./*[02468].ppm) <(cd "$WORK/traced" && cksum ./*[02468].ppm)
+check "as played, even frames are those of quality play" cmp <(cd "$WORK/live" && cksum ./*[02468].ppm) <(cd "$WORK/traced" && cksum ./*[02468].ppm)
 check "... odd ones are not" eval '! cmp -s "$WORK/live/frame-002391.ppm" "$WORK/traced/frame-002391.ppm"'
-check "... but where the next is of another shot" cmp "$WORK/live/frame-002399.ppm" "$WORK/traced/frame-002399.ppm"
+check "... except where the next frame is of another shot" cmp "$WORK/live/frame-002399.ppm" "$WORK/traced/frame-002399.ppm"
 check "the film's last frame is made so too" "$odraz" --dump "$WORK/last" "${live[@]}" --from 161.98
 check "... alone" test "$(ls "$WORK/last")" = frame-009719.ppm
 for size in 1x1 1x9 9x1 8x2; do

@@ -30,7 +30,7 @@ if [ "${2-}" != server ]; then
     check "... in silence" test ! -e "$WORK/played"
     check "plays from the middle" play --from 50 --to 51.5
     check "... with its sound" is_loud "$WORK/played"
-    check "is for playing alone" refuses 2 "--mute is for playing" "$odraz" --mute --wav "$WORK/none"
+    check "--mute without playing is refused" refuses 2 "--mute is for playing" "$odraz" --mute --wav "$WORK/none"
     device 'pcm.!default { type hw card 31 }'
     check "plays without a device" play --to 1
     check "... and says nothing" says_nothing

@@ -173,7 +173,7 @@ for knob in "--rays 64" "--final 64" "--hemicube 32" "--patch 2" "--element 0.05
 done
 check "no bounce" prints '^0 bounces' "$radiosity" solve cube.obj -o b.rad --bounces 0
 check "... exported" "$radiosity" export b.rad --csv b.csv
-check "... is direct light alone: the ceiling is dark, but for its lamp, the floor is not" \
+check "... is direct light alone: the ceiling is dark except for its lamp, the floor is not" \
     table b.csv 'if ($6 == -1) { $9 == 0 ? ++dark : $9 >= 15 ? ++lamp : ++lit } if ($6 == 1 && $9 > 0) ++floor' 'dark > 100 && lamp > 0 && lit == 0 && floor > 100'
 check "adaptive elements" prints '^processor seconds' "$radiosity" solve columns.obj -o a.rad --adaptive
 check "... exported" "$radiosity" export a.rad --csv a.csv
@@ -200,21 +200,21 @@ check "slivers" solves
 model 'v 0.5 0 0.3\nf 1 4 9 3 2\nusemtl l\nf 5 6 7 8\n'
 check "a polygon that is not convex" solves
 model 'f 1 4 3 2\n'
-check "nothing that shines gets a sky" solves 'nothing in the model shines: an even sky lights it'
+check "a model where nothing shines gets a sky" solves 'nothing in the model shines: an even sky lights it'
 check "... of 1, so that what reflects a half shows a half" table m.csv 'if ($9 < 0.4999 || $9 > 0.5001) ++off' 'off + 0 == 0'
 model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' none.mtl
 check "materials that are missing are told" solves 'materials cannot be read'
 check "... with what follows" grep -q 'nothing in the model shines' err
 model 'v 1 nan 0\nf 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
-check "NaN, with its line" refuses 2 "m.obj:11: a coordinate is not a number" "$radiosity" solve m.obj -o x.rad
+check "a coordinate that is NaN, with its line" refuses 2 "m.obj:11: a coordinate is not a number" "$radiosity" solve m.obj -o x.rad
 model 'v 1 x 0\nf 1 4 3 2\n'
-check "no number, with its line" refuses 2 "m.obj:11: a point needs three" "$radiosity" solve m.obj -o x.rad
+check "a coordinate that is no number, with its line" refuses 2 "m.obj:11: a point needs three" "$radiosity" solve m.obj -o x.rad
 model 'f 1 4 3 2\nf 1 2 99\n'
 check "a point that is not there, with its line" refuses 2 "m.obj:12: there is no point 99" "$radiosity" solve m.obj -o x.rad
 model 'f 1 4\n'
 check "a polygon of two points alone" refuses 2 "holds no polygon" "$radiosity" solve m.obj -o x.rad
 model 'f 1 1 1\n'
-check "nothing with an area" refuses 2 "holds no polygon" "$radiosity" solve m.obj -o x.rad
+check "a model of polygons without area" refuses 2 "holds no polygon" "$radiosity" solve m.obj -o x.rad
 printf 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 99999999\r' >m.obj
 check "lines that end with CR alone are lines" refuses 2 "m.obj:4: there is no point 99999999" "$radiosity" solve m.obj -o x.rad
 model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
@@ -241,10 +241,10 @@ check "a missing model" refuses 2 "cannot read" "$radiosity" solve none.obj -o x
 check "it tells how much memory it takes" prints 'needs about [1-9][0-9]* MB' "$radiosity" solve cube.obj -o k.rad
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3
 check "no place to write" refuses 2 "cannot write" "$radiosity" solve cube.obj -o none/x.rad
-check "two ways at once" refuses 2 "--rays and --patch do not go together" "$radiosity" solve cube.obj -o x.rad --rays 64 --patch 2
+check "two methods at once" refuses 2 "--rays and --patch do not go together" "$radiosity" solve cube.obj -o x.rad --rays 64 --patch 2
 check "an odd hemicube" refuses 2 "even number" "$radiosity" solve cube.obj -o x.rad --hemicube 25
 check "a number out of range" refuses 2 "from 4 to 1024" "$radiosity" solve cube.obj -o x.rad --hemicube 2
-check "no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
+check "an option's value that is no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" solve cube.obj -o x.rad --fast
 check "... of two lines, told in one" refuses 2 "cannot use '--fa?st'" "$radiosity" solve cube.obj -o x.rad $'--fa\nst'
 check "an unknown model" refuses 2 "name one of them" "$radiosity" generate sphere -o x.obj

@@ -92,15 +92,15 @@ unread() { # unread TEXT PICTURE
         table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'; } || { head -c 400 err >&2; false; }
 }
 check "a picture that is missing" unread 'sub/none.png: No such file' none.png
-check "one that is none" unread 'its format is unknown' floor.mtl
+check "a file that is no picture" unread 'its format is unknown' floor.mtl
 head -c 700 checks.png >sub/cut.png
-check "one cut short" unread 'it is damaged' cut.png
+check "a picture cut short" unread 'it is damaged' cut.png
 printf '\211PNG\r\n\032\n\0\0\0\rIHDR\0\0\43\50\0\0\43\50\10\2\0\0\0xxxx' >sub/vast.png
-check "one that is vast" unread 'more than 2^26 pixels' vast.png
+check "a picture that is too large" unread 'more than 2^26 pixels' vast.png
 truncate -s 300M sub/long.png
 check "a long file" unread 'more than 256 MB' long.png
 mkfifo sub/fifo.png
-check "what is no file" unread 'not a regular file' fifo.png
-check "no picture where it should be" unread 'not a regular file' "."
-check "a scale that is none" refuses 2 "a scale or offset is not a number below 1e6" bash -c "printf 'newmtl m\nmap_Kd -s 1e30 1 a.png\n' >sub/floor.mtl; '$radiosity' solve floor.obj -o x.rad"
+check "a pipe in place of a picture" unread 'not a regular file' fifo.png
+check "a folder in place of a picture" unread 'not a regular file' "."
+check "a scale that is too large" refuses 2 "a scale or offset is not a number below 1e6" bash -c "printf 'newmtl m\nmap_Kd -s 1e30 1 a.png\n' >sub/floor.mtl; '$radiosity' solve floor.obj -o x.rad"
 finish

@@ -90,9 +90,9 @@ check "a model that changed" refuses 2 "another model" "$radiosity" solve --resu
 paint() { printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\100\100%b' "$1" >paint.tga; } # one texel; its red
 echo 'map_Kd paint.tga' >>columns.mtl
 paint '\0200'
-check "a picture, stopped" stopped INT 1 "${rays[@]}"
+check "a model with a picture, stopped" stopped INT 1 "${rays[@]}"
 paint '\0300'
-check "... that changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
+check "... whose picture changed" refuses 2 "another model" "$radiosity" solve --resume part.rad.state
 paint '\0200'
-check "... and has changed back" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
+check "... and was changed back" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
 finish

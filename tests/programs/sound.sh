@@ -35,30 +35,30 @@ check "... five of them" test "$(ls "$WORK/frames" | wc -l)" = 5
 check "... and two tenths of a second" test "$(stat -c %s "$WORK/both.wav")" = $((9600 * 4 + 44))
 
 # Errors are one line, and nothing is left half-written
-check "it writes to a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --wav - --to 1 >/dev/full"
-check "... into a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --wav - --to 9 | head -c 99 >/dev/null"
-check "... to a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --wav - >&-"
-check "... below nowhere" refuses 1 "no such directory" "$odraz" --wav "$WORK/no/where.wav" --to 1
-check "... in a directory's place" refuses 1 "it is a directory" bash -c "mkdir '$WORK/taken' && exec '$odraz' --wav '$WORK/taken' --to 1"
-check "... leaving nothing" test -z "$(find "$WORK" -name "taken*.part")"
-check "... together with pictures, to one pipe" refuses 2 "cannot both be -" "$odraz" --wav - --dump -
-check "... and while it plays in a window" refuses 2 "--window is for playing" "$odraz" --wav "$WORK/x" --window
+check "--wav reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --wav - --to 1 >/dev/full"
+check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --wav - --to 9 | head -c 99 >/dev/null"
+check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --wav - >&-"
+check "... a folder that does not exist" refuses 1 "no such directory" "$odraz" --wav "$WORK/no/where.wav" --to 1
+check "... a folder of that name" refuses 1 "it is a directory" bash -c "mkdir '$WORK/taken' && exec '$odraz' --wav '$WORK/taken' --to 1"
+check "... and leaves no part of a file" test -z "$(find "$WORK" -name "taken*.part")"
+check "--wav refuses the pipe that --dump uses" refuses 2 "cannot both be -" "$odraz" --wav - --dump -
+check "... and --window" refuses 2 "--window is for playing" "$odraz" --wav "$WORK/x" --window
 
 # Loudness, after EBU R 128 and ITU-R BS.1770
 ffmpeg -hide_banner -nostats -i "$wav" -af ebur128=peak=true:framelog=verbose -f null - 2>"$WORK/ebu"
 told() { sed -n "/Summary/,\$ s/^ *$1: *\(-*[0-9.]*\) .*/\1/p" "$WORK/ebu" | head -n 1; }
 echo "loudness $(told I) LUFS, range $(told LRA) LU, true peak $(told Peak) dBTP"
-check "it is as loud as others: -16 LUFS" eval 'less -17 "$(told I)" && less "$(told I)" -15'
+check "its loudness is -16 LUFS" eval 'less -17 "$(told I)" && less "$(told I)" -15'
 check "... with a range of 8 to 18 LU" eval 'less 8 "$(told LRA)" && less "$(told LRA)" 18'
 check "... and a true peak below -1 dB" less "$(told Peak)" -1
 
 "$BUILD/listen" "$wav" >"$WORK/heard"
 grep -v '^onset' "$WORK/heard"
 heard() { awk -F, -v seen=0 "\$1 == \"$1\" { ++seen; if (!($2)) { print > \"/dev/stderr\"; bad = 1 } } END { exit bad || !seen }" "$WORK/${3-heard}"; }
-check "it has no direct current" heard all '$2 < 1e-4'
+check "it has no DC offset" heard all '$2 < 1e-4'
 check "... no clipped sample" heard all '$3 == 0'
 check "... and ends in silence: -60 dB" heard all '$5 <= -60'
-check "no step stands out" heard step '$2 < 12'
+check "it has no click: no step between samples stands out" heard step '$2 < 12'
 check "left and right belong together, and are not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
 most='most = 0; for (i = 5; i <= NF; ++i) if ($i > most) most = $i;'
 octaves() { awk -F, "\$1 == \"scene\" { ++seen; $most if (most > 0.5) bad = 1 } END { exit bad || seen < 7 }" "$WORK/heard"; }
@@ -70,7 +70,7 @@ check "... 47 of them" test "$(grep -c '^onset' "$WORK/heard")" -ge 40
 (head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c -24000) >"$WORK/late.wav"
 "$BUILD/listen" "$WORK/late.wav" >"$WORK/late"
 late() { [ "$(awk -F, "/^onset/ && !($onset)" "$WORK/late" | wc -l)" -ge 15 ]; }
-check "(of a music that is a row late many are missed)" late
+check "(in music that is a row late, many would be missed)" late
 # ... and a click
 (head -c 4000044 "$wav"; printf '\377\077\377\077'; tail -c +4000049 "$wav") >"$WORK/click.wav"
 "$BUILD/listen" "$WORK/click.wav" >"$WORK/click"

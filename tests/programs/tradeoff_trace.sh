@@ -8,7 +8,7 @@ sweep=(--scene A --scene table) scenes=(A table) apart=(A table) points=10
 if [ "${2-}" = all ]; then
     sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50
 fi
-check "the tracer's trade is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
+check "the tracer's trade-off is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
 check "... as a table, its measures named" grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
 check "... its settings in words, to be counted" grep -qE ',play grid=1$' "$WORK/csv"
 for scene in "${scenes[@]}"; do

@@ -2,7 +2,7 @@
 . "$(dirname "$0")/common.sh"
 tradeoff=$BUILD/tradeoff
 needs_built tradeoff
-check "transfer's trade is measured" prints '^method,' "$tradeoff" transfer --quick --csv "$WORK/csv" --plot "$WORK/svg"
+check "transfer's trade-off is measured" prints '^method,' "$tradeoff" transfer --quick --csv "$WORK/csv" --plot "$WORK/svg"
 check "... as a table" grep -qx "method,bands,clusters,dimensions,shipped,bytes,relight_ms,error_percent" "$WORK/csv"
 check "... that is printed too" cmp "$WORK/csv" "$WORK/printed"
 # error METHOD BANDS CLUSTERS DIMENSIONS
@@ -10,7 +10,7 @@ error() { awk -F, -v m="$1" -v b="$2" -v c="$3" -v d="$4" '$1 == m && $2 == b &&
 check "one subspace does poorly" less 20 "$(error pca 5 1 16)"
 check "... blocks do better" less "$(error blocks 5 64 16)" "$(error pca 5 1 16)"
 check "... and clusters best" less "$(error cpca 5 64 16)" "$(error blocks 5 64 16)"
-check "what ships of the floor is near to what is not compressed" less "$(awk -F, '$1 == "floor cpca" && $5 == 1 { print $8 }' "$WORK/csv")" 10
+check "the floor's light as it ships is within 10 % of the uncompressed light" less "$(awk -F, '$1 == "floor cpca" && $5 == 1 { print $8 }' "$WORK/csv")" 10
 check "the day's light is within a per cent" less "$(error bands 5 0 0)" 1
 for method in uncompressed "floor cpca" bands; do
     check "... with one point of '$method' that ships" table "$WORK/csv" "shipped += \$1 == \"$method\" && \$5 == 1" 'shipped == 1'

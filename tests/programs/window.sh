@@ -44,7 +44,7 @@ seconds() { # seconds OPTION...
 }
 with=$(seconds --from 100 --to 100.1) without=$(seconds --from 161.9)
 echo "    processor seconds until the film plays: $without, with the hall $with"
-check "what needs no hall is there sooner" less "$without" "$(awk "BEGIN { print ${with:-0} / 2 }")"
+check "a scene without the hall starts in less than half the time" less "$without" "$(awk "BEGIN { print ${with:-0} / 2 }")"
 
 check "plays in a window" play "$odraz" --window --size 640x360 --from 60 --stats
 check "its window has the film's size" measures 640 360
@@ -93,10 +93,10 @@ check "it gets it" await measures 1000 700
 check "it draws there" await is_bright
 check "ESC leaves there" leaves xdotool key Escape
 check "opens a window there" load "$packed" --window --size 640x360 --from 100
-check "... managed" await managed
+check "... managed by the window manager" await managed
 check "the close button leaves while it loads" leaves wmctrl -i -c "$window"
 check "plays in a window there" play "$odraz" --window --size 640x360 --from 30
-check "... managed" await managed
+check "... managed by the window manager" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
 check "plays in a window again" play "$odraz" --window --size 640x360 --from 30
 check "the window manager's Alt-F4 leaves" leaves xdotool key alt+F4

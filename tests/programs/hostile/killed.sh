@@ -59,7 +59,7 @@ echo "half a frame" >dump/frame-000500.ppm.99999.part
 check "a later dump into the same folder" "$odraz" --dump dump "${part[@]}"
 check "... completes it" test "$(ls dump | grep -c 'ppm$')" = "$frames"
 check "... with the same frames" whole
-check "... and lets the others' leavings lie" test "$(cat dump/frame-000500.ppm.99999.part)" = "half a frame"
+check "... and leaves unfinished files of other dumps alone" test "$(cat dump/frame-000500.ppm.99999.part)" = "half a frame"
 
 # Two at once, and four, of many small frames: so they often write the same one at the same time
 part=(--from 20 --to 24 --size 16x9 --quality draft)

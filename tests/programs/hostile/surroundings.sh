@@ -53,7 +53,7 @@ any_room() {
     echo "    too little $told times, enough $drawn times"
     [ $told -gt 0 ] && [ $drawn -gt 0 ]
 }
-check "with any room" any_room
+check "with any limit of memory: the frame, or one line" any_room
 for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for files, and standard error is one here
     no_room() {
         local said
@@ -63,7 +63,7 @@ for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for fil
         echo "$said" >&2
         return 1
     }
-    check "where files may have $blocks KB" no_room
+    check "with a limit of $blocks KB for a file" no_room
 done
 # Two seconds of processor time, then the kernel ends it: what is there is whole
 timed_out() {
@@ -72,7 +72,7 @@ timed_out() {
     [ $? -gt 128 ] && [ -n "$(ls timed)" ] || return 1
     for frame in timed/*.ppm; do [ ! -e "$frame" ] || [ "$(stat -c %s "$frame")" = $((160 * 90 * 3 + 14)) ] || { echo "$frame" >&2; return 1; }; done
 }
-check "out of time: frames that are there are whole" timed_out 2>/dev/null
+check "killed at a limit of processor time: frames that are there are whole" timed_out 2>/dev/null
 
 # --- What it was started with ---
 check "an empty environment" same plain env -i
@@ -106,10 +106,10 @@ on_disk() {
         "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >said
 }
 full() { on_disk size=64k true && [ "$(sed -n 1p said)" = "exit 1" ] && grep -qE '^odraz: cannot write disk/d/frame-0005[0-9]{2}.ppm: no space left on the device$' said && [ "$(sed -n 3p said)" -ge 3 ] && [ "$(sed -n 4p said)" = 0 ]; }
-check "a full disk: one line, nothing half" full
+check "a full disk: one line, no half-written frame" full
 read_only() { on_disk size=64k "mount -o remount,ro disk" && [ "$(sed -n '1,2p' said)" = $'exit 1\nodraz: cannot write disk/d: the file system is read-only' ]; }
-check "a read-only one" read_only
-check "... runs from a read-only one, too" same plain unshare --mount bash -c 'mkdir -p disk && mount -t tmpfs none disk && cp "$1" disk/odraz && mount -o remount,ro disk && shift && exec disk/odraz "$@"' disk
+check "a read-only disk" read_only
+check "the film runs from a read-only disk, too" same plain unshare --mount bash -c 'mkdir -p disk && mount -t tmpfs none disk && cp "$1" disk/odraz && mount -o remount,ro disk && shift && exec disk/odraz "$@"' disk
 
 nobody=(setpriv --reuid 65534 --regid 65534 --clear-groups)
 cp "$odraz" setuid
@@ -119,13 +119,13 @@ for library in libpthread.so.0 libdl.so.2 libEGL.so.1 libc.so.6; do echo "not a 
 chmod 644 evil/*
 setuid() { "${nobody[@]}" env "$@" ./setuid "${plain[@]}" >got.ppm 2>err && cmp plain.ppm got.ppm && [ ! -s err ]; }
 check "setuid, run by nobody" setuid HOME=/
-check "... does not take libraries from where nobody says" setuid LD_LIBRARY_PATH=evil LD_PRELOAD=evil/libc.so.6
+check "... does not load libraries from folders that user nobody names" setuid LD_LIBRARY_PATH=evil LD_PRELOAD=evil/libc.so.6
 chmod 755 setuid
-check "(which one that is not setuid does)" eval '! setuid LD_LIBRARY_PATH=evil 2>/dev/null'
-check "nobody may not write here" refuses 1 "cannot write $WORK/mine: permission denied" "${nobody[@]}" ./setuid --dump "$WORK/mine" --from 20 --to 20.04 --size 64x36
+check "(a copy that is not setuid does)" eval '! setuid LD_LIBRARY_PATH=evil 2>/dev/null'
+check "user nobody may not write here" refuses 1 "cannot write $WORK/mine: permission denied" "${nobody[@]}" ./setuid --dump "$WORK/mine" --from 20 --to 20.04 --size 64x36
 under -u 1
 threadless() { refuses 1 "without room for another thread: try --threads 1" "${nobody[@]}" "${UNDER[@]}" ./setuid "${plain[@]}" --threads 8; }
-check "no threads for nobody" threadless
+check "user nobody may start no threads: one line" threadless
 one_thread() { "${nobody[@]}" "${UNDER[@]}" ./setuid "${plain[@]}" --threads 1 >got.ppm 2>err && cmp plain.ppm got.ppm; }
-check "... but one" one_thread
+check "... and with --threads 1 it works" one_thread
 finish

@@ -53,13 +53,13 @@ small=(--size 64x36 --from 20 --to 20.2 --quality draft)
 check "an unknown option" alike_refused 2 "unknown option '--nope'" --nope
 check "a bad value" alike_refused 2 "--fps needs" --dump - --fps abc
 check "a missing value" alike_refused 2 "--size needs" --size
-check "a value that is no text" alike_refused 2 "not 'a?b?[31m'" --fps $'a\nb\e[31m'
+check "a value of unprintable characters" alike_refused 2 "not 'a?b?[31m'" --fps $'a\nb\e[31m'
 check "an empty value" alike_refused 2 "--dump needs a directory" --dump ""
 check "a quotation mark" alike_refused 2 "not '\"'" --fps '"'
 check "backslashes before quotation marks" alike_refused 2 "not 'a\\\\\"b c\\'" --fps 'a\\"b c\'
 check "a time beyond the film" alike_refused 2 "beyond the film's end" --to 999
 check "a file in a folder's place" alike_refused 1 "not a directory" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
-check "below nowhere" alike_refused 1 "no such directory" --dump "$WORK/no/where" "${small[@]}"
+check "a folder below one that does not exist" alike_refused 1 "no such directory" --dump "$WORK/no/where" "${small[@]}"
 check "a name that Windows does not take" refuses 1 "cannot write $WORK/a\"b: the system refused" "$wine" "$windows" --wav "$WORK/a\"b" --to 0.1
 check "a folder in a file's place" alike_refused 1 "it is a directory" --wav "$WORK" --to 0.1
 check "a full disk" refuses 1 "cannot write standard output: no space left on the device" bash -c "exec '$wine' '$windows' --dump - ${small[*]} >/dev/full"
@@ -88,7 +88,7 @@ cut() {
     timeout "$PATIENCE" "$wine" "$broken" --version >"$WORK/out" 2>&1 </dev/null
     [[ $? != @(0|124) ]] && lacks "^odraz " "$WORK/out"
 }
-check "one cut short does not run" cut
+check "a film cut short does not run" cut
 ls -A "$WORK" >"$WORK/list"
 check "refusals leave nothing behind" lacks part "$WORK/list"
 finish

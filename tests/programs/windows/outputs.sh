@@ -48,20 +48,20 @@ for closed in "" 0 1 2 01 02 12 012; do
 done
 films=()
 for closed in 1 2 12 012; do check "... that are invalid: $closed" all_as_linux invalid "$closed"; done
-check "... that are no more: 12" all_as_linux stale 12
+check "... that were closed before: 12" all_as_linux stale 12
 whole() {
     run "$wine" "$probe" start null 012 "\"Z:${windows//\//\\}\" --dump frames ${small[*]} --wav frames/a.wav" </dev/null >out 2>err &&
         run "$linux" --dump wanted "${small[@]}" && run "$linux" --wav wanted/a.wav "${small[@]:2:4}" && diff -r frames wanted
 }
 mkdir frames wanted
-check "what is dumped without any is whole" whole
+check "frames dumped without any of them are whole" whole
 
 # Start it as from a shortcut: without either output and without a console
 "$wine" "$probe" start null 012 "\"Z:${windows//\//\\}\" --nope" </dev/null >out 2>err &
 pid=$!
 PIDS+=($pid)
 box() { xdotool search --onlyvisible --class 'odraz-safe.exe' "$@" 2>/dev/null; }
-check "what is wrong opens a box where there is neither" await box
+check "an error opens a box where there is no standard handle" await box
 box windowfocus key Return
 closes() {
     ended $pid
@@ -125,7 +125,7 @@ check "an unknown option" in_console 12 2 --nope
 check "... is told there" says --nope
 check "with a file for standard output, --version" in_console 2 0 --version
 check "... gets into that" cmp told <("$linux" --version)
-check "... what is wrong gets to the console" in_console 2 2 --nope
+check "... an error goes to the console" in_console 2 2 --nope
 check "... in its line" says --nope
 check "with both, --version" in_console "" 0 --version
 check "... gets into the file" cmp told <("$linux" --version)

@@ -25,12 +25,12 @@ for program in "$BUILD/tests/probe-safe.exe" "$BUILD/tests/probe.exe"; do
     folder=$WORK/$name.d
     mkdir "$folder"
     check "$name: floats are rounded as on Linux, stacks are there" probe floats 35
-    check "$name: calls get to Windows whole" probe passing 14
+    check "$name: calls pass all their arguments to Windows" probe passing 14
     check "$name: arguments are split as Windows does" probe arguments 7 "$(printf '%031000d' 0)"
     check "$name: files are whole or absent" probe names 18 "$folder"
     check "... nothing else is left there" whole
     check "$name: clocks" probe times 13
-    check "$name: Windows's calls of ours find their registers kept" probe shown 28
+    check "$name: our functions keep the registers of Windows, which calls them" probe shown 28
 done
-check "the packed one was called before it was decoded" grep -q '^ok: the stub has called what is early' "$WORK/told"
+check "the packed probe's early function is called before all is decoded" grep -q '^ok: the stub has called what is early' "$WORK/told"
 finish

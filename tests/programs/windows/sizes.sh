@@ -36,7 +36,7 @@ check "ESC leaves" leaves
 openbox >/dev/null 2>&1 &
 PIDS+=($!)
 check "plays there" play --window --size 640x360 --from 60
-check "... managed" await eval "wmctrl -l | grep -q ' odraz$'"
+check "... managed by the window manager" await eval "wmctrl -l | grep -q ' odraz$'"
 hidden() { xwininfo -id "$window" | grep -q 'Map State: IsUn'; }
 xdotool windowminimize "$window"
 check "is minimised" await hidden
@@ -45,8 +45,8 @@ wmctrl -i -a "$window"
 check "is restored" await eval '! hidden'
 check "... as large as before" await measures 640 360
 resized 640 500
-check "... and to be resized" await is_black 640x69+0+0
-check "... as it should" await is_black 640x69+0+431
+check "... and can be resized, with bars above" await is_black 640x69+0+0
+check "... and below" await is_black 640x69+0+431
 check "... and draws" await is_bright
 check "ESC leaves" leaves
 

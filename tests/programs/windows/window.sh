@@ -42,7 +42,7 @@ openbox >/dev/null 2>&1 &
 PIDS+=($!)
 managed() { wmctrl -l | grep -q ' odraz$'; }
 check "plays in a window there" play --window --size 640x360 --from 30
-check "... managed" await managed
+check "... managed by the window manager" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
 
 # Missing things are reported on standard error, or in a box if there is none
