@@ -13,7 +13,8 @@ namespace odraz {
 // The texel at a place of a chart, in kSteps of an undivided cell; -1 if there is none.
 int findTexel(const Model &model, int chart, int x, int y);
 
-// Call it when the visibility and direct light of the fresh texels have been found: they are fresh no more.
+// Call it when the visibility and direct light of the fresh texels have been found: it marks them as no
+// longer fresh.
 void settleFresh(Model &model);
 
 // Divides a cell into four; its level must be below the number of levels that divide() made room for. Texels

@@ -12,7 +12,7 @@ struct Texels8 {
     Float8 off;        // distance from the plane at which a point is on its side despite rounding
     Int8 active;
 
-    // A place just off the plane, moved aside by so many quarters.
+    // A place just off the plane, moved aside by x and y quarters of a cell's sides.
     Vec3x8 at(Float8 x, Float8 y) const { return p + u * (du * x) + v * (dv * y) + n * off; }
 };
 // The `count` texels with the given numbers.
