@@ -1,6 +1,6 @@
-// The knobs that trade speed for accuracy, and the named settings of them.
+// The parameters that trade speed for accuracy, and their named settings.
 //
-// A new quality takes an enumerator and a row of kQualities; --quality then knows it, and `tradeoff trace`
+// A new quality needs an enumerator and a row of kQualities; --quality then knows it, and `tradeoff trace`
 // measures it.
 #pragma once
 
@@ -12,19 +12,19 @@ enum class QualityName { Draft, Play, Film, Reference, Count };
 
 struct Quality {
     QualityName id = QualityName::Count; // the row's own; Count: a blend of two rows
-    char name[12] = ""; // no pointer: the options are read before other constants are decoded
+    char name[12] = ""; // not a pointer: the options are read before other constants are decoded
 
-    int grid = 0;           // 1 .. 16: grid x grid samples in every pixel, nothing adaptive; 0: see below
+    int grid = 0;           // 1 .. 16: grid x grid samples in every pixel, nothing adaptive; 0: adaptive
     int coarse = 0;         // side of the largest square in quarters of a pixel: 32, 16, 8 or 4
     int fine = 0;           // ... of the smallest: 8 or 4; 2: a pixel may take three more samples, 1: twelve
-    int textureSamples = 1; // 1 or 2 per side of a pixel, of textures whose own filter is rough
-    // Differences of shown intensity (0 .. 1)
+    int textureSamples = 1; // 1 or 2 per side of a pixel, of textures whose own filter is approximate
+    // Thresholds, as differences of shown intensity (0 .. 1)
     float threshold = 0;     // splits a square
     float markThreshold = 0; // splits a square of two pixels whose corners have different marks
-    float edge = 0;          // splits a pixel; the second time it must be twice as large
-    float markWeight = 0;    // share of the intensity from which on a ray splits squares by what it hits
+    float edge = 0;          // splits a pixel; to split it again, twice that is needed
+    float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
-    float cutoff = 0;        // share of the intensity from which on a ray is followed
+    float cutoff = 0;        // least share of the intensity at which a ray is followed
 };
 
 inline constexpr int kMaxDepth = 64;

@@ -8,7 +8,7 @@ namespace odraz {
 namespace {
 
 // Pixels are means of their corners, which blurs them. So textures seen in mirrors are filtered for only half
-// a pixel. 1 is 0.9 dB worse by PSNR; with less, they shimmer.
+// a pixel. With a whole pixel, PSNR is 0.9 dB worse; with less than half, they shimmer.
 constexpr float kFilter = 0.5f;
 
 ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
@@ -90,7 +90,7 @@ int splitSquares(Tile &t, int count) {
             else
                 squares[left++] = a;
         }
-        // Samples that neighbours wanted may split more squares. All are asked before one splits, because a
+        // Samples that neighbours wanted may split more squares. All are tested before one splits, because a
         // split wants new corners
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;

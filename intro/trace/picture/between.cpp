@@ -7,26 +7,26 @@ namespace odraz {
 
 namespace {
 
-constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and one around it, and room behind
+constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a border of one, and room behind
 constexpr int kBeam = 16,
-              kBeams = kTile / kBeam + 1; // pixels; beams along a tile's side and what is around it
+              kBeams = kTile / kBeam + 1; // pixels; beams along the side of a tile with its border
 constexpr uint16_t kNone = 0xffff;
-constexpr float kAlike = 0.06f;              // difference of what is shown that counts as none
+constexpr float kAlike = 0.06f;              // differences of what is shown below this count as none
 constexpr float kGlare = 1.5f;               // times white
 constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
 
 } // namespace
 
-// How the pixel of a picture follows from one between: with s how far along direction(x, y) the shape is met,
-// homogeneous coordinates are s * (h[0] + h[1] x + h[2] y) + h[3].
+// Maps a pixel (x, y) of an in-between to a pixel of a traced picture. If the shape is hit at s times
+// direction(x, y) from the eye, the homogeneous coordinates there are s * (h[0] + h[1] x + h[2] y) + h[3].
 struct Carry {
     float h[3][4];
-    uint16_t shape; // its number there; kNone: there is none
+    uint16_t shape; // its index in that picture's scene; kNone: it is not there
 };
 
 struct BetweenScratch {
     int64_t anew;
-    // Pixels from the tile's upper left neighbour on: what is seen, and how far along direction()
+    // From one pixel up and left of the tile on: the shape seen, and how far along direction()
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
     uint16_t anewAt[kTile * kTile + 8];
@@ -34,8 +34,9 @@ struct BetweenScratch {
 
 namespace {
 
-// How all shapes of `now`, and behind the last of them the sky, come to another picture. That may have some
-// more and lack some others, in the same order; what is the same has hardly moved.
+// How all shapes of `now`, and behind the last of them the sky, map to another picture. Its scene may have
+// some more shapes and lack some others, but their order is the same. A shape that is in both has hardly
+// moved.
 void carryTo(const Traced &to, const Traced &now, Carry *carry) {
     constexpr int kMostNew = 200;
     const View &v = to.view, &w = now.view;
@@ -72,7 +73,8 @@ void carryTo(const Traced &to, const Traced &now, Carry *carry) {
     }
 }
 
-// What a picture shows of eight places: radiance, and whether it is theirs: 0 no, 1 among others, 2 alone.
+// What a traced picture shows at eight places of a shape: radiance, and whether it is the shape's: 0 no, 1
+// partly, 2 entirely.
 struct Fetched {
     Rgb8 radiance;
     Int8 worth;
@@ -90,15 +92,15 @@ struct Fetched {
     Float8 inX = clamp(x, 0.f, right), inY = clamp(y, 0.f, bottom);
     mine &= max(abs(x - inX), abs(y - inY)) < 0.5f;
     Float8 left = floor(inX), top = floor(inY), u = inX - left, w = inY - top;
-    // Neighbours mostly lie side by side there, too: loads serve, once for each step between them. (What
-    // lanes read beyond a plane belongs to the next one.)
+    // Neighbouring pixels are mostly neighbours there, too. So loads serve instead of gathers, one round for
+    // each distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
     Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes, others = {};
     Fetched found = {Rgb8{}, Int8{}};
     for (int rest = 255; rest;) {
         ptrdiff_t first = step[__builtin_ctz((unsigned)rest)];
         Int8 here = step == (int32_t)first;
         rest &= ~laneBits(here);
-        // Whose are the four pixels around, and what do they show?
+        // Find which shapes the four pixels around show, and interpolate their radiance
         Int8 owned = here;
         auto take = [&](const uint16_t *p) {
             Int8 id = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(p + first)));
@@ -194,30 +196,30 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         Fetched v = fetch(sides.before, sides.carry[0][id], px, py, far),
                 w = fetch(sides.after, sides.carry[1][id], px, py, far);
         Int8 a = v.worth, e = w.worth;
-        // Only what is joined to others can tell how far it reaches
+        // Only pixels that it shares with other shapes tell how far it extends
         if (rim) a &= a == 1, e &= e == 1;
         Rgb8 more = v.radiance + w.radiance, off = v.radiance - w.radiance;
-        // They agree where they differ by less than what is seen, about
+        // They agree if they differ by roughly less than the eye sees
         Float8 bright = brightest(more) * (0.5f * exposure);
         Int8 agree = (a > 0) & (e > 0) &
                      (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
                       fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
         more = select(agree, more * broadcast(0.5f), select(a > e, v.radiance, w.radiance));
-        // A pixel is white as soon as a little of something many times white reaches into it.
-        // Interpolated, its outline would grow
+        // A pixel is white as soon as a little of something much brighter than white extends into it.
+        // Interpolation would widen the outline of such a thing
         Int8 glare = ((a == 1) | (e == 1)) & (brightest(more) * exposure > kGlare);
         known.radiance = select(mine, more, known.radiance);
         known.done |= mine & (agree | (a != e)) & ~glare;
     }
 }
 
-// Eight pixels of a tile from (x, y) on: first what reaches over from beside
-// them, then what they show themselves.
+// Eight pixels of a tile from (x, y) on: first nearer shapes that extend into them from the pixels beside
+// them, then what their own rays hit.
 ODRAZ_INLINE Known fetchPixels(const Sides &sides, const Tile &t, const BetweenScratch &b, int x, int y) {
     const int at = (y + 1) * kRow + x + 1, sky = t.scene.shapeCount;
     Int8 shape = loadInts(b.shape + at), front = shape;
     Float8 along = load(b.along + at), nearest = select(shape == sky, kInfinity, along);
-    // Beside the outline of something nearer, its pixels may reach over: they go with it
+    // Beside its outline, a nearer shape may extend into pixels whose rays miss it: they move with it
     static constexpr int kBeside[4] = {-1, 1, -kRow, kRow};
     Int8 edge = {};
     for (int step : kBeside) edge |= loadInts(b.shape + at + step) ^ shape;

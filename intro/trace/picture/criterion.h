@@ -1,9 +1,9 @@
-// Decides which squares and pixels of the quadtree split. Nothing else decides it.
+// Decides which squares and pixels of the quadtree split. All of that decision is here.
 //
 // After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of every
 // light there, (c) what secondary rays hit, level by level, and the texture cell there, (d) the intensities.
 // (a) to (c) are marks, which every Sample keeps. Of the four, only (d) decides whether a pixel gets samples
-// inside. Squares and pixels also split where a shape may show that shows at no corner (hidden.h). Squares
+// inside. Squares and pixels also split where there may be a shape that no corner shows (hidden.h). Squares
 // also split where a sample on one of their sides, traced for a neighbour, shows something new. The Quality
 // holds the thresholds. A new criterion belongs in splitsSquare() and splitsPixel(), a new mark in marksOf().
 #pragma once

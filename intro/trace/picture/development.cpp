@@ -14,8 +14,8 @@ Float8 encodeSrgb(Float8 x) {
     return select(x <= 0.0031308f, x * 12.92f, fmadd(pow(x, 1 / 2.4f), 1.055f, -0.055f));
 }
 
-// Eight places of a table, one by one: where processors were mended against Downfall, their instruction for
-// it takes half as long again as all the rest of a pixel.
+// Looks up eight entries of a table, one by one. On processors with the mitigation against Downfall, one
+// gather instruction takes half as long again as all other work on a pixel.
 static Int8 lookUp(const int32_t *table, Int8 index) {
     auto four = [&](__m128i at) {
         uint64_t low = (uint64_t)_mm_cvtsi128_si64(at), high = (uint64_t)_mm_extract_epi64(at, 1);
@@ -40,13 +40,13 @@ void makeCurve(Curve &curve) {
 
 namespace {
 
-// A quarter of a picture's pixels, in between: eight pixels of a row.
+// Interpolates eight pixels of a row from a level that is a quarter as wide and high.
 struct GlareRow {
-    const float *near[3], *far[3]; // rows
+    const float *near[3], *far[3]; // the two nearest rows
     float share;                   // of the far one
 
     GlareRow(const Glare::Level &l, int y) {
-        // Pixels' middles lie at odd eighths of a quarter's sides
+        // The middles of pixels lie at odd eighths of the level's pixels
         int eighth = 2 * y - 3, row = eighth >> 3;
         share = (float)(eighth & 7) * 0.125f;
         ptrdiff_t a = (ptrdiff_t)max(row, 0) * l.stride, b = (ptrdiff_t)min(row + 1, l.height - 1) * l.stride;
@@ -84,22 +84,22 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
                 for (int c = 0; c < 3; ++c) {
                     Float8 v = load(frame.plane[c] + (size_t)y * (size_t)frame.stride + x);
                     if (glare) v = fmadd(of.at(c, x) - v, look.glare, v);
-                    // NaN becomes the first place
+                    // NaN becomes the first entry
                     v = clamp(fmadd(v, gain, Curve::kFoot), Curve::kFoot, Curve::kHead);
                     Int8 at = bits(v) - bits(Curve::kFoot);
                     Int8 place = lookUp(curve.place, at >> Curve::kShift);
-                    // The value times 2^14, and the way to the next times 14 bits of what is left of the
-                    // place
+                    // The value times 2^14, plus the difference to the next one times the 14 bits that follow
+                    // the index
                     Int8 share = (at >> (Curve::kShift - 14) & 0x3fff) | 1 << 30;
                     Int8 shown = (Int8)_mm256_madd_epi16((__m256i)place, (__m256i)share);
-                    // Each colour has noise of its own, 10 bits that no other has
+                    // Each colour has its own noise: 10 bits that no other one uses
                     shown += (Int8)(noise >> 11);
                     shown = (Int8)_mm256_max_epi32((__m256i)(shown + grains), __m256i{});
                     pixels |= (Int8)_mm256_min_epi32((__m256i)(shown >> 21), (__m256i)broadcast(255))
                               << (8 * c);
                     noise <<= 10;
                 }
-                // A row's end may not run over the next one's start, which another worker writes
+                // Do not write beyond the row's end: another worker writes the next row
                 if (x + 8 <= frame.width)
                     _mm256_storeu_si256((__m256i *)(out + x * 4), (__m256i)pixels);
                 else

@@ -1,4 +1,4 @@
-// From linear radiance to what is shown: film curve, sRGB, eight bits.
+// Develops a picture: from linear radiance, by a film curve, to sRGB of eight bits.
 #pragma once
 
 #include "base/float8.h"
@@ -10,15 +10,16 @@ namespace odraz {
 // The film curve: 0 -> 0, rising, infinity -> 1; 0.18 -> 0.26, 1 -> 0.78. x >= 0, NaN gives 0.
 Float8 filmic(Float8 x);
 
-// Encodes [0, 1] after IEC 61966-2-1.
+// Encodes [0, 1] as sRGB, after IEC 61966-2-1.
 Float8 encodeSrgb(Float8 x);
 
-// Both in one table, linear between its places: within 1/40 of a step of the 255. Places lie evenly in the
-// logarithm of x + kFoot, 32 to a doubling, so that 0 has one too; from kHead on all is white.
+// Both functions in one table with linear interpolation; the error is below 1/40 of one of the 255 steps.
+// Entries are evenly spaced in the bits of x + kFoot, 32 to a doubling, so that 0 has one too. From kHead on
+// all is white.
 struct Curve {
     static constexpr float kFoot = 1.f / 32, kHead = 32768;
-    static constexpr int kShift = 18; // of the bits of x + kFoot, to the number of a place
-    // At each place the value, in 1/128 of a step, and below it the way to the next one's
+    static constexpr int kShift = 18; // turns the bits of x + kFoot into the index of an entry
+    // Upper half: the value, in 1/128 of a step. Lower half: the difference to the next entry's value
     int32_t place[20 << (23 - kShift) | 1];
 };
 void makeCurve(Curve &curve);
@@ -27,7 +28,7 @@ void makeCurve(Curve &curve);
 struct CameraLook {
     float glare;    // share of the light that is spread (glare.h), 0 .. 1
     float vignette; // share of the light that the corners lose, 0 .. 1
-    int grain;      // noise of light: half its width, in 1/32 of one of the 255 steps
+    int grain;      // amplitude of the noise of film grain, in 1/32 of one of the 255 steps
 };
 inline constexpr CameraLook kPlainLook = {0, 0, 0};
 

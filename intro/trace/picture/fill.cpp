@@ -14,7 +14,7 @@ static void put(const Tile &t, int x, int y, const Rgb8 &v, __m128i owner) {
 }
 
 // The albedo that eight pixels show. Noise of several octaves fades a little too early or too late; the mean
-// of two by two samples of half the width is nearer to the truth.
+// of two by two samples of half the width is more accurate.
 static Rgb8 albedoOf(const Tile &t, uint16_t owner, int x, int y) {
     const Shape &shape = t.scene.shapes[owner];
     const Material &m = t.scene.materials[shape.material];

@@ -1,4 +1,4 @@
-// The picture: planes of linear radiance as the tracer leaves them, and room for what is shown of it.
+// The picture: planes of linear radiance, which the tracer fills, and the developed picture.
 #pragma once
 
 #include "base/arena.h"
@@ -11,8 +11,9 @@ inline constexpr int kMaxWidth = 7680, kMaxHeight = 4320;
 struct Frame {
     int width, height, stride;
     float *plane[3];
-    uint16_t *shapes; // null, or for tools and tests: which shape a pixel shows, kManyShapes or kSkyShown
-    uint8_t *rgba;    // width * height * 4 bytes, sRGB, top row first; made by develop()
+    // null, or the shape that each pixel shows, kManyShapes or kSkyShown; for in-betweens, tools and tests
+    uint16_t *shapes;
+    uint8_t *rgba; // width * height * 4 bytes, sRGB, top row first; made by develop()
 };
 
 inline constexpr uint16_t kManyShapes = 0xffff, kSkyShown = 0xfffe;

@@ -2,9 +2,10 @@
 
 namespace odraz {
 
-// The picture of a ball is an ellipse; with the middle at (x, y, z) in the camera's frame and the radius r
-// its centre lies at z (x, y) / (z^2 - r^2), and its half axes are r sqrt(d^2 - r^2) / (z^2 - r^2), d the
-// distance, and r / sqrt(z^2 - r^2). Balls across the eye's plane have another picture; corners find those.
+// A ball projects to an ellipse. For a ball of radius r whose middle is (x, y, z) in the camera's frame, at
+// distance d, the ellipse's centre is z (x, y) / (z^2 - r^2). Its half axes are r sqrt(d^2 - r^2) / (z^2 -
+// r^2) and r / sqrt(z^2 - r^2). Balls that cross the plane of the eye do not project to ellipses; corners
+// find those.
 static void addDisc(Tile &t, int index) {
     const Shape &s = t.scene.shapes[index];
     const View &v = t.view;
@@ -33,7 +34,7 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// A line along a shape's longest side, as thick as the next, if that is thin.
+// Adds a line along a shape's longest side, as thick as its second longest, if that is thin.
 static void addThinShape(Tile &t, int index) {
     TileScratch &s = t.s;
     const View &v = t.view;
@@ -100,7 +101,7 @@ static bool mayHideBall(const Tile &t, float x, float y, float half, int shape) 
         Int8 crosses = (square <= outer * outer) & (square >= inner * inner);
         crosses &= (loadInts(d.shape + i) != shape) & (kLanes < d.count - i);
         if (!any(crosses)) continue;
-        // How far away what the corners show can be at most: a ball to its horizon
+        // The greatest distance of what the corners show; for a ball, that of its horizon
         float far = kInfinity;
         if (shape >= 0 && t.scene.shapes[shape].isBall()) {
             const Shape &s = t.scene.shapes[shape];
@@ -119,7 +120,7 @@ bool mayHideSome(const Tile &t, Square q, int size, int shape) {
     for (int i = 0; i < s.thinCount; ++i) {
         const ThinShape &line = s.thin[i];
         if ((float)size <= line.radius) continue;
-        // The line's point nearest to the square's middle, then the square's nearest to that
+        // Find the line's point nearest to the square's middle, then the square's point nearest to that
         float along = fmadd(x - line.x, line.alongX, (y - line.y) * line.alongY),
               square = fmadd(line.alongX, line.alongX, line.alongY * line.alongY);
         float share = saturate(along / max(square, 1e-12f));

@@ -6,11 +6,11 @@
 namespace odraz {
 
 // Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). Where
-// there are more, they stand so close that corners hit them.
+// there are more, they are so close together that corners hit them.
 void watch(Tile &t);
 
-// Whether a shape may show in a square without showing at its corners. `shape` is what all corners show (-1:
-// the sky, or several shapes).
+// Whether a square may show a shape that none of its corners shows. `shape` is what all corners show (-1: the
+// sky, or several shapes).
 bool mayHideSome(const Tile &t, Square q, int size, int shape);
 ODRAZ_INLINE bool mayHide(const Tile &t, Square q, int size, int shape) {
     return (t.s.discs.count | t.s.thinCount) && mayHideSome(t, q, size, shape);

@@ -18,7 +18,7 @@ void drawStrokes(Frame &frame, const Stroke *strokes, int count, float halfWidth
 
     for (int y = y0; y < y1; ++y)
         for (int x = x0; x < x1; x += 8) {
-            // The nearest stroke's distance decides the cover
+            // The distance to the nearest stroke decides the coverage
             Float8 px = toFloat(kLanes) + ((float)x + 0.5f), py = broadcast((float)y + 0.5f);
             Float8 nearest = broadcast(kInfinity);
             for (int i = 0; i < count; ++i) {

@@ -1,4 +1,4 @@
-// Lines of light over the traced picture: what text is drawn with.
+// Draws luminous lines over the traced picture. Text consists of these.
 #pragma once
 
 #include "base/vec3.h"

@@ -52,7 +52,7 @@ struct TileScratch {
     // Places to trace next; one more may be written behind them
     uint32_t wanted[kCorners * kCorners + 8];
     // Points that are being traced, in pixels of the picture, and the indices of their samples. They are read
-    // by eight: behind the last one stand old values
+    // eight at a time: behind the last one are old values
     float x[kChunk], y[kChunk];
     uint32_t index[kChunk];
     Square squares[3][kTile * kTile + 4];

@@ -1,4 +1,4 @@
-// A frame as tiles, for who goes through them in parallel.
+// Divides a frame into tiles and works on them in parallel.
 #pragma once
 
 #include "base/parallel.h"
@@ -7,10 +7,11 @@
 
 namespace odraz {
 
-// Finds what primary rays through a square of a tile's pixels, from its pixel (x, y) on, may meet.
+// Finds the shapes that primary rays may hit through a square of `size` pixels, whose first one is (x, y) of
+// a tile.
 void aim(const Tile &tile, int x, int y, int size, Candidates &found);
 
-// f(tile, worker) for every tile of a frame, aimed: it knows what its rays may meet.
+// Calls f(tile, worker) for every tile of a frame. tile.s.among holds what the tile's primary rays may hit.
 template <class F>
 void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
               Frame &frame, const F &f) {
@@ -21,7 +22,7 @@ void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),
             min(kTile, frame.height - y)};
-        // What its primary rays may meet; a pixel around it keeps roundings out
+        // The border of one pixel allows for rounding errors
         aim(tile, -1, -1, kTile + 2, tile.s.among);
         f(tile, worker);
     });

@@ -13,7 +13,7 @@ static bool edgeOn(const Tile &t, const Shape &s) {
     if (e.y <= 0) return true;
     float x = abs(e.x), z = abs(e.z), dx = max(x - s.half.x, 0.f), dz = max(z - s.half.z, 0.f),
           square = fmadd(dx, dx, fmadd(dz, dz, e.y * e.y)), away = sqrt(fmadd(x, x, z * z));
-    // How long it is towards the eye
+    // Its length towards the eye
     float chord = min(s.half.x * away / max(x, 1e-9f), s.half.z * away / max(z, 1e-9f)) * 2;
     return e.y * e.y < square * 0.01f && chord * e.y < square * t.view.spread * 0.2f * (float)t.quality.fine;
 }
@@ -37,7 +37,8 @@ void aim(const Tile &t, int x, int y, int size, Candidates &found) {
 
 namespace {
 
-// The same number of samples in every pixel: as many rows as a chunk holds, once for each place in a pixel.
+// Takes the same number of samples in every pixel: traces as many rows as a chunk holds, once for each place
+// in a pixel.
 void traceGrid(Tile &t) {
     TileScratch &s = t.s;
     int side = t.quality.grid, perPixel = side * side, wide = (t.width + 7) & ~7, rows = kChunk / wide;

@@ -1,4 +1,4 @@
-// The picture, traced: tile by tile, by as many workers as there are.
+// Traces a picture tile by tile, on all workers.
 #pragma once
 
 #include "base/arena.h"
@@ -11,7 +11,7 @@ namespace odraz {
 
 struct TileScratch;
 
-// What tracing needs beyond the scene: scratch for every worker, taken once.
+// What tracing needs beyond the scene: scratch for every worker, allocated once.
 struct Tracer {
     TileScratch *scratch[kMaxWorkers];
     int workers;
@@ -25,7 +25,7 @@ bool makeTracer(Tracer &tracer, Arena &arena, int workers);
 void traceFrame(Tracer &tracer, Workers &workers, const Scene &scene, const View &view,
                 const Quality &quality, Frame &frame);
 
-// Samples that the last frame took.
+// The number of samples that the last frame took.
 int64_t tracedSamples(const Tracer &tracer);
 
 } // namespace odraz

@@ -28,7 +28,7 @@ void BeamBuilder::add(const Vec3x8 &p) {
 bool BeamBuilder::narrow() const { return all(ahead > 0.f); }
 
 Beam BeamBuilder::beam() const {
-    // Wider by what the ratios and the rays' directions may be rounded
+    // Widen it by the rounding errors of the ratios and of the rays' directions
     constexpr float kSlack = 1e-5f;
     Vec3 w = frame.w;
     return {origin,

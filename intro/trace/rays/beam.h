@@ -1,8 +1,9 @@
-// Beams: rays that share an origin, tried together.
+// Beams: bundles of rays that share an origin, such as those from the eye through a part of the picture, or
+// those from a light to the places that it may shine on.
 //
-// Rays from the eye through a part of the picture, or from a light to what it may shine on. What the origin
-// decides is computed once, and boxes are culled for all of them at once: eight boxes by the sides of a
-// pyramid. A beam can gather the shapes that it may touch, as candidates for many packets of rays.
+// Whatever depends on the origin alone is computed once for all rays. Boxes are culled for the whole beam,
+// eight boxes at a time, against the sides of a pyramid. A beam also gathers candidates: the shapes that it
+// may touch, so that many packets of rays try only these.
 #pragma once
 
 #include "trace/rays/intersect.h"
@@ -16,11 +17,12 @@ struct Beam {
     float limit[5];
 };
 
-// The beam between four directions, in order around it, seen from within clockwise.
+// The beam whose edges are four directions of any length, in order around it, clockwise as seen from the
+// origin.
 Beam beamThrough(const Vec3 &origin, const Vec3 (&corner)[4]);
 
-// The beam from an origin to points that are added packet by packet. narrow(): it is at most some 80 degrees
-// wide; beam() is valid only then.
+// The beam from an origin to points that are added eight at a time, as vectors from the origin. narrow(): all
+// of them lie within some 80 degrees of `towards`; only then is beam() valid.
 class BeamBuilder {
 public:
     BeamBuilder(const Vec3 &origin, const Vec3 &towards);
@@ -34,8 +36,8 @@ private:
     Float8 low[2], high[2], far, ahead;
 };
 
-// A ball seen from a common origin: whether a ray comes near it is a question of one cosine. That bound is
-// generous; the robust test judges.
+// A ball as rays from a common origin see it. One dot product rejects most misses. Its bound is loose, so
+// hitBall() decides.
 struct SharedBall {
     Vec3 f; // from its centre to the origin
     float radius, cosine;
@@ -50,14 +52,16 @@ struct Candidates {
     static constexpr int kMost = 48;
     int count; // -1: more than kMost
     uint16_t shape[kMost];
-    float near[kMost];      // a bound of the distance, rising
-    SharedBall ball[kMost]; // where the shape is one
+    float near[kMost];      // lower bounds of the distance, ascending
+    SharedBall ball[kMost]; // for shapes that are balls
 };
+// Finds the shapes that a beam may touch.
 void findCandidates(const Scene &scene, const Beam &beam, Candidates &found);
 
-// As intersect() and transmittance(), for rays from or to one origin. They try the candidates of the rays'
-// beam, or go through the tree where these were too many. Shadow rays start at the lit place, not at the
-// light: from a distant light, rounding could not tell a wall from the floor at its foot.
+// Like intersect() and transmittance() of intersect.h, for rays from or to one origin. They try only the
+// candidates of the rays' beam, or traverse the tree if there were too many of these. Shadow rays start at
+// the lit place, not at the light: with rays from a distant light, rounding errors would confuse a wall with
+// the floor at its foot.
 Hit8 intersect(const Scene &scene, const Candidates &among, const Vec3 &origin, const Vec3x8 &d, Int8 active);
 Rgb8 transmittance(const Scene &scene, const Candidates &among, const Ray8 &ray, Float8 far, Int8 active,
                    Int8 own, bool noBalls = false);

@@ -4,14 +4,14 @@ namespace odraz {
 
 namespace {
 
-// Rays prepared for slab tests. Box planes are met at plane / d - o / d. The quotients' rounding is what a
-// box must be widened by; with the three roundings behind them (Ize, "Robust BVH Ray Traversal", JCGT 2013)
-// no ray slips between shape and box.
+// Rays prepared for slab tests. A ray meets a box plane at plane / d - o / d. Boxes are widened by the
+// rounding errors of these quotients and of the three operations that follow (Ize, "Robust BVH Ray
+// Traversal", JCGT 2013), so that no ray misses the box of a shape that it hits.
 struct Slabs {
     Vec3x8 inverse, shift;
     Float8 slack;
 
-    // One ray's, in every lane.
+    // Those of ray k, in every lane.
     Slabs of(int k) const {
         return {{broadcast(inverse.x[k]), broadcast(inverse.y[k]), broadcast(inverse.z[k])},
                 {broadcast(shift.x[k]), broadcast(shift.y[k]), broadcast(shift.z[k])},
@@ -24,7 +24,7 @@ struct Slabs {
         shift = ray.o * inverse;
         return {inverse, shift, max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f};
     }
-    // Where boxes are entered, kInfinity where they are not before the limit.
+    // The distances at which the rays enter boxes; kInfinity if that is not before the limit.
     Float8 enter(Vec3x8 lo, Vec3x8 hi, Float8 limit) const {
         auto meet = [](Float8 plane, Float8 inverse, Float8 shift) {
             return (Float8)_mm256_fmsub_ps(plane, inverse, shift);
@@ -38,7 +38,7 @@ struct Slabs {
     }
 };
 
-// Nodes of the tree that wait to be looked at, the nearest last.
+// Nodes of the tree that are still to be visited, the nearest last.
 struct Stack {
     struct Waiting {
         int node;
@@ -46,7 +46,7 @@ struct Stack {
     } waiting[7 * kTreeDepth + 8];
     int count = 0;
 
-    // Pushes behind what was there at `base`, in order.
+    // Pushes a node above the first `base` ones, in sorted order.
     void push(int base, int node, float enter) {
         int i = count++;
         for (; i > base && waiting[i - 1].enter < enter; --i) waiting[i] = waiting[i - 1];
@@ -54,8 +54,9 @@ struct Stack {
     }
 };
 
-// Calls meet(shape, t) for every shape whose box an active ray enters before its limit, near nodes first if
-// kSorted; t are the distances to it. meet may lower `limit` and clear lanes of `active`.
+// Calls meet(shape, t) for every unbounded shape, and for every bounded one that an active ray hits before
+// its limit, near nodes first if kSorted. `t` holds the distances to the shape. meet may lower `limit` and
+// clear lanes of `active`.
 template <bool kSorted, class Meet>
 void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int8 &active, Meet &&meet) {
     for (int i = 0; i < scene.unboundedCount; ++i)
@@ -93,7 +94,7 @@ void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int
     }
 }
 
-// The nearest hit of a single ray, in every lane the same ray: eight boxes or balls at once.
+// The nearest hit of a single ray, which stands in every lane. Tests eight boxes or balls at once.
 void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float &t, int &shape) {
     auto take = [&](int index, float hit) {
         if (hit > t || (hit == t && index > shape)) return;
@@ -129,7 +130,7 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
     }
 }
 
-// Whether a tree is so deep, and rays are so far apart, that they had better go alone.
+// Whether the tree is so large, and the rays so far apart, that it is faster to trace each ray alone.
 bool diverge(const Scene &scene, const Ray8 &ray, Int8 active) {
     if (scene.nodeCount < 12) return false;
     int first = __builtin_ctz((unsigned)laneBits(active) | 256);
@@ -161,7 +162,7 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         Int8 which = hit.shape;
         for (int i = 0; i < scene.shapeCount; ++i) {
             Float8 t = distanceTo(scene.shapes[i], ray);
-            Int8 nearer = t < nearest; // of equals the first stays
+            Int8 nearer = t < nearest; // at equal distances the first one stays
             if (!any(nearer)) continue;
             nearest = min(t, nearest);
             which = select(nearer, broadcast(i), which);

@@ -1,8 +1,8 @@
-// Rays against a scene.
+// Finds what rays hit in a scene, and how much light passes along them.
 //
-// Packets of eight rays go through the tree together where they are coherent; where they are not, each goes
-// alone, against eight boxes or balls at once. Which way is taken shows in the time only: of equal distances
-// the shape added first is hit. For rays that share an origin there is beam.h.
+// Coherent packets of eight rays traverse the tree together. In other packets each ray traverses it alone,
+// tested against eight boxes or balls at once. The result is the same, only the time differs: at equal
+// distances, the shape that was added first is hit. See beam.h for rays that share an origin.
 #pragma once
 
 #include "trace/scene/scene.h"
@@ -21,7 +21,8 @@ ODRAZ_INLINE void takeNearer(Hit8 &hit, Float8 t, int shape) {
     hit.shape = select(nearer, broadcast(shape), hit.shape);
 }
 
-// Dims the light of the rays that hit a shape on their way from a light, and clears those that it stops.
+// Dims the light of the rays that hit a shape on their way from a light, and clears the lanes of `active`
+// that it stops.
 ODRAZ_INLINE void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &share, Int8 &active) {
     const Material &m = scene.materials[shape.material];
     if (maxComponent(m.emit) > 0 && m.diffuse == 0) return; // a lamp does not shade its own light
@@ -30,12 +31,13 @@ ODRAZ_INLINE void dim(const Scene &scene, const Shape &shape, Int8 hit, Rgb8 &sh
     if (m.ior == 0) active &= ~hit;
 }
 
-// The nearest hit of each ray. Lanes outside `active` cost nothing where whole boxes can be skipped; their
-// result is undefined.
+// The nearest hit of each ray. Lanes outside `active` never cause a box to be visited; their result is
+// undefined.
 Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active);
 
-// What share of light passes along each active ray up to tMax: 0 behind anything opaque, tinted by glass. In
-// each lane `own` is left out, a shape that cannot stand in the way; -1: none. So are balls, if asked for.
+// The share of light that passes along each active ray up to the distance tMax: 0 behind anything opaque,
+// tinted by glass. In each lane the shape `own` is left out, because it cannot be in the way (-1: none).
+// `noBalls` leaves out all balls.
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own,
                    bool noBalls = false);
 

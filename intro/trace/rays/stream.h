@@ -1,5 +1,5 @@
-// Streams of rays as structures of arrays, and the moves between them: picking eight of them, appending those
-// of eight that go on.
+// Streams of rays, as structures of arrays. Rays are read from a stream eight at a time, from any places;
+// those that go on are packed and appended to the next one.
 #pragma once
 
 #include "trace/scene/surface.h"
@@ -7,20 +7,20 @@
 namespace odraz {
 
 inline constexpr int kChunk = 256;             // rays shaded together
-inline constexpr int kStream = 2 * kChunk + 8; // each may leave two; whole registers are written at the end
+inline constexpr int kStream = 2 * kChunk + 8; // each ray may leave two; stores write whole registers
 
 struct RayStream {
     int count;
     float o[3][kStream], d[3][kStream];    // origin, unit direction
-    float weight[3][kStream];              // share of the picture per channel
-    float width[kStream], spread[kStream]; // of the sample at the origin, and its growth per unit
+    float weight[3][kStream];              // how much of the ray's light the sample gets, per channel
+    float width[kStream], spread[kStream]; // of the sample at the origin; growth per unit of distance
     int32_t sample[kStream];               // index of the Sample it adds to
-    int32_t path[kStream];  // 1, then a bit for every bounce: 0 reflected, 1 refracted; the last 32
-    float t[kStream];       // what it met: how far away,
-    int32_t shape[kStream]; // and which shape; -1: none
+    int32_t path[kStream];  // a 1, then a bit for every bounce: 0 reflected, 1 refracted; 32 bits are kept
+    float t[kStream];       // distance of the hit
+    int32_t shape[kStream]; // the shape that it hit; -1: none
 };
 
-// Eight places of a stream; where they follow one another, as most do, they are loaded instead of gathered.
+// Eight places of a stream. Mostly they are consecutive; then they are loaded instead of gathered.
 struct Eight {
     Int8 place;
     int first;
@@ -42,7 +42,7 @@ struct Eight {
     }
 };
 
-// The order that brings the lanes of a mask to the front.
+// The permutation that moves the lanes of a mask to the front.
 ODRAZ_INLINE Int8 packedOrder(int mask) {
     uint64_t bytes = _pdep_u64((uint64_t)mask, 0x0101010101010101) * 255;
     uint64_t order = _pext_u64(0x0706050403020100, bytes);

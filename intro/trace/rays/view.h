@@ -21,8 +21,8 @@ struct View {
                 fmadd(u, right.z, fmadd(v, down.z, forward.z))};
     }
 
-    // How far ahead of the eye a point lies, and where it stands in the picture, which only what is ahead
-    // does.
+    // How far ahead of the eye a point lies, in world units, and its position in the picture, in pixels.
+    // project() is valid only for points ahead of the eye.
     float ahead(const Vec3 &p) const { return dot(p - eye, forward); }
     void project(const Vec3 &p, float &x, float &y) const {
         Vec3 to = p - eye;
@@ -32,8 +32,9 @@ struct View {
     }
 };
 
-// Looking from eye at target. Roll in degrees, vertical field of view in degrees (0, 170]. A target on the
-// eye looks along -z, a view straight up or down takes -z or z as its upper edge: there is always a picture.
+// The view from `eye` to `target`. Roll in degrees, vertical field of view in degrees (0, 170]. There is
+// always a picture: if target and eye are equal, the view is along -z. In a view straight up, z is at the
+// picture's upper edge; in a view straight down, -z.
 View lookAt(const Vec3 &eye, const Vec3 &target, float roll, float fov, int width, int height);
 
 } // namespace odraz

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-// By what a hit is sorted: the sky, a shape, or the material of a ball without texture.
+// The key by which a hit is sorted: the sky, a shape, or the material of a ball without texture.
 static int kindOf(const Scene &scene, int shape) {
     if (shape < 0) return 0;
     const Shape &s = scene.shapes[shape];
@@ -13,7 +13,8 @@ static int kindOf(const Scene &scene, int shape) {
 
 void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCounts &counts,
               SortedHits &sorted) {
-    // Part the stream where what is hit changes; count by kind, and list the kinds in order
+    // Split the stream into parts that hit the same shape; count the hits of each kind, and list the kinds in
+    // order
     struct Part {
         int begin, count, kind;
     } parts[kChunk];
@@ -35,7 +36,7 @@ void sortHits(const Scene &scene, const RayStream &in, int begin, int end, HitCo
         counts[k] += j - i;
         i = j;
     }
-    // Place them kind by kind, each from a multiple of eight on
+    // Place them kind by kind; each kind starts at a multiple of eight
     int place = 0;
     for (int i = 0; i < kinds; ++i) {
         int32_t &count = counts[present[i]];

@@ -1,4 +1,4 @@
-// Boxes along the world's axes.
+// Axis-aligned bounding boxes, in world coordinates.
 #pragma once
 
 #include "base/vec3.h"

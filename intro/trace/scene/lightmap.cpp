@@ -21,7 +21,7 @@ static Rgb8 bilinear(const float *const plane[3], Float8 x, Float8 y, Corner &&c
     return {channel(plane[0]), channel(plane[1]), channel(plane[2])};
 }
 
-// The colours of patches, in rows of `across`, which stand at their middles.
+// The colours of patches, interpolated between their middles. `plane` holds them in rows of `across`.
 static Rgb8 mosaicAt(const float *const plane[3], int across, int down, float sharpness, const Chart &c,
                      const Vec3x8 &q) {
     auto place = [&](Vec3 axis, float size, int count, Int8 &low, Int8 &high) {
@@ -41,7 +41,7 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
            y = clamp(along(c.v, q, (float)c.down / c.height), 0.f, (float)c.down);
     Int8 i = toInt(min(x, (float)c.across - 0.5f)), j = toInt(min(y, (float)c.down - 0.5f));
     x -= toFloat(i), y -= toFloat(j);
-    // Down to the smallest cell
+    // Descend to the smallest cell
     static_assert(sizeof(Cell) == 32);
     Int8 cell = j * c.across + i + c.firstCell, corner;
     while (any((corner = gatherInts(map.cells, cell * 8)) < 0)) {
@@ -70,7 +70,8 @@ Int8 patchAt(const Chart &c, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Fl
     Vec3x8 q = p - c.corner;
     float perU = (float)c.patchesAcross / c.width, perV = (float)c.patchesDown / c.height;
     Float8 x = along(c.u, q, perU), y = along(c.v, q, perV);
-    // What the sample's ellipse has of a line, along each axis: that is wide along the view alone
+    // Along each axis, the share of the sample's ellipse that a line covers. The ellipse is stretched along
+    // the view alone
     static constexpr float kHalf = 0.008f;
     Float8 stretch = 1.f / max(cosine, 0.02f);
     auto off = [&](Float8 x, float perUnit, Vec3 axis) {

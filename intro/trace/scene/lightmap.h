@@ -1,10 +1,10 @@
-// Light kept on the surfaces: every chart is a rectangle with a grid of cells of its own, divided as
-// quadtrees where light asks for it, so that nothing is interpolated across an edge.
+// Light stored on surfaces. Every chart is a rectangle with its own grid of cells, so that nothing is
+// interpolated across a chart's edges. Cells are divided as quadtrees where light varies.
 //
-// Light is counted as the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. Its
-// values, the texels, stand at the cells' corners, which neighbours share; light is bilinear in every cell. A
-// texel in the middle of a larger neighbour's side has the value that the neighbour has there: light is
-// continuous over the whole chart.
+// "Light" is the tracer's diffuse light: irradiance / pi, so that radiance = albedo * light. The texels,
+// which hold its values, are at the corners of cells; neighbouring cells share them. Light is bilinear within
+// a cell. A texel in the middle of a larger neighbour's side has the value that the neighbour has there, so
+// light is continuous over the whole chart.
 #pragma once
 
 #include "base/vec3.h"
@@ -19,30 +19,30 @@ struct Chart {
     Vec3 u, v, n;                       // unit and orthogonal; n points to the side that is lit and seen
     float width, height;                // world units along u and v
     int16_t across, down;               // cells along u and v, 1 ..
-    int16_t patchesAcross, patchesDown; // whole cells each
+    int16_t patchesAcross, patchesDown; // patches along u and v, of whole cells each
     uint16_t material;
-    bool open;                   // a window: seen by the hemicubes, passed by rays
-    int firstCell;               // rows of `across`
-    int firstTexel;              // of the corners of cells that are not divided: rows of across + 1
-    int firstPatch;              // of the patches over its cells
-    int firstFacet, facetsCount; // the parts of it that are there
+    bool open;                   // a window: hemicubes see it, rays pass through it
+    int firstCell;               // in rows of `across`
+    int firstTexel;              // of the undivided grid's corners, in rows of across + 1
+    int firstPatch;              // in rows of patchesAcross
+    int firstFacet, facetsCount; // the parts of the rectangle that exist
 
     int texel(int i, int j) const { return firstTexel + j * (across + 1) + i; } // 0 .. across, 0 .. down
     int texels() const { return (across + 1) * (down + 1); }
     int patchAcross() const { return across / patchesAcross; } // cells of a patch along u and v
     int patchDown() const { return down / patchesDown; }
-    // How far off the plane points lie surely on its side
+    // How far off the plane a point must be to lie surely on one side of it, in world units
     float off() const { return (sumAbs(corner) + width + height) * 2e-6f; }
     Vec3 at(float s, float t) const { return fmadd(u, s, fmadd(v, t, corner)); } // s, t in world units
 };
 
-// Its corners lie at (0, 0), (1, 0), (0, 1) and (1, 1). Where it is divided, corner[0] is ~ the first of four
-// children in the same order.
+// A cell of a chart. Its corners are at (0, 0), (1, 0), (0, 1) and (1, 1), in this order. If it is divided,
+// corner[0] is ~ the index of the first of its four children, which are in the same order.
 struct Cell {
     int corner[4]; // texels
     int patch, chart;
-    float area; // world units
-    int level;  // how often it comes from a division, 0 .. kFinest
+    float area; // square world units
+    int level;  // how many divisions led to it, 0 .. kFinest
 
     bool divided() const { return corner[0] < 0; }
 };
@@ -52,7 +52,7 @@ struct Lightmap {
     const Cell *cells;
     const float *plane[3]; // red, green, blue of every texel
     // A picture of the patches that is laid over the light. mosaic: its share, 0 .. 1; patch: the patches'
-    // colours; sharpness: 1 is bilinear between their middles, kFlat shows each patch in one colour
+    // colours; sharpness: 1 interpolates between their middles, kFlat shows each patch in one colour
     float mosaic;
     const float *patch[3];
     float sharpness;
@@ -67,11 +67,12 @@ inline constexpr float kFlat = 1e4f;
 // The light of a chart at points of its plane.
 Rgb8 lightAt(const Lightmap &map, const Chart &chart, const Vec3x8 &p);
 
-// The same of what it throws back besides.
+// The gloss of map.glossy at points of its plane: the radiance that it reflects besides the diffuse light.
 Rgb8 glossAt(const Lightmap &map, const Vec3x8 &p);
 
-// Which patch points lie in, as a number for comparisons, and how much of a sample `width` wide lies clear of
-// the lines between patches: 1 .. 0.
+// The index of the patch that each point p lies in. `clear` gets the share (0 .. 1) of a sample that no line
+// between patches covers. The sample is `width` world units wide and seen along the unit direction d;
+// `cosine` is between d and the normal.
 Int8 patchAt(const Chart &chart, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine, Float8 width,
              Float8 &clear);
 

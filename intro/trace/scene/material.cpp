@@ -14,8 +14,9 @@ Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, 
     cell = Int8{};
     if (m.cell == 0) return colour(m.texture, q, mean);
 
-    // The sample's footprint is an ellipse, long along the view: a circle across it, and its shadow along d.
-    // There both waves turn together, and the mean of a product is not that of means: it is taken in parts
+    // The sample's footprint is an ellipse that is long along the view: a circle across the view, projected
+    // along d. Along the ellipse both waves change together, and the mean of a product is not the product of
+    // means. So the mean is taken in parts
     constexpr float kParts = 3;
     stretch *= 1 / kParts;
     const float perPair = 0.5f / m.cell;
@@ -27,8 +28,8 @@ Rgb8 albedo(const Material &m, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, 
     for (float part = 0.5f - kParts * 0.5f; part < kParts * 0.5f; ++part)
         sum +=
             squareWave(fmadd(alongX, part, x), halfX, perX) * squareWave(fmadd(alongZ, part, z), halfZ, perZ);
-    // Stretched a little, so that roundings leave the inside of a cell pure: there the other one's texture
-    // need not be asked
+    // Stretched a little, so that rounding errors do not mix the two textures inside a cell: there only one
+    // of them is evaluated
     Float8 even = saturate(fmadd(sum, 0.504f / kParts, 0.5f));
     Int8 sharp = fmadd(max(abs(alongX), abs(alongZ)), kParts, narrow) < 0.5f;
     auto number = [](Float8 x) { return toInt(floor(clamp(x * 2.f, -1e6f, 1e6f))); };

@@ -1,4 +1,5 @@
-// What a surface looks like: a solid texture for the diffuse colour, and Phong and Fresnel numbers.
+// What a surface looks like: a solid texture for the diffuse colour, and parameters of Phong's highlight, of
+// mirrors and of glass.
 //
 // Textures are functions of the local point, band-limited to the width that a sample covers there; checkers
 // are box-filtered in closed form.
@@ -10,29 +11,31 @@ namespace odraz {
 
 struct Material {
     Texture texture = {}; // the diffuse colour
-    Texture other = {};   // that of every second cell of a checker in the local x and z
+    Texture other = {};   // the same in every second cell of a checker in local x and z
     float cell = 0;       // side of a checker's cell, world units; 0: no checker
     float diffuse = 0;    // r_d, weight of the diffuse colour
     float specular = 0;   // r_s, weight of Phong's highlight
-    float exponent = 1;   // h >= 1, Phong's
+    float exponent = 1;   // Phong's h, >= 1
     float reflect = 0;    // mirror reflectance at normal incidence, 0 .. 1
     bool fresnel = false; // reflectance rises to 1 at grazing angles (Schlick)
     float ior = 0;        // > 0: glass of this index of refraction; 0: opaque
     Rgb absorb = {};      // glass: absorption per world unit, in powers of two
-    Rgb tint = {1, 1, 1}; // colour of the mirror; of glass for shadow rays
-    Rgb emit = {};        // light of its own, for the eye only
-    float transmit = 0; // glass: 0: Fresnel's weights, exactly; > 0: so much is refracted, `reflect` mirrored
+    Rgb tint = {1, 1, 1}; // colour of a mirror, or of glass for shadow rays
+    Rgb emit = {};        // radiance that it emits; it lights no other surface
+    // glass: 0: weights by Fresnel's equations; > 0: the share that is refracted, while `reflect` is mirrored
+    float transmit = 0;
 
-    // Whether it sends out light of its own, and neither lights up nor mirrors.
+    // Whether it only glows: it emits light, but reflects none, neither diffusely nor as a mirror.
     bool onlyGlows() const { return maxComponent(emit) > 0 && diffuse == 0 && reflect == 0; }
-    // One colour everywhere.
+    // Whether it has one colour everywhere.
     bool plain() const { return texture.pattern == Pattern::Plain && cell == 0; }
-    // Whether a texture's own filter is only nearly right.
+    // Whether a texture's own filter is only approximate.
     bool rough() const { return texture.traits().rough || (cell > 0 && other.traits().rough); }
 };
 
-// The diffuse colour at local points q seen along the local unit direction d by samples `width` wide (world
-// units, across the direction), and in `cell` a number that tells cells of a checker apart.
+// The diffuse colour at local points q, seen along the local unit direction d by samples `width` wide (world
+// units, across the direction). `cosine` is between d and the normal. `cell` gets a number that tells the
+// cells of a checker apart.
 Rgb8 albedo(const Material &material, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width,
             Int8 &cell);
 

@@ -1,8 +1,8 @@
 // A scene, posed for one frame: shapes, materials, lights, sky, and the tree over the shapes.
 //
-// show/ fills it anew for every frame (clear, add, finish); nothing here allocates. World units are metres by
-// custom, y is up, coordinates right-handed. What does not fit takes the place of the last of its kind, and
-// `overflow` tells so.
+// show/ fills it anew for every frame (clear, add, finish); nothing here allocates. By convention world units
+// are metres. y is up, coordinates are right-handed. What does not fit replaces the last item of its kind,
+// and `overflow` reports it.
 #pragma once
 
 #include "trace/scene/bounds.h"
@@ -19,8 +19,8 @@ inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMa
                      kMaxOccluders = 24, kMaxGlowingBalls = 16;
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "numbers of them are kept in 16 and 8 bits");
 
-// A light at a point or, with a radius, a ball of light. Irradiance at distance r is intensity / r^2.
-// Highlights of a ball of light are its image. Shadows are hard, cast from its middle; see
+// A point light or, with a radius, a ball of light. Irradiance / pi at distance r is intensity / r^2. A
+// highlight shows a ball of light at its size. Shadows are hard, cast from the ball's middle; see
 // Scene::ballsOcclude for soft ones.
 struct Light {
     Vec3 position;
@@ -28,29 +28,29 @@ struct Light {
     float radius = 0;
 };
 
-// (What is small stands first in this and other large structs: its offsets are short.)
+// (Here and in other large structs the small members stand first: then their offsets are short.)
 struct Scene {
     int shapeCount, materialCount, lightCount;
-    float fog;      // how fast things turn into the horizon: share left = 2^(-fog distance)
+    float fog;      // 2^(-fog * distance) of a thing's light is left, the rest is the sky's
     float exposure; // factor before tone mapping
     float lines;    // 0 .. 1: how dark the lines between patches are drawn
-    // Balls take light away in closed form: ambient light around them; light of Lights with a radius, as soft
-    // shadows, with caustics where a ball is of glass
+    // Balls block light in closed form: the light from all around near them, and that of Lights with a
+    // radius. The latter gives soft shadows, with caustics behind balls of glass
     bool ballsOcclude;
-    const Lightmap *lightmap;    // for shapes with a chart; may be null where none has
-    Rgb ambientLow, ambientHigh; // irradiance on surfaces that face down and up
-    // What there was too much of, as the constant to raise; null: all fits. The picture is not what was meant
+    const Lightmap *lightmap;    // for shapes with a chart; null if there are none
+    Rgb ambientLow, ambientHigh; // irradiance / pi on surfaces that face down and up
+    // Null, or the name of the constant to raise, because something did not fit: the picture is then wrong
     const char *overflow;
-    int nodeCount, unboundedCount, occluderCount, glowingBallCount; // of what finish() makes
+    int nodeCount, unboundedCount, occluderCount, glowingBallCount; // of what finish() fills in
     Sky sky;
     Sunshafts shafts;
     Light lights[kMaxLights];
     Material materials[kMaxMaterials];
     Shape shapes[kMaxShapes];
 
-    // Made by finish()
+    // Filled in by finish()
     Rgb mean[kMaxMaterials];                // each material's average diffuse reflectance
-    uint16_t unbounded[kMaxUnbounded];      // the shapes that no box holds
+    uint16_t unbounded[kMaxUnbounded];      // the shapes without a bounding box
     uint16_t glowingBall[kMaxGlowingBalls]; // the balls that only glow
     Vec3 occluder[kMaxOccluders];           // the balls that occlude, see ballsOcclude
     float occluderRadius[kMaxOccluders];
@@ -63,11 +63,11 @@ struct Scene {
     int add(const Material &m); // its index
     Shape *add(const Shape &s);
     void add(const Light &l);
-    // All of a table; materials by their addresses.
+    // Adds all rows of a table. Tables of materials hold their addresses.
     template <class T, int N> void addAll(const T (&table)[N]) {
         for (const T &one : table) add(one);
     }
-    // Sorts the shapes and builds the tree; after it the scene may be traced.
+    // Sorts the shapes and builds the tree. After that the scene can be traced.
     void finish();
 
 private:

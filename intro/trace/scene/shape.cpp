@@ -9,7 +9,7 @@ Shape triangle(const Vec3 &corner, const Vec3 &u, const Vec3 &v, const Vec3 &n) 
     s.frame = {a * (1 / dot(a, u)), n, b * (1 / dot(b, v))};
     float size = max(length(u), length(v));
     s.half = {size, 0, size};
-    // Wider by more than the rounding of a point, as rectangles are
+    // Widen it by more than the rounding error of a point, as rectangles are
     s.half.y = (sumAbs(corner) + 2 * size) * 5e-7f * max(length(s.frame.u), length(s.frame.w));
     return s;
 }

@@ -7,8 +7,8 @@
 //   Rect      in the local plane y = 0, |x| <= half.x, |z| <= half.z
 //   Triangle  x >= 0, z >= 0, x + z <= 1 in the local plane y = 0, whose frame is askew
 //
-// Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit.
-// A new kind takes an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
+// Sizes from 1e-4 to 1e6 and distances up to kFar are meant to work; nothing beyond kFar is ever hit. A new
+// kind needs an enumerator, a row of kShapeTraits, and its cases in surface.cpp.
 #pragma once
 
 #include "base/rows.h"
@@ -20,15 +20,16 @@ inline constexpr float kFar = 1e9f;
 
 enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Triangle, Count };
 
-// What others ask of a kind.
+// What the rest of the program must know about a kind.
 struct ShapeTraits {
     ShapeKind kind;
-    bool bounded : 1 = false;  // has a box, and stands in the tree; what has none is tried by every ray
-    bool solid : 1 = false;    // has an inside, which glass fills, and is met from there too; others are flat
-    bool oneSided : 1 = false; // met only from where y > 0: what such walls enclose can be looked into
-    bool askew : 1 = false;    // the frame is no rotation
-    bool extents : 1 = false;  // half is how far it reaches along the axes of its frame
-    bool joins : 1 = false; // its solid texture lies in world coordinates, so that those of neighbours join
+    bool bounded : 1 = false; // has a box, and is in the tree; every ray tries the shapes without
+    bool solid : 1 = false; // has an inside, which glass fills; rays also hit it from there. Others are flat
+    bool oneSided : 1 = false; // hit only from y > 0, so that one can look into a room through its walls
+    bool askew : 1 = false;    // the frame is not a rotation
+    bool extents : 1 = false;  // `half` is how far it extends along the axes of its frame
+    // its solid texture is in world coordinates, so that it continues on neighbouring shapes
+    bool joins : 1 = false;
 };
 
 inline constexpr ShapeTraits kShapeTraits[] = {
@@ -47,7 +48,7 @@ struct Shape {
     Vec3 centre = {};     // world
     Vec3 half = {};       // see above; positive
     Mat3 frame = kIdentity;
-    bool aligned = true;    // the frame is the world's; Scene::finish() sees to it
+    bool aligned = true;    // the frame is the world's; set by Scene::finish()
     Vec3 textureShift = {}; // added to local coordinates before texturing, so that no two balls look alike
     int chart = -1;         // index into the lightmap's charts, -1: lit by ambient light
 
@@ -55,10 +56,10 @@ struct Shape {
     // Most shapes are balls: the tracer has closed forms for them
     bool isBall() const { return kind == ShapeKind::Sphere; }
     bool isRectangle() const { return kind == ShapeKind::Rect; }
-    bool isFloor() const { return kind == ShapeKind::Plane && aligned; } // most pixels of many scenes
+    bool isFloor() const { return kind == ShapeKind::Plane && aligned; } // fills most pixels of many scenes
 };
 
-// Never inlined, because their code is large.
+// These functions are never inlined, because their code is large.
 [[gnu::noinline]] constexpr Shape sphere(const Vec3 &centre, float radius, int material) {
     return {.kind = ShapeKind::Sphere,
             .material = (uint8_t)material,
@@ -79,7 +80,7 @@ struct Shape {
             .centre = middle,
             .half = {radius, halfHeight, radius}};
 }
-// With sides u and v from one corner, facing u x v; n is that direction.
+// With sides u and v from one corner, facing u x v; n is the unit vector of that direction.
 Shape triangle(const Vec3 &corner, const Vec3 &u, const Vec3 &v, const Vec3 &n);
 
 } // namespace odraz

@@ -22,7 +22,8 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
                  sky.near * toFourth(toFourth(toFourth(max(towards, 0.f))));
     }
     if (sky.cover > 0) {
-        // A sheet of them high above, that ends in haze; what is fine is lost in it before
+        // A layer of clouds high above, which ends in haze at the horizon; their fine detail fades before
+        // that
         Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
         Float8 density = fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3,
                                       far * 0.014f);

@@ -1,28 +1,29 @@
-// The sky: what a ray meets that meets nothing else.
+// The sky: what a ray sees when it hits nothing.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace odraz {
 
-// Radiance: low + slope y + curve y^2, where y is the sine of the elevation, or `least` if y is smaller.
-// Around the sun a wide glow; with least = -1 both are polynomials of degree 4, which spherical harmonics of
-// bands 0 to 4 hold without an error. Nearer to the sun a small bright one, and over all that clouds of
-// noise.
+// Radiance is low + slope y + curve y^2, where y is the sine of the elevation, or `least` if that is greater.
+// A wide glow around the sun is added. With least = -1 the sum is a polynomial of degree 4, which spherical
+// harmonics of bands 0 to 4 represent exactly. A small bright glow near the sun is added too, and clouds of
+// noise cover all of that.
 struct Sky {
     Rgb low, slope, curve;
     float least;
     Vec3 sun;       // unit
-    Rgb glow, near; // {} where no sun is seen
+    Rgb glow, near; // {} if no sun is seen
     Rgb clouds;     // their radiance
-    float cover;    // 0: no clouds; 1: hardly anything else
+    float cover;    // 0: no clouds; 1: almost nothing but clouds
     float drift;    // how far they have moved
 };
 
-// From the horizon's colour to the zenith's; the horizon's goes on below it.
+// A gradient from the horizon's colour to the zenith's. Below the horizon it keeps the horizon's.
 Sky plainSky(const Rgb &low, const Rgb &high);
 
-// Irradiance / pi of the near glow on what faces it: as if the sun were that much stronger.
+// Irradiance / pi that the near glow gives to a surface facing the sun, per unit of Sky::near. It can be
+// added to the sun's.
 inline constexpr float kNearGlow = 2 / 66.f;
 
 // The radiance from unit directions.

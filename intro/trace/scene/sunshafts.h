@@ -1,4 +1,4 @@
-// Shafts of sun: a far sun shines into a room, and dust there scatters its light to the eye.
+// Shafts of sunlight: a far sun shines into a room, and dust there scatters its light to the eye.
 //
 // The openings stand side by side in one wall; the room lies on the side of larger x. The sun behind each
 // opening lights a sheared prism, in which upright columns cast shadows. World units; radiance per unit.

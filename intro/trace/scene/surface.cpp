@@ -14,7 +14,7 @@ static Float8 nearest(Interval i) {
     return select((i.enter <= i.leave) & (t > 0.f) & (t < kFar), t, kInfinity);
 }
 
-// o + t d between -half and +half, in one coordinate. A direction of zero becomes a tiny one: no NaN.
+// o + t d between -half and +half, in one coordinate. A direction of zero becomes a tiny one, to avoid NaN.
 static Interval slab(Float8 o, Float8 d, float half) {
     Int8 tiny = abs(d) < 1e-20f;
     Float8 inverse = 1.f / select(tiny, 1e-20f, d);
@@ -29,8 +29,8 @@ static Float8 hitPlane(Float8 height, Float8 slope) {
     return select((t > 0.f) & (t < kFar), t, kInfinity);
 }
 
-// How far a rectangle is widened: by more than the rounding of a point on it. Neighbours overlap, and no ray
-// passes between them.
+// How far a rectangle is widened: by more than the rounding error of a point on it. So neighbours overlap,
+// and no ray passes between them.
 static float slackOf(const Shape &s) { return (sumAbs(s.centre) + s.half.x + s.half.z) * 5e-7f; }
 
 static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
@@ -43,9 +43,9 @@ static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bot
     return select(inside, t, kInfinity);
 }
 
-// The same, by barycentric coordinates. The film has no triangles, models of `radiosity` have: here and below
-// they cost the film 308 of its bytes, packed. They stay, so that film, tools and tests share the same
-// objects.
+// The same, by barycentric coordinates. The film has no triangles, but models of `radiosity` have. Their
+// code, here and below, costs the film 308 bytes, packed. It stays, so that the film, the tools and the tests
+// share the same objects.
 static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
     Float8 t = hitPlane(o.y, d.y);
     if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
@@ -55,7 +55,7 @@ static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool
 }
 
 static Float8 hitCylinder(const Shape &s, const Vec3x8 &o, const Vec3x8 &d) {
-    // About the axis, in the plane across it: nearest approach, then half the chord
+    // In the plane across the axis, find the point nearest to it, then half the chord
     Float8 a = fmadd(d.x, d.x, d.z * d.z);
     Int8 parallel = a < 1e-12f;
     Float8 inverse = 1.f / select(parallel, 1.f, a);
@@ -128,7 +128,8 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
         break;
     }
     case ShapeKind::Rect: {
-        // Surely within its outline: where it joins a wall, rays go on from the wall's front
+        // Keep it surely within the outline: where the rectangle joins a wall, rays must go on in front of
+        // that wall
         float slack = 2 * slackOf(s), x = max(s.half.x - slack, 0.f), z = max(s.half.z - slack, 0.f);
         q.x = clamp(q.x, -x, x), q.z = clamp(q.z, -z, z);
         [[fallthrough]];
@@ -144,12 +145,12 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
     return {transposeTimes(s.frame, q) + s.centre, transposeTimes(s.frame, n), face};
 }
 
-// Once a picture and shape: small code will do.
+// Runs once for each shape and picture, so small code is better than fast code.
 [[gnu::cold]] Bounds boundsOf(const Shape &s) {
     Vec3 r = s.half;
     switch (s.kind) {
     case ShapeKind::Triangle: {
-        // Its sides, from the rows that measure along them
+        // Recover its sides from the rows of the frame, which measure along them
         Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
         u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
         w *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(w, s.frame.w));

@@ -25,9 +25,10 @@ Bounds boxOf(const Scene &s, int first, int count) {
     return b;
 }
 
-// How many shapes of a group, sorted into its front, make the better first half: by the surface area
-// heuristic (Goldsmith and Salmon, 1987) over bins (Wald, "On Fast Construction of SAH-based Bounding Volume
-// Hierarchies", 2007). Shapes that share a middle, and those too deep down, are halved as they come.
+// Splits a group in two: moves the shapes of the first part to its front and returns their number. The
+// surface area heuristic chooses the parts (Goldsmith and Salmon, 1987), over bins (Wald, "On Fast
+// Construction of SAH-based Bounding Volume Hierarchies", 2007). A group whose shapes have the same middle,
+// or which is too deep in the tree, is halved in the order it has.
 int split(Scene &s, const Group &g, bool halve) {
     constexpr int kBins = 16;
     auto middle = [&](int i) { return s.box[s.order[i]].lo + s.box[s.order[i]].hi; };
@@ -48,7 +49,7 @@ int split(Scene &s, const Group &g, bool halve) {
         include(boxes[bin(i)], s.box[s.order[i]]);
         ++counts[bin(i)];
     }
-    // Sweep from both ends for the split of least area times count
+    // Sweep from both ends for the split with the least sum of area times count
     float left[kBins];
     Bounds swept = kNoBounds;
     int passed = 0;
@@ -81,13 +82,14 @@ int split(Scene &s, const Group &g, bool halve) {
     return front > 0 && front < g.count ? front : g.count / 2;
 }
 
-// Makes a node of a group: splits it, and what is largest of it, until there are eight parts.
+// Makes a node of a group: splits it, and then always its largest part, until there are eight parts.
 int build(Scene &s, const Group &all, int deep) {
     int index = s.nodeCount++;
     Group parts[8] = {all};
     int count = 1;
     while (count < 8) {
-        // The part of largest surface; of eight shapes and less a node of their own is made
+        // Find the part with the largest surface. A part of at most eight shapes stays whole and becomes a
+        // node of its own, unless this is the node of such a part
         int largest = -1;
         float area = -1;
         for (int i = 0; i < count; ++i) {
@@ -111,7 +113,7 @@ int build(Scene &s, const Group &all, int deep) {
     for (int i = 0; i < 8; ++i) {
         const Group &g = parts[min(i, count - 1)];
         const Shape &shape = s.shapes[s.order[g.first]];
-        // Grow boxes by the slab test's rounding; what is not there is never entered
+        // Grow boxes by the slab test's rounding error; the boxes of missing children are never entered
         Vec3 size = upper(g.box.hi, -g.box.lo);
         Vec3 margin = size * 4e-6f + Vec3{1e-7f, 1e-7f, 1e-7f};
         Vec3 lo = n.balls ? shape.centre : g.box.lo - margin, hi = g.box.hi + margin;

@@ -1,7 +1,7 @@
-// The tree over a scene's bounded shapes, built anew for every frame.
+// The tree over a scene's bounded shapes, a bounding volume hierarchy. It is rebuilt for every frame.
 //
-// Boxes with up to eight children a node, side by side for eight-wide tests. A node whose children are all
-// balls holds the balls themselves in place of their boxes.
+// A node holds the boxes of up to eight children, as a structure of arrays for eight-wide tests. If all its
+// children are balls, it holds the balls themselves instead of their boxes.
 #pragma once
 
 namespace odraz {
@@ -14,13 +14,13 @@ struct Node {
         float hi[3][8];
         float radius[8];
     };
-    int child[8]; // a node, or ~shape
-    int count;    // boxes behind it are empty
+    int child[8]; // index of a node, or ~ that of a shape
+    int count;    // boxes from this index on are empty
     bool balls;
 };
-inline constexpr int kTreeDepth = 20; // most nodes above one another
+inline constexpr int kTreeDepth = 20; // most nodes from the root to a leaf
 
-// Makes scene.nodes of the `bounded` shapes that scene.order lists, by their scene.box; orders them anew.
+// Builds scene.nodes from scene.box, over the first `bounded` shapes in scene.order, which it reorders.
 void buildTree(Scene &scene, int bounded);
 
 } // namespace odraz

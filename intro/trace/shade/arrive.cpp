@@ -16,7 +16,7 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
     Int8 id;
     Float8 size, width = fmadd(pick(in.spread), t, pick(in.width)), curve = {};
     if (run.balls) {
-        // Each lane has a ball of its own
+        // Each lane has its own ball
         Int8 index = pick(in.shape);
         int32_t at[8];
         store(at, index);
@@ -51,7 +51,7 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
     store(run.curve + i, curve);
     store(run.id + i, id);
 
-    // Weaken by what was passed: fog on the way, glass if the ray comes from inside
+    // Weaken the ray by what it passed through: fog and, if it comes from inside, glass
     Rgb8 weight = pick(in.weight);
     if (scene.fog > 0) {
         Float8 clear = exp2(t * -scene.fog);

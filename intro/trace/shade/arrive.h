@@ -1,11 +1,11 @@
-// Where rays arrive, and what is left of them there.
+// Where rays hit surfaces, and their weight there.
 #pragma once
 
 #include "trace/shade/run.h"
 
 namespace odraz {
 
-// Fills in a run's places, from `p` to `weight`.
+// Fills in the members of a run from `p` to `weight`.
 void arrive(const Context &c, const RayStream &in, Run &run);
 
 } // namespace odraz

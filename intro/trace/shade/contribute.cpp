@@ -41,7 +41,7 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
 
 namespace {
 
-// Begins the samples of eight primary rays.
+// Initialises the samples of eight primary rays.
 void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
            const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
     Rgb8 added = c.samples.whole ? rest : rest + albedo * light;
@@ -61,7 +61,7 @@ void begin(const Context &c, const RayStream &in, const int32_t *ray, int count,
 
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
-// The light of shafts of sun between the eye and the hits.
+// The light of sunshafts between the eye and the hits.
 Rgb8 inTheAir(const Context &c, const RayStream &in, const Eight &pick) {
     if (c.scene.shafts.openings == 0) return Rgb8{};
     return shaftLight(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
@@ -76,7 +76,7 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
     int count = min(run.count - i, 8);
     Rgb8 weight = load(run.weight, i), albedo = {}, light = {}, rest = weight * m.emit;
     // A lamp that hardly any sample hits would blink, so small lamps fade in mirrors. Balls are left out
-    // here: the rays that pass them add them (glowing_balls.h)
+    // here: addGlowingBalls() adds them
     if (c.bounces > 0 && m.onlyGlows())
         rest = shape.isBall()
                    ? Rgb8{}

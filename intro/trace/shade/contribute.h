@@ -1,11 +1,11 @@
-// Adds what rays bring to their samples.
+// Adds the light that rays bring to their samples, and their marks.
 #pragma once
 
 #include "trace/shade/run.h"
 
 namespace odraz {
 
-// Adds what a run shows in its light, and its marks.
+// Adds the light that a run's hits send along their rays, and their marks.
 void addShown(const Context &c, const RayStream &in, const Run &run);
 
 // Adds light and marks to the samples of up to eight rays of a stream.

@@ -2,7 +2,7 @@
 
 namespace odraz {
 
-// A point where the shape's texture lies: in its own frame, or in the world's.
+// A point in the coordinates of the shape's texture: those of its own frame, or the world's.
 static Vec3x8 localOf(const Shape &s, Vec3x8 p) {
     if (s.traits().joins) return p;
     Vec3x8 q = p - s.centre;

@@ -4,8 +4,8 @@
 
 namespace odraz {
 
-// The brightest that a widened image is drawn, in times white. Brighter, it would stay white where the ball
-// is too small to be seen.
+// The greatest brightness of a widened image, in multiples of white. If it were brighter, it would stay white
+// even where the ball is too small to be seen.
 static constexpr float kMost = 6;
 
 void addGlowingBalls(const Context &c, const RayStream &in) {

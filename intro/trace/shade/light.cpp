@@ -9,9 +9,8 @@ namespace odraz {
 
 namespace {
 
-// The balls that darken the light from all around where a run lies. One takes
-// at most radius^2 / distance^2; what it takes counts from kLeast on, so that
-// nothing begins abruptly.
+// The balls that block light from all around at a run's places. One blocks at most the share radius^2 /
+// distance^2. kLeast is subtracted from what it blocks, so that its effect does not begin abruptly.
 constexpr float kLeast = 1 / 150.f;
 
 struct Occluders {
@@ -33,7 +32,7 @@ struct Occluders {
         }
     }
 
-    // What of that light is left.
+    // The share of that light that reaches places p with unit normals n.
     Float8 open(const Shape &shape, const Vec3x8 &p, const Vec3x8 &n) const {
         Float8 left = broadcast(1.f);
         for (int i = 0; i < count; ++i) {
@@ -49,8 +48,9 @@ struct Occluders {
     }
 };
 
-// What may stand between a light and a run's places, by their box. For few
-// places, or around a wide beam, there are too many.
+// Finds the shapes that may stand between a light and a run's places, by the box around these. For few
+// places, or where the beam is too wide, found.count is -1, and the whole tree is
+// tried.
 void aim(const Scene &scene, const Run &run, const Bounds &box, Vec3 from, Candidates &found) {
     found.count = -1;
     if (run.count <= 16) return;
@@ -71,13 +71,13 @@ Bounds boxOf(const Run &run) {
     return {{least(lo.x), least(lo.y), least(lo.z)}, {-least(-hi.x), -least(-hi.y), -least(-hi.z)}};
 }
 
-// The light of eight places, added up.
+// The sum of the light that arrives at eight places.
 struct Arriving {
     Rgb8 diffuse, highlight = {};
     Int8 states = {};
 };
 
-// From all around, by the lightmap or ambient, less what balls take of it.
+// Adds the light from all around, of the lightmap or ambient, less what balls block.
 ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occluders &occluders,
                             const Vec3x8 &p, const Vec3x8 &n, Arriving &sum) {
     if (shape.chart >= 0) {
@@ -94,15 +94,14 @@ ODRAZ_INLINE void addAround(const Scene &scene, const Shape &shape, const Occlud
     }
 }
 
-// Phong's lobe about the mirrored rays of eight places. What a sample covers of
-// a ball blurs highlights. The lobe's variance is 1 / exponent; the variance of
-// the normals within the sample is added to it (Kaplanyan et al., "Filtering
-// Distributions of Normals", 2016).
+// Phong's lobe around the mirrored rays of eight places. On a ball the normal varies within a sample, which
+// blurs highlights: the variance of the normals is added to that of the lobe, 1 / exponent (Kaplanyan et al.,
+// "Filtering Distributions of Normals", 2016).
 struct Lobe {
     Vec3x8 d = {}; // of the rays
     Float8 dn = {}, wider = {};
-    // Cosines: the lobe ends there; shadows are looked for from there on, as far
-    // as corners are apart
+    // Cosines. At `end` the lobe ends. From `reach` on, shadows are traced even for faint light: the
+    // highlight may lie between the corners of a square
     Float8 end = {}, reach = broadcast(2.f);
 
     ODRAZ_INLINE Lobe(const RayStream &in, const Run &run, int i, const Material &m, float lobeEnd,
@@ -118,8 +117,8 @@ struct Lobe {
         reach = fmadd(variance, -16.f, 1.f);
         wider = 1.f / fmadd(variance, m.exponent, 1.f);
     }
-    // The cosine between the mirrored rays and a light, which counts as if it
-    // stood at its nearest point.
+    // The cosine between the mirrored rays and a light. A ball of light counts as if it stood at its point
+    // nearest to them.
     ODRAZ_INLINE Float8 towards(const Light &light, const Vec3x8 &l, Float8 cosine, Float8 inverse) const {
         Float8 towards = fmadd(dn, cosine, dot(d, l));
         if (light.radius > 0) {
@@ -137,8 +136,7 @@ struct Lobe {
     }
 };
 
-// What may stand between the lights and a run, found for a light when the first
-// place needs it.
+// The shapes that may stand between each light and a run. They are found when the first place needs them.
 struct InTheWay {
     Candidates among[kMaxLights];
     Blockers blockers[kMaxLights];
@@ -152,7 +150,7 @@ struct InTheWay {
     }
 };
 
-// What is lit, the same for all places of a run.
+// What is lit, as far as it is the same for all places of a run.
 struct Lit {
     const Scene &scene;
     const Run &run;
@@ -161,15 +159,15 @@ struct Lit {
     float reflectance, counts; // light times `counts` is in fifths of the cutoff
 };
 
-// Eight places of it.
+// Eight places of a run.
 struct Places {
     int first;
-    const Vec3x8 &p, &n; // p is moved off the shape by the error that rounding makes
+    const Vec3x8 &p, &n; // p is moved off the shape by its rounding error
     Float8 side, share;  // share: of the picture
     Int8 active;
 };
 
-// From one light, less what is in the way.
+// Adds the light of one Light, less what is blocked.
 ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, int k, InTheWay &way,
                            Arriving &sum) {
     // Leave out lanes that face away
@@ -182,8 +180,8 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
         towards = phong.towards(light, l, cosine, inverse);
         lobe = phong.at(towards, all.m);
     }
-    // What adds less than a fifth of the cutoff to the picture needs no
-    // shadow; from there to twice as much the shadow fades in
+    // Light that adds less than a fifth of the cutoff to the picture needs no shadow; from there to twice as
+    // much the shadow fades in
     Float8 promised =
         fmadd(cosine, all.reflectance, lobe) * (strength * at.share) * maxComponent(light.intensity);
     Int8 close = towards > phong.reach;
@@ -193,8 +191,7 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     sum.diffuse += light.intensity * select(facing & ~lit, strength * cosine, 0.f);
     if (!any(lit)) return;
 
-    // Add what comes through. A shape does not shade its own outside where
-    // that faces the light
+    // Add the light that passes. A shape does not shade its own outside where that faces the light
     bool soft = all.scene.ballsOcclude && light.radius > 0;
     way.find(all.scene, all.run, all.box, k, soft);
     Int8 own = select(at.side > 0.f, unpackShape(loadInts(all.run.id + at.first)), broadcast(-1));
@@ -220,8 +217,8 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
     const Material &m = scene.materials[shape.material];
     float reflectance = maxComponent(scene.mean[shape.material]),
           counts = 5 * scene.exposure / max(c.quality.cutoff, 1e-6f);
-    // Highlights end at 2^-20: powers of smaller cosines are denormal numbers,
-    // and each costs 100 cycles
+    // Highlights end at 2^-20: powers of smaller cosines would become denormal numbers, each of which costs
+    // 100 cycles
     float lobeEnd = m.specular > 0 ? exp2(-20 / m.exponent) : 1;
     Bounds box = boxOf(run);
     Occluders occluders(scene, box);
@@ -235,7 +232,7 @@ void illuminate(const Context &c, const RayStream &in, Run &run) {
         Float8 error = load(run.error + i), side = load(run.side + i);
         Float8 share = maxComponent(load(run.weight, i));
         Int8 active = kLanes < run.count - i;
-        if (m.ior > 0) active &= side > 0.f; // inside glass lights come by refraction
+        if (m.ior > 0) active &= side > 0.f; // inside glass, light arrives by refraction
         Lobe phong(in, run, i, m, lobeEnd, n);
         p = fmadd(n, error, p);
         Places at = {i, p, n, side, share, active};

@@ -1,14 +1,14 @@
-// The light that arrives at a run of hits: from all around, and from every light by itself.
+// The light that arrives at a run of hits: from all around, and from every single light.
 //
-// Lights are tried for all of a run at once, by rays from the light, dimmed by glass. Phong's highlights;
-// cosines are clamped.
+// The shadow rays of a run to one light are traced together, as a beam from that light; glass dims them.
+// Highlights are Phong's. Cosines are clamped.
 #pragma once
 
 #include "trace/shade/run.h"
 
 namespace odraz {
 
-// Fills run.diffuse, highlight and states.
+// Fills in `diffuse`, `highlight` and `states` of a run.
 void illuminate(const Context &c, const RayStream &in, Run &run);
 
 } // namespace odraz

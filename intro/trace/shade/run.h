@@ -1,4 +1,4 @@
-// Runs: hits that are shaded together, and what is found out about them, stage by stage.
+// Runs: hits that are shaded together, and the results of each stage of shading.
 #pragma once
 
 #include "trace/quality.h"
@@ -7,13 +7,13 @@
 
 namespace odraz {
 
-// By place in the run: hits of one shape, or of balls of one material.
+// Hits on one shape, or on balls of one material. The arrays are indexed by the place in the run.
 inline constexpr int kRun = kChunk + 8;
 struct Run {
     int count;
-    const int32_t *ray; // places in the stream; behind the last one it is repeated
+    const int32_t *ray; // places in the stream; the last one is repeated up to a multiple of eight
     int shape;          // the first one's
-    bool balls;         // of several shapes
+    bool balls;         // the hits are on several balls
     // Where they are (arrive.h)
     float p[3][kRun], n[3][kRun]; // and the unit normal on the ray's side
     float side[kRun];             // +1: the ray comes from outside, -1: from inside
@@ -27,12 +27,12 @@ struct Run {
     int32_t states[kRun]; // as Sample::lights
 };
 
-// What a run is shaded for.
+// What shading needs besides the run: the scene, the quality, and where its results go.
 struct Context {
     const Scene &scene;
     const Quality &quality;
     Samples samples;
-    int bounces; // so far, of the rays that are being shaded
+    int bounces; // that the rays being shaded have made so far
 };
 
 } // namespace odraz

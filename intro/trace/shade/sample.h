@@ -7,14 +7,14 @@
 
 namespace odraz {
 
-// The number of a hit, of one shape or of eight: never 0, which stands for the sky.
+// The number of a hit, for one hit or for eight. It is never 0, which means the sky.
 template <class Index, class Face> ODRAZ_INLINE auto packHit(Index shape, Face face) {
     return face + (shape * 8 + 1);
 }
 constexpr uint32_t unpackShape(uint32_t hit) { return (hit - 1) / 8; }
 ODRAZ_INLINE Int8 unpackShape(Int8 hit) { return (hit - 1) >> 3; }
 
-// What a primary ray brought: radiance = albedo * light + rest.
+// The result of a primary ray: radiance = albedo * light + rest.
 struct alignas(16) Sample {
     Rgb albedo;      // diffuse colour at the primary hit
     uint32_t id;     // primary hit: packHit(); 0: the sky
@@ -26,14 +26,14 @@ struct alignas(16) Sample {
     uint32_t shape() const { return unpackShape(id); } // where id != 0
     Rgb radiance() const { return albedo * light + rest; }
 };
-// A colour of a sample as four floats, the last one 0: the mark that lies there would be a denormal number,
-// and those cost a hundred cycles.
+// A colour of a sample as four floats. The last one is 0: the mark that is stored there would act as a
+// denormal number, and those cost a hundred cycles.
 ODRAZ_INLINE __m128 fourOf(const Rgb &c) { return _mm_blend_ps(_mm_load_ps(&c.x), _mm_setzero_ps(), 8); }
 ODRAZ_INLINE __m128 radianceOf(const Sample &s) {
     return fourOf(s.albedo) * fourOf(s.light) + fourOf(s.rest);
 }
 
-// Where samples go: as they are, or their radiance alone, which takes less work, the fourth float 0.
+// Where samples are written: whole, or only their radiance, which takes less work; its fourth float is 0.
 struct Samples {
     Sample *whole; // null: radiance alone
     float *rest;   // of the first sample, or its radiance
@@ -54,7 +54,7 @@ inline Rgb8 eightColours(const __m128 *v) {
 
 // Sample::lights holds the states of the lights in its low bits. From kCellShift on it holds the number of
 // the patch, below 2^15, in scenes that show patches. kTextured is set where a secondary ray of some weight
-// met a texture, because corners cannot tell how much detail that has.
+// hit a texture, because the corners of a square cannot tell how much detail the texture has.
 inline constexpr int kCellShift = 16;
 inline constexpr uint32_t kTextured = 1u << 31;
 static_assert(2 * kMaxLights <= kCellShift, "two bits a light");

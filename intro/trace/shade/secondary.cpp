@@ -6,9 +6,9 @@ namespace odraz {
 
 namespace {
 
-// Appends to a stream those of eight rays whose share of the picture counts. The others end here and bring
-// the average ambient light. Without it they would leave darkness where followed rays bring light, and black
-// patches where the depth ends.
+// Appends to a stream those of eight rays whose share of the picture is large enough. The others end here and
+// bring the average ambient light. Without it there would be darkness where followed rays bring light, and
+// black patches where the depth ends.
 struct Emitter {
     const Context &c;
     const RayStream &in;
@@ -43,7 +43,7 @@ struct Emitter {
     }
 };
 
-// Sends on eight rays of a run.
+// Reflects and refracts eight rays of a run.
 void followEight(const Context &c, const RayStream &in, const Run &run, RayStream &out, int i) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};

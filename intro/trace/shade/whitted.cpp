@@ -10,7 +10,7 @@ namespace odraz {
 
 namespace {
 
-// Shades a run of hits, and appends to `out` what goes on.
+// Shades a run of hits, and appends the rays that go on to `out`.
 void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     arrive(c, in, run);
@@ -19,7 +19,7 @@ void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
     if (m.ior > 0 || m.reflect > 0) addSecondaryRays(c, in, run, out);
 }
 
-// Shades rays [begin, end) of a stream, which know what they hit.
+// Shades rays [begin, end) of a stream, whose hits are known.
 void shadeChunk(const Context &c, TraceScratch &scratch, const RayStream &in, RayStream &out, int begin,
                 int end) {
     SortedHits hits;

@@ -1,10 +1,10 @@
 // Whitted ray tracing by waves over streams of rays.
 //
-// A wave of rays is intersected; its hits are sorted by what they hit (wave.h), so that they are shaded
-// together, as runs: where they arrive (arrive.h), what light falls there (light.h), what of it the samples
-// get (contribute.h). What reflects and refracts (secondary.h) is packed to form the next wave. Recursion
-// ends at a depth, and where a ray's share of the picture falls below a cutoff. Source: Whitted, "An Improved
-// Illumination Model for Shaded Display", CACM 23(6), 1980.
+// A wave of rays is intersected with the scene. Its hits are sorted by what they hit (wave.h), so that they
+// are shaded together, as runs: where they are (arrive.h), what light arrives there (light.h), and how much
+// of it the samples get (contribute.h). Reflected and refracted rays (secondary.h) are packed to form the
+// next wave. Recursion ends at a depth, and where a ray's share of the picture falls below a cutoff. Source:
+// Whitted, "An Improved Illumination Model for Shaded Display", CACM 23(6), 1980.
 #pragma once
 
 #include "trace/quality.h"
@@ -21,9 +21,10 @@ struct TraceScratch {
     HitCounts counts;
 };
 
-// Traces count rays through the picture points (x, y), pixels from the top left, each into the sample of its
-// index. The arrays can be read up to the next multiple of eight. `size`: the side of what a sample stands
-// for, in pixels. `among`: candidates of a beam from the eye in which all these points lie.
+// Traces `count` rays through the points (x, y) of the picture, in pixels from its top left, each into the
+// sample of its index. The arrays must be readable up to the next multiple of eight. `size`: the side of the
+// square that a sample stands for, in pixels. `among`: candidates of a beam from the eye in which all these
+// points lie.
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
                   const Candidates &among, float size, int count, const float *x, const float *y,
                   const uint32_t *index, const Samples &samples);

@@ -1,7 +1,7 @@
 // Solid textures: a pattern of local points, looked up in a palette.
 //
 // A pattern gives a number in [0, 1]; four evenly spaced colours make it a colour. Patterns are band-limited
-// to the width that a sample covers: octaves fade before they alias. A new one takes an enumerator, a row of
+// to the width that a sample covers: octaves fade before they alias. A new one needs an enumerator, a row of
 // kPatterns below it, and a case in valueOf() (pattern.cpp).
 // Source: Perlin, "Improving Noise", 2002, for the noise under them.
 #pragma once
@@ -13,7 +13,7 @@ namespace odraz {
 
 enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Cloud, Count };
 
-// What others ask of a pattern.
+// What the rest of the program must know about a pattern.
 struct PatternTraits {
     Pattern pattern;
     bool rough;      // several octaves, which fade a little too early or too late
