@@ -186,7 +186,7 @@ void traceAdaptive(Tile &t) {
         s.stamp = 1;
     }
     s.wantedCount = 0;
-    watch(t);
+    findBallsAndThinShapes(t);
     Square *squares = s.squares[0];
     int count = 0;
     const int size = q.coarse >> 2;

@@ -74,7 +74,7 @@ static void addThinShape(Tile &t, int index) {
     s.thin[s.thinCount++] = line;
 }
 
-void watch(Tile &t) {
+void findBallsAndThinShapes(Tile &t) {
     TileScratch &s = t.s;
     s.discs.count = s.thinCount = 0;
     auto add = [&](int shape) {

@@ -7,7 +7,7 @@ namespace odraz {
 
 // Finds the balls and the thin shapes that the tile may show, up to kDiscs and kThinShapes (tile.h). Where
 // there are more, they are so close together that corners hit them.
-void watch(Tile &t);
+void findBallsAndThinShapes(Tile &t);
 
 // Whether a square may show a shape that none of its corners shows. `shape` is what all corners show (-1: the
 // sky, or several shapes).

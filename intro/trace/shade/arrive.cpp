@@ -5,7 +5,7 @@
 namespace odraz {
 
 // Eight rays of a run.
-static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) {
+static void arriveEight(const Shading &c, const RayStream &in, Run &run, int i) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
@@ -65,7 +65,7 @@ static void arriveEight(const Context &c, const RayStream &in, Run &run, int i) 
     store(run.weight, i, weight);
 }
 
-void arrive(const Context &c, const RayStream &in, Run &run) {
+void arrive(const Shading &c, const RayStream &in, Run &run) {
     for (int i = 0; i < run.count; i += 8) arriveEight(c, in, run, i);
 }
 

@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Fills in the members of a run from `p` to `weight`.
-void arrive(const Context &c, const RayStream &in, Run &run);
+void arrive(const Shading &c, const RayStream &in, Run &run);
 
 } // namespace odraz

@@ -27,7 +27,7 @@ struct Rows {
 
 } // namespace
 
-void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
              Int8 marks) {
     Rows rows(light, marks);
     for (int k = 0; k < count; ++k) {
@@ -42,7 +42,7 @@ void addRest(const Context &c, const RayStream &in, const int32_t *ray, int coun
 namespace {
 
 // Initialises the samples of eight primary rays.
-void begin(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
+void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &albedo, Int8 id,
            const Rgb8 &light, Int8 lights, const Rgb8 &rest) {
     Rgb8 added = c.samples.whole ? rest : rest + albedo * light;
     Rows third(added, Int8{});
@@ -62,13 +62,13 @@ void begin(const Context &c, const RayStream &in, const int32_t *ray, int count,
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
 
 // The light of sunshafts between the eye and the hits.
-Rgb8 inTheAir(const Context &c, const RayStream &in, const Eight &pick) {
+Rgb8 inTheAir(const Shading &c, const RayStream &in, const Eight &pick) {
     if (c.scene.shafts.openings == 0) return Rgb8{};
     return shaftLight(c.scene.shafts, pick(in.o), pick(in.d), pick(in.t));
 }
 
 // Adds what eight places of a run show.
-void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
+void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];
@@ -117,11 +117,11 @@ void addEight(const Context &c, const RayStream &in, const Run &run, int i) {
 
 } // namespace
 
-void addShown(const Context &c, const RayStream &in, const Run &run) {
+void addShown(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) addEight(c, in, run, i);
 }
 
-void addSky(const Context &c, const RayStream &in, const Run &run) {
+void addSky(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) {
         Eight pick(run.ray + i);
         Rgb8 weight = pick(in.weight), light = radiance(c.scene.sky, pick(in.d)) * weight;

@@ -6,13 +6,13 @@
 namespace odraz {
 
 // Adds the light that a run's hits send along their rays, and their marks.
-void addShown(const Context &c, const RayStream &in, const Run &run);
+void addShown(const Shading &c, const RayStream &in, const Run &run);
 
 // Adds light and marks to the samples of up to eight rays of a stream.
-void addRest(const Context &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
+void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int count, const Rgb8 &light,
              Int8 marks);
 
 // Adds the sky, for a run that hits nothing.
-void addSky(const Context &c, const RayStream &in, const Run &run);
+void addSky(const Shading &c, const RayStream &in, const Run &run);
 
 } // namespace odraz

@@ -8,7 +8,7 @@ namespace odraz {
 // even where the ball is too small to be seen.
 static constexpr float kMost = 6;
 
-void addGlowingBalls(const Context &c, const RayStream &in) {
+void addGlowingBalls(const Shading &c, const RayStream &in) {
     const Scene &scene = c.scene;
     const float bound = kMost / scene.exposure;
     for (int i = 0; i < in.count; i += 8) {

@@ -12,6 +12,6 @@ namespace odraz {
 
 // Adds the glowing balls in front of what the rays of a stream have hit. (Where rays hit such balls
 // themselves, contribute.cpp adds nothing.)
-void addGlowingBalls(const Context &c, const RayStream &in);
+void addGlowingBalls(const Shading &c, const RayStream &in);
 
 } // namespace odraz

@@ -211,7 +211,7 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
 
 } // namespace
 
-void illuminate(const Context &c, const RayStream &in, Run &run) {
+void illuminate(const Shading &c, const RayStream &in, Run &run) {
     const Scene &scene = c.scene;
     const Shape &shape = scene.shapes[run.shape];
     const Material &m = scene.materials[shape.material];

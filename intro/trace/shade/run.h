@@ -28,7 +28,7 @@ struct Run {
 };
 
 // What shading needs besides the run: the scene, the quality, and where its results go.
-struct Context {
+struct Shading {
     const Scene &scene;
     const Quality &quality;
     Samples samples;

@@ -10,7 +10,7 @@ namespace {
 // bring the average ambient light. Without it there would be darkness where followed rays bring light, and
 // black patches where the depth ends.
 struct Emitter {
-    const Context &c;
+    const Shading &c;
     const RayStream &in;
     RayStream &out;
     Eight pick;
@@ -44,7 +44,7 @@ struct Emitter {
 };
 
 // Reflects and refracts eight rays of a run.
-void followEight(const Context &c, const RayStream &in, const Run &run, RayStream &out, int i) {
+void followEight(const Shading &c, const RayStream &in, const Run &run, RayStream &out, int i) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     Emitter emit = {c, in, out, Eight(run.ray + i), kLanes < run.count - i};
     Vec3x8 p = load(run.p, i), n = load(run.n, i), d = emit.pick(in.d);
@@ -83,7 +83,7 @@ void followEight(const Context &c, const RayStream &in, const Run &run, RayStrea
 
 } // namespace
 
-void addSecondaryRays(const Context &c, const RayStream &in, const Run &run, RayStream &out) {
+void addSecondaryRays(const Shading &c, const RayStream &in, const Run &run, RayStream &out) {
     for (int i = 0; i < run.count; i += 8) followEight(c, in, run, out, i);
 }
 

@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Appends the reflected and refracted rays of a run to `out` if their share of the picture is large enough.
-void addSecondaryRays(const Context &c, const RayStream &in, const Run &run, RayStream &out);
+void addSecondaryRays(const Shading &c, const RayStream &in, const Run &run, RayStream &out);
 
 } // namespace odraz

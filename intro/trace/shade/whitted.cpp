@@ -11,7 +11,7 @@ namespace odraz {
 namespace {
 
 // Shades a run of hits, and appends the rays that go on to `out`.
-void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
+void shade(const Shading &c, const RayStream &in, Run &run, RayStream &out) {
     const Material &m = c.scene.materials[c.scene.shapes[run.shape].material];
     arrive(c, in, run);
     if (m.diffuse > 0 || m.specular > 0) illuminate(c, in, run);
@@ -20,7 +20,7 @@ void shade(const Context &c, const RayStream &in, Run &run, RayStream &out) {
 }
 
 // Shades rays [begin, end) of a stream, whose hits are known.
-void shadeChunk(const Context &c, TraceScratch &scratch, const RayStream &in, RayStream &out, int begin,
+void shadeChunk(const Shading &c, TraceScratch &scratch, const RayStream &in, RayStream &out, int begin,
                 int end) {
     SortedHits hits;
     sortHits(c.scene, in, begin, end, scratch.counts, hits);
@@ -38,7 +38,7 @@ void shadeChunk(const Context &c, TraceScratch &scratch, const RayStream &in, Ra
     }
 }
 
-void traceStream(Context &c, TraceScratch &scratch, int level) {
+void traceStream(Shading &c, TraceScratch &scratch, int level) {
     RayStream &in = scratch.streams[level], &out = scratch.streams[level + 1];
     for (int i = 0; level > 0 && i < in.count; i += 8) {
         Hit8 hit = intersect(c.scene, {load(in.o, i), load(in.d, i)}, kLanes < in.count - i);
@@ -59,7 +59,7 @@ void traceStream(Context &c, TraceScratch &scratch, int level) {
 void traceSamples(const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
                   const Candidates &among, float size, int count, const float *x, const float *y,
                   const uint32_t *index, const Samples &samples) {
-    Context c = {scene, quality, samples, 0};
+    Shading c = {scene, quality, samples, 0};
     RayStream &stream = scratch.streams[0];
     for (int first = 0; first < count; first += kChunk) {
         stream.count = min(count - first, kChunk);
