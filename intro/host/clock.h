@@ -1,12 +1,12 @@
-// Time as it passes.
+// Clocks, and waiting.
 #pragma once
 
 #include <stdint.h>
 
 namespace odraz {
 
-int64_t nanoseconds();          // monotonic, from any moment
-int64_t processorNanoseconds(); // that all threads of this process have worked
+int64_t nanoseconds();          // monotonic; the start is arbitrary
+int64_t processorNanoseconds(); // processor time that all threads of this process have used
 void sleepFor(int64_t nanoseconds);
 
 } // namespace odraz

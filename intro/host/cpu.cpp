@@ -5,7 +5,8 @@
 namespace odraz {
 
 bool cpuSuffices() {
-    // AVX2 and BMI are leaf 7, the rest leaf 1 and 0x80000001; the kernel must save the wide registers
+    // AVX2 and BMI are in leaf 7, the rest in leaves 1 and 0x80000001; the kernel must save the wide
+    // registers
     unsigned a, b, c, d;
     constexpr unsigned kLeaf1 =
         bit_FMA | bit_AVX | bit_F16C | bit_MOVBE | bit_OSXSAVE | bit_POPCNT | bit_SSE4_2;

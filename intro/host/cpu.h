@@ -1,4 +1,4 @@
-// The processor: whether it will do, and what it is called.
+// The processor: whether the film runs on it, and its name.
 #pragma once
 
 namespace odraz {

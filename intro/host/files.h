@@ -1,4 +1,4 @@
-// Files that are whole or absent.
+// Writes files so that they are either complete or absent.
 #pragma once
 
 #include <stddef.h>
@@ -8,11 +8,11 @@ namespace odraz {
 // Each returns null, or what went wrong in a few words ("no space left on the device").
 const char *writeAll(int descriptor, const void *data, size_t size);
 
-// Writes `path` beside itself, under a name that nobody else uses (path + ".NUMBER.part"), and then renames
-// it. What cannot be finished is removed. A pipe or a device is written to as it is.
+// Writes a file beside `path`, under a name that nobody else uses (path + ".NUMBER.part"), and then renames
+// it to `path`. If that fails, the file is removed. A pipe or a device is written to directly.
 const char *writeFile(const char *path, const void *data, size_t size);
 
-const char *makeDirectory(const char *path); // fine when it is there already
+const char *makeDirectory(const char *path); // no error if it exists already
 
 bool isTerminal(int descriptor);
 

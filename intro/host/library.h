@@ -1,4 +1,5 @@
-// Shared libraries, opened by name when they are needed: a missing one is a sentence, not a loader's error.
+// Shared libraries, opened by name when they are needed, so that a missing one gives a readable line instead
+// of a loader's error.
 #pragma once
 
 #include "base/gl.h"
@@ -7,21 +8,23 @@
 
 namespace odraz {
 
-// Fills table[] with the functions of library `soname`, named one after the other in `names` (each with its
-// zero, an empty one at the end). Returns null, or the name of what is missing: the library or a function.
+// Fills table[] with functions of the library `soname`. `names` holds their names one after the other, each
+// ending with a zero, and an empty name at the end. Returns null, or the name of what is missing: the library
+// or a function.
 const char *loadFunctions(const char *soname, const char *names, void **table);
 
-// In such a list.
+// The name that follows in such a list.
 inline const char *nextName(const char *name) {
     while (*name++) {
     }
     return name;
 }
 
-// The same, from an already known way to find a function.
+// The same, where `find` looks up a function by its name.
 const char *findFunctions(void *(*find)(const char *), const char *names, void **table);
 
-// The table of OpenGL, from a context's way to find its functions. glClipControl may be missing.
+// Fills the table of OpenGL; `find` looks up a function of the current context. glClipControl may be missing:
+// it is then null.
 const char *findGl(void *(*find)(const char *), Gl &gl);
 
 // For tables written as lists: #define LIST(F) F(first) F(second)

@@ -7,18 +7,19 @@ namespace odraz {
 
 inline constexpr int kDeviceRate = 48000;
 
-// What plays sound, as a table, so that tests can play it too.
+// An output for sound, as a table of functions, so that tests can provide one too.
 struct SoundOutput {
-    // False where there is none. May take seconds where a server hangs.
+    // False if there is none. May take seconds if a server hangs.
     bool (*open)();
-    // Takes up to `frames` and never waits: how many it took, or -1 when it is lost and may be opened again.
+    // Takes up to `frames` frames and never waits. Returns how many it took, or -1 if the device is lost; it
+    // may then be opened again.
     int (*write)(const int16_t *samples, int frames);
-    // Frames that it has taken and nobody has heard yet; 0 or less where it cannot tell.
+    // The number of frames that it has taken and nobody has heard yet; 0 or less if it cannot tell.
     int64_t (*delay)();
 };
 
 // The system's usual output. Says nothing on standard error, whatever happens.
 extern const SoundOutput kSystemSound;
-extern const char kNoSound[]; // what is missing where it does not open
+extern const char kNoSound[]; // what is missing if it does not open
 
 } // namespace odraz

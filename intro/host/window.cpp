@@ -1,4 +1,4 @@
-// What is shown in the window, by OpenGL, on any system.
+// Draws into the window by OpenGL, on any system.
 #include "host/window.h"
 
 #include "host/clock.h"
@@ -8,9 +8,9 @@ namespace odraz {
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     const Gl &gl = window.gl;
     if (!window.picture) {
-        // A texture to fill and a framebuffer to read it through. In the order of the window's own bytes,
-        // which only a format without a size leaves to the driver: what is as large as the window is copied
-        // then, not drawn (software OpenGL: 1.2 ms of processor time for 9.2)
+        // A texture to fill, and a framebuffer to read it through. Its format has no size, because only then
+        // may the driver store it in the window's own byte order. A picture as large as the window is then
+        // copied, not drawn (software OpenGL: 1.2 ms of processor time instead of 9.2)
         gl.glGenTextures(1, &window.picture);
         gl.glBindTexture(GL_TEXTURE_2D, window.picture);
         gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, GL_BGRA, GL_UNSIGNED_INT_8_8_8_8_REV,
@@ -42,7 +42,7 @@ void showLoading(float done, void *context) {
     int64_t now = nanoseconds();
     if (done < 1 && now - window.loadingShown < 33000000) return;
     window.loadingShown = now;
-    // A line in the middle, two fifths of the window long
+    // A bar in the middle, two fifths as wide as the window
     const Gl &gl = window.gl;
     int width = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
         height = __atomic_load_n(&window.height, __ATOMIC_RELAXED);

@@ -12,17 +12,17 @@ struct WindowState; // the system's own
 struct FilmWindow {
     WindowState *state;
     Gl gl;             // current on the thread that opened the window
-    int width, height; // as last told by the system, on a thread of its own
+    int width, height; // as the system last reported it; another thread sets it
     GLuint picture, framebuffer;
-    int64_t loadingShown; // when, in nanoseconds
+    int64_t loadingShown; // when loading was last shown, in nanoseconds()
 };
 
 // Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the close
-// button set *leave from a thread of their own, whatever the others do; a tenth of a second later at most the
-// process ends, with status 0. Returns null, or a line that says what is missing and what to do.
+// button set *leave, on a thread of their own, whatever the others are doing; at most a tenth of a second
+// later the process ends with status 0. Returns null, or a line that says what is missing and what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
-// Lets go of the context, so that this thread can have another.
+// Releases the context from this thread, so that the thread can use another one.
 void leaveContext(FilmWindow &window);
 
 // Shows what was drawn.
@@ -31,8 +31,8 @@ void swapBuffers(FilmWindow &window);
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 
-// Shows how far loading is, 0 .. 1; `window` is a FilmWindow. Called often, it draws a few dozen times a
-// second.
+// Shows how far loading is, 0 .. 1; `window` is a FilmWindow. It may be called often: it draws at most 30
+// times a second, and at the end.
 void showLoading(float done, void *window);
 
 } // namespace odraz

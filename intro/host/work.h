@@ -1,5 +1,5 @@
-// Work that several threads share, taken piece by piece; how they wait for it and for each other is the
-// system's.
+// Work that several threads share and take piece by piece. How they wait for it and for each other depends on
+// the system.
 #pragma once
 
 #include "base/parallel.h"
@@ -11,9 +11,9 @@ struct Work {
     void (*body)(const void *, int, int, int);
     const void *context;
     const int *abort;
-    int count, size; // of all that is to be done, and of a piece
+    int count, size; // of all the work, and of a piece
     int next;        // the first that nobody has taken
-    int busy;        // turns not yet done, beside that of who asked
+    int busy;        // turns not yet done, without the caller's
     int idNext;      // hands out worker numbers
 
     void begin(const Workers &workers, int all, int piece, void (*f)(const void *, int, int, int),
@@ -37,7 +37,7 @@ struct Work {
         }
     }
 
-    // True for the last one.
+    // Ends a turn; true for the last one.
     bool done() { return __atomic_sub_fetch(&busy, 1, __ATOMIC_ACQ_REL) == 0; }
 };
 

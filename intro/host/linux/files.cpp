@@ -39,7 +39,7 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
     while (size) {
         long n = sys::call(sys::kWrite, descriptor, (long)p, (long)size);
         if (n == -sys::kEintr) continue;
-        if (n == -sys::kEagain) { // of a pipe that does not block
+        if (n == -sys::kEagain) { // a pipe that does not block is full
             sys::waitFor(descriptor, sys::kOutput, -1);
             continue;
         }
@@ -51,7 +51,7 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
 }
 
 const char *writeFile(const char *path, const void *data, size_t size) {
-    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    // An existing pipe or device, neither a file nor a directory, is written to directly
     struct stat s;
     bool stays =
         sys::call(sys::kStat, (long)path, (long)&s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
@@ -61,7 +61,8 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     if (stays) {
         fd = sys::call(sys::kOpen, (long)path, kWriteNew, 0666);
     } else {
-        // A name that nobody else has: another that writes the same file, a link or a pipe laid there
+        // Find a name that nobody else uses: not another process that writes the same file, and no link or
+        // pipe put there
         size_t length = 0;
         for (; path[length]; ++length) {
             if (length > sizeof part - 32) return "the name is too long";

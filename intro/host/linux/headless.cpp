@@ -1,4 +1,4 @@
-// By EGL's surfaceless platform.
+// Headless OpenGL on EGL's surfaceless platform.
 #include "host/headless.h"
 
 #include "host/library.h"
@@ -19,11 +19,11 @@ struct Egl {
 const char *openHeadlessGl(Gl &gl) {
     static const char kMissing[] = "no headless OpenGL 3.3: install libegl1 and libgl1-mesa-dri";
     static Egl egl;
-    // Mesa does not look whether it got what it asked for
+    // Mesa does not check whether it got the memory that it asked for
     if (!couldAddress(1 << 30)) return "not enough memory for OpenGL: raise ulimit -v";
-    // Software OpenGL compiles as it goes, and would crash
+    // Software OpenGL compiles code as it runs, and would crash
     if (const char *line = jitForbidden()) return line;
-    // By software, so that pictures agree between machines, unless the environment has another wish
+    // Render in software, so that pictures are equal on all machines, unless the environment says otherwise
     int (*setenv)(const char *, const char *, int);
     if (!loadFunctions("libc.so.6", "setenv\0", (void **)&setenv)) setenv("LIBGL_ALWAYS_SOFTWARE", "1", 0);
     if (loadFunctions("libEGL.so.1", ODRAZ_EGL(ODRAZ_NAME), (void **)&egl)) return kMissing;

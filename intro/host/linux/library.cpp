@@ -1,6 +1,7 @@
 #include "host/library.h"
 
-// The program's only two imports. Through the GOT, so that ld.so fills two words and nothing else.
+// The program's only two imports. They are called through the GOT, so that ld.so fills in two words and
+// nothing else.
 extern "C" {
 __attribute__((noplt)) void *dlopen(const char *name, int mode);
 __attribute__((noplt)) void *dlsym(void *library, const char *name);

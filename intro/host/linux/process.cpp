@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-static long theErrors = 2; // where complaints go
+static long theErrors = 2; // the descriptor that complain() writes to
 
 const char kMoreMemory[] = "end other programs, or raise ulimit -v";
 
@@ -28,7 +28,7 @@ bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
 int complain(const char *line) {
     char text[512] = "odraz: ";
     int size = 7;
-    // One line, whatever it repeats of what users gave
+    // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
     sys::call(sys::kWrite, theErrors, (long)text, size);
@@ -38,7 +38,7 @@ int complain(const char *line) {
 Quiet::Quiet() {
     long kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3),
          nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */);
-    if (kept >= 0 && nothing >= 0) { // else they are heard
+    if (kept >= 0 && nothing >= 0) { // else libraries stay audible
         sys::call(sys::kDup2, nothing, 2);
         theErrors = kept;
     } else {

@@ -10,7 +10,7 @@ int refuse(const char *line) {
     if (loadXlib(x)) return 1;
     Display *display = x.XOpenDisplay(nullptr);
     if (!display) return 1;
-    // Measured roughly: the core font "fixed" is six pixels wide
+    // An estimate of the width: the core font "fixed" is six pixels wide
     int length = 0;
     while (line[length]) ++length;
     int screen = DefaultScreen(display), width = 6 * length + 48, height = 72;

@@ -1,9 +1,9 @@
-// On ALSA's library, which PipeWire, PulseAudio and bare hardware all serve.
+// Plays through ALSA's library, which works with PipeWire, PulseAudio and bare hardware.
 #include "host/sound.h"
 
 #include "host/library.h"
 
-// Of alsa/asoundlib.h, which is not needed to build the film.
+// These declarations are those of alsa/asoundlib.h, which is not needed to build the film.
 struct _snd_pcm;
 typedef struct _snd_pcm snd_pcm_t;
 typedef long snd_pcm_sframes_t;
@@ -32,10 +32,10 @@ struct Alsa {
 };
 
 Alsa theAlsa;
-snd_pcm_t *thePcm; // the host's: one process has one sound
+snd_pcm_t *thePcm; // belongs to the host: one process has one sound
 
 constexpr int kAgain = -11;          // EAGAIN
-constexpr unsigned kLatency = 50000; // microseconds that it may hold
+constexpr unsigned kLatency = 50000; // microseconds of sound that the device may hold
 
 void silent(const char *, int, const char *, int, const char *, ...) {}
 
@@ -55,7 +55,8 @@ bool open() {
 int write(const int16_t *samples, int frames) {
     long taken = theAlsa.snd_pcm_writei(thePcm, samples, (unsigned long)frames);
     if (taken >= 0) return (int)taken;
-    // It ran dry, or was suspended: it can go on. A device in use by itself says EAGAIN while it wakes up
+    // After the device ran dry or was suspended, it can go on. A device that is used without a sound server
+    // returns EAGAIN while it wakes up
     if (taken == kAgain || theAlsa.snd_pcm_recover(thePcm, (int)taken, 1) >= 0) return 0;
     theAlsa.snd_pcm_close(thePcm);
     return -1;

@@ -1,4 +1,4 @@
-// The kernel's calls, without libc. Results are the kernel's: negative is -errno.
+// System calls, without libc. Results are the kernel's: a negative one is -errno.
 //
 // Everything here is static: these functions also run before the processor has been checked, so no copy of
 // them compiled for a newer one may be linked in.
@@ -66,7 +66,7 @@ static inline long call(long number, long a = 0, long b = 0, long c = 0, long d 
 
 enum Protection : long { kNothing = 0, kReadWrite = 3, kReadWriteExecute = 7 };
 
-// Zeroed memory of our own, whole pages; null where the system refuses.
+// Zeroed private memory, in whole pages; null if the system refuses.
 static inline void *map(size_t bytes, Protection protection) {
     long p = call(kMmap, 0, (long)bytes, protection, 0x22 /* private, anonymous */, -1, 0);
     return p < 0 && p > -4096 ? nullptr : (void *)p;
@@ -74,7 +74,7 @@ static inline void *map(size_t bytes, Protection protection) {
 
 enum Ready : short { kInput = 1, kOutput = 4 };
 
-// Waits until a descriptor can be read or written, at most so long (-1: for ever); false when it cannot.
+// Waits until a descriptor can be read or written, at most so long (-1: for ever); false if the time is up.
 static inline bool waitFor(int descriptor, Ready what, long milliseconds) {
     struct {
         int fd;

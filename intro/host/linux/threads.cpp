@@ -1,4 +1,4 @@
-// On POSIX threads and futexes.
+// Workers on POSIX threads and futexes.
 #include "host/threads.h"
 
 #include "host/library.h"
@@ -16,7 +16,7 @@ struct Pthread {
     ODRAZ_PTHREAD(ODRAZ_MEMBER)
 };
 
-// glibc before 2.34 keeps threads in a library of their own; later ones leave that name to lead to libc.
+// glibc before 2.34 has threads in a library of their own; in later ones that name leads to libc.
 const char *loadPthread(Pthread &p) {
     return loadFunctions("libpthread.so.0", ODRAZ_PTHREAD(ODRAZ_NAME), (void **)&p);
 }
@@ -52,13 +52,13 @@ void run(Workers &workers, int count, int size, void (*body)(const void *, int, 
     while ((left = __atomic_load_n(&pool.busy, __ATOMIC_ACQUIRE)) > 0) sleepWhile(&pool.busy, left);
 }
 
-Pool thePool; // the host's, not the engine's: one process has one set of threads
+Pool thePool; // belongs to the host, not to the engine: one process has one set of threads
 
 } // namespace
 
 int cpuCount() {
-    uint64_t
-        mask[128]; // as many as Linux can be built for: 8,192; the kernel refuses a mask that is too short
+    // For 8,192 processors, the most that Linux can be built for; the kernel refuses a mask that is too short
+    uint64_t mask[128];
     long bytes = sys::call(sys::kGetAffinity, 0, sizeof mask, (long)mask);
     int count = 0;
     for (long i = 0; i < bytes / 8; ++i)

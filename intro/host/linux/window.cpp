@@ -1,4 +1,4 @@
-// By X11 and GLX.
+// The viewer's window, on X11 and GLX.
 #include "host/window.h"
 
 #include "host/clock.h"
@@ -26,7 +26,7 @@ struct WindowState {
     Xlib x;
     Glx glx;
     Display *drawing; // belongs to the thread that traces and draws
-    // Belongs to the thread that listens; the window is its child, so the close button tells it
+    // Belongs to the thread that listens. The window was made on it, so the close button's message comes here
     Display *events;
     Window window;
     Atom closeRequest;
@@ -65,7 +65,8 @@ bool isLeaving(WindowState &w, XEvent &event) {
             }
             if (isLeaving(w, event)) {
                 __atomic_store_n(w.leave, 1, __ATOMIC_RELAXED);
-                // The film ends by itself where it can; a driver that is slow to answer must not hold it up
+                // Let the film end by itself if it can, but do not wait long for a driver that is slow to
+                // answer
                 sleepFor(80000000);
                 sys::exit(0);
             }
@@ -76,8 +77,8 @@ bool isLeaving(WindowState &w, XEvent &event) {
     }
 }
 
-// Holds off screen savers that listen to the MIT extension; where its library is absent the reset above must
-// do, and where the display lacks it (Xwayland), Xlib would say so on standard error.
+// Suspends screen savers that support the MIT extension. Without its library, XResetScreenSaver above must
+// do. A display may lack the extension (Xwayland): it is asked first, because Xlib would print an error.
 void suspendScreenSaver(Display *display) {
     struct {
         Bool (*known)(Display *, int *, int *);
@@ -125,7 +126,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     w.closeRequest = x.XInternAtom(w.events, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(w.events, w.window, &w.closeRequest, 1);
     if (fullScreen) {
-        // Asked for before mapping, so that it never appears as a window first
+        // Set before mapping, so that the window is never shown at its normal size first
         Atom state = x.XInternAtom(w.events, "_NET_WM_STATE", False);
         Atom full = x.XInternAtom(w.events, "_NET_WM_STATE_FULLSCREEN", False);
         x.XChangeProperty(w.events, w.window, state, 4 /* XA_ATOM */, 32, PropModeReplace,
@@ -133,7 +134,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     }
     hidePointer(w);
     x.XMapRaised(w.events, w.window);
-    // Without a window manager nobody else gives us the keyboard; wait until the window can take it
+    // Without a window manager nobody gives us the keyboard focus; wait until the window can take it
     if (!hasWindowManager(w)) {
         XEvent event;
         do x.XNextEvent(w.events, &event);
@@ -170,8 +171,8 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     int count = 0, depth = DefaultDepth(w.drawing, DefaultScreen(w.drawing));
     if (depth < 24) return "the screen has too few colours: set it to 24 bits, or use --dump";
     GLXFBConfig *configs = w.glx.glXChooseFBConfig(w.drawing, DefaultScreen(w.drawing), kFormat, &count);
-    // One of the screen's own depth: a deeper visual has alpha, and compositors would show what is behind the
-    // film
+    // Choose one of the screen's own depth: a deeper visual has alpha, and compositors would show what is
+    // behind the film
     XVisualInfo *visual = nullptr;
     int chosen = -1;
     while (++chosen < count) {
@@ -190,7 +191,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
         return (void *)theWindow.glx.glXGetProcAddress((const GLubyte *)name);
     };
     if (findGl(find, window.gl)) return kNoGl;
-    // A picture is shown when the display begins a new one: whole, and at its pace
+    // Swap at the display's vertical sync: pictures do not tear, and come at the display's pace
     if (auto every = (PFNGLXSWAPINTERVALSGIPROC)find("glXSwapIntervalSGI")) every(1);
     if (startThread(listen, &w))
         return "no thread to listen for keys: raise the limit on processes (ulimit -u)";

@@ -1,4 +1,5 @@
-// Where calls of Windows's functions go: windows.h names the functions, calls.cpp has the way there.
+// The table through which Windows's functions are called: windows.h names the functions, calls.cpp calls
+// them.
 #pragma once
 
 #include "base/gl.h"
@@ -20,6 +21,7 @@ struct Functions {
 
 extern "C" {
 extern odraz::windows::Functions odrazFunctions;
-// The first of those that pass on to odrazFunctions.gl; each takes as many bytes as a pointer.
+// The first of the stubs that call the functions in odrazFunctions.gl; each stub takes as many bytes as a
+// pointer.
 extern char odrazGlCalls[];
 }

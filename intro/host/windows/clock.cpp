@@ -8,12 +8,12 @@ int64_t nanoseconds() {
     int64_t now, second;
     QueryPerformanceCounter(&now);
     QueryPerformanceFrequency(&second);
-    // Whole seconds apart: the product of all would not fit
+    // Convert whole seconds separately: a single product would overflow
     return now / second * 1000000000 + now % second * 1000000000 / second;
 }
 
 int64_t processorNanoseconds() {
-    uint64_t begun, ended, kernel, user; // of 100 nanoseconds
+    uint64_t begun, ended, kernel, user; // in units of 100 nanoseconds
     GetProcessTimes(windows::kInvalid, &begun, &ended, &kernel, &user);
     return (int64_t)(kernel + user) * 100;
 }

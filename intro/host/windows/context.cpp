@@ -24,8 +24,8 @@ const char *openSurface(Surface &s) {
     return nullptr;
 }
 
-// wglGetProcAddress knows what came after OpenGL 1.1, the library what was there before. Drivers say no by
-// small numbers, too.
+// wglGetProcAddress finds functions newer than OpenGL 1.1, the library has the older ones. Instead of null,
+// some drivers return small numbers.
 void *glFunction(const char *name) {
     void *found = wglGetProcAddress(name);
     return (uintptr_t)found + 1 > 4 ? found : GetProcAddress(LoadLibraryA("opengl32.dll"), name);
@@ -44,10 +44,10 @@ const char *createContext(Handle dc, Gl &gl) {
     PixelFormat format = {};
     format.size = sizeof format;
     format.version = 1;
-    format.flags = 0x25; // a window's, of OpenGL, two buffers
+    format.flags = 0x25; // draw to a window, support OpenGL, double buffer
     format.colourBits = 24;
     if (!SetPixelFormat(dc, ChoosePixelFormat(dc, &format), &format)) return "a pixel format";
-    // What can make a context of a version is told by one of any
+    // The function that makes a context of a given version is found only with some context current
     if (!wglMakeCurrent(dc, wglCreateContext(dc))) return "OpenGL";
     auto create = (__attribute__((ms_abi)) Handle(*)(Handle, Handle, const int *))glFunction(kContext);
     static const int kVersion[] = {0x2091 /* WGL_CONTEXT_MAJOR_VERSION_ARB */,

@@ -1,4 +1,4 @@
-// Windows and contexts of OpenGL 3.3 on them: the viewer's, and one that nobody sees.
+// Windows with contexts of OpenGL 3.3: the viewer's, and a hidden one.
 #pragma once
 
 #include "base/gl.h"
@@ -6,29 +6,29 @@
 
 namespace odraz::windows {
 
-// user32, gdi32 and opengl32: null, or what is missing.
+// Loads user32, gdi32 and opengl32. Returns null, or what is missing.
 const char *openGlLibraries();
 
-// A window belongs to a thread that listens, as Windows has it: others send it messages, and wait. Its
-// context belongs to the thread that draws.
+// On Windows a window belongs to the thread that made it; others send it messages and wait. So a thread that
+// only listens makes it. Its context belongs to the thread that draws.
 struct Surface {
-    const char *kind; // its class
+    const char *kind; // its window class
     uint32_t style;
     int x, y, width, height;
-    // Null where there is none
+    // Null if there is none
     Handle window = nullptr, dc = nullptr;
-    Handle opened = nullptr; // a semaphore, given when it is there or cannot be
+    Handle opened = nullptr; // a semaphore, released when the window is open or could not be opened
 };
 
-// Opens it and listens, on a thread of its own. Null, or what is missing; a window may be missing all the
-// same. It stays where it is.
+// Opens the window and listens, on a thread of its own. Returns null, or what is missing; even after null,
+// `window` may be null. The Surface must not move afterwards.
 const char *openSurface(Surface &);
 
-// A function of OpenGL or WGL, where a context is current; null: there is none.
+// A function of OpenGL or WGL; a context must be current. Null if there is none.
 void *glFunction(const char *name);
 
-// A core context of OpenGL 3.3 for a window's device, current on this thread, and the table of its functions.
-// Null, or what is missing.
+// Makes a core context of OpenGL 3.3 for a window's device, current on this thread, and fills the table of
+// its functions. Returns null, or what is missing.
 const char *createContext(Handle dc, Gl &gl);
 
 } // namespace odraz::windows

@@ -13,13 +13,13 @@ constexpr int kLongest = 4096; // of a path, in units of UTF-16
 constexpr uint32_t kWrite = 0x40000000, kShare = 7, kNew = 1, kExisting = 3, kDisk = 1 /* GetFileType */,
                    kDirectory = 16;
 
-// `size`: of the path in units of UTF-16 with its zero, 0 where it did not fit; 1 where it matters no more.
+// `size`: of the path in units of UTF-16 with its zero; 0 if it did not fit; 1 if it does not matter.
 const char *reason(int size = 1) {
     const char *tooLong = "the name is too long";
     switch (GetLastError()) {
     case kFileNotFound:
     case kPathNotFound:
-        // Beyond 247, 259 for files, Windows finds nothing
+        // Windows finds no path longer than 247 units, 259 for files
         return (unsigned)size - 1 > 247 ? tooLong : "no such directory";
     case kAccessDenied:
     case kSharing: // another program has it open
@@ -79,14 +79,14 @@ const char *writeAll(int descriptor, const void *data, size_t size) {
 }
 
 const char *writeFile(const char *path, const void *data, size_t size) {
-    // What is there and neither a file nor a folder, a pipe or a device, keeps its place and is written to
+    // An existing pipe or device, neither a file nor a directory, is written to directly
     WidePath target(path);
     HANDLE file = CreateFileW(target.units, kWrite, kShare, nullptr, kExisting, 0, nullptr);
     bool stays = file != kInvalid && GetFileType(file) != kDisk;
     Text<kLongest> part;
     if (!stays) {
         CloseHandle(file);
-        // A name that nobody else has
+        // Find a name that nobody else uses
         uint32_t id = GetCurrentProcessId(), last = id + 100;
         do {
             part.size = 0;
@@ -100,7 +100,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     if (!CloseHandle(file) && !wrong) wrong = reason();
     if (stays) return wrong;
     WidePath from(part.data);
-    // Scanners of viruses may look at what is new for a while
+    // Virus scanners may hold a new file open for a while
     for (int tries = 0; !wrong && !MoveFileExW(from.units, target.units, 1 /* replace */); Sleep(50)) {
         const char *why = reason();
         if (isDirectory(target))

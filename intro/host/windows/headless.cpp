@@ -1,4 +1,4 @@
-// By a window that nobody sees.
+// Headless OpenGL, through a window that nobody sees.
 #include "host/headless.h"
 
 #include "host/process.h"

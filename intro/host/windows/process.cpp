@@ -35,7 +35,7 @@ const char *jitForbidden() {
 
 bool couldAddress(size_t bytes) { return mayTake(bytes, kReserve, kNothing); }
 
-Quiet::Quiet() {} // libraries say nothing there
+Quiet::Quiet() {} // on Windows, libraries write nothing there
 Quiet::~Quiet() {}
 
 int prepareDescriptors() {
@@ -44,12 +44,12 @@ int prepareDescriptors() {
     for (int fd = 0; fd < 3; ++fd)
         if (!GetFileType(to[fd] = standard(fd))) {
             closed |= 1 << fd;
-            SetStdHandle(which(fd), nullptr); // no file of ours shall be taken for it
+            SetStdHandle(which(fd), nullptr); // so that no file of ours is taken for it
         }
-    // Started from a console as a program with windows: it is there to write to all the same
+    // A program with windows that was started from a console can still write to that console
     static const WCHAR kConsole[] = {'C', 'O', 'N', 'O', 'U', 'T', '$', 0};
-    // (which takes the place of a pipe or a file, too: these are put back)
-    if (closed & 6 && AttachConsole(~0u /* that of who started us */))
+    // (Attaching it also replaces pipes and files; these are put back)
+    if (closed & 6 && AttachConsole(~0u /* the parent process's */))
         for (int fd = 1; fd < 3; ++fd) {
             if (closed >> fd & 1) to[fd] = CreateFileW(kConsole, 0xc0000000, 3, nullptr, 3, 0, nullptr);
             if (to[fd] != kInvalid && SetStdHandle(which(fd), to[fd])) closed &= ~(1 << fd);

@@ -1,4 +1,4 @@
-// Saying no: on standard error, and where nobody sees that, in a box.
+// Error messages: on standard error or, if nobody sees that, in a message box.
 #include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
@@ -11,7 +11,7 @@ using namespace windows;
 
 namespace {
 
-// Whoever runs us where nobody sees a box shall not wait for ever.
+// A script that runs us where nobody sees a box must not wait for ever.
 [[gnu::force_align_arg_pointer]] void *endLater(void *) {
     sleepFor(30000000000);
     endProcess(1);
@@ -20,10 +20,10 @@ namespace {
 int say(const char *line, bool box) {
     char text[512] = "odraz: ";
     uint32_t size = 7;
-    // One line, whatever it repeats of what users gave
+    // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
-    // Consoles and boxes take bytes for letters of an alphabet of their own
+    // Consoles and boxes do not read bytes as UTF-8, so they get UTF-16
     WCHAR wide[513];
     int units = MultiByteToWideChar(kUtf8, 0, text, (int)size, wide, 512);
     wide[units] = 0;
@@ -41,7 +41,7 @@ int say(const char *line, bool box) {
 
 } // namespace
 
-// A script has standard output, if nothing else.
+// If standard output is closed too, a viewer started us: a script would have that.
 int complain(const char *line) { return say(line, !GetFileType(standard(1))); }
 
 int refuse(const char *line) { return say(line, true); }

@@ -1,4 +1,5 @@
-// By waveOut, which every Windows has. It plays from a ring of small buffers, each a block of the film's.
+// Plays through waveOut, which every Windows has, from a ring of small buffers, each as long as a block of
+// the film's sound.
 #include "host/sound.h"
 
 #include "host/library.h"
@@ -18,7 +19,7 @@ struct Buffer {
     int16_t samples[2 * kFrames];
 };
 
-HANDLE theDevice; // the host's: one process has one sound
+HANDLE theDevice; // belongs to the host: one process has one sound
 Buffer theBuffers[kBuffers];
 int theNext;      // buffer to fill
 int64_t theTaken; // frames, since it was opened
@@ -78,7 +79,7 @@ int write(const int16_t *samples, int frames) {
 int64_t delay() {
     WaveTime time = {};
     time.kind = 2; // TIME_SAMPLES
-    // Some drivers tell by this alone that what it played to was pulled out
+    // With some drivers only this call tells that the device was unplugged
     theLost |= waveOutGetPosition(theDevice, &time, sizeof time) != 0;
     if (time.kind != 2) return -1;
     return theTaken - time.samples;

@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kForever = ~0u;
 
-// Each piece of work is as many turns beside the caller's as there are other workers. Who is quick takes
-// more than one of them, which then finds nothing to do.
+// A job has as many turns, besides the caller's, as there are other workers. A quick worker may take more
+// than one turn, and then finds nothing left to do.
 struct Pool : Work {
     HANDLE turns, allDone;
 };
@@ -38,7 +38,7 @@ void run(Workers &workers, int count, int size, void (*body)(const void *, int, 
     if (turns) WaitForSingleObject(pool.allDone, kForever);
 }
 
-Pool thePool; // the host's, not the engine's: one process has one set of threads
+Pool thePool; // belongs to the host, not to the engine: one process has one set of threads
 
 struct Start {
     void *(*body)(void *);
@@ -47,8 +47,8 @@ struct Start {
 
 } // namespace
 
-// Where Windows starts a thread, in its convention: rcx is the Start. It does not go back there, so that it
-// needs to keep no registers. Libraries may have changed how floats are rounded in a new thread: that is set
+// Windows starts threads here, in its own convention: rcx points to the Start. The function does not return,
+// so it need not preserve registers. Libraries may have changed how a new thread rounds floats: that is set
 // as it is on Linux.
 extern "C" void odrazThread();
 extern "C" [[gnu::used]] void odrazThreadBody(Start &start) {
@@ -69,7 +69,7 @@ int cpuCount() {
     GetProcessAffinityMask(kInvalid, &mask, &all);
     int count = 0;
     for (; mask; mask &= mask - 1) ++count;
-    return count ? count : kMaxWorkers; // it does not count beyond a group of 64
+    return count ? count : kMaxWorkers; // 0 if the process uses more than one group of 64
 }
 
 static const char kNoRoom[] = "room for another thread";

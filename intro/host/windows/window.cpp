@@ -1,4 +1,4 @@
-// By Windows's own window manager and WGL.
+// The viewer's window, on Windows's own window manager and WGL.
 #include "host/window.h"
 
 #include "host/clock.h"
@@ -27,12 +27,12 @@ constexpr uint64_t kEscape = 27;
 
 void leave() {
     __atomic_store_n(theWindow.leave, 1, __ATOMIC_RELAXED);
-    // The film ends by itself where it can; a driver that is slow to answer must not hold it up
+    // Let the film end by itself if it can, but do not wait long for a driver that is slow to answer
     sleepFor(80000000);
     endProcess(0);
 }
 
-// Windows calls it, and finds all registers as its convention has it.
+// Windows calls this function, in its own convention.
 [[gnu::ms_abi, gnu::force_align_arg_pointer]] int64_t receive(HANDLE window, uint32_t message, uint64_t a,
                                                               uint64_t b) {
     FilmWindow &film = *theWindow.film;
@@ -50,7 +50,7 @@ void leave() {
     return DefWindowProcA(window, message, a, b);
 }
 
-// The desktop shall not scale what we draw: on no display as from Windows 10 on, on the first one before.
+// Tells the desktop not to scale what we draw: on any display since Windows 10, only on the first one before.
 void beAware() {
     auto aware = (__attribute__((ms_abi)) int (*)(int64_t))GetProcAddress(LoadLibraryA("user32.dll"),
                                                                           "SetProcessDpiAwarenessContext");
@@ -68,7 +68,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     w.leave = leave;
     if (openGlLibraries()) return kNoGl;
     beAware();
-    // Sleep by the millisecond, not by the clock's sixty-fourth of a second
+    // Sleep to the millisecond, not to the sixty-fourth of a second of the clock's default
     if (!loadFunctions("winmm.dll", ODRAZ_WINMM(ODRAZ_NAME), odrazFunctions.winmm)) timeBeginPeriod(1);
     WindowClass kind = {};
     kind.style = 32; // CS_OWNDC
@@ -89,7 +89,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     SetForegroundWindow(s.window);
     SetThreadExecutionState(0x80000003); // neither display nor machine sleep while this thread lives
     if (createContext(s.dc, window.gl)) return kNoGl;
-    // A picture is shown when the display begins a new one: whole, and at its pace
+    // Swap at the display's vertical sync: pictures do not tear, and come at the display's pace
     auto every = (__attribute__((ms_abi)) int (*)(int))glFunction("wglSwapIntervalEXT");
     if (every) every(1);
     return nullptr;

@@ -1,8 +1,9 @@
-// The functions of Windows that we use, by library, as if they were functions of ours: each name leads to a
-// few instructions (calls.cpp) that turn our calling convention into Windows's and go on in the library.
+// The functions of Windows that we use, by library, declared as if they were ours: each name leads to a few
+// instructions (calls.cpp) that convert our calling convention to Windows's and call the library.
 //
-// Their types are spelled out here, for Windows's own header does not suit a compiler for Linux. Texts are
-// UTF-16 where a name ends with W. What returns an int returns 0 where it fails, if nothing else is said.
+// Their types are spelled out here, because Windows's own header does not suit a compiler for Linux. Texts
+// are UTF-16 if a name ends with W. A function that returns an int returns 0 if it fails, unless stated
+// otherwise.
 #pragma once
 
 #include <stdint.h>
@@ -35,9 +36,9 @@ enum Error : uint32_t {
 };
 
 constexpr uint32_t kUtf8 = 65001;
-inline const Handle kInvalid = (Handle)-1; // also this process, where one is asked for
+inline const Handle kInvalid = (Handle)-1; // as the handle of a process: this process
 
-// The handle of a standard descriptor, 0 to 2; of one that is closed, one that is invalid.
+// The handle of a standard descriptor, 0 to 2; an invalid one if it is closed.
 Handle standard(int descriptor);
 
 // clang-format off
