@@ -11,8 +11,8 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
     if (!toStdout)
         if (const char *wrong = makeDirectory(o.dump)) return cannotWrite(o.dump, wrong);
     const Quality &quality = o.qualityOr(QualityName::Film);
-    // As it is played, frames of even numbers are traced, into the slots by turns, and the others are made
-    // from the two beside them
+    // With --quality live, as when the film is played, even frames are traced, into the two slots in turn;
+    // odd ones are made from the two beside them
     auto slotOf = [&](int64_t n) { return o.live ? (int)(n >> 1 & 1) : 0; };
     int64_t traced = -1;
     Picture later = {};
@@ -39,7 +39,7 @@ int dump(Intro &intro, const Options &o, bool stdoutClosed) {
             for (size_t c = 0; c < 3; ++c) *to++ = p.rgba[4 * i + c];
         size_t size = (size_t)(to - file);
 
-        Text<4200> path; // too long a name is told, never cut off
+        Text<4200> path; // a name that is too long is reported, never cut off
         path << o.dump;
         if (!toStdout) (path << "/frame-").number((uint64_t)n, 6) << ".ppm";
         if (int status = writeOutput(path.data, file, size)) return status;

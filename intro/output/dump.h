@@ -1,4 +1,4 @@
-// Writing the film's frames instead of showing them.
+// Writes the film's frames instead of showing them.
 #pragma once
 
 #include "intro.h"
@@ -6,8 +6,8 @@
 
 namespace odraz {
 
-// Writes the frames that the options name; exit status. `stdoutClosed`: standard output was closed at the
-// start.
+// Writes the frames that the options select; returns an exit status. `stdoutClosed`: standard output was
+// closed at the start.
 int dump(Intro &intro, const Options &options, bool stdoutClosed);
 
 } // namespace odraz

@@ -6,10 +6,10 @@
 
 namespace odraz {
 
-constexpr int kLongestName = 150; // characters; of longer names the end is told
+constexpr int kLongestName = 150; // characters; of longer names only the end is printed
 
 int cannotWrite(const char *what, const char *why) {
-    // Of a long name the end, so that the reason is told too
+    // Print only the end of a long name, so that the line has room for the reason
     int length = 0;
     while (what[length]) ++length;
     Message m;

@@ -1,4 +1,4 @@
-// Music as devices and files want it.
+// Music in the form that devices and files need.
 #pragma once
 
 #include "intro.h"

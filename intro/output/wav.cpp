@@ -29,7 +29,7 @@ constexpr size_t kSlack = 4 * kSoundBlock; // bytes before and after what is wri
 
 int writeWav(const Options &o, bool stdoutClosed) {
     if (int status = checkOutput(o.wav, stdoutClosed)) return status;
-    // The first sample at or after a time belongs to it, as a frame does
+    // As with frames, a time means the first sample at or after it
     int from = (int)firstFrame(o.from, {kSoundRate, 1}), to = (int)firstFrame(o.to, {kSoundRate, 1});
     size_t size = (size_t)(to - from) * 4, bytes = soundMemory() + kSlack + size + kSlack;
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
@@ -37,7 +37,8 @@ int writeWav(const Options &o, bool stdoutClosed) {
     Sound *sound = loadSound(arena);
     uint8_t *first = arena.take<uint8_t>(kSlack + size) + kSlack;
 
-    // All from the film's begin is rendered, whatever is wanted of it. Blocks begin and end outside of that
+    // Render from the film's start, whatever part is wanted. Blocks may begin before that part and end after
+    // it: kSlack has room for that
     for (int at = 0; at < to; at += kSoundBlock) {
         float block[2 * kSoundBlock];
         soundBlock(*sound, block);

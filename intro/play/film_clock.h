@@ -23,8 +23,8 @@ public:
     // How often watch() was called: after a gap in its own calls the sound waits for the next one.
     unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }
 
-    // A histogram: how often it was off from what is heard by so many milliseconds; the last bin has what was
-    // further off, too.
+    // A histogram: how often the clock was off from what is heard by so many milliseconds; the last bin also
+    // counts all that was further off.
     static constexpr int kOffsets = 250;
     int offsets[kOffsets];
 

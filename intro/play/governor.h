@@ -1,8 +1,9 @@
-// Decides how well the next pictures are traced, and how many of them, from what the last ones took: so that
-// any machine keeps up. Seconds throughout. It has no clock: the same times in, the same decisions out.
+// Decides how well the next pictures are traced, and how many of them, from the time that the last ones took,
+// so that any machine keeps up. All times are in seconds. It has no clock of its own: the same times in, the
+// same decisions out.
 //
-// Two things can give way. The quality moves between `film`, `play` and `draft`, a little with every picture,
-// so that nobody sees a step. The way is what becomes of the sixty pictures a second that a screen shows:
+// It changes two things. The quality moves between `film`, `play` and `draft`, a little with every picture,
+// so that nobody sees a step. The way tells how the sixty pictures a second that a screen shows are made:
 //
 //   kSixty    all are traced, where that can be done at `play` or better
 //   kPairs    every other one is traced; the one between two of them is made of both, which is less work
@@ -23,36 +24,36 @@ struct Governor {
     // What a picture may take: 87 % of the time until the next one. The rest is for showing it, and for
     // pictures that take longer than those before them.
     static constexpr float kSixtyBudget = 0.0145f, kThirtyBudget = 0.029f;
-    // Averages follow a new picture by a quarter: they are those of the last four or so, a seventh of a
-    // second. Fewer would follow noise, more would see a costly scene too late.
+    // Each new picture counts a quarter in the averages: they are those of the last four or so, a seventh of
+    // a second. Fewer would follow noise, more would see a costly scene too late.
     static constexpr float kFollow = 0.25f;
     // Tracing one picture counts as at most so many times the average, and making one as so many times
-    // tracing: what takes longer is a hiccup, of the system or another program, and says nothing of the
+    // tracing. What takes longer is a hiccup of the system or of another program, and tells nothing about the
     // pictures after it.
     static constexpr float kMostTracing = 4, kMostMaking = 1.5f;
     // How far the quality moves at a picture that takes twice its budget; from `play` to `draft` that is six
-    // pictures. Better it becomes at half that speed at most: a picture that is late is seen, a coarse one
-    // hardly.
+    // pictures. It improves at half that speed at most: viewers notice a late picture, but hardly a coarse
+    // one.
     static constexpr float kMove = 0.16f, kMostBetter = -0.5f, kMostWorse = 1;
-    // Not quite `film`, which takes more samples of textures: a step that would be seen.
+    // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
-    // Sixty are traced when a picture of at least `play` takes less than this, and as long as it is of `play`
-    // or a little coarser. Between both lie 25 % of a picture's time, more than noise of 30 % leaves in an
-    // average, so that it does not swing.
+    // All sixty are traced once a picture of at least `play` takes less than kSixtyBelow, and for as long as
+    // the quality stays at `play` or a little coarser. The gap between these two conditions is 25 % of a
+    // picture's time. That is more than noise of 30 % leaves in an average, so the way does not swing.
     static constexpr float kSixtyBelow = 0.0125f, kPlay = 1, kLittleCoarser = 1.25f;
-    // None are made between when a pair at `draft` is so many times its budget, and so many times what
+    // No in-betweens are made once a pair at `draft` takes kLate times its budget and kNearlyTwice times what
     // tracing alone takes
     static constexpr float kLate = 1.1f, kNearlyTwice = 1.8f;
-    // What comes next may be so much late before pictures are left out for it.
+    // The next picture may be so much late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
-    static constexpr double kNotBegun = -1e9; // where the film stands before it begins: there is time for all
+    static constexpr double kNotBegun = -1e9; // the film's time before it begins: no picture is late
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
 
     Way way = kPairs;
     float level = kPlay;                                    // kBest .. kSteps along kRange
-    float average = kThirtyBudget, tracing = kThirtyBudget; // that the last pictures took, and tracing alone
+    float average = kThirtyBudget, tracing = kThirtyBudget; // of the last pictures, and of tracing them alone
     int scene = -1;
 
     bool pairs() const { return way == kPairs; }
@@ -69,7 +70,7 @@ struct Governor {
         scene = next;
     }
 
-    // What the last picture took: to trace, and to make the one before it of its neighbours, or 0.
+    // The times that the last picture took: to trace it, and to make the in-between before it, or 0.
     void spent(float trace, float make) {
         float budget = way == kSixty ? kSixtyBudget : kThirtyBudget;
         trace = min(trace, kMostTracing * tracing);
@@ -89,8 +90,9 @@ struct Governor {
         }
     }
 
-    // The time of the film to trace next, after the picture of `time`, when the film is at `now`: it must be
-    // there when its time comes, and what is made from both, sooner.
+    // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.
+    // The picture must be ready when its time comes; in pairs it must be ready earlier, as the in-between is
+    // made from it.
     double next(double time, double now) const {
         double soonest = now + average + (pairs() ? 0.5 * step() : 0);
         time += step();

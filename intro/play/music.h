@@ -9,7 +9,7 @@ struct Music {
     FilmClock clock;
     Playback playback;
     Sound *sound; // null: silence
-    int block;    // the next one of it
+    int block;    // the next block of it
 };
 
 // Starts the music at a time of the film, in seconds; `music` is zeroed, and must outlive the program's

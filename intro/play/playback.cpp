@@ -7,10 +7,11 @@ static_assert(kSoundRate == kDeviceRate);
 namespace {
 
 constexpr int64_t kSecond = 1000000000, kNap = 2000000; // nanoseconds
-// Frames. What is off by more than kLate is left out or waited for, by more than kFar sought. A device that
-// takes all it gets, and cannot tell what it holds, is kept kLead ahead of the film.
+// Frames. Sound that is off by more than kLate is left out or waited for; if it is off by more than kFar, the
+// right place is sought. A device that takes all it gets, and cannot tell what it holds, is kept kLead ahead
+// of the film.
 constexpr int64_t kLate = kSoundRate / 50, kFar = kSoundRate, kLead = kSoundRate / 5;
-constexpr float kFade = 0.5f; // of the level, a block
+constexpr float kFade = 0.5f; // change of the level in a block
 
 } // namespace
 
@@ -19,12 +20,12 @@ void Playback::prepare(const SoundSource &what, const SoundOutput &where, FilmCl
     output = where;
     clock = &by;
     position = begin = (int64_t)(from * kSoundRate);
-    // The film's begin is played as it is
+    // From the film's start no seek is needed, and no fade in
     sought = !begin;
     level = sought;
 }
 
-// The next block, growing louder or softer to a level.
+// Renders the next block, and fades to a level within it.
 void Playback::fill(float to) {
     source.render(source.context, block);
     position += kSoundBlock;
@@ -35,7 +36,7 @@ void Playback::fill(float to) {
     quiet = 0;
 }
 
-// In silence, on to a frame of the film, or towards it.
+// Makes a block of silence, and moves to a frame of the film, or towards it.
 void Playback::leap(int64_t frame, bool still) {
     int64_t off = frame - position;
     if (!still && (!sought || off > kFar || off < -kFar)) {
@@ -58,7 +59,8 @@ int64_t Playback::lose(int64_t now) {
 }
 
 int64_t Playback::step(int64_t now) {
-    // After a gap of our own the film's clock may be wrong, until the film has looked at it
+    // After a gap in calls to this function the film's clock may be wrong, until FilmClock::watch() has been
+    // called
     if (lastStep && now - lastStep > FilmClock::kGap) {
         doubt = true;
         watched = clock->watched();
@@ -81,8 +83,8 @@ int64_t Playback::step(int64_t now) {
         return taken ? 0 : kNap;
     }
 
-    // How much too late the next block would be heard, in frames. Until the film begins it is in time; where
-    // nobody knows what the device holds, it may be early
+    // How much too late the next block would be heard, in frames. Until the film begins it is in time. If
+    // nobody knows what the device holds, the block may be early
     int64_t film = playing ? (int64_t)(clock->at(now) * kSoundRate) : begin;
     int64_t off = playing ? film + held - position : 0;
     bool leaps = still || !sought || off > kLate || off < -(held ? kLate : kLead + kLate);
@@ -100,7 +102,7 @@ int64_t Playback::step(int64_t now) {
     return 0;
 }
 
-// Sets the clock by what is heard, from when the device has had enough on.
+// Sets the clock by what is heard, once the device has had enough sound.
 void Playback::follow(int64_t now, bool full) {
     held = output.delay();
     if (held < 0) held = 0;

@@ -1,8 +1,8 @@
 // Plays the film's sound ahead of its clock, and sets the clock by what is heard.
 //
 // A step writes at most one block of 5 ms. Sound that would be heard too late is left out, so that the film
-// never waits; where the film's time leaps, the sound is sought there. Every leap lies between a fade out and
-// a fade in of 10 ms. A device that is lost is opened again every second.
+// never waits; when the film's time leaps, the sound follows to that place. Every leap lies between a fade
+// out and a fade in of 10 ms. A device that is lost is opened again every second.
 #pragma once
 
 #include "host/sound.h"
@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-// What is played, from a time of the film on.
+// What is played, from some time of the film on.
 struct SoundSource {
     void (*seek)(void *context, int64_t frame); // the next block begins with this frame of the film
     void (*render)(void *context, int16_t samples[2 * kSoundBlock]); // ... and moves on
@@ -23,8 +23,8 @@ public:
     // Called first, on zeroed memory. The source stands at the film's beginning.
     void prepare(const SoundSource &source, const SoundOutput &output, FilmClock &clock, double from);
 
-    // To be called again and again, on a thread of its own, with the moment. Returns how long to sleep, in
-    // nanoseconds.
+    // Must be called again and again, on a thread of its own; `now` is in nanoseconds(). Returns how long to
+    // sleep, in nanoseconds.
     int64_t step(int64_t now);
 
     // These may be called on any thread. Paused, it fades out; silence() tells when nothing is heard any

@@ -11,7 +11,7 @@ namespace odraz {
 
 namespace {
 
-// Pictures a second that a viewer should see; a sixtieth without a new one is missed.
+// Pictures a second that a viewer should see; a sixtieth of a second without a new one counts as missed.
 constexpr int kScreenRate = 60;
 constexpr int64_t kNap = 500000; // nanoseconds
 
@@ -19,16 +19,16 @@ constexpr int64_t kNap = 500000; // nanoseconds
 struct Made {
     Picture picture;
     double time;
-    float trace, make; // seconds that it took, or 0
-    float samples;     // in every pixel
+    float trace, make; // seconds that this took, or 0
+    float samples;     // per pixel
 };
 
 struct Player {
     Intro *intro;
     const Options *options;
     const int *leave;
-    // Numbers of pictures since the start, in the order in which they are shown. Traced ones lie in the two
-    // slots by turns
+    // Numbers of pictures since the start, in the order in which they are shown. Traced ones are in the two
+    // slots in turn
     unsigned made, shown;
     bool ended; // no more are made
     Made ring[4];
@@ -39,7 +39,7 @@ struct Player {
         ring[made % 4] = m;
         __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
     }
-    // Waits until all up to that number are shown.
+    // Waits until that many pictures have been shown.
     void await(unsigned number) const {
         while ((int)(__atomic_load_n(&shown, __ATOMIC_ACQUIRE) - number) < 0 && !leaves()) sleepFor(kNap);
     }
@@ -50,12 +50,13 @@ Statistics theStatistics;
 Music theMusic;
 Player thePlayer;
 
-// Traces the film ahead of its clock: it is scripted.
+// Traces the film ahead of its clock, which is possible because the film is scripted.
 [[gnu::force_align_arg_pointer]] void *make(void *) {
     Player &p = thePlayer;
     const Options &o = *p.options;
     Governor governor;
-    // How many must be shown before each slot, and the place of a picture between, is free
+    // How many pictures must have been shown before each slot, and the frame of in-betweens, may be used
+    // again
     unsigned until[2] = {}, untilBetween = 0;
     double time = seconds(o.from), to = seconds(o.to), last = time;
     for (int n = 0; time < to && !p.leaves(); ++n) {
@@ -104,7 +105,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         return refuse(m.data);
     }
 
-    // The film begins when its first pictures are there, and its sound with it
+    // The film and its sound begin when the first pictures are ready
     while (p.ready() < 3 && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves()) sleepFor(kNap);
     startMusic(theMusic, sound, from, leave);
     int64_t start = nanoseconds(), lastSixtieth = -1, firstShown = 0;
@@ -121,7 +122,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             continue;
         }
         SceneStatistics &s = theStatistics.scenes[sceneAt(m.time)];
-        // Of several whose time has come, the last
+        // If several pictures' time has come, show only the last
         if (ready - p.shown < 2 || p.ring[(p.shown + 1) % 4].time > time) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();

@@ -1,4 +1,4 @@
-// Showing the film as it is traced, on the clock.
+// Shows the film while it is being traced, by the clock.
 #pragma once
 
 #include "host/window.h"
@@ -8,7 +8,7 @@
 namespace odraz {
 
 // Plays until the film ends or *leave is set (by the window's thread, for the viewer); exit status. `sound`
-// is null where it is to be silent; `began` is when the program did, in nanoseconds().
+// is null for silence; `began` is when the program started, in nanoseconds().
 int play(Intro &intro, Sound *sound, const Options &options, FilmWindow &window, const int *leave,
          int64_t began);
 

@@ -1,4 +1,4 @@
-// What --stats tells: for every scene how many pictures were traced, made between others, shown and missed,
+// What --stats prints: for every scene how many pictures were traced, made between others, shown and missed,
 // and how long that took.
 #pragma once
 
@@ -19,13 +19,13 @@ struct Histogram {
         ++bins[bin < kBins ? bin : kBins - 1];
         ++count;
     }
-    // The smallest time, in milliseconds, that a share of all stays within.
+    // The smallest time, in milliseconds, within which `share` (0 .. 1) of all times lie.
     double quantile(double share) const;
 };
 
 struct SceneStatistics {
     int traced, between, shown, missed;
-    double samples; // of all traced pictures, in every pixel
+    double samples; // per pixel, summed over all traced pictures
     Histogram trace, make, present;
 };
 

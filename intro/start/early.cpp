@@ -13,7 +13,7 @@ Early theEarly;
 
 namespace {
 
-// Opens the window if there is to be one. Other things that are wrong are left for main to tell.
+// Opens the window if the film is to be played. Other errors are left to main, which reports them.
 void open(int argc, char **argv) {
     if (!cpuSuffices()) return;
     Options o;

@@ -1,4 +1,4 @@
-// What the compiler calls for copies and clears. In the shipped program only: elsewhere libc's serve.
+// What the compiler calls for copies and clears. In the shipped program only: other programs use libc's.
 #include <stddef.h>
 
 extern "C" {

@@ -1,4 +1,5 @@
-// The first thing that runs, on any x86-64: nothing of the film may be touched before the processor is known.
+// The first thing that runs, on any x86-64: no code of the film may run before the processor has been
+// checked.
 #include "host/cpu.h"
 #include "host/process.h"
 #include "start/early.h"

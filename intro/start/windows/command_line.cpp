@@ -15,11 +15,12 @@ Arguments &commandLine() {
     WideCharToMultiByte(windows::kUtf8, 0, GetCommandLineW(), -1, theText, sizeof theText, nullptr, nullptr);
     // In place: what is written is never longer than what was read
     char *from = theText, *to = theText;
-    // Where it begins with a blank, the program's own name is empty
+    // If the line begins with a blank, the program's own name is empty
     do {
         a.values[a.count++] = to;
         for (bool quoted = false; *from && (quoted || (*from != ' ' && *from != '\t'));) {
-            // Backslashes count by two in front of a quotation mark, where an odd one makes it a letter
+            // In front of a quotation mark two backslashes stand for one, and an odd one makes the mark a
+            // letter
             int slashes = 0;
             while (*from == '\\') ++from, ++slashes;
             bool quote = *from == '"';

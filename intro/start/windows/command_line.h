@@ -1,4 +1,4 @@
-// The command line of Windows, as main gets it elsewhere.
+// The command line of Windows, split into the arguments that main() gets on other systems.
 #pragma once
 
 namespace odraz {
@@ -8,8 +8,8 @@ struct Arguments {
     char *values[512];
 };
 
-// In UTF-8, split as Windows programs do: at blanks that are not quoted. What is beyond the last of the
-// values is left out.
+// In UTF-8, split as Windows programs do: at blanks that are not quoted. Arguments for which `values` has no
+// room are left out.
 Arguments &commandLine();
 
 } // namespace odraz
