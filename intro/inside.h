@@ -1,5 +1,5 @@
-// What an Intro is made of: for intro.cpp, and for tools and tests that measure its parts. Hosts know intro.h
-// alone.
+// What an Intro consists of: for intro.cpp, and for tools and tests that measure its parts. Hosts know
+// intro.h alone.
 #pragma once
 
 #include "intro.h"
@@ -12,7 +12,7 @@
 
 namespace odraz {
 
-// A picture as it was traced, and when.
+// A picture as it was traced, and its time.
 struct Slot {
     Traced traced;
     const Shot *shot;
@@ -28,8 +28,9 @@ struct Intro {
     Curve curve;
     Glare glare;
     Slot slots[kSlots];
-    bool pairs;      // false: there is slot 0 alone, and its frame and scene are those above
-    Between between; // where pictures between others are made
+    // false: there is only slot 0, with the frame above and the film's scene
+    bool pairs;
+    Between between; // what making in-betweens needs
 };
 
 struct Sound {

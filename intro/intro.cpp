@@ -63,12 +63,12 @@ CameraKey cameraAt(double seconds) {
     return pose(m.shot->path, m.storyRow);
 }
 
-// Letters and development, of planes that may be written over; into `rgba`.
+// Draws text over traced planes and develops them into `rgba`.
 static Picture finish(Intro &intro, const Posed &now, const View &view, double seconds, float exposure,
                       const Frame &planes, uint8_t *rgba) {
     Frame frame = planes;
     if (now.entry->letter) {
-        // What is kept for pictures between stays as it is
+        // Draw on a copy: the traced planes are still needed for in-betweens
         frame = intro.frame;
         size_t floats = (size_t)frame.stride * (size_t)frame.height;
         for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
@@ -77,8 +77,8 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
     }
     frame.rgba = rgba;
     spreadGlare(intro.glare, frame, *intro.workers);
-    // Squared, a fade looks even: the eye is quick to see the first light. The noise moves: what stands still
-    // would be seen as a veil
+    // Squared, a fade looks even, because the eye quickly notices the first light. The noise changes with
+    // time: if it stood still, it would look like a veil
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
             &intro.glare, kFilmLook);
     return {frame.width, frame.height, rgba};

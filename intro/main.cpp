@@ -39,7 +39,8 @@ struct Prepared {
     Intro *intro;
 };
 
-// Threads and memory; exit status. What a dump lacks is told to the script that runs it, not in a window.
+// Starts threads and takes memory; returns an exit status. What a dump lacks is reported to the script that
+// runs it, not in a window.
 int prepare(const Options &o, Prepared &f) {
     auto refuseOrComplain = o.dump ? complain : refuse;
     int count = o.threads ? o.threads : cpuCount();
@@ -48,7 +49,7 @@ int prepare(const Options &o, Prepared &f) {
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
         return refuseOrComplain(m.data);
     }
-    // Frames made from others want those beside the first and the last, too
+    // In-betweens also need the frames before the first and after the last
     double beside = o.live ? 1 / 60.0 : 0;
     bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps);
     f.hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
@@ -76,7 +77,7 @@ int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
     return dump(*f.intro, o, stdoutClosed);
 }
 
-// The window comes first, and shows how far loading is.
+// Opens the window first, which then shows how far loading is.
 int playFilm(const Options &o, Prepared &f, int64_t began) {
     FilmWindow &window = theEarly.window;
     float loaded = theEarly.opened ? kEarlyShare : 0;

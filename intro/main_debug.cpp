@@ -39,7 +39,7 @@ struct Maker {
 Maker theMaker; // GLFW's callbacks reach it
 Music theMusic;
 
-// The first move away from the script starts where the script stands.
+// The first move away from the script starts at the scripted camera.
 void takeOver(Maker &m) {
     if (!m.flying) m.camera = cameraAt(m.time);
     m.flying = m.paused = true;
@@ -171,7 +171,7 @@ int main(int argc, char **argv) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
-        // Paused, or sought, the clock follows us; else we follow it
+        // When paused or sought, the clock follows us; otherwise we follow it
         int64_t moment = nanoseconds();
         FilmClock &clock = theMusic.clock;
         clock.watch(moment, processorNanoseconds());

@@ -51,7 +51,7 @@ bool readRate(const char *p, Rate &fps) {
            fps.numerator <= fps.denominator * 1000;
 }
 
-// 1 up to a limit.
+// A number from 1 up to a limit.
 bool readCount(const char *&p, int limit, int &count) {
     int64_t n;
     if (!readInteger(p, limit, n)) return false;
@@ -60,7 +60,7 @@ bool readCount(const char *&p, int limit, int &count) {
 }
 
 bool readQuality(const char *p, Options &o) {
-    // As it is played: what is traced is so at `play`
+    // As when the film is played: traced frames are of quality `play`
     o.live = same(p, "live");
     if (o.live) p = "play";
     for (const Quality &q : kQualities)
@@ -73,8 +73,9 @@ bool readQuality(const char *p, Options &o) {
 
 struct Option {
     char name[10];
-    char value[7];        // what follows it, for the help; "" where nothing does
-    const char *expects;  // what a value must be: the refusal of another says so, and the help begins with it
+    char value[7]; // what follows it, for the help; "" if nothing does
+    // what the value must be: the line about a wrong value says so, and the help begins with it
+    const char *expects;
     const char *helpTail; // the rest of the help
     bool (*read)(const char *p, Options &o);
 };

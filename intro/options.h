@@ -29,7 +29,7 @@ struct Options {
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
 
-    // The quality asked for, or another where none is.
+    // The quality asked for, or another if none is.
     const Quality &qualityOr(QualityName otherwise) const {
         return kQualities[(int)(quality == QualityName::Count ? otherwise : quality)];
     }

@@ -8,8 +8,8 @@
 #include <immintrin.h>
 #include <stdint.h>
 
-// For functions of one or two instructions. Under -Os they would be called, with their arguments in memory:
-// larger, and many times slower.
+// For functions of one or two instructions. Under -Os the compiler would call them, with arguments in memory,
+// which is larger and many times slower.
 #define ODRAZ_INLINE [[gnu::always_inline]] inline
 
 namespace odraz {
