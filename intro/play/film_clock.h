@@ -12,13 +12,14 @@ public:
     double at(int64_t now) const { return (double)(now - __atomic_load_n(&zero, __ATOMIC_RELAXED)) * 1e-9; }
     bool started() const { return __atomic_load_n(&running, __ATOMIC_ACQUIRE); }
 
-    // Sets it to a time, whatever it was: to begin, and where the viewer seeks.
+    // Sets the film's time: at the start, and when the viewer seeks.
     void start(double time, int64_t now);
     // The device says that this time of the film is heard now. If that is more than kMostOff seconds off, the
     // device is not believed.
     void hear(double time, int64_t now);
-    // Asked once a picture, with the processor time that the process has used: when it was stopped meanwhile
-    // (much time passed, and it did nothing) the film goes on where it stopped.
+    // Must be called once a picture, with the processor time that the process has used. If the process was
+    // stopped since the last call (much time passed, and it did almost nothing), the film goes on where it
+    // stopped.
     void watch(int64_t now, int64_t processor);
     // How often watch() was called: after a gap in its own calls the sound waits for the next one.
     unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }

@@ -5,12 +5,12 @@
 // It changes two things. The quality moves between `film`, `play` and `draft`, a little with every picture,
 // so that nobody sees a step. The way tells how the sixty pictures a second that a screen shows are made:
 //
-//   kSixty    all are traced, where that can be done at `play` or better
-//   kPairs    every other one is traced; the one between two of them is made of both, which is less work
-//   kThirty   every other one is traced, and shown twice: where `draft` is too slow for pairs, and making
-//             costs nearly what tracing does. It lasts until the next scene
+//   kSixty    all are traced, if that can be done at `play` or better
+//   kPairs    every other one is traced; the in-between of two of them is made from both, which is less work
+//   kThirty   every other one is traced, and shown twice: if `draft` is too slow for pairs, and making one
+//             costs nearly as much as tracing it. This lasts until the next scene
 //
-// Where even that is too much, next() leaves pictures out.
+// If even that is too much, next() leaves pictures out.
 #pragma once
 
 #include "base/maths.h"

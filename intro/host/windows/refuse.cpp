@@ -41,7 +41,7 @@ int say(const char *line, bool box) {
 
 } // namespace
 
-// If standard output is closed too, a viewer started us: a script would have that.
+// A script has at least standard output. If that is closed too, a viewer started us, who gets a box.
 int complain(const char *line) { return say(line, !GetFileType(standard(1))); }
 
 int refuse(const char *line) { return say(line, true); }

@@ -2,7 +2,7 @@
 // now, because the program has an interpreter, so malloc and threads of the libraries work.
 #include "host/process.h"
 
-// At entry rsp points to argc. Functions expect it 32-aligned where they are called.
+// At entry rsp points to argc. Our functions expect rsp to be 32-aligned at a call.
 __asm__(".globl _start\n"
         ".type _start, @function\n"
         "_start:\n"

@@ -2,8 +2,8 @@
 #include "host/process.h"
 #include "start/windows/command_line.h"
 
-// Functions expect rsp 32-aligned where they are called, and floats that round as on Linux, denormal ones
-// too: what is loaded with a program may have changed that.
+// Our functions expect rsp to be 32-aligned at a call, and floats to round as on Linux, denormal ones too:
+// libraries loaded with the program may have changed that.
 __asm__(".globl _start\n"
         ".type _start, @function\n"
         "_start:\n"

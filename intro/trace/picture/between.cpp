@@ -92,8 +92,8 @@ struct Fetched {
     Float8 inX = clamp(x, 0.f, right), inY = clamp(y, 0.f, bottom);
     mine &= max(abs(x - inX), abs(y - inY)) < 0.5f;
     Float8 left = floor(inX), top = floor(inY), u = inX - left, w = inY - top;
-    // Neighbouring pixels are mostly neighbours there, too. So loads serve instead of gathers, one round for
-    // each distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
+    // Neighbouring pixels are mostly neighbours there, too. So loads replace gathers, one round for each
+    // distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
     Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes, others = {};
     Fetched found = {Rgb8{}, Int8{}};
     for (int rest = 255; rest;) {
@@ -245,7 +245,7 @@ ODRAZ_INLINE Known fetchPixels(const Sides &sides, const Tile &t, const BetweenS
     }
 }
 
-// Traces the pixels that anewAt lists, or the whole tile where they are many.
+// Traces the pixels that anewAt lists, or the whole tile if there are many.
 ODRAZ_INLINE void retrace(Tile &t, BetweenScratch &b, int count) {
     b.anew += count;
     if (count > kMostAnew)

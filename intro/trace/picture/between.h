@@ -29,7 +29,7 @@ struct Between {
 };
 
 extern const size_t kBetweenBytes; // that makeBetween() takes at most, of the arena
-// False where the arena is full.
+// False if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
 // Fills the frame of `now`, whose scene and view are those of its moment, from pictures equally long before

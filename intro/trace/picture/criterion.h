@@ -36,8 +36,8 @@ ODRAZ_INLINE __m128 rangeOf(const TileScratch &s, const uint32_t *c) {
     return exceeds(range(v[0], v[1], v[2], v[3]), threshold);
 }
 
-// The intensities by which a corner is compared. Its texture is left out: where only the texture differs, the
-// texture's own filter serves.
+// The intensities by which a corner is compared. Its texture is left out: if only the texture differs, the
+// texture's own filter is enough.
 ODRAZ_INLINE __m128 intensityOf(const Scene &scene, const Sample &c) {
     Rgb mean = c.id ? scene.mean[scene.shapes[c.shape()].material] : Rgb{};
     __m128 lit = fourOf(c.light) * __m128{mean.x, mean.y, mean.z, 0};
@@ -90,8 +90,8 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
     return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
 }
 
-// Whether a pixel splits. Only what is seen decides; where only the texture differs, the texture's own filter
-// serves.
+// Whether a pixel splits. Only what is seen decides. If only the texture differs, the texture's own filter is
+// enough.
 ODRAZ_INLINE bool splitsPixel(const Tile &t, Square a, const uint32_t *c) {
     const TileScratch &s = t.s;
     int shape = shapeOf(s, c[0], alike(s, c));

@@ -27,7 +27,7 @@ struct Glare {
 
 // Bytes of arena that makeGlare() takes for pictures of a size.
 size_t glareBytes(int width, int height);
-// False where the arena is full.
+// False if the arena is full.
 bool makeGlare(Glare &glare, Arena &arena, int width, int height);
 
 // Fills level 1 with the spread light: for each place a mean of the frame, with weights that sum to 1.

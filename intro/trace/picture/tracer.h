@@ -18,7 +18,7 @@ struct Tracer {
 };
 
 extern const size_t kTileScratchBytes; // for each worker
-// False where the arena is full, or there are more workers than kMaxWorkers.
+// False if the arena is full, or there are more workers than kMaxWorkers.
 bool makeTracer(Tracer &tracer, Arena &arena, int workers);
 
 // Traces the whole frame. The picture does not depend on the number of workers.

@@ -56,6 +56,7 @@ struct Scene {
     float occluderRadius[kMaxOccluders];
     uint16_t occluderShape[kMaxOccluders];
     Bounds box[kMaxShapes]; // of each bounded shape
+    // Indices of the bounded shapes; those of a subtree of the tree are neighbours
     uint16_t order[kMaxShapes];
     Node nodes[kMaxShapes];
 

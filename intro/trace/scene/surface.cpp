@@ -4,7 +4,7 @@
 
 namespace odraz {
 
-// The stretch of a ray inside a convex solid; empty where enter > leave.
+// The stretch of a ray inside a convex solid; empty if enter > leave.
 struct Interval {
     Float8 enter, leave;
 };

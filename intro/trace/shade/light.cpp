@@ -49,8 +49,7 @@ struct Occluders {
 };
 
 // Finds the shapes that may stand between a light and a run's places, by the box around these. For few
-// places, or where the beam is too wide, found.count is -1, and the whole tree is
-// tried.
+// places, or if the beam is too wide, found.count is -1, and the whole tree is tried.
 void aim(const Scene &scene, const Run &run, const Bounds &box, Vec3 from, Candidates &found) {
     found.count = -1;
     if (run.count <= 16) return;

@@ -6,7 +6,7 @@ namespace odraz {
 
 namespace {
 
-// A stretch of t; empty where to <= from.
+// A stretch of t; empty if to <= from.
 struct Stretch {
     Float8 from, to;
 
