@@ -100,6 +100,16 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
     {kCredits, 0, 2, {kPad, 4, 5, 150}, 1, 32, 35, 35, "0"},
 };
+static_assert(
+    [] {
+        for (const Part &p : kParts) {
+            int bars = 0;
+            while (kChords[p.scene][bars]) ++bars;
+            if (p.from >= p.to || p.to > bars) return false;
+        }
+        return true;
+    }(),
+    "a part begins before it ends, within its scene's bars");
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
 static constexpr Heard kHeard[] = {
