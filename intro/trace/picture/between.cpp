@@ -195,21 +195,21 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         left &= ~laneBits(mine);
         Fetched v = fetch(sides.before, sides.carry[0][id], px, py, far),
                 w = fetch(sides.after, sides.carry[1][id], px, py, far);
-        Int8 a = v.worth, e = w.worth;
+        Int8 before = v.worth, after = w.worth;
         // Only pixels that it shares with other shapes tell how far it extends
-        if (rim) a &= a == 1, e &= e == 1;
+        if (rim) before &= before == 1, after &= after == 1;
         Rgb8 more = v.radiance + w.radiance, off = v.radiance - w.radiance;
         // They agree if they differ by roughly less than the eye sees
         Float8 bright = brightest(more) * (0.5f * exposure);
-        Int8 agree = (a > 0) & (e > 0) &
+        Int8 agree = (before > 0) & (after > 0) &
                      (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
                       fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
-        more = select(agree, more * broadcast(0.5f), select(a > e, v.radiance, w.radiance));
+        more = select(agree, more * broadcast(0.5f), select(before > after, v.radiance, w.radiance));
         // A pixel is white as soon as a little of something much brighter than white extends into it.
         // Interpolation would widen the outline of such a thing
-        Int8 glare = ((a == 1) | (e == 1)) & (brightest(more) * exposure > kGlare);
+        Int8 glare = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kGlare);
         known.radiance = select(mine, more, known.radiance);
-        known.done |= mine & (agree | (a != e)) & ~glare;
+        known.done |= mine & (agree | (before != after)) & ~glare;
     }
 }
 
