@@ -36,6 +36,15 @@ bool Arguments::choice(const std::string &option, const std::string &first, cons
     return word == first;
 }
 
+bool Arguments::onlyQuick() {
+    bool quick = false;
+    while (const char *word = next()) {
+        if (std::strcmp(word, "--quick")) refuse(word);
+        quick = true;
+    }
+    return quick;
+}
+
 void Arguments::refuse(const std::string &word) const { throw Refused("cannot use '" + word + "'; " + hint); }
 
 // Prints one line, even if the message repeats words of the user that have line breaks.

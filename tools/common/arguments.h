@@ -26,6 +26,9 @@ public:
     // Whether the option's value is the first of two words; it must be one of them.
     bool choice(const std::string &option, const std::string &first, const std::string &second);
 
+    // Reads all words, of which only --quick is allowed; whether it was there.
+    bool onlyQuick();
+
     // Throws Refused for a word that means nothing here.
     [[noreturn]] void refuse(const std::string &word) const;
 

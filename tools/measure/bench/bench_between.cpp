@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <vector>
 
 using namespace odraz;
@@ -50,24 +51,78 @@ Decibels compare(const Planes &a, const Planes &truth, float exposure) {
     return {decibels(linear), decibels(shown)};
 }
 
-int run(Arguments &words) {
+struct Asked {
     int width = 1280, height = 720;
     bool once = false; // one run, for programs that count instructions
     std::vector<double> moments;
+};
+
+Asked read(Arguments &words) {
+    Asked asked;
     while (const char *word = words.next()) {
-        if (!std::string(word).compare("--once")) {
-            once = true;
-        } else if (!std::string(word).compare("--size")) {
-            if (std::sscanf(words.value(word).c_str(), "%dx%d", &width, &height) != 2) words.refuse(word);
-        } else
-            moments.push_back(std::stod(word));
+        std::string option = word;
+        if (option == "--once")
+            asked.once = true;
+        else if (option != "--size") {
+            char *end;
+            asked.moments.push_back(std::strtod(word, &end));
+            if (end == word || *end) words.refuse(option);
+        } else if (std::sscanf(words.value(option).c_str(), "%dx%d", &asked.width, &asked.height) != 2)
+            words.refuse(option);
     }
-    if (moments.empty())
-        moments = {8,  11.5, 16,  20,  30,  44,  52,  64,  70.5, 76, 84,
-                   93, 98,   108, 121, 131, 138, 144, 150, 156,  159};
+    if (asked.moments.empty())
+        asked.moments = {8,  11.5, 16,  20,  30,  44,  52,  64,  70.5, 76, 84,
+                         93, 98,   108, 121, 131, 138, 144, 150, 156,  159};
+    return asked;
+}
+
+// The two pictures that another is made between
+void pictureBoth(Intro &intro, double s) {
+    const Quality &play = kQualities[(int)QualityName::Play];
+    picture(intro, 0, s - kStep, play);
+    picture(intro, 1, s + kStep, play);
+}
+
+// One row of the CSV
+void measure(Intro &intro, double s, Workers &workers) {
+    const Quality &play = kQualities[(int)QualityName::Play], &draft = kQualities[(int)QualityName::Draft];
+    Quality truth = kQualities[(int)QualityName::Reference];
+    truth.depth = 8, truth.cutoff = 1 / 256.f;
+    int width = intro.frame.width, height = intro.frame.height;
+    Film film = intro.film;
+    float exposure = 1;
+    auto trace = [&](const Quality &q, double &ms) {
+        View view = poseAt(film, s).view(width, height);
+        exposure = film.scene->exposure;
+        double began = threadSeconds();
+        traceFrame(intro.tracer, workers, *film.scene, view, q, intro.frame);
+        ms = (threadSeconds() - began) * 1e3;
+        return planesOf(intro.frame);
+    };
+    double ms[4] = {1e9, 0, 0, 0};
+    Planes exact = trace(truth, ms[3]), cheap = trace(draft, ms[1]), dear = trace(play, ms[2]);
+    pictureBoth(intro, s);
+    Traced now = {intro.frame, film.scene, poseAt(film, s).view(width, height)};
+    constexpr int kTries = 3; // the fastest counts
+    for (int i = 0; i < kTries; ++i) {
+        double began = threadSeconds();
+        traceBetween(intro.between, intro.tracer, workers, intro.slots[0].traced, intro.slots[1].traced, play,
+                     now);
+        ms[0] = std::fmin(ms[0], (threadSeconds() - began) * 1e3);
+    }
+    Decibels a = compare(planesOf(intro.frame), exact, exposure), b = compare(cheap, exact, exposure),
+             c = compare(dear, exact, exposure);
+    std::printf("%s,%g,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.4f\n", sceneName(sceneAt(s)), s,
+                a.linear, b.linear, c.linear, a.shown, b.shown, c.shown, ms[0], ms[1], ms[2],
+                (double)tracedAnew(intro.between) / kTries / (width * height));
+    std::fflush(stdout);
+}
+
+int run(Arguments &words) {
+    Asked asked = read(words);
     bool hall = false;
-    for (double s : moments) hall |= needsHall(s - kStep, s + kStep);
-    IntroSettings settings = {width, height};
+    for (double s : asked.moments) hall |= needsHall(s - kStep, s + kStep);
+    IntroSettings settings = {asked.width, asked.height};
     settings.pairs = true;
     Workers workers = serialWorkers();
     HeapArena memory(memoryNeeded(settings, 1, hall));
@@ -75,52 +130,15 @@ int run(Arguments &words) {
     Intro *intro;
     if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
         throw std::runtime_error(wrong);
-    const Quality &play = kQualities[(int)QualityName::Play], &draft = kQualities[(int)QualityName::Draft];
-    Quality truth = kQualities[(int)QualityName::Reference];
-    truth.depth = 8, truth.cutoff = 1 / 256.f;
-    std::printf("scene,seconds,between_linear,draft_linear,play_linear,between_shown,draft_shown,play_shown,"
-                "between_ms,draft_ms,play_ms,anew\n");
-    for (double s : moments) {
-        float exposure = 1;
-        Film film = intro->film;
-        auto trace = [&](const Quality &q, double &ms) {
-            Posed now = poseAt(film, s);
-            exposure = film.scene->exposure;
-            View view = now.view(width, height);
-            double began = threadSeconds();
-            traceFrame(intro->tracer, workers, *film.scene, view, q, intro->frame);
-            ms = (threadSeconds() - began) * 1e3;
-            return planesOf(intro->frame);
-        };
-        if (once) {
-            picture(*intro, 0, s - kStep, play);
-            picture(*intro, 1, s + kStep, play);
+    if (!asked.once)
+        std::printf("scene,seconds,between_linear,draft_linear,play_linear,between_shown,draft_shown,"
+                    "play_shown,between_ms,draft_ms,play_ms,anew\n");
+    for (double s : asked.moments)
+        if (asked.once) {
+            pictureBoth(*intro, s);
             between(*intro, 0, 1);
-            continue;
-        }
-        double ms[4];
-        Planes exact = trace(truth, ms[3]), cheap = trace(draft, ms[1]), dear = trace(play, ms[2]);
-        picture(*intro, 0, s - kStep, play);
-        picture(*intro, 1, s + kStep, play);
-        for (ms[0] = 1e9;;) {
-            Traced now = {intro->frame, film.scene, poseAt(film, s).view(width, height)};
-            double least = ms[0];
-            for (int i = 0; i < 3; ++i) {
-                double began = threadSeconds();
-                traceBetween(intro->between, intro->tracer, workers, intro->slots[0].traced,
-                             intro->slots[1].traced, play, now);
-                least = std::fmin(least, (threadSeconds() - began) * 1e3);
-            }
-            ms[0] = least;
-            break;
-        }
-        Decibels a = compare(planesOf(intro->frame), exact, exposure), b = compare(cheap, exact, exposure),
-                 c = compare(dear, exact, exposure);
-        std::printf("%s,%g,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.4f\n", sceneName(sceneAt(s)), s,
-                    a.linear, b.linear, c.linear, a.shown, b.shown, c.shown, ms[0], ms[1], ms[2],
-                    (double)tracedAnew(intro->between) / 3 / (width * height));
-        std::fflush(stdout);
-    }
+        } else
+            measure(*intro, s, workers);
     return 0;
 }
 

@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 using namespace odraz;
 
@@ -129,11 +128,7 @@ void solutions(bool quick, const Gl &gl, Workers &workers) {
 }
 
 int run(Arguments &words) {
-    bool quick = false;
-    while (const char *word = words.next()) {
-        if (std::strcmp(word, "--quick")) words.refuse(word);
-        quick = true;
-    }
+    bool quick = words.onlyQuick();
     Gl gl = openGl();
     Workers workers = allProcessors();
     hemicubes(gl, workers);

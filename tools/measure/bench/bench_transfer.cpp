@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
 using namespace odraz;
 
@@ -136,11 +135,7 @@ void overTheDay(int hours, const Gl &gl, Workers &workers) {
 }
 
 int run(Arguments &words) {
-    bool quick = false;
-    while (const char *word = words.next()) {
-        if (std::strcmp(word, "--quick")) words.refuse(word);
-        quick = true;
-    }
+    bool quick = words.onlyQuick();
     Gl gl = openGl();
     Workers workers = allProcessors();
     std::unique_ptr<SolvedHall> solved = startUp(quick ? 1 : 5, gl, workers);

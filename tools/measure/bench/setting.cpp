@@ -2,6 +2,8 @@
 
 #include "tools/common/arguments.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <vector>
@@ -23,20 +25,27 @@ struct Knob {
     const char *name;
     int *whole; // one of the two is null
     float *real;
+    std::vector<float> values; // all that a whole knob may have; of the others none is negative
 };
+
+std::vector<float> upTo(int most) {
+    std::vector<float> all;
+    for (int k = 0; k <= most; ++k) all.push_back((float)k);
+    return all;
+}
 
 std::vector<Knob> knobsOf(Quality &q) {
     return {
-        {"grid", &q.grid, nullptr},
-        {"coarse", &q.coarse, nullptr},
-        {"fine", &q.fine, nullptr},
-        {"textureSamples", &q.textureSamples, nullptr},
-        {"depth", &q.depth, nullptr},
-        {"threshold", nullptr, &q.threshold},
-        {"markThreshold", nullptr, &q.markThreshold},
-        {"edge", nullptr, &q.edge},
-        {"markWeight", nullptr, &q.markWeight},
-        {"cutoff", nullptr, &q.cutoff},
+        {"grid", &q.grid, nullptr, upTo(16)},
+        {"coarse", &q.coarse, nullptr, {4, 8, 16, 32}},
+        {"fine", &q.fine, nullptr, {1, 2, 4, 8}},
+        {"textureSamples", &q.textureSamples, nullptr, {1, 2}},
+        {"depth", &q.depth, nullptr, upTo(kMaxDepth)},
+        {"threshold", nullptr, &q.threshold, {}},
+        {"markThreshold", nullptr, &q.markThreshold, {}},
+        {"edge", nullptr, &q.edge, {}},
+        {"markWeight", nullptr, &q.markWeight, {}},
+        {"cutoff", nullptr, &q.cutoff, {}},
     };
 }
 
@@ -44,6 +53,9 @@ void turn(Quality &q, const std::string &knob, float value) {
     std::string known;
     for (const Knob &k : knobsOf(q)) {
         if (knob == k.name) {
+            if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
+                        : !(value >= 0 && std::isfinite(value)))
+                throw Refused(knob + " cannot have that value; see quality.h");
             if (k.whole)
                 *k.whole = (int)value;
             else
@@ -76,6 +88,8 @@ Quality settingOf(const std::string &words) {
         turn(setting, knob, number(knob, turned.substr(is + 1)));
         comma = next;
     }
+    if (!setting.grid && (setting.fine > setting.coarse || !setting.fine))
+        throw Refused("without a grid, fine and coarse are needed, and fine is at most coarse");
     return setting;
 }
 

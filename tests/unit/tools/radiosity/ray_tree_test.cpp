@@ -20,13 +20,11 @@ struct Rays : Random {
     }
 };
 
-Vec3d wide(const Vec3 &v) { return {(double)v.x, (double)v.y, (double)v.z}; }
-
 // Moeller and Trumbore, 1997, in double; t, or infinity.
 double meet(const RayTree::Corners &c, Vec3d o, Vec3d d) {
-    Vec3d e1 = wide(c[1]) - wide(c[0]), e2 = wide(c[2]) - wide(c[0]), p = cross(d, e2);
+    Vec3d e1 = toDouble(c[1]) - toDouble(c[0]), e2 = toDouble(c[2]) - toDouble(c[0]), p = cross(d, e2);
     double det = dot(e1, p);
-    Vec3d s = o - wide(c[0]), q = cross(s, e1);
+    Vec3d s = o - toDouble(c[0]), q = cross(s, e1);
     double u = dot(s, p) / det, v = dot(d, q) / det, t = dot(e2, q) / det;
     return u >= 0 && v >= 0 && u + v <= 1 && t > 0 ? t : INFINITY;
 }
@@ -76,7 +74,8 @@ TEST(RayTree, MeetsWhatIsNearest) {
             double nearest = INFINITY;
             int which = -1;
             for (size_t k = 0; k < triangles.size(); ++k)
-                if (double t = meet(triangles[k], wide(o), wide(d)); t < nearest) nearest = t, which = (int)k;
+                if (double t = meet(triangles[k], toDouble(o), toDouble(d)); t < nearest)
+                    nearest = t, which = (int)k;
             RayHit hit = tree.nearest(o, d);
             hits += which >= 0;
             differ += hit.triangle != which; // by rounding, at edges and crossings
@@ -84,7 +83,8 @@ TEST(RayTree, MeetsWhatIsNearest) {
                 EXPECT_NEAR((double)hit.t, nearest, 1e-5);
                 const auto &c = triangles[(size_t)which];
                 EXPECT_EQ(hit.back,
-                          dot(cross(wide(c[1]) - wide(c[0]), wide(c[2]) - wide(c[0])), wide(d)) > 0);
+                          dot(cross(toDouble(c[1]) - toDouble(c[0]), toDouble(c[2]) - toDouble(c[0])),
+                              toDouble(d)) > 0);
                 EXPECT_TRUE(tree.blocked(o, d, hit.t * 1.001f));
                 EXPECT_FALSE(tree.blocked(o, d, hit.t * 0.999f));
             }
