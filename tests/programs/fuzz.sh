@@ -1,10 +1,11 @@
-# Runs a fuzzer for a bounded time on a reader of files, with real files as seeds. What it finds differs from run to
-# run, so it prints each finding: keep it as a test.
-#   fuzz.sh BUILD pack|rad|obj|hdr [SECONDS]
+# Attacks a reader of files, with real files as seeds.
+#   fuzz.sh BUILD pack|rad|obj|hdr replay    damages the seeds, in every run the same way; for tests under sanitizers
+#   fuzz.sh BUILD pack|rad|obj|hdr SECONDS   runs libFuzzer that long. What it finds differs from run to run, so it
+#                                            prints each finding: keep it as a test
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
 target=${2:-pack} seconds=${3:-30}
-needs_built "tests/fuzz_$target" # by clang
+case $seconds in replay) needs_built "tests/replay_$target" ;; *) needs_built "tests/fuzz_$target" ;; esac # by clang
 mkdir -p "$WORK/seeds"
 cd "$WORK" || exit 1
 
@@ -66,6 +67,17 @@ seeds_for_hdr() {
 
 check "seeds for each reader" "seeds_for_$target"
 check "... are there" test "$(find seeds -type f -size +0 | wc -l)" -ge 4
+replay() {
+    "$BUILD/tests/replay_$target" seeds/* >log 2>&1 && grep 'inputs' log && return
+    tail -n 40 log
+    [ ! -e input ] || { echo "the input, by base64 -d:" && base64 -w 0 input && echo; }
+    return 1
+}
+if [ "$seconds" = replay ]; then
+    check "the reader survives the seeds, whole and damaged" replay
+    finish
+fi
+
 fuzz() {
     # -timeout catches what hangs, not what waits for a busy machine
     if "$BUILD/tests/fuzz_$target" -max_total_time="$seconds" -timeout=200 -rss_limit_mb=3000 -verbosity=0 -print_final_stats=1 "${options[@]}" seeds >log 2>&1; then

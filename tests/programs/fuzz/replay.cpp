@@ -1,0 +1,70 @@
+// replay SEED...: gives a reader each file, then damaged copies of it, which are the same in every run: cut
+// short, with bytes changed, removed, repeated or taken from another seed. Whatever the reader does wrong,
+// the sanitizers tell; the input is then in the file `input`.
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <string>
+#include <vector>
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+
+namespace {
+
+constexpr int kDamagedCopies = 150; // of each seed
+
+void give(const std::string &input) {
+    std::ofstream("input", std::ios::binary) << input;
+    LLVMFuzzerTestOneInput((const uint8_t *)input.data(), input.size());
+}
+
+// One to four wounds. Numbers at the edges of their ranges are likelier to do harm than others
+std::string damaged(std::string text, const std::string &other, std::mt19937 &chance) {
+    auto below = [&](size_t n) { return n ? chance() % n : 0; };
+    static const uint8_t kEdges[] = {0x00, 0x01, 0x7f, 0x80, 0xff, '0', '-', '/', ' ', '\n'};
+    for (size_t wounds = 1 + below(4); wounds && !text.empty(); --wounds) {
+        size_t at = below(text.size()), length = std::min(1 + below(16), text.size() - at);
+        switch (below(6)) {
+        case 0:
+            text.resize(at);
+            break;
+        case 1:
+            text[at] = (char)chance();
+            break;
+        case 2:
+            std::fill_n(text.begin() + (long)at, length, (char)kEdges[below(sizeof kEdges)]);
+            break;
+        case 3:
+            text.erase(at, length);
+            break;
+        case 4:
+            text.insert(at, text.substr(at, length));
+            break;
+        default:
+            text.replace(at, length, other.substr(std::min(below(other.size()), other.size()), length));
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    std::vector<std::string> seeds;
+    for (int k = 1; k < argc; ++k) {
+        std::ifstream from(argv[k], std::ios::binary);
+        seeds.emplace_back(std::istreambuf_iterator<char>(from), std::istreambuf_iterator<char>());
+        if (seeds.back().empty()) return std::fprintf(stderr, "replay: cannot read %s\n", argv[k]), 1;
+    }
+    std::mt19937 chance(1);
+    long inputs = 0;
+    for (const std::string &seed : seeds) {
+        give(seed), ++inputs;
+        for (int k = 0; k < kDamagedCopies; ++k, ++inputs)
+            give(damaged(seed, seeds[chance() % seeds.size()], chance));
+    }
+    std::printf("%ld inputs\n", inputs);
+    return inputs ? 0 : 1;
+}
