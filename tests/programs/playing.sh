@@ -67,7 +67,7 @@ check "a server starts" serve
 into_server() {
     for _ in {1..10}; do
         record "$WORK/heard"
-        play --to 5 || return 1
+        play --to 4 || return 1
         kill $recorder
         is_music "$WORK/heard" 2 1 && return 0
     done
@@ -77,7 +77,7 @@ check "plays to a server what --wav writes, to the last bit" into_server
 check "... and says nothing" says_nothing
 
 stops() {
-    play --to 9 &
+    play --to 7 &
     local film=$!
     await seen
     sleep 3
@@ -92,7 +92,7 @@ check "plays while the server stops for two seconds" stops
 check "... and is heard again" is_loud "$WORK/after"
 check "... and says nothing" says_nothing
 dies() {
-    play --to 12 &
+    play --to 9 &
     local film=$!
     await seen
     sleep 2

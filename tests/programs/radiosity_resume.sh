@@ -24,11 +24,11 @@ stopped_once() {
     "$radiosity" solve "$@" -o part.rad --keep-every $every --progress >out 2>err &
     pid=$!
     if [[ $until = [a-z]* ]]; then
-        until { [ -e part.rad.state ] && grep -q "^progress: $until" err; } 2>/dev/null || gone $pid; do :; done
+        until { [ -e part.rad.state ] && grep -q "^progress: $until" err; } 2>/dev/null || gone $pid; do sleep 0.01; done
     else
         while [ $seen -lt "$until" ] && ! gone $pid; do
             now=$(stat -c %i part.rad.state 2>/dev/null)
-            [ "$now" = "$last" ] || { last=$now; seen=$((seen + 1)); }
+            if [ "$now" = "$last" ]; then sleep 0.01; else last=$now seen=$((seen + 1)); fi
         done
     fi
     kill -"$signal" $pid 2>/dev/null
@@ -68,7 +68,7 @@ twice() { # stopped, and once more, at once
     stopped INT 2 "${patches[@]}" || return
     rm err
     "$radiosity" solve --resume part.rad.state >out 2>err &
-    until grep -qs '^progress: form factors' err || gone $!; do :; done
+    until grep -qs '^progress: form factors' err || gone $!; do sleep 0.01; done
     kill -INT $!
     wait $!
     [ -e part.rad.state ]

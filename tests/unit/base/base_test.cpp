@@ -1,8 +1,8 @@
 #include "base/arena.h"
 #include "base/parallel.h"
-#include "tests/support/random.h"
 #include "base/text.h"
 #include "base/vec3.h"
+#include "tests/support/random.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

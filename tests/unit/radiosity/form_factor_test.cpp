@@ -1,5 +1,6 @@
 // Form factors by hemicubes against closed forms.
 #include "tests/support/hemicube_bench.h"
+#include "tests/support/sanitized.h"
 
 #include <algorithm>
 #include <cmath>
@@ -174,6 +175,7 @@ TEST(FormFactor, FromAPointToARectangle) {
 
 // The error is 0.3 % at 64 pixels and 0.1 % at 128, and keeps falling.
 TEST(FormFactor, FallsWithResolution) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (bool parallel : {true, false}) {
         double last = 1;
         for (int px : {8, 16, 32, 64, 128}) {

@@ -2,6 +2,7 @@
 // inside things, and no picture has a NaN or is empty.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/sanitized.h"
 
 #include <algorithm>
 #include <cmath>
@@ -118,6 +119,7 @@ TEST(Film, CamerasMoveEvenly) {
 // Levels fit the treatment: pictures are not dark or bright for long, hardly anything is clipped, and colours
 // are moderate.
 TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     std::printf("scene     pictures   mean level      clipped, most   saturation\n");
     for (int scene = 0; scene < kSceneCount; ++scene) {
         double sum = 0, least = 255, most = 0, clipped = 0;

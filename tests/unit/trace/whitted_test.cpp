@@ -1,5 +1,6 @@
 // Whole rays through small scenes, against Phong's, Snell's and Fresnel's formulas.
 #include "base/maths.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/stage.h"
 
 #include <cmath>
@@ -108,6 +109,7 @@ TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
 // A light too faint for the quality casts no shadow. Its shadow fades in with the light, and lights that
 // matter have all of it.
 TEST(Shadow, FadesInWithTheLightThatItTakes) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     Quality coarse = kExact;
     coarse.cutoff = 1 / 24.f;
     float before = 0, most = 0;

@@ -1,6 +1,7 @@
 // Compares the relit hall with solutions made for exactly that light, and its floor's gloss with rays; and
 // tests extremes.
 #include "tests/support/headless_gl.h"
+#include "tests/support/sanitized.h"
 #include "tools/measure/oracle/transfer.h"
 
 #include <gtest/gtest.h>
@@ -40,6 +41,7 @@ struct Floor {
 // The sky, its clouds and the sun at every hour. The error stays below one per cent; it comes from bands
 // beyond the fourth. Fewer bands lose more.
 TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     double last[2] = {1e9, 1e9};
     for (const DayError &e : dayErrors({0, 1, 2, 3, 4, 5, 6}, {1, 3, kBands}, headlessGl(), serial)) {
         std::printf("hour %g, %d bands: %.2f %% of the lightmap, %.2f %% of all light\n", (double)e.hour,
@@ -66,8 +68,7 @@ TEST(Gloss, IsWhatRaysBring) {
     const Glossy &g = hall.gloss;
     const System &s = hall.radiosity.system;
     Vec3 eye = {2.5f, 1.6f, 4};
-    for (HallLight by :
-         {HallLight{kNoon, {}, {}, 1}, HallLight{kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
+    for (HallLight by : {HallLight{kNoon, {}, {}, 1}, HallLight{kNight, {}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}}) {
         LightVector light = lightVector(by);
         std::vector<float> got = floor.seen(light, eye);
         double error = 0, all = 0;
@@ -125,6 +126,7 @@ TEST(Gloss, IsWhatRaysBring) {
 }
 
 TEST(Gloss, SurvivesItsCompression) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     std::vector<float> exact, got;
     LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kNight, {1, 1, 1}, {}, 1});
     for (const LightVector &light : {noon, lamps}) {

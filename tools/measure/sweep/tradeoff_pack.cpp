@@ -42,14 +42,14 @@ std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
     std::vector<PackSetting> all;
     for (uint32_t n : {4u, 8u, 12u, 16u, 24u}) {
         bool shipped = n == ships.contexts;
-        if (!quick || n != 12)
+        if (!quick || n < 12 || shipped)
             all.push_back({std::to_string(n) + " contexts",
                            {n, ships.slotBits, shipped || quick ? 0. : 4.},
                            shipped,
                            kContexts});
     }
     for (uint32_t bits : {16u, 18u, 20u, 22u, 23u})
-        if (bits != ships.slotBits && (!quick || bits == 18))
+        if (bits != ships.slotBits && (!quick || bits < 20))
             all.push_back(
                 {"2^" + std::to_string(bits) + " slots", {ships.contexts, bits, 0}, false, kMemory});
     if (!quick)
