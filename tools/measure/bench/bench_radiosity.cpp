@@ -49,7 +49,8 @@ struct Size {
 };
 constexpr Size kThesis[] = {{26360, 280}, {136512, 3500}, {546048, 34980}};
 
-// The area that gives a model at least this many triangles; curved models get about as many.
+// The area that gives a model at least this many triangles, and 0.5 % more at most where its steps allow
+// that; curved models get about as many.
 double areaFor(const std::string &kind, size_t triangles) {
     if (kind == "vault") return 27600 * 0.06 / (double)triangles;
     if (kind == "terrain") return 27400 * 0.02 / (double)triangles;
@@ -58,6 +59,7 @@ double areaFor(const std::string &kind, size_t triangles) {
         double middle = std::sqrt(low * high);
         size_t count = 0;
         generateObj(kind, middle, &count);
+        if (count >= triangles && (double)count < 1.005 * (double)triangles) return middle;
         (count >= triangles ? low : high) = middle;
     }
     return low;
