@@ -35,4 +35,5 @@ build() {
     cmake -S "$ODRAZ" -B "$to" -G "${generator:-Ninja}" "${options[@]}" >"$to/build.log" 2>&1 &&
         cmake --build "$to" -j "$(nproc)" --target "${targets[@]}" >>"$to/build.log" 2>&1 ||
         { tail -n 40 "$to/build.log" >&2; echo "${0##*/}: the build failed; its whole output is in $to/build.log" >&2; exit 1; }
+    grep -A 3 'warning: ' "$to/build.log" >&2 || true
 }
