@@ -27,6 +27,14 @@ constexpr Instrument kInstruments[] = {
         .release = 0.5_s, .detune = 0.01_s, .spread = 1, .room = 0.8_s},
 };
 static_assert(sizeof kInstruments / sizeof *kInstruments == kInstrumentCount);
+static_assert(
+    [] {
+        for (const Instrument &i : kInstruments)
+            if (i.partials < 4 || i.partials > 32 || i.partials % 4 || i.attack * kSampleRate < kBlock - 0.5f)
+                return false;
+        return true;
+    }(),
+    "groups of four partials, 32 at most, and an attack of a block at least");
 
 constexpr char kChords[][19] = {
     [kPoint] = "DDDDDBGD",
