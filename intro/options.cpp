@@ -119,7 +119,6 @@ bool isStdout(const char *path) { return same(path, "-"); }
 void writeHelp(AnyText &t) {
     t << "usage: odraz [--window] [--mute]       watch the film; ESC leaves\n"
          "       odraz --dump DIR|- [--fps N]    write its frames as binary PPM, as in\n"
-
          "       odraz --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n\n";
     for (const Option &o : kOptions) {
         int line = t.size;

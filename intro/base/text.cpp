@@ -3,7 +3,7 @@
 namespace odraz {
 
 AnyText &AnyText::operator<<(char c) {
-    if (size < room - 1) data[size++] = c;
+    if (size < capacity - 1) data[size++] = c;
     data[size] = 0;
     return *this;
 }
@@ -35,7 +35,7 @@ AnyText &AnyText::decimal(double x, int places) {
 }
 
 AnyText &AnyText::padTo(int column) {
-    while (size < column && size < room - 1) *this << ' ';
+    while (size < column && size < capacity - 1) *this << ' ';
     return *this;
 }
 

@@ -8,7 +8,7 @@ namespace odraz {
 // Text of any size: all sizes share one copy of the code.
 struct AnyText {
     char *data;
-    int room; // bytes, including the zero at the end
+    int capacity; // bytes, including the zero at the end
     int size = 0;
 
     AnyText &operator<<(char c);

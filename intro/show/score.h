@@ -47,7 +47,7 @@ struct Heard {
           tone(tone) {}
 };
 
-// Plays the notes that begin on a row of the film, from 0 on. It is a Player (mixer.h).
+// Plays the notes that begin on a row of the film, from 0 on. It is a RowPlayer (mixer.h).
 void playRow(Mixer &mixer, int row);
 
 } // namespace odraz

@@ -72,7 +72,7 @@ void renderBlock(Mixer &m, float *stereo) {
 }
 
 void seekBlock(Mixer &m, int block) {
-    Player player = m.player;
+    RowPlayer player = m.player;
     __builtin_memset(&m, 0, sizeof m);
     m.player = player;
     float unheard[2 * kBlock];

@@ -15,11 +15,11 @@ inline constexpr int kVoicesAtOnce = 16; // notes that may begin on one row; mor
 
 struct Mixer;
 // Plays all notes of a row.
-using Player = void (*)(Mixer &mixer, int row);
+using RowPlayer = void (*)(Mixer &mixer, int row);
 
 // All zeros except the player: silence at the start of the film.
 struct Mixer {
-    Player player;
+    RowPlayer player;
     int block;    // the next one
     float ducked; // how far loud instruments push the others down: 0 .. 1
     int voiceCount;

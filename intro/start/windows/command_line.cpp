@@ -19,8 +19,8 @@ Arguments &commandLine() {
     do {
         a.values[a.count++] = to;
         for (bool quoted = false; *from && (quoted || (*from != ' ' && *from != '\t'));) {
-            // In front of a quotation mark two backslashes stand for one, and an odd one makes the mark a
-            // letter
+            // Before a quotation mark, two backslashes stand for one; an odd one left over makes the mark an
+            // ordinary character
             int slashes = 0;
             while (*from == '\\') ++from, ++slashes;
             bool quote = *from == '"';

@@ -12,7 +12,7 @@ constexpr int kBeam = 16,
               kBeams = kTile / kBeam + 1; // pixels; beams along the side of a tile with its border
 constexpr uint16_t kNone = 0xffff;
 constexpr float kAlike = 0.06f;              // differences of what is shown below this count as none
-constexpr float kGlare = 1.5f;               // times white
+constexpr float kBlinding = 1.5f;            // times white
 constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
 
 } // namespace
@@ -207,9 +207,9 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         more = select(agree, more * broadcast(0.5f), select(before > after, v.radiance, w.radiance));
         // A pixel is white as soon as a little of something much brighter than white extends into it.
         // Interpolation would widen the outline of such a thing
-        Int8 glare = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kGlare);
+        Int8 blinding = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kBlinding);
         known.radiance = select(mine, more, known.radiance);
-        known.done |= mine & (agree | (before != after)) & ~glare;
+        known.done |= mine & (agree | (before != after)) & ~blinding;
     }
 }
 

@@ -2,7 +2,7 @@
 // those from a light to the places that it may shine on.
 //
 // Whatever depends on the origin alone is computed once for all rays. Boxes are culled for the whole beam,
-// eight boxes at a time, against the sides of a pyramid. A beam also gathers candidates: the shapes that it
+// eight boxes at a time, against the sides of a pyramid. A beam also collects candidates: the shapes that it
 // may touch, so that many packets of rays try only these.
 #pragma once
 

@@ -33,9 +33,9 @@ void addRest(const Shading &c, const RayStream &in, const int32_t *ray, int coun
     for (int k = 0; k < count; ++k) {
         float *rest = c.samples.restOf(in.sample[ray[k]]);
         __m128 was = _mm_load_ps(rest), more = rows.row[k], none = _mm_setzero_ps();
-        __m128i marks = _mm_add_epi32(_mm_castps_si128(was), _mm_castps_si128(more));
+        __m128i sumOfMarks = _mm_add_epi32(_mm_castps_si128(was), _mm_castps_si128(more));
         __m128 sum = _mm_blend_ps(was, none, 8) + _mm_blend_ps(more, none, 8);
-        _mm_store_ps(rest, _mm_blend_ps(sum, _mm_castsi128_ps(marks), 8));
+        _mm_store_ps(rest, _mm_blend_ps(sum, _mm_castsi128_ps(sumOfMarks), 8));
     }
 }
 

@@ -155,7 +155,8 @@ struct Lit {
     const Run &run;
     const Material &m;
     const Bounds &box;
-    float reflectance, counts; // light times `counts` is in fifths of the cutoff
+    float reflectance;
+    float counts; // light times this is in fifths of the cutoff
 };
 
 // Eight places of a run.

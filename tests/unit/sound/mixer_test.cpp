@@ -17,7 +17,7 @@ namespace {
 constexpr Instrument kString = {
     .partials = 8, .level = 0.01f, .tilt = 1, .decay = 20, .release = 2, .room = 0.5f};
 
-std::unique_ptr<Mixer> mixer(Player player) {
+std::unique_ptr<Mixer> mixer(RowPlayer player) {
     auto m = std::make_unique<Mixer>();
     m->player = player;
     return m;

@@ -144,8 +144,6 @@ TEST(Cylinder, HasASideAndTwoCaps) {
     EXPECT_NEAR(hit(s, {3, 4, 0}, {-1, -1, 0}), std::sqrt(8.f), 1e-5); // over the rim onto the cap
 }
 
-// --- The tree ---
-
 TEST(Rect, IsMetFromItsLitSideOnly) {
     auto scene = std::make_unique<Scene>();
     scene->clear();
@@ -217,6 +215,8 @@ TEST(Rect, RoomsAreTight) {
 }
 
 // Packets, single rays and beams, in trees of mixed shapes and of balls alone.
+// --- The tree ---
+
 TEST(Tree, FindsWhatBruteForceFinds) {
     Dice dice;
     auto scene = std::make_unique<Scene>();

@@ -58,7 +58,7 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
                     EXPECT_NEAR(at.p.z[0], o.z, kSlack);
                     EXPECT_NEAR(length(at.n)[0], 1, kSlack);
                     EXPECT_GE(at.n.y[0], 0);
-                    EXPECT_TRUE(at.face[0] >= 0 && at.face[0] <= 6);
+                    EXPECT_TRUE(at.face[0] >= 0 && at.face[0] <= 5);
                     EXPECT_TRUE(o.x > b.lo.x - kSlack && o.x < b.hi.x + kSlack && o.z > b.lo.z - kSlack &&
                                 o.z < b.hi.z + kSlack && o.y - t > b.lo.y - kSlack &&
                                 o.y - t < b.hi.y + kSlack);
