@@ -11,8 +11,8 @@ git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || commit=unknown
 check "--version" prints "^odraz [0-9]+\.[0-9]+\.[0-9]+ $commit\$" "$odraz" --version
 check "... in one line" test "$(wc -l <"$WORK/printed")" = 1
 check "--help" prints "^usage" "$odraz" --help
-for option in window mute stats dump wav fps from to size quality threads doctor version; do
-    check "... names --$option" grep -qw -e "--$option" "$WORK/printed"
+for option in $(grep -oE '"--[a-z]+"' "$SOURCE/intro/options.cpp" | tr -d '"'); do
+    check "... names $option" grep -qw -e "$option" "$WORK/printed"
 done
 check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz" --nope
 check "it refuses a bad value" refuses 2 "--fps needs" "$odraz" --dump - --fps abc

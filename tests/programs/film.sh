@@ -1,5 +1,5 @@
-# The packed film as it is started: one of each kind of what commandline.sh and machine.sh ask odraz-safe, which is the
-# same program and need not unpack itself for seconds. tools/test --long asks the packed film all of it.
+# Asks the packed film one question of each kind that commandline.sh and machine.sh ask odraz-safe, which is the same
+# program and need not unpack itself for seconds. tools/test --long asks the packed film all of them.
 . "$(dirname "$0")/common.sh"
 unset DISPLAY WAYLAND_DISPLAY
 odraz=$BUILD/odraz safe=$BUILD/odraz-safe

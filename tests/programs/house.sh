@@ -2,8 +2,8 @@
 # cycle.
 . "$(dirname "$0")/common.sh"
 
-# A file or a folder, and what it may include besides itself. The longest name counts: what has a rule of its own is not
-# meant by the name of the folder around it.
+# A file or a folder, and what it may include besides itself. The longest matching name counts: a folder's rule does not
+# apply to a file that has its own.
 cat >"$WORK/rules" <<'END'
 base
 timeline        base

@@ -19,7 +19,7 @@ check "... a line for every element" test "$(($(wc -l <cube.csv) - 1))" = "$(sed
 check "... whose areas are the model's" table cube.csv 'a += $8' 'a > 599.9 && a < 600.1'
 check "... red light on the wall beside the red one, green beside the green" \
     table cube.csv 'if ($7 == 1) { if ($2 < -4) { r += $9; g += $10 } if ($2 > 4) { R += $9; G += $10 } }' 'r > 1.1 * g && r / g > 1.1 * R / G'
-# ratio A B SUM LOW HIGH: a sum over the lines of table A is LOW to HIGH times that of B, which is known better
+# ratio A B SUM LOW HIGH: a sum over the lines of table A is LOW to HIGH times that of B, the more accurate one
 ratio() {
     table "$1" "s += $3" 's > 0' && table "$2" "s += $3" 's > 0' &&
         awk -F, "FNR > 1 { s[FILENAME] += $3 } END { d = s[\"$1\"] / s[\"$2\"]; exit !(d > $4 && d < $5) }" "$1" "$2"

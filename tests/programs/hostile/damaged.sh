@@ -2,7 +2,7 @@
 # never runs, never hangs, and leaves nothing behind.
 #   damaged.sh BUILD [TRIES] [SEED]
 # The first 656 bytes cannot be guarded: the header that the system and its loader read, and the code of the check
-# itself (packer/README.md). A change there may make a program that does anything; here they are only cut off.
+# itself (packer/README.md). A changed byte there could make the program do anything, so these bytes are only cut off, not changed.
 # tests/programs/packed.sh looks at every place of a small program.
 . "$(dirname "$0")/../common.sh"
 tries=${2:-100} seed=${3:-$((EPOCHSECONDS % 30000))}

@@ -53,7 +53,7 @@ echo "    $found frames were there, $parts files *.part were left, $early dumps 
 check "... some were there" test $found -gt 0
 check "... and not all dumps had ended before" test $early -lt $kills
 
-# One whose death certainly left something
+# A dump that certainly left an unfinished file behind
 mkdir -p dump
 echo "half a frame" >dump/frame-000500.ppm.99999.part
 check "a later dump into the same folder" "$odraz" --dump dump "${part[@]}"
@@ -61,7 +61,7 @@ check "... completes it" test "$(ls dump | grep -c 'ppm$')" = "$frames"
 check "... with the same frames" whole
 check "... and leaves unfinished files of other dumps alone" test "$(cat dump/frame-000500.ppm.99999.part)" = "half a frame"
 
-# Two at once, and four, of many small frames: so they often write the same one at the same time
+# Two dumps at once, then four, of many small frames: they often write the same frame at the same time
 part=(--from 20 --to 24 --size 16x9 --quality draft)
 rm -rf reference
 check "many small frames" "$odraz" --dump reference "${part[@]}"

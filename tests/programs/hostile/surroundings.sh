@@ -1,6 +1,6 @@
 # Odd surroundings: the same picture, or one line. Limits; no /proc, /dev or /sys; setuid; personalities; an empty or a
-# huge environment; folders that are gone, read-only or full; a display that does not exist. Fewer than 4 descriptors,
-# or a stack below 64 KB, the loader and the kernel refuse by themselves.
+# huge environment; folders that are gone, read-only or full; a display that does not exist. Fewer than 4 descriptors
+# or a stack below 64 KB are not tried: the loader and the kernel refuse those.
 #   surroundings.sh BUILD odraz|odraz-safe
 # (closed descriptors: commandline.sh; missing libraries, old processors, no room: machine.sh; MDWE: machine.sh,
 # packed.sh)

@@ -65,7 +65,7 @@ values() { # values OPTION: sets good to what it may be given
 mapfile -t options < <("$program" --help | grep -oE '(^|[ |])--?[a-z][a-z-]*' | grep -oE -- '-.*' | sort -u)
 check "--help tells options" test ${#options[@]} -ge 6
 
-# Sets words. In front or behind stands what keeps it short: `bounds`
+# Sets words to a random command line. `bounds`, before or after it, keeps the run short
 make_words() {
     local groups=$((RANDOM % 5)) group option
     words=()

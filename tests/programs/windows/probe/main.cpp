@@ -52,7 +52,7 @@ static bool is(const char *a, const char *b) {
 
 int odrazMain(int argc, char **argv) {
     using namespace probe;
-    // What has been loaded might have left anything there: it starts once more
+    // Libraries may have changed the float state, so the start code runs once more, in a bad state
     static bool again;
     if (!again) {
         again = true;

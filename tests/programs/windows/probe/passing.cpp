@@ -55,7 +55,7 @@ bool passes(void *ours, int slot) {
            (probeCameStack & 15) == 8;
 }
 
-// Floats go in other registers by the two conventions where they stand behind integers, or these behind them.
+// The two conventions disagree on registers where floats and integers are mixed.
 template <class T> constexpr bool isFloat = __is_same(T, float) || __is_same(T, double);
 template <class R, class... A> constexpr bool mayPass(R (*)(A...)) {
     constexpr int floats = (0 + ... + (int)isFloat<A>), all = sizeof...(A);
