@@ -29,7 +29,7 @@ double hemicubeMs(const Model &m, const Gl &gl, int px) {
         if (m.patches[i].share > 0 && !m.charts[m.patches[i].chart].open)
             eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
     std::vector<double> times;
-    for (int round = 0; round < 5; ++round) {
+    for (int round = 0; round < 3; ++round) {
         double began = processorSeconds();
         for (size_t i = 0; i < eyes.size(); i += (size_t)h.batch) {
             int count = std::min((int)(eyes.size() - i), h.batch);

@@ -114,7 +114,7 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
                 // In a room, few places at the edges of shadows make most of the rms; but a median includes
                 // the noise of the paths
                 bool room = series < 3;
-                probes = placeMeshProbes(solved.solution, (room ? 1000 : 300) * (sweep.quick ? 1 : 3));
+                probes = placeMeshProbes(solved.solution, (room ? 1000 : 300) * (sweep.quick ? 1 : 2));
                 tracePaths(mesh, solved.surroundings, probes, (room ? 36 : 68) * (sweep.quick ? 1 : 2),
                            workers);
             }

@@ -16,8 +16,10 @@ namespace {
 
 using TraceSetting = Setting<Quality>;
 
-const std::vector<std::string> kSeries = {
-    "qualities", "samples in every pixel", "smallest square", "threshold", "edge", "marks"};
+enum Series { kQuality, kGrid, kSquare, kThreshold, kEdge, kPaths };
+constexpr const char *kSeries[] = {[kQuality] = "qualities", [kGrid] = "samples in every pixel",
+                                   [kSquare] = "squares",    [kThreshold] = "thresholds",
+                                   [kEdge] = "edge",         [kPaths] = "what rays follow and mark"};
 
 // The named qualities, the steps between them that the governor takes, plain grids, and `play` with one knob
 // turned at a time.
@@ -25,15 +27,16 @@ std::vector<TraceSetting> settings(bool few) {
     std::vector<TraceSetting> all;
     auto named = [](QualityName name) { return kQualities[(int)name]; };
     for (const Quality &q : kQualities)
-        if (q.grid == 0) all.push_back({q.name, q, true, 0});
+        if (q.grid == 0) all.push_back({q.name, q, true, kQuality});
     Quality play = named(QualityName::Play);
-    auto with = [&](int series, const std::string &name, auto &&change) {
+    auto with = [&](Series series, const std::string &name, auto &&change) {
         Quality q = play;
         change(q);
         all.push_back({name, q, false, series});
     };
     for (int n : {1, 2})
-        with(1, std::to_string(n) + "x" + std::to_string(n) + " samples", [&](Quality &q) { q.grid = n; });
+        with(kGrid, std::to_string(n) + "x" + std::to_string(n) + " samples",
+             [&](Quality &q) { q.grid = n; });
     if (few) return all;
     auto text = [](const char *knob, float v) {
         char s[60];
@@ -45,17 +48,19 @@ std::vector<TraceSetting> settings(bool few) {
         all.push_back({text("to draft", share), blend(play, named(QualityName::Draft), share)});
     }
     for (int fine : {8, 4})
-        with(2, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
-    with(2, "twelve samples inside pixels", [&](Quality &q) { q.fine = 1; });
+        with(kSquare, text("smallest square", (float)fine / 4), [&](Quality &q) { q.fine = fine; });
+    with(kSquare, "twelve samples inside pixels", [&](Quality &q) { q.fine = 1; });
     for (int coarse : {4, 8, 32})
-        with(2, text("largest square", (float)coarse / 4), [&](Quality &q) { q.coarse = coarse; });
-    for (float v : {0.01f, 0.02f, 0.08f}) with(3, text("threshold", v), [&](Quality &q) { q.threshold = v; });
+        with(kSquare, text("largest square", (float)coarse / 4), [&](Quality &q) { q.coarse = coarse; });
+    for (float v : {0.01f, 0.02f, 0.08f})
+        with(kThreshold, text("threshold", v), [&](Quality &q) { q.threshold = v; });
     for (float v : {0.f, 0.02f, 0.1f})
-        with(3, text("markThreshold", v), [&](Quality &q) { q.markThreshold = v; });
-    for (float v : {0.03f, 0.06f, 0.2f, 0.4f}) with(4, text("edge", v), [&](Quality &q) { q.edge = v; });
-    for (float v : {0.05f, 0.1f, 0.4f}) with(5, text("markWeight", v), [&](Quality &q) { q.markWeight = v; });
-    for (int v : {2, 3, 9}) with(5, text("bounces", (float)v), [&](Quality &q) { q.depth = v; });
-    for (float v : {1 / 10.f, 1 / 160.f}) with(5, text("cutoff", v), [&](Quality &q) { q.cutoff = v; });
+        with(kThreshold, text("markThreshold", v), [&](Quality &q) { q.markThreshold = v; });
+    for (float v : {0.03f, 0.06f, 0.2f, 0.4f}) with(kEdge, text("edge", v), [&](Quality &q) { q.edge = v; });
+    for (float v : {0.05f, 0.1f, 0.4f})
+        with(kPaths, text("markWeight", v), [&](Quality &q) { q.markWeight = v; });
+    for (int v : {2, 3, 9}) with(kPaths, text("bounces", (float)v), [&](Quality &q) { q.depth = v; });
+    for (float v : {1 / 10.f, 1 / 160.f}) with(kPaths, text("cutoff", v), [&](Quality &q) { q.cutoff = v; });
     return all;
 }
 
@@ -140,7 +145,8 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
                      std::to_string(width) + "x" + std::to_string(height),
                  "processor time of a picture, ms",
                  "mean FLIP to 256 samples a pixel",
-                 one ? kSeries : std::vector<std::string>{},
+                 one ? std::vector<std::string>(std::begin(kSeries), std::end(kSeries))
+                     : std::vector<std::string>{},
                  {},
                  true,
                  true,
