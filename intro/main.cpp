@@ -7,26 +7,14 @@
 #include "host/process.h"
 #include "host/threads.h"
 #include "output/dump.h"
-#include "output/output.h"
 #include "output/wav.h"
 #include "play/player.h"
+#include "start/answers.h"
 #include "start/early.h"
-#include "version.h"
 
 using namespace odraz;
 
 namespace {
-
-// --help, --version and --doctor.
-int answer(const Options &o) {
-    Text<4096> t;
-    if (o.help)
-        writeHelp(t);
-    else
-        t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
-    int status = writeOutput("-", t.data, (size_t)t.size);
-    return status || !o.doctor ? status : examine();
-}
 
 // What both ways to show the film need.
 struct Prepared {
@@ -96,20 +84,18 @@ int playFilm(const Options &o, Prepared &f, int64_t began) {
 int run(int argc, char **argv, bool stdoutClosed) {
     int64_t began = theEarly.began ? theEarly.began : nanoseconds();
     Options o;
-    Message wrong;
-    if (!parseOptions(argc, argv, duration(), o, wrong)) {
-        complain(wrong.data);
-        return 2;
+    int status;
+    if (answered(argc, argv, stdoutClosed, o, status)) return status;
+    if (o.doctor) {
+        status = tell(o);
+        return status ? status : examine();
     }
-    if (stdoutClosed && (o.help || o.version || o.doctor || o.stats))
-        return cannotWrite("standard output", "it is closed");
-    if (o.help || o.version || o.doctor) return answer(o);
     if (o.wav) {
-        int status = writeWav(o, stdoutClosed);
+        status = writeWav(o, stdoutClosed);
         if (status || !o.dump) return status;
     }
     Prepared film;
-    if (int status = prepare(o, film)) return status;
+    if ((status = prepare(o, film))) return status;
     return o.dump ? dumpFilm(o, film, stdoutClosed) : playFilm(o, film, began);
 }
 

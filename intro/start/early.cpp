@@ -3,9 +3,7 @@
 #include "host/clock.h"
 #include "host/cpu.h"
 #include "host/process.h"
-#include "options.h"
-#include "show/length.h"
-#include "timeline/track.h"
+#include "start/answers.h"
 
 namespace odraz {
 
@@ -13,14 +11,13 @@ Early theEarly;
 
 namespace {
 
-// Opens the window if the film is to be played. Other errors are left to main, which reports them.
+// Answers what needs no film, and opens the window if the film is to be played.
 void open(int argc, char **argv) {
-    if (!cpuSuffices()) return;
+    if (!cpuSuffices()) return; // main says so
     Options o;
-    Message wrong;
-    if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong) || o.help || o.version || o.doctor ||
-        o.dump || o.wav)
-        return;
+    int status;
+    if (answered(argc, argv, theEarly.closedDescriptors & 2, o, status)) endProcess(status);
+    if (o.doctor || o.dump || o.wav) return;
     Quiet libraries;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
         endProcess(refuse(line));

@@ -27,7 +27,7 @@ check "(the search would find them)" grep -qE 'v?(sqrt|div)ps' "$WORK/code"
 avx='%ymm|\bv[a-z0-9]+[ps][sd] '
 objdump -d --no-show-raw-insn "$BUILD/libhost.a" >"$WORK/host"
 check "code of host/ uses no AVX" lacks "$avx" "$WORK/host"
-for part in odraz/{early,linux/entry,start,memory} odraz-windows/{windows/entry,windows/command_line}; do
+for part in odraz/{answers,early,linux/entry,start,memory} odraz-windows/{windows/entry,windows/command_line}; do
     objdump -d --no-show-raw-insn "$BUILD/intro/CMakeFiles/${part%%/*}.elf.dir/start/${part#*/}.cpp.o" >"$WORK/start"
     check "... nor does start/${part#*/}" lacks "$avx" "$WORK/start"
 done
@@ -39,8 +39,8 @@ early() { # early MAP: the objects that the linker put there; the table of quali
         on && $NF ~ /\.o\)?$/ && $(NF - 1) ~ /^0x/ && $(NF - 1) != "0x0" && section !~ /kQualities/ { print $NF }' "$1" |
         sed 's|.*/||' | sort -u
 }
-neutral='early.cpp.o libengine.a(text.cpp.o) liboptions.a(options.cpp.o)'
-host='clock cpu library process refuse threads window'
+neutral='answers.cpp.o early.cpp.o libengine.a(text.cpp.o) liboptions.a(options.cpp.o) liboutput.a(output.cpp.o)'
+host='clock cpu files library process refuse threads window'
 early_is() { # early_is PROGRAM OBJECT...
     printf '%s\n' "${@:2}" | sort >"$WORK/expected"
     early "$WORK/$1.map" | diff "$WORK/expected" - >&2

@@ -22,7 +22,7 @@ host/linux      base host
 host/windows    base host
 start/linux     base host
 start/windows   base host host/windows start
-start           base host options.h show/length.h timeline/track.h
+start           base host options.h output/output.h version.h show/length.h timeline/track.h
 options.h       base trace/quality.h base
 options.cpp     base trace/quality.h trace/picture/frame.h options.h
 intro.h         base timeline trace/quality.h base
@@ -32,7 +32,7 @@ output          base host intro.h options.h
 play            base host intro.h options.h output
 doctor.h        base
 doctor.cpp      base host start output doctor.h
-main.cpp        base host start intro.h options.h output play doctor.h version.h
+main.cpp        base host start intro.h options.h output play doctor.h
 main_debug.cpp  base host timeline intro.h options.h play
 END
 # ... and of the system's headers
