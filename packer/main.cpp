@@ -31,11 +31,12 @@ constexpr char kUsage[] =
     "--model FILE                  start with the contexts in FILE instead of ordinary ones\n"
     "--save-model FILE             write the contexts that were used to FILE\n"
     "--map FILE                    print what each object file costs, by the linker's map in FILE\n"
+    "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its object files\n"
     "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n";
 
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
-               *map = nullptr, *saveModel = nullptr, *report = nullptr;
+               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr;
     bool pe = false, plain = false;
     long budget = 65536;
     double seconds = 0;
@@ -82,6 +83,7 @@ bool takeFile(Options &o, const std::string &word, const char *file) {
     } options[] = {
         {"-o", &o.out, false},        {"--test", &o.test, false},           {"-d", &o.unpack, false},
         {"--model", &o.model, true},  {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
+        {"--symbols", &o.symbols, true},
         {"--report", &o.report, true}};
     for (auto &option : options)
         if (word == option.name && file && !*option.value) {
@@ -184,6 +186,7 @@ void makePacked(const Options &o) {
     std::string map = o.map ? readText(o.map) : "";
     if (o.map && !pack::isMap(map))
         throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
+    std::string symbols = o.symbols ? readText(o.symbols) : "";
     pack::ModelParameters parameters = findParameters(o, program);
 
     // Encode, and prove that both decoders give the program back
@@ -197,7 +200,7 @@ void makePacked(const Options &o) {
         (o.pe ? pack::readPackedPe : pack::readPacked)(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
-    pack::Report report = pack::makeReport(file, map, program, encoded.bits, packed.size(), overhead);
+    pack::Report report = pack::makeReport(file, map, symbols, program, encoded.bits, packed.size(), overhead);
     std::fputs(pack::printReport(report).c_str(), stdout);
     if (o.saveModel)
         write(o.saveModel, "# contexts that suit " +

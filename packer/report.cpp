@@ -61,8 +61,34 @@ void readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
     }
 }
 
+// Which object file defines a symbol, from lines "lib.a:object.o:0000000000000000 T name". Of the same name in
+// several files, the first one counts.
+using Homes = std::map<std::string, std::string>;
+Homes readSymbols(const std::string &symbols) {
+    Homes homes;
+    std::istringstream lines(symbols);
+    for (std::string line; std::getline(lines, line);) {
+        size_t name = line.rfind(' '), to = line.rfind(':');
+        if (name == std::string::npos || to == std::string::npos || to > name) continue;
+        size_t from = line.find_last_of(":/", to - 1);
+        from = from == std::string::npos ? 0 : from + 1;
+        homes.emplace(line.substr(name + 1), line.substr(from, to - from));
+    }
+    return homes;
+}
+
+// The object file of a section that the linker made when it optimised the whole: of .text.name.constprop.0 the
+// one that defines `name`. Empty if none does.
+std::string homeOf(const std::string &section, const Homes &homes) {
+    size_t from = section.find('.', 1);
+    if (from == std::string::npos) return "";
+    std::string name = section.substr(from + 1);
+    auto home = homes.find(name.substr(0, name.find('.')));
+    return home == homes.end() ? "" : home->second;
+}
+
 // " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a line of its own if it is long.
-void readMap(const std::string &map, const Sum &sum, Report &report) {
+void readMap(const std::string &map, const Homes &homes, const Sum &sum, Report &report) {
     std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));
     std::string pending;
     for (std::string line; std::getline(lines, line);) {
@@ -85,6 +111,8 @@ void readMap(const std::string &map, const Sum &sum, Report &report) {
             object = object.substr(from + 1, object.size() - from - 2);
         else if (slash != std::string::npos)
             object = object.substr(slash + 1);
+        if (object.find(".ltrans") != std::string::npos)
+            if (std::string home = homeOf(section, homes); !home.empty()) object = home;
         Cost cost;
         sum.add(cost, std::strtoull(address.c_str(), nullptr, 16), std::strtoull(size.c_str(), nullptr, 16));
         if (!cost.bytes) continue;
@@ -132,12 +160,12 @@ std::string quote(const std::string &text) {
 
 bool isMap(const std::string &text) { return text.find(kMapBegins) != std::string::npos; }
 
-Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
-                  const std::vector<float> &bits, size_t fileSize, size_t overhead) {
+Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const std::string &symbols,
+                  const Program &program, const std::vector<float> &bits, size_t fileSize, size_t overhead) {
     Report report = {fileSize, overhead, {}, {}, {}};
     Sum sum(program, bits);
     readElf(elf, sum, report);
-    readMap(map, sum, report);
+    readMap(map, readSymbols(symbols), sum, report);
     return report;
 }
 

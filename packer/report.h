@@ -22,10 +22,11 @@ struct Report {
 bool isMap(const std::string &text);
 
 // `elf`: the program as it was read, for its sections and, if it is not stripped, its functions and objects.
-// `map`: the linker's, for the object files; may be empty. `bits`: the cost of each byte of `program`. Throws
-// Unsuitable.
-Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const Program &program,
-                  const std::vector<float> &bits, size_t fileSize, size_t overhead);
+// `map`: the linker's, for the object files; may be empty. `symbols`: what `nm -A` prints of the object files
+// that are optimised as a whole when they are linked, which the map shows as one; may be empty. `bits`: the
+// cost of each byte of `program`. Throws Unsuitable.
+Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const std::string &symbols,
+                  const Program &program, const std::vector<float> &bits, size_t fileSize, size_t overhead);
 
 // As text: the object files by their cost, and the twenty costliest symbols.
 std::string printReport(const Report &report);
