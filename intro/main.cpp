@@ -1,4 +1,5 @@
 // The shipped program: look at the machine, read the options, play or dump.
+#include "base/for_tools.h"
 #include "doctor.h"
 #include "host/clock.h"
 #include "host/cpu.h"
@@ -13,6 +14,8 @@
 #include "start/early.h"
 
 using namespace odraz;
+
+const bool odraz::kForTools = false;
 
 namespace {
 

@@ -153,7 +153,7 @@ void Context::add(const Places &at, Float8 *sums) {
                 bases.sky(bases.skies, s.d, sky);
                 for (int k = 0; k < bases.skyCount; ++k) sums[k] = fmadd(sky[k], s.factor, sums[k]);
             });
-    for (int g = 0; g < bases.glowCount; ++g) {
+    for (int g = 0; kForTools && g < bases.glowCount; ++g) {
         const Glow &glow = bases.glows[g];
         for (int i = look(at, glow.facet, glow.cells, seen) - 1; i >= 0; --i)
             sums[0] = fmadd(seen[i].factor, glow.radiance.x, sums[0]),

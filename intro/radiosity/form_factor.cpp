@@ -103,24 +103,25 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
     deltaFormFactors(h.px, delta);
     accumulateFormFactors(h.px, delta, sums);
 
+    int turns = kForTools ? h.turns : 1;
     for (int i = 0, next = 0; i < count;) {
         // Fill an atlas
         Eye eyes[kHemicubeBatch];
         int patchOf[kHemicubeBatch], batch = 0;
-        for (; i < count && (batch + 1) * h.turns <= h.batch;
+        for (; i < count && (batch + 1) * turns <= h.batch;
              ++i, next = (int)((unsigned)(next + step) % (unsigned)count)) {
             const Patch &p = model.patches[next];
             if (p.share == 0 || lit[next] != kReflects) continue;
-            for (int k = 0; k < h.turns; ++k)
-                eyes[batch * h.turns + k] =
+            for (int k = 0; k < turns; ++k)
+                eyes[batch * turns + k] =
                     hemicubeEye(p.p, p.n, (uint32_t)next + h.turn + (uint32_t)k * 0x9e3779b9u);
             patchOf[batch++] = next;
         }
-        drawHemicubes(h, model, eyes, batch * h.turns);
+        drawHemicubes(h, model, eyes, batch * turns);
         parallelFor(workers, batch, [&](int k, int) {
             float *row = rows + (size_t)k * (size_t)rowFloats;
             for (int j = 0; j < rowFloats; ++j) row[j] = 0;
-            for (int j = 0; j < h.turns; ++j) sumHemicube(h, k * h.turns + j, sums, row);
+            for (int j = 0; j < turns; ++j) sumHemicube(h, k * turns + j, sums, row);
         });
         if (workers.aborted()) return false;
         // Keep what is not zero
@@ -134,7 +135,7 @@ bool findFormFactors(Hemicubes &h, const Model &model, const uint8_t *lit, Worke
                     int j = first + __builtin_ctz(lanes);
                     if (lit[j] == kUnlit) continue;
                     if (link == end) return false;
-                    *link++ = {(uint32_t)j, row[j] / (float)h.turns};
+                    *link++ = {(uint32_t)j, row[j] / (float)turns};
                 }
             to.count = (int)(link - to.links);
             to.known = true;

@@ -4,6 +4,7 @@
 // Their order is the same everywhere: skies, then suns, then lamps. BasisOrder tells the number of a basis.
 #pragma once
 
+#include "base/for_tools.h"
 #include "base/vec3.h"
 
 namespace odraz {
@@ -57,7 +58,7 @@ struct LightBases : BasisOrder {
                          // faces them
     Lamp lamps[kMaxLamps];
 
-    int functions() const { return sky ? skyCount : 0; }
+    int functions() const { return sky || !kForTools ? skyCount : 0; }
 };
 
 } // namespace odraz

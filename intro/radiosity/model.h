@@ -8,6 +8,7 @@
 #pragma once
 
 #include "base/arena.h"
+#include "base/for_tools.h"
 #include "base/parallel.h"
 #include "trace/scene/scene.h"
 
@@ -21,9 +22,7 @@ struct Facet {
     int chart;
     float u[4], v[4];
 
-    // (The hall has no triangles. Hemicubes and direct light support them, which costs the film 328 packed
-    // bytes. That stays, so that film, tools and tests share the same objects.)
-    bool triangle() const { return u[3] == u[2] && v[3] == v[2]; }
+    bool triangle() const { return kForTools && u[3] == u[2] && v[3] == v[2]; }
     Vec3 corner(const Chart &c, int k) const { return c.at(u[k], v[k]); }
 };
 

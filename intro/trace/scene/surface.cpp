@@ -1,5 +1,7 @@
 #include "trace/scene/surface.h"
 
+#include "base/for_tools.h"
+
 #include <initializer_list>
 
 namespace odraz {
@@ -43,9 +45,7 @@ static Float8 hitRect(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bot
     return select(inside, t, kInfinity);
 }
 
-// The same, by barycentric coordinates. The film has no triangles, but models of `radiosity` have. Their
-// code, here and below, costs the film 308 bytes, packed. It stays, so that the film, the tools and the tests
-// share the same objects.
+// The same, by barycentric coordinates.
 static Float8 hitTriangle(const Shape &s, const Vec3x8 &o, const Vec3x8 &d, bool bothSides) {
     Float8 t = hitPlane(o.y, d.y);
     if (!bothSides) t = select(d.y < 0.f, t, kInfinity);
@@ -84,6 +84,7 @@ Float8 distance(const Shape &s, const Ray8 &ray, Flat flat) {
     case ShapeKind::Rect:
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitRect(s, o, d, flat == Flat::BothSides);
     case ShapeKind::Triangle:
+        if (!kForTools) break;
         return flat == Flat::Whole ? hitPlane(o.y, d.y) : hitTriangle(s, o, d, flat == Flat::BothSides);
     case ShapeKind::Sphere:
     case ShapeKind::Count:
@@ -104,6 +105,7 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
     Int8 face = {};
     switch (s.kind) {
     case ShapeKind::Triangle:
+        if (!kForTools) __builtin_unreachable();
         return {p - s.frame.v * q.y, broadcast(s.frame.v), Int8{}};
     case ShapeKind::Box: {
         // The face is the one whose coordinate is nearest to its limit
@@ -150,6 +152,7 @@ Surface8 surfaceAt(const Shape &s, const Ray8 &ray, Float8 t) {
     Vec3 r = s.half;
     switch (s.kind) {
     case ShapeKind::Triangle: {
+        if (!kForTools) __builtin_unreachable();
         // Recover its sides from the rows of the frame, which measure along them
         Vec3 u = cross(s.frame.w, s.frame.v), w = cross(s.frame.v, s.frame.u);
         u *= Vec3{1, 1, 1} * ((1 + s.half.y) / dot(u, s.frame.u));
