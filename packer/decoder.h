@@ -11,11 +11,8 @@ struct Layout {
     uint32_t size, codeBegin, codeSize;
 };
 
-constexpr uint32_t kPast = 8; // zeros that stand for the bytes before the first one
-static_assert(kPast >= kByte5);
-
 inline uint64_t memoryBehindModel(const ModelParameters &parameters, uint32_t size) {
-    return (sizeof(Slot) << parameters.slotBits) + kPast + size;
+    return (sizeof(Slot) << parameters.slotBits) + sizeof(Place) * (kPast + (uint64_t)size + kFuture);
 }
 inline uint64_t modelMemory(const ModelParameters &parameters, uint32_t size) {
     return sizeof(Model) + memoryBehindModel(parameters, size);
@@ -49,34 +46,30 @@ void run(Coder &coder, const Layout &layout, const ModelParameters &parameters, 
          uint8_t *image) {
     Model &m = *(Model *)memory;
     Slot *slots = (Slot *)(&m + 1);
-    uint8_t *now = (uint8_t *)(slots + (1u << parameters.slotBits)) + kPast; // bytes as they were coded
-    uint32_t fields[kFields] = {};
-    Parser parser = {};
+    Surroundings s = {};
+    s.places = (Place *)(slots + (1u << parameters.slotBits)) + kPast;
+    s.size = layout.size;
     expandOpcodes(m.opcodes);
     float *weights = (float *)m.finalWeights; // the other weights follow in memory
-    for (uint32_t i = 0; i < kPhases * kSets + kSets * kRows * kMostInputs; ++i) weights[i] = kFirstWeight;
+    uint32_t all = (sizeof m.finalWeights + sizeof m.weights) / sizeof(float);
+    for (uint32_t i = 0; i < all; ++i) weights[i] = kFirstWeight;
 
     for (uint32_t i = 0; i < layout.size; ++i) {
-        for (uint32_t k = kByte1; k <= kByte5; ++k) fields[k] = *(now - k);
-        fields[kWhere] = parser.left << kPhaseBits | parser.phase;
-        fields[kColumn] = i % kColumns;
+        s.begin(i);
         uint32_t data = i - layout.codeBegin >= layout.codeSize;
-        begin(m, parameters, fields, data);
+        begin(m, parameters, s.fields, data);
         uint32_t bits = 1;
         do {
-            uint32_t bit = coder.bit(predict(m, parameters, slots, bits));
+            uint32_t bit = coder.bit(predict(m, parameters, slots, bits, s.odds(bits)));
             learn(m, parameters, bit);
             bits = bits * 2 + bit;
         } while (bits < 256);
         uint8_t byte = (uint8_t)bits;
         end(m, parameters, byte);
-        *now++ = image[i] = byte;
+        s.places[i].byte = image[i] = byte;
         if (data) continue;
-        if (uint32_t behind = parser.step(fields, byte, m.opcodes)) {
-            uint32_t value;
-            __builtin_memcpy(&value, image + i - 3, 4);
-            fields[kTarget] = value = __builtin_bswap32(value);
-            value -= i + behind;
+        if (uint32_t behind = s.end(i, byte, m.opcodes)) {
+            uint32_t value = s.fields[kTarget] - (i + behind);
             __builtin_memcpy(image + i - 3, &value, 4);
         }
     }

@@ -1,5 +1,5 @@
-// The packed file. To write another decoder, you need this page, decoder.h, model.h, fields.h, x86.h and
-// opcodes.h.
+// The packed file. To write another decoder, you need this page, decoder.h, model.h, surroundings.h,
+// fields.h, x86.h and opcodes.h.
 //
 // THE FILE is an executable (ELF, x86-64, ET_EXEC) whose parts follow each other without gaps; numbers are
 // little-endian:
@@ -7,8 +7,8 @@
 //     Front          528 bytes: ELF header, five program headers, the loader's tables
 //     stub           machine code, the same in every file
 //     PayloadHeader  46 bytes
-//     masks          uint16_t: ModelParameters::masks[0] for code, then masks[1] for data; each has one
-//                    mask for each context and kSets - 1 more
+//     masks          three bytes each: ModelParameters::masks[0] for code, then masks[1] for data; each has
+//                    one mask for each context and kSets - 1 more
 //     payload        the coded program, then zeros up to a multiple of four
 //     check          four bytes
 //
@@ -59,7 +59,8 @@
 // address of the next instruction. That instruction begins at i + behind, where `behind` is one plus the
 // number of bytes of an immediate operand still to come. Then bytes i - 3 .. i were coded as the target's
 // offset from the image's start, highest byte first. In the program they are that offset less (i + behind),
-// lowest byte first. Contexts and parser see the bytes as they were coded.
+// lowest byte first. Contexts and parser see the bytes as they were coded. The parser reports one-byte
+// fields, too: they are coded as they are.
 //
 // ERRORS. If the checksum is not 0 or a page is missing, the stub says "damaged: get it afresh"; if it gets
 // no memory, "not enough free memory"; if the system does not let memory that was written be executed, "use
@@ -137,10 +138,14 @@ inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     return sum;
 }
 
-// The masks in the order in which they follow the header.
-inline std::vector<uint16_t> packMasks(const ModelParameters &parameters) {
-    std::vector<uint16_t> all;
-    for (auto &masks : parameters.masks) all.insert(all.end(), masks, masks + parameters.hashes());
+constexpr size_t kMaskSize = kMaskBits / 8;
+
+// The masks as they follow the header.
+inline std::vector<uint8_t> packMasks(const ModelParameters &parameters) {
+    std::vector<uint8_t> all;
+    for (auto &masks : parameters.masks)
+        for (uint32_t i = 0; i < parameters.hashes(); ++i)
+            for (uint32_t bits = 0; bits < kMaskBits; bits += 8) all.push_back((uint8_t)(masks[i] >> bits));
     return all;
 }
 

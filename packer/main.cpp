@@ -31,7 +31,8 @@ constexpr char kUsage[] =
     "--model FILE                  start with the contexts in FILE instead of ordinary ones\n"
     "--save-model FILE             write the contexts that were used to FILE\n"
     "--map FILE                    print what each object file costs, by the linker's map in FILE\n"
-    "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its object files\n"
+    "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its "
+    "object files\n"
     "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n";
 
 struct Options {
@@ -81,10 +82,9 @@ bool takeFile(Options &o, const std::string &word, const char *file) {
         const char *name, **value;
         bool onlyToPack;
     } options[] = {
-        {"-o", &o.out, false},        {"--test", &o.test, false},           {"-d", &o.unpack, false},
-        {"--model", &o.model, true},  {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
-        {"--symbols", &o.symbols, true},
-        {"--report", &o.report, true}};
+        {"-o", &o.out, false},           {"--test", &o.test, false},           {"-d", &o.unpack, false},
+        {"--model", &o.model, true},     {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
+        {"--symbols", &o.symbols, true}, {"--report", &o.report, true}};
     for (auto &option : options)
         if (word == option.name && file && !*option.value) {
             *option.value = file;
@@ -200,7 +200,8 @@ void makePacked(const Options &o) {
         (o.pe ? pack::readPackedPe : pack::readPacked)(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
-    pack::Report report = pack::makeReport(file, map, symbols, program, encoded.bits, packed.size(), overhead);
+    pack::Report report =
+        pack::makeReport(file, map, symbols, program, encoded.bits, packed.size(), overhead);
     std::fputs(pack::printReport(report).c_str(), stdout);
     if (o.saveModel)
         write(o.saveModel, "# contexts that suit " +

@@ -1,13 +1,14 @@
 // The model: it predicts the next bit from the bits that followed the same contexts before.
 //
 // A context is a choice of fields (fields.h); their values are hashed. Together with the bits of the byte so
-// far, the hash selects a slot, which gives three inputs. Each input is an adaptive probability: the slot's
-// own; one selected by the last bits seen in the slot; and one selected by the last byte seen there. The
-// latter two are shared by all slots of the context in one phase of the parser. Eight sets of weights mix all
-// inputs. Each set has many rows; fields and bits of its own select one. A ninth set, whose row the phase
-// selects, mixes the eight results. A last table, selected by fields and bits too, corrects the mixed
-// probability. Probabilities are mixed as ln(p / (1 - p)), and the weights are trained by the error (as in
-// Mahoney's PAQ).
+// far, the hash selects a slot, which gives three adaptive probabilities: the slot's own; one selected by the
+// last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
+// slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
+// slot's own also as p - 1/2. One more input is what the places say that an operand may name
+// (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; fields and bits of its own
+// select one. A ninth set, whose row the phase selects, mixes the eight results. A last table, selected by
+// fields and bits too, corrects the mixed probability. The weights are trained by the error (as in Mahoney's
+// PAQ), a row that was used often more slowly.
 //
 // This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
@@ -15,13 +16,14 @@
 // because slots may collide.
 #pragma once
 
-#include "x86.h"
+#include "surroundings.h"
 
 namespace pack {
 
-constexpr uint32_t kMostContexts = 24, kContextInputs = 3, kMostInputs = kMostContexts * kContextInputs;
+constexpr uint32_t kMostContexts = 24, kContextCounters = 3;
 constexpr uint32_t kSets = 8;
 constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
+constexpr uint32_t kMaskBits = 24;                       // of which a packed file has three bytes
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
@@ -30,14 +32,17 @@ struct ModelParameters {
     uint32_t slotBits; // 2^slotBits slots of eight bytes
     // Which fields each context uses, one bit for each field from kByte1 on; then the same for the selectors
     // of all sets but the first. [0] is for code, [1] for data
-    uint16_t masks[2][kMostContexts + kSets - 1];
-    static_assert(kFields - kByte1 <= 8 * sizeof(masks[0][0]));
+    uint32_t masks[2][kMostContexts + kSets - 1];
+    static_assert(kChoices <= kMaskBits);
 
     uint32_t hashes() const { return contexts + kSets - 1; }
-    uint32_t inputs4() const { return contexts * kContextInputs / 4; } // in vectors of four
+    uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
     bool sane() const {
+        uint32_t unknown = 0; // bits that stand for no field
+        for (auto &type : masks)
+            for (uint32_t mask : type) unknown |= mask >> kChoices;
         return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
-               slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits;
+               slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits && !unknown;
     }
 };
 
@@ -48,7 +53,7 @@ constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
 constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
 // A counter moves by 1 / (seen + settled) of its error. Of a context's three counters, the one selected by
 // the last byte is the most cautious
-constexpr float kSettled[kContextInputs] = {1.05f, 1.05f, 1.3f};
+constexpr float kSettled[kContextCounters] = {1.05f, 1.3f, 1.4f};
 constexpr int32_t kShareBits = 20; // of the probability that predict() returns
 
 struct Slot {
@@ -63,25 +68,43 @@ constexpr uint32_t kHistoryFull = 128; // the leading one of a history of seven 
 typedef float Float4 __attribute__((vector_size(16)));
 // Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
 constexpr float kLogUnit = 0.69314718f / (1 << 23);
-constexpr float kFirstWeight = 1.0f / 20, kLearning = 1.0f / 160 * kLogUnit,
-                kFinalLearning = 1.0f / 1024 * kLogUnit;
+constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUnit;
+// The rate of a row that was used n times: kLearning + kEarlyLearning / (n + kEarlyUses)
+constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
+                kEarlyLearning = 0.019f * kLogUnit * kEarlyUses;
+constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
+constexpr int32_t kOddsShift = 2;         // of the logarithm of Surroundings::odds
 constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
 // Corrections: a hash selects one of 65,536 rows, and the weighted sum one of its 32 counters, 1.25 of them
 // for a factor of e
 constexpr uint32_t kCorrectionRowBits = 16, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
-constexpr uint32_t kFirstTrust = 10; // bits that a new correction counts as seen
+constexpr uint32_t kFirstTrust = 14; // bits that a new correction counts as seen
+
+// The slots of one nibble are adjacent, sixteen of them in two cache lines. The nibble's hash selects the
+// sixteen; the bits coded of the nibble so far select one of them.
+struct Nibble {
+    uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
+    uint32_t number() const { return start ^ 16; } // 0 .. 15 for the second one, 17 for the first
+};
+inline Nibble nibbleOf(uint32_t bits) {
+    uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
+    return {start, bits - ((start - 1) << coded)};
+}
+constexpr uint32_t kNibbles = 18, kNibbleSlots = 16;
 
 struct Context {
     Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
-    Counter *counter[kContextInputs];
+    Counter *counter[kContextCounters];
     struct {
-        Counter histories[256], afterLast[256][256];
+        Counter histories[256], afterLast[kNibbles][256][kNibbleSlots];
     } shared[kPhases]; // by all slots, for each phase of the parser
 };
 
 struct Model {
-    Float4 inputs[kMostInputs / 4], results[kSets / 4];
+    // The odds and three zeros; then those of each context: its three counters' and the slot's p - 1/2. In
+    // the rows of weights, the last of the first four is not a weight: it counts how often the row was used
+    Float4 inputs[1 + kMostContexts], results[kSets / 4];
     Float4 *rows[kSets];
     Counter *correction;
     float mixed;
@@ -90,7 +113,7 @@ struct Model {
     Context contexts[kMostContexts];
     uint8_t opcodes[kOpcodes];
     Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
-    Float4 finalWeights[kPhases][kSets / 4], weights[kSets][kRows][kMostInputs / 4];
+    Float4 finalWeights[kPhases][kSets / 4], weights[kSets][kRows][1 + kMostContexts];
 };
 
 union FloatBits {
@@ -105,6 +128,10 @@ inline int32_t logBits(int32_t x) { return FloatBits{(float)x}.bits; }
 inline float stretch(Counter c) {
     int32_t p = (int32_t)c >> kSeenBits;
     return (float)(logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p));
+}
+inline float linear(Counter c) { return (float)(((int32_t)c >> kSeenBits) * (1 << kLinearShift)); }
+inline float logOf(Surroundings::Odds odds) {
+    return (float)((logBits((int32_t)odds.ones) - logBits((int32_t)odds.zeros)) * (1 << kOddsShift));
 }
 inline float squash(float x) {
     FloatBits odds;
@@ -142,21 +169,8 @@ inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_
 
 inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
 
-// The slots of one nibble are adjacent, sixteen of them in two cache lines. The nibble's hash selects the
-// sixteen; the bits coded of the nibble so far select one of them.
-struct Nibble {
-    uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
-};
-inline Nibble nibbleOf(uint32_t bits) {
-    uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
-    return {start, bits - ((start - 1) << coded)};
-}
-constexpr uint32_t kNibbleSlots = 16;
-
-// Finds a context's counters.
-inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, uint32_t bits) {
-    Nibble nibble = nibbleOf(bits);
-    hash = mixIn(hash, nibble.start);
+// Finds a context's counters. `hash` is that of the nibble.
+inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, Nibble nibble) {
     uint16_t check = (uint16_t)hash;
     uint32_t place = hash >> (32 - slotBits) ^ nibble.step;
     Slot *s = slots + place;
@@ -170,14 +184,14 @@ inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint
         }
     }
     c.slot = s;
-    if (bits == 1) c.byteSlot = s;
+    if (nibble.start == 1 && nibble.step == 1) c.byteSlot = s;
     c.counter[0] = &s->counter;
     c.counter[1] = &c.shared[phase].histories[s->history];
-    c.counter[2] = &c.shared[phase].afterLast[c.byteSlot->lastByte][bits];
+    c.counter[2] = &c.shared[phase].afterLast[nibble.number()][c.byteSlot->lastByte][nibble.step];
 }
 
 inline void learn(Context &c, uint32_t bit) {
-    for (uint32_t k = 0; k < kContextInputs; ++k) adapt(*c.counter[k], bit, kSettled[k]);
+    for (uint32_t k = 0; k < kContextCounters; ++k) adapt(*c.counter[k], bit, kSettled[k]);
     uint8_t &history = c.slot->history;
     uint32_t h = history ^ 1u;
     if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
@@ -198,12 +212,20 @@ inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *f
 
 // The probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1. `bits`: a
 // leading one, then the byte's bits so far.
-inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits) {
-    for (uint32_t i = 0; i < parameters.contexts; ++i)
-        find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, bits);
-    float *x = (float *)m.inputs, *results = (float *)m.results;
-    for (uint32_t i = 0; i < parameters.contexts; ++i)
-        for (uint32_t k = 0; k < kContextInputs; ++k) *x++ = stretch(*m.contexts[i].counter[k]);
+inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits,
+                        Surroundings::Odds odds) {
+    Nibble nibble = nibbleOf(bits);
+    for (uint32_t i = 0; i < parameters.contexts; ++i) {
+        if (nibble.step == 1)
+            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // those of the nibble, from here on
+        find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
+    }
+    float *results = (float *)m.results;
+    m.inputs[0] = Float4{logOf(odds), 0, 0, 0};
+    for (uint32_t i = 0; i < parameters.contexts; ++i) {
+        Counter **c = m.contexts[i].counter;
+        m.inputs[1 + i] = Float4{stretch(*c[0]), stretch(*c[1]), stretch(*c[2]), linear(*c[0])};
+    }
 
     // Mix. The results are stored in reverse order of the sets
     for (uint32_t i = 0; i < kSets; ++i) {
@@ -226,8 +248,11 @@ inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots
 inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {
     float y = (float)(int32_t)bit;
     const float *results = (const float *)m.results;
-    for (uint32_t i = 0; i < kSets; ++i)
-        train(m.rows[i], m.inputs, parameters.inputs4(), (y - squash(results[kSets - 1 - i])) * kLearning);
+    for (uint32_t i = 0; i < kSets; ++i) {
+        float &used = ((float *)m.rows[i])[3], rate = kEarlyLearning / (used + kEarlyUses) + kLearning;
+        used += 1;
+        train(m.rows[i], m.inputs, parameters.inputs4(), (y - squash(results[kSets - 1 - i])) * rate);
+    }
     train(m.finalWeights[m.phase], m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
     for (uint32_t i = 0; i < parameters.contexts; ++i) learn(m.contexts[i], bit);
     adapt(*m.correction, bit, kSettled[0]);

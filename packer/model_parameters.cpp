@@ -12,37 +12,39 @@ namespace {
 constexpr struct {
     uint32_t field;
     const char *name;
-} kChoices[] = {
-    {kByte1, "byte1"},     {kByte1 + 1, "byte2"}, {kByte1 + 2, "byte3"}, {kByte1 + 3, "byte4"},
-    {kByte5, "byte5"},     {kColumn, "column"},   {kTarget, "target"},   {kInstruction1, "instruction1"},
-    {kOpcode1, "opcode1"}, {kOpcode2, "opcode2"}, {kOpcode3, "opcode3"}, {kModrm1, "modrm1"},
-    {kOpcode, "opcode"},   {kModrm, "modrm"},     {kMode, "mode"},       {kSoFar, "so-far"},
+} kNames[] = {
+    {kByte1, "byte1"},       {kByte1 + 1, "byte2"},   {kByte1 + 2, "byte3"},
+    {kByte1 + 3, "byte4"},   {kByte5, "byte5"},       {kColumn, "column"},
+    {kToMark, "to-mark"},    {kTarget, "target"},     {kFunction, "function"},
+    {kWritten1, "written1"}, {kWritten2, "written2"}, {kInstruction1, "instruction1"},
+    {kOpcode1, "opcode1"},   {kOpcode2, "opcode2"},   {kOpcode3, "opcode3"},
+    {kModrm1, "modrm1"},     {kOpcode, "opcode"},     {kModrm, "modrm"},
+    {kMode, "mode"},         {kSoFar, "so-far"},
 };
-constexpr int kChoiceCount = kFields - kByte1;
 consteval bool inOrderOfFields() {
-    for (int i = 0; i < kChoiceCount; ++i)
-        if (kChoices[i].field != (uint32_t)(kByte1 + i)) return false;
-    return std::size(kChoices) == kChoiceCount;
+    for (uint32_t i = 0; i < kChoices; ++i)
+        if (kNames[i].field != kByte1 + i) return false;
+    return std::size(kNames) == kChoices;
 }
 static_assert(inOrderOfFields(), "a name for every field, in the order of their bits in a mask");
 constexpr const char *kKinds[2][2] = {{"code", "code-weights"}, {"data", "data-weights"}};
 
-std::string printMask(uint16_t mask) {
+std::string printMask(uint32_t mask) {
     std::string text;
-    for (int i = 0; i < kChoiceCount; ++i)
-        if (mask >> i & 1) text += (text.empty() ? "" : "+") + std::string(kChoices[i].name);
+    for (uint32_t i = 0; i < kChoices; ++i)
+        if (mask >> i & 1) text += (text.empty() ? "" : "+") + std::string(kNames[i].name);
     return text.empty() ? "-" : text;
 }
 
-bool parseMask(const std::string &text, uint16_t &mask) {
+bool parseMask(const std::string &text, uint32_t &mask) {
     mask = 0;
     if (text == "-") return true;
     std::istringstream names(text);
     for (std::string name; std::getline(names, name, '+');) {
-        int i = 0;
-        while (i < kChoiceCount && name != kChoices[i].name) ++i;
-        if (i == kChoiceCount) return false;
-        mask = (uint16_t)(mask | 1 << i);
+        uint32_t i = 0;
+        while (i < kChoices && name != kNames[i].name) ++i;
+        if (i == kChoices) return false;
+        mask |= 1u << i;
     }
     return mask != 0;
 }
@@ -53,10 +55,12 @@ const ModelParameters &defaultParameters() {
     static const ModelParameters parameters = {
         16,
         22,
-        {{0x0000, 0x0001, 0x1710, 0x0006, 0x1000, 0x8000, 0x0009, 0xa685, 0x1100, 0x1021, 0xdb20, 0xd900,
-          0xa180, 0x8300, 0x4000, 0x4002, 0x0000, 0x0001, 0x1000, 0x0004, 0x0100, 0x0002, 0xba20},
-         {0x8000, 0x1801, 0x0003, 0x2007, 0x000f, 0x0821, 0x2021, 0x0126, 0x0411, 0x2390, 0x1020, 0x0802,
-          0x0208, 0x01bc, 0x4006, 0x581f, 0x8821, 0x0001, 0x0002, 0x0084, 0x0008, 0x0020, 0x0822}}};
+        {{0x00000, 0x00001, 0x17010, 0x00006, 0x10000, 0x80000, 0x00009, 0xa6805,
+          0x11000, 0x10021, 0xdb020, 0xd9000, 0xa1800, 0x83000, 0x40000, 0x40002,
+          0x00000, 0x00001, 0x10000, 0x00004, 0x01000, 0x00002, 0xba020},
+         {0x80000, 0x18001, 0x00003, 0x20007, 0x0000f, 0x08021, 0x20021, 0x01026,
+          0x04011, 0x23810, 0x10020, 0x08002, 0x02008, 0x0183c, 0x40006, 0x5801f,
+          0x88021, 0x00001, 0x00002, 0x00804, 0x00008, 0x00020, 0x08022}}};
     return parameters;
 }
 
@@ -70,7 +74,7 @@ std::string printParameters(const ModelParameters &parameters) {
 }
 
 std::string parseParameters(const std::string &text, ModelParameters &parameters) {
-    std::vector<uint16_t> masks[2][2];
+    std::vector<uint32_t> masks[2][2];
     std::istringstream lines(text);
     int number = 0;
     parameters = {};
@@ -92,7 +96,7 @@ std::string parseParameters(const std::string &text, ModelParameters &parameters
         for (int type = 0; type < 2; ++type)
             for (int weights = 0; weights < 2; ++weights)
                 if (kind == kKinds[type][weights]) {
-                    uint16_t mask;
+                    uint32_t mask;
                     if (!parseMask(value, mask)) return wrong("unknown field in '" + value + "'");
                     masks[type][weights].push_back(mask);
                     known = true;
@@ -106,9 +110,9 @@ std::string parseParameters(const std::string &text, ModelParameters &parameters
     for (int type = 0; type < 2; ++type) {
         if (masks[type][1].size() != kSets - 1)
             return "it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1];
-        uint16_t *to = parameters.masks[type];
+        uint32_t *to = parameters.masks[type];
         for (auto &group : masks[type])
-            for (uint16_t mask : group) *to++ = mask;
+            for (uint32_t mask : group) *to++ = mask;
     }
     return "";
 }

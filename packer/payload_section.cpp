@@ -10,9 +10,7 @@ namespace pack {
 namespace {
 
 constexpr size_t kCheckSize = 4;
-size_t masksSize(const ModelParameters &parameters) {
-    return sizeof parameters.masks[0][0] * 2 * parameters.hashes();
-}
+size_t masksSize(const ModelParameters &parameters) { return kMaskSize * 2 * parameters.hashes(); }
 
 } // namespace
 
@@ -40,8 +38,8 @@ void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
         out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
     };
     append(&p, sizeof p);
-    std::vector<uint16_t> masks = packMasks(parameters);
-    append(masks.data(), masksSize(parameters));
+    std::vector<uint8_t> masks = packMasks(parameters);
+    append(masks.data(), masks.size());
     append(payload.data(), payload.size());
     out.resize(size);
     uint32_t check = -checksum(out.data() + checkedFrom, p.words - 1);
@@ -61,10 +59,9 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     parameters.contexts = p.contexts;
     parameters.slotBits = 32u - p.slotShift;
     need(parameters.sane() && (size_t)(end - at) >= masksSize(parameters), kDamaged);
-    for (auto &masks : parameters.masks) {
-        std::memcpy(masks, at, masksSize(parameters) / 2);
-        at += masksSize(parameters) / 2;
-    }
+    for (auto &masks : parameters.masks)
+        for (uint32_t i = 0; i < parameters.hashes(); ++i, at += kMaskSize)
+            std::memcpy(&masks[i], at, kMaskSize);
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
              p.image % kPage == 0 && p.image > kBelow && p.image < kAddressEnd - span &&

@@ -41,7 +41,14 @@ std::string demangle(const std::string &name) {
     return plain ? plain.get() : name;
 }
 
-void readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
+// A function or object, by its name as the linker knows it.
+struct Symbol {
+    std::string name;
+    uint64_t address, size;
+};
+
+std::vector<Symbol> readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
+    std::vector<Symbol> symbols;
     constexpr char kOutside[] = "its symbols lie outside the file: strip it";
     ElfFile in = {elf};
     std::vector<Elf64_Shdr> sections = in.sections();
@@ -54,15 +61,17 @@ void readElf(const std::vector<uint8_t> &elf, const Sum &sum, Report &report) {
         for (uint64_t at = 0; at + sizeof(Elf64_Sym) <= s.sh_size; at += sizeof(Elf64_Sym)) {
             auto symbol = in.at<Elf64_Sym>(s.sh_offset + at, kOutside);
             int type = ELF64_ST_TYPE(symbol.st_info);
-            if (symbol.st_size && (type == STT_FUNC || type == STT_OBJECT))
-                sum.add(report.symbols[demangle(in.text(sections[s.sh_link], symbol.st_name))],
-                        symbol.st_value, symbol.st_size);
+            if (!symbol.st_size || (type != STT_FUNC && type != STT_OBJECT)) continue;
+            symbols.push_back(
+                {in.text(sections[s.sh_link], symbol.st_name), symbol.st_value, symbol.st_size});
+            sum.add(report.symbols[demangle(symbols.back().name)], symbol.st_value, symbol.st_size);
         }
     }
+    return symbols;
 }
 
-// Which object file defines a symbol, from lines "lib.a:object.o:0000000000000000 T name". Of the same name in
-// several files, the first one counts.
+// Which object file defines a symbol, from lines "lib.a:object.o:0000000000000000 T name". Of the same name
+// in several files, the first one counts.
 using Homes = std::map<std::string, std::string>;
 Homes readSymbols(const std::string &symbols) {
     Homes homes;
@@ -77,18 +86,26 @@ Homes readSymbols(const std::string &symbols) {
     return homes;
 }
 
-// The object file of a section that the linker made when it optimised the whole: of .text.name.constprop.0 the
-// one that defines `name`. Empty if none does.
-std::string homeOf(const std::string &section, const Homes &homes) {
-    size_t from = section.find('.', 1);
-    if (from == std::string::npos) return "";
-    std::string name = section.substr(from + 1);
-    auto home = homes.find(name.substr(0, name.find('.')));
-    return home == homes.end() ? "" : home->second;
+// Gives what lies from `address` on, in an object that the linker made when it optimised the whole, to the
+// files that define it. What has no name, as constants have none, stays with that object.
+void giveHome(const std::vector<Symbol> &symbols, const Homes &homes, uint64_t address, uint64_t size,
+              const Sum &sum, Cost &rest, std::map<std::string, Cost> &objects) {
+    for (const Symbol &s : symbols) {
+        // Of name.constprop.0 the file that defines `name`
+        auto home = homes.find(s.name.substr(0, s.name.find('.')));
+        if (home == homes.end() || s.address < address || s.address - address >= size) continue;
+        Cost cost;
+        sum.add(cost, s.address, s.size);
+        objects[home->second].bytes += cost.bytes;
+        objects[home->second].bits += cost.bits;
+        rest.bytes -= std::min(rest.bytes, cost.bytes);
+        rest.bits = std::max(0.0, rest.bits - cost.bits);
+    }
 }
 
 // " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a line of its own if it is long.
-void readMap(const std::string &map, const Homes &homes, const Sum &sum, Report &report) {
+void readMap(const std::string &map, const std::vector<Symbol> &symbols, const Homes &homes, const Sum &sum,
+             Report &report) {
     std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));
     std::string pending;
     for (std::string line; std::getline(lines, line);) {
@@ -111,10 +128,12 @@ void readMap(const std::string &map, const Homes &homes, const Sum &sum, Report 
             object = object.substr(from + 1, object.size() - from - 2);
         else if (slash != std::string::npos)
             object = object.substr(slash + 1);
-        if (object.find(".ltrans") != std::string::npos)
-            if (std::string home = homeOf(section, homes); !home.empty()) object = home;
         Cost cost;
-        sum.add(cost, std::strtoull(address.c_str(), nullptr, 16), std::strtoull(size.c_str(), nullptr, 16));
+        uint64_t begin = std::strtoull(address.c_str(), nullptr, 16),
+                 length = std::strtoull(size.c_str(), nullptr, 16);
+        sum.add(cost, begin, length);
+        if (object.find(".ltrans") != std::string::npos)
+            giveHome(symbols, homes, begin, length, sum, cost, report.objects);
         if (!cost.bytes) continue;
         report.objects[object].bytes += cost.bytes;
         report.objects[object].bits += cost.bits;
@@ -164,8 +183,8 @@ Report makeReport(const std::vector<uint8_t> &elf, const std::string &map, const
                   const Program &program, const std::vector<float> &bits, size_t fileSize, size_t overhead) {
     Report report = {fileSize, overhead, {}, {}, {}};
     Sum sum(program, bits);
-    readElf(elf, sum, report);
-    readMap(map, readSymbols(symbols), sum, report);
+    std::vector<Symbol> all = readElf(elf, sum, report);
+    readMap(map, all, readSymbols(symbols), sum, report);
     return report;
 }
 

@@ -18,7 +18,7 @@ namespace {
 struct Change {
     struct Setting {
         uint32_t i;
-        uint16_t mask;
+        uint32_t mask;
     };
     uint32_t type;
     std::vector<Setting> settings;
@@ -31,17 +31,17 @@ struct Change {
     // It must change something, and must not make two contexts alike, which would be a waste
     bool sensible(const ModelParameters &before) const {
         ModelParameters parameters = of(before);
-        const uint16_t *masks = parameters.masks[type], *selectors = masks + parameters.contexts;
+        const uint32_t *masks = parameters.masks[type], *selectors = masks + parameters.contexts;
         for (Setting s : settings) {
-            const uint16_t *first = s.i < parameters.contexts ? masks : selectors;
-            const uint16_t *last = s.i < parameters.contexts ? selectors : masks + parameters.hashes();
+            const uint32_t *first = s.i < parameters.contexts ? masks : selectors;
+            const uint32_t *last = s.i < parameters.contexts ? selectors : masks + parameters.hashes();
             if (s.mask == before.masks[type][s.i] || std::count(first, last, s.mask) > 1) return false;
         }
         return true;
     }
-    uint64_t key() const {
-        uint64_t key = type;
-        for (Setting s : settings) key = key << 24 | (uint64_t)s.i << 16 | s.mask;
+    auto key() const {
+        std::vector<uint32_t> key = {type};
+        for (Setting s : settings) key.insert(key.end(), {s.i, s.mask});
         return key;
     }
 };
@@ -50,19 +50,19 @@ struct Change {
 Change propose(const ModelParameters &parameters, const Layout &layout, std::mt19937 &random) {
     uint32_t data = layout.size - layout.codeSize;
     Change change = {data && (!layout.codeSize || random() % 5 == 0), {}};
-    const uint16_t *masks = parameters.masks[change.type];
+    const uint32_t *masks = parameters.masks[change.type];
     uint32_t i = random() % parameters.hashes();
-    uint16_t mask = masks[i];
-    auto field = [&] { return (uint16_t)(1 << random() % (kFields - 1)); };
+    uint32_t mask = masks[i];
+    auto field = [&] { return 1u << random() % kChoices; };
     // A field that is in the mask, or one that is not
-    auto fieldOf = [&](uint16_t all) {
-        uint16_t one = field();
+    auto fieldOf = [&](uint32_t all) {
+        uint32_t one = field();
         while (all && !(one & all)) one = field();
         return one;
     };
     switch (random() % 8) {
     case 0:
-        mask = (uint16_t)(masks[random() % parameters.hashes()] ^ field());
+        mask = masks[random() % parameters.hashes()] ^ field();
         break;
     case 1:
         mask = 0;
@@ -82,8 +82,8 @@ Change propose(const ModelParameters &parameters, const Layout &layout, std::mt1
         mask ^= field();
         break;
     case 4: // replace one field by another
-        mask = (uint16_t)(mask & ~fieldOf(mask));
-        mask ^= fieldOf((uint16_t)~mask);
+        mask &= ~fieldOf(mask);
+        mask ^= fieldOf(~mask);
         break;
     default:
         mask ^= field();
@@ -117,7 +117,8 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
     auto best = std::make_shared<const Estimate>(Estimator(filtered, layout)(start));
     ModelParameters asked = start; // what was measured last
     double nextMeasure = passed() + kMeasureEvery * measuring;
-    std::map<uint64_t, int> triedAt; // for each change tried: how many changes had been kept by then
+    std::map<std::vector<uint32_t>, int>
+        triedAt; // for each change tried: how many changes had been kept by then
     std::mutex mutex;
 
     // Measures the best, while other threads go on

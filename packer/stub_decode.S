@@ -15,16 +15,18 @@ decode:
     jne 2b
     dec edx
     jne 1b
-    mov ecx, PHASES * SETS + ALL_ROWS * MOST_INPUTS
+    mov ecx, PHASES * SETS + ALL_ROWS * ROW / 4
     mov eax, FIRST_WEIGHT_BITS
     rep stosd
 
     inc dword ptr [rbp + RANGE] // 1
     mov eax, [rbx + MEMORY]
     sub eax, [rbx + SIZE]
-    lea r13, [rbp + rax + FIELDS]
+    sub eax, [rbx + SIZE]
+    lea r13, [rbp + rax + FIELDS - PLACE * FUTURE]
     movzx eax, byte ptr [rbx + CONTEXTS]
-    lea r14, [rbx + rax * (2 * MASK) + MASKS + 2 * MASK * (SETS - 1)]
+    imul eax, eax, 2 * MASK
+    lea r14, [rbx + rax + MASKS + 2 * MASK * (SETS - 1)]
 
     xor eax, eax
 next_byte: // eax is the position
@@ -50,7 +52,7 @@ next_byte: // eax is the position
     push FIELD_BYTE5
     pop rcx
     mov rsi, r13
-1:  dec rsi
+1:  sub rsi, PLACE
     movzx eax, byte ptr [rsi]
     stosd
     loop 1b
@@ -58,53 +60,101 @@ next_byte: // eax is the position
     mov eax, edx
     and eax, COLUMNS - 1
     stosd
+    mov eax, ecx
+1:  cmp byte ptr [r13 + rax * PLACE + PLACE_MARKS], cl
+    js 2f
+    inc eax
+    cmp al, FAR_MARK
+    jne 1b
+2:  stosd
+
+    // ... and the places that the byte selects
+    xor eax, eax
+    cmp byte ptr [rbp + LEFT], 1
+    jne 2f
+    mov cl, [rbp + RELATIVE]
+    jrcxz 2f
+    mov [rbp + FLIP], al
+    loop 1f // four bytes
+    mov byte ptr [rbp + FLIP], 0x80
+    lea rax, [r13 + PLACE * (1 - 128)]
+    jmp 2f
+1:  mov ecx, [r12 - 3]
+    bswap ecx
+    mov cl, 0
+    cmp ecx, [rbx + SIZE]
+    jae 2f
+    sub ecx, edx
+    movsxd rax, ecx
+    lea rax, [r13 + rax * PLACE]
+2:  mov [rbp + BLOCK], rax
 
     // begin
     lea rsi, [rbx + MASKS]
-    mov cl, [rbx + CONTEXTS] // rcx was 0
+    movzx ecx, byte ptr [rbx + CONTEXTS]
     add ecx, SETS - 1
     sub edx, [rbx + CODE_BEGIN]
     cmp edx, [rbx + CODE_SIZE]
-    sbb edi, edi
-    inc edi // 1 in data
-    mov [rbp + TYPE], edi
+    sbb r8d, r8d
+    inc r8d // 1 in data
+    mov [rbp + TYPE], r8d
     je 1f
-    lea rsi, [rsi + rcx * MASK]
-1:  mov r8d, edi
-    lea rdi, [rbp + HASHES]
+    lea rsi, [rsi + rcx * (MASK - 1)]
+    add rsi, rcx
+1:  lea rdi, [rbp + HASHES]
 hash_next:
-    lodsw
-    movzx r9d, ax
+    lodsd
+    dec rsi // a mask has three bytes
+    and eax, (1 << MASK_BITS) - 1
+    xchg r9d, eax
     lea eax, [rcx + r8]
     mov edx, [rbp + WHERE]
-    call mix_in
-    lea r10, [rbp + FIELDS]
-1:  add r10, 4
-    shr r9d, 1
-    jnc 2f
-    mov edx, [r10]
-    call mix_in
-2:  test r9d, r9d
-    jne 1b
-    stosd
+1:  call mix_in
+    bsf edx, r9d
+    je 2f
+    btr r9d, edx
+    mov edx, [rbp + rdx * 4 + FIELDS + 4 * FIELD_BYTE1]
+    jmp 1b
+2:  stosd
     loop hash_next
 
     push 1
     pop r11
-
-next_bit:
+    push NIBBLE_SLOTS
+    pop rax
+next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
+    cmp al, NIBBLE_SLOTS
+    jb 2f
+    // The nibble's hashes, and its slots on their way from memory
     lea r8, [rbp + SLOTS]
-    // predict: find the counters
-    bsr ecx, r11d
-    and cl, 3 // bits of the nibble
+    movzx r10d, byte ptr [rbx + CONTEXTS]
+    lea rdi, [rbp + HASHES]
+    mov cl, [rbx + SLOT_SHIFT]
+1:  mov eax, [rdi]
     mov edx, r11d
-    shr edx, cl
-    mov [rbp + NIBBLE], edx
-    dec edx
-    shl edx, cl
+    call mix_in
+    stosd
+    shr eax, cl
+    lea rax, [r8 + rax * SLOT]
+    prefetcht0 [rax]
+    xor al, SLOT * NIBBLE_SLOTS / 2
+    prefetcht0 [rax]
+    xor al, SLOT * NIBBLE_SLOTS * 3 / 2
+    prefetcht0 [rax]
+    xor al, SLOT * NIBBLE_SLOTS / 2
+    prefetcht0 [rax]
+    dec r10d
+    jne 1b
     mov eax, r11d
-    sub eax, edx
-    mov [rbp + STEP], eax
+    xor al, 16
+    shl eax, AFTER_BITS
+    mov [rbp + AFTER], eax
+    push 1
+    pop rax
+2:  mov [rbp + STEP], eax
+
+    // predict: find the counters
+    lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rsi, [rbp + HASHES]
     lea rdi, [rbp + COUNTERS]
@@ -113,8 +163,6 @@ next_bit:
     lea r15, [rbp + rax + HISTORIES]
 find:
     lodsd
-    mov edx, [rbp + NIBBLE]
-    call mix_in
     mov edx, eax // check in its low half
     mov cl, [rbx + SLOT_SHIFT]
     shr eax, cl
@@ -144,34 +192,83 @@ find:
     mov [r9], rcx
 3:  mov rcx, [r9]
     add r9, 8
-    xor eax, eax
-    mov ah, [rcx + SLOT_LAST_BYTE]
-    mov al, r11b
-    lea rax, [r15 + rax * COUNTER + AFTER_LAST]
+    movzx eax, byte ptr [rcx + SLOT_LAST_BYTE]
+    shl eax, AFTER_BITS - 8
+    add eax, [rbp + AFTER]
+    add rax, r15
+    mov ecx, [rbp + STEP]
+    lea rax, [rax + rcx * COUNTER + AFTER_LAST]
     stosq
     add r15, PHASES * SHARED
     dec r10d
     jne find
     push rdi // where the correction's counter goes
-    push rsi // hashes of the selectors
-    mov r9, rsi
+    mov r9, rsi // hashes of the selectors
 
-    // stretch
-    call point_to_inputs
-    mov rdi, rsi
-    lea rsi, [rbp + COUNTERS]
-1:  lodsq
-    mov eax, [rax]
-    sar eax, SEEN_BITS
-    mov edx, CERTAIN + 2
-    sub edx, eax
-    cvtsi2ss xmm1, edx
-    add eax, CERTAIN + 2
-    cvtsi2ss xmm0, eax
-    psubd xmm0, xmm1
+    // The row of corrections, on its way from memory
+    lodsd
+    mov edx, r11d
+    call mix_in
+    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // rows of 32, of which this is the first
+    and al, 0x100 - (1 << CORRECTION_BITS)
+    lea rax, [rbp + rax * COUNTER + CORRECTIONS]
+    prefetcht0 [rax]
+    prefetcht0 [rax + 64]
+    push rax
+
+    // The input from the places: marks where a one leads to, against marks where a zero does
+    mov rdi, [rbp + BLOCK]
+    xorps xmm0, xmm0
+    test rdi, rdi
+    je 3f
+    mov edx, r11d
+    bsr ecx, edx
+    xor cl, 7
+    shl edx, cl
+    add edx, edx // its low byte is the first place of a zero
+    push 1
+    pop rsi
+    shl esi, cl // places of either
+    push 2
+    pop r8
+1:  mov eax, esi
+    mov ecx, esi
+2:  movzx r10d, dl
+    xor r10b, [rbp + FLIP]
+    movzx r10d, byte ptr [rdi + r10 * PLACE + PLACE_MARKS]
+    add eax, r10d
+    inc edx
+    loop 2b
+    cvtsi2ss xmm1, eax
+    psubd xmm1, xmm0
+    movaps xmm0, xmm1
+    dec r8d
+    jne 1b
+3:  pslld xmm0, ODDS_SHIFT
     cvtdq2ps xmm0, xmm0
-    movd eax, xmm0
-    stosd
+    lea rdi, [rbp + INPUTS]
+    movss [rdi], xmm0
+
+    // stretch and linear, of a context's three counters at once
+    mov eax, CERTAIN + 2
+    movd xmm3, eax
+    pshufd xmm3, xmm3, 0
+    movzx ecx, byte ptr [rbx + CONTEXTS]
+    lea rsi, [rbp + COUNTERS]
+1:  call counters
+    psrad xmm0, SEEN_BITS
+    pshufd xmm2, xmm0, 0b00111111 // the first to the place of the fourth, which is 0
+    movaps xmm1, xmm3
+    psubd xmm1, xmm0
+    paddd xmm0, xmm3
+    cvtdq2ps xmm1, xmm1
+    cvtdq2ps xmm0, xmm0
+    psubd xmm0, xmm1
+    pslld xmm2, LINEAR_SHIFT
+    paddd xmm0, xmm2
+    cvtdq2ps xmm0, xmm0
+    add rdi, 16
+    movaps [rdi], xmm0
     loop 1b
 
     // Mix
@@ -203,19 +300,15 @@ find:
     movaps xmm4, xmm0 // mixed, until learn
 
     // Correct
-    pop rsi
-    lodsd
-    mov edx, r11d
-    call mix_in
-    shr eax, HASH_BITS - CORRECTION_ROW_BITS - CORRECTION_BITS // rows of 32, of which this is the first
-    and al, 0x100 - (1 << CORRECTION_BITS)
     mulss xmm5, [rbx + STEEPNESS]
     addss xmm5, [rbx + MIDDLE]
     cvttss2si edx, xmm5
-    add eax, edx
-    lea rax, [rbp + rax * COUNTER + CORRECTIONS]
+    pop rax
+    lea rax, [rax + rdx * COUNTER]
     pop rdi
-    mov [rdi], rax
+    stosq // as three counters, of which the first is written last
+    stosq
+    stosq
     mulss xmm0, [rbx + SCALE]
     cvttss2si edx, xmm0
     cmp dword ptr [rax], 0
@@ -261,8 +354,16 @@ find:
     call squash
     movaps xmm1, xmm3
     subss xmm1, xmm0
-    mulss xmm1, [rbx + LEARNING]
     mov rdx, [rbp + r10 * 8 + ROWS - 8]
+    movss xmm0, [rdx + USED]
+    movss xmm2, [rbx + EARLY_USES]
+    addss xmm2, xmm0
+    movss xmm5, [rbx + EARLY_LEARNING]
+    divss xmm5, xmm2
+    addss xmm5, [rbx + LEARNING]
+    mulss xmm1, xmm5
+    addss xmm0, [rbx + ONE]
+    movss [rdx + USED], xmm0
     call point_to_inputs
     call train
     dec r10d
@@ -273,37 +374,46 @@ find:
     call point_to_results
     call train
 
-    // ... the counters, including the correction's
-    lea rsi, [rbp + COUNTERS]
+    // ... the counters, a context's three at once, and at last the correction's
     lea r10d, [r9 - 1]
     xor r10d, CERTAIN // or its complement
-    movzx ecx, byte ptr [rbx + CONTEXTS]
-    lea r8d, [rcx + rcx * (CONTEXT_INPUTS - 1) + 1]
-    movups xmm2, [rbx + SETTLED]
-1:  lodsq
-    movzx ecx, byte ptr [rax]
-    cvtsi2ss xmm1, ecx
-    addss xmm1, xmm2
-    pshufd xmm2, xmm2, 0b001001 // rotate to the next counter's
-    mov edx, [rax]
-    sar edx, SEEN_BITS
-    mov edi, r10d
-    sub edi, edx
-    cvtsi2ss xmm0, edi
-    divss xmm0, xmm1
-    cvttss2si edi, xmm0
-    add edx, edi
-    shl edx, SEEN_BITS
-    add cl, 1
-    sbb cl, 0
-    mov dl, cl
-    mov [rax], edx
-    dec r8d
-    jne 1b
+    movd xmm3, r10d
+    pshufd xmm3, xmm3, 0
+    pcmpeqd xmm4, xmm4
+    psrld xmm4, 31 // ones
+    movups xmm5, [rbx + SETTLED]
+    mov cl, [rbx + CONTEXTS] // rcx was 0
+    inc ecx
+    lea rsi, [rbp + COUNTERS]
+1:  call counters
+    movaps xmm1, xmm0
+    psrad xmm0, SEEN_BITS
+    pslld xmm1, 32 - SEEN_BITS
+    psrld xmm1, 32 - SEEN_BITS
+    cvtdq2ps xmm2, xmm1
+    addps xmm2, xmm5
+    movaps xmm6, xmm3
+    psubd xmm6, xmm0
+    cvtdq2ps xmm6, xmm6
+    divps xmm6, xmm2
+    cvttps2dq xmm6, xmm6
+    paddd xmm0, xmm6
+    pslld xmm0, SEEN_BITS
+    paddusb xmm1, xmm4 // one more, at most 255
+    orps xmm0, xmm1
+    mov rax, [rsi - 8]
+    pshufd xmm1, xmm0, 2
+    movd [rax], xmm1
+    mov rax, [rsi - 16]
+    pshufd xmm1, xmm0, 1
+    movd [rax], xmm1
+    mov rax, [rsi - 24]
+    movd [rax], xmm0
+    loop 1b
 
     // ... the histories
     lea rsi, [rbp + COUNTERS]
-    movzx ecx, byte ptr [rbx + CONTEXTS]
+    mov cl, [rbx + CONTEXTS]
 1:  mov rdi, [rsi]
     mov al, [rdi + SLOT_HISTORY]
     xor al, 1
@@ -314,9 +424,11 @@ find:
     or eax, r9d
     xor al, 1
     mov [rdi + SLOT_HISTORY], al
-    add rsi, 8 * CONTEXT_INPUTS
+    add rsi, 8 * CONTEXT_COUNTERS
     loop 1b
 
+    mov eax, [rbp + STEP]
+    lea eax, [r9 + rax * 2]
     shr r9d, 1
     adc r11b, r11b
     jnc next_bit
@@ -335,34 +447,47 @@ find:
     call parse
     mov [rbp + LEFT], eax
 1:  inc r12
-    inc r13
+    add r13, PLACE
     inc dword ptr [rbp + POSITION]
     mov eax, [rbp + POSITION]
     cmp eax, [rbx + SIZE]
     jb next_byte
     ret
 
-// Operands of mix and train: ecx floats at rsi; the weights at rdx.
+// xmm0 = the three counters that three pointers at rsi name, and 0; advances rsi.
+counters:
+    lodsq
+    movd xmm0, [rax]
+    lodsq
+    movd xmm1, [rax]
+    punpckldq xmm0, xmm1
+    lodsq
+    movd xmm1, [rax]
+    punpcklqdq xmm0, xmm1
+    ret
+
+// Operands of mix and train: ecx bytes of floats at rsi; the weights at rdx.
 point_to_inputs:
     lea rsi, [rbp + INPUTS]
     movzx ecx, byte ptr [rbx + CONTEXTS]
-    lea ecx, [rcx + rcx * (CONTEXT_INPUTS - 1)]
+    inc ecx
+    shl ecx, 4
     ret
 point_to_results:
     imul edx, [rbp + PHASE], 4 * SETS
     lea rdx, [rbp + rdx + FINAL_WEIGHTS]
     mov rsi, rbp // RESULTS
-    push SETS
+    push 4 * SETS
     pop rcx
     ret
 
-// xmm0 = sum of weights at rdx times inputs at rsi, ecx of them, limited to kMostSum.
+// xmm0 = sum of weights at rdx times inputs at rsi, limited to kMostSum.
 mix:
     xorps xmm0, xmm0
-1:  movaps xmm1, [rdx + rcx * 4 - 16]
-    mulps xmm1, [rsi + rcx * 4 - 16]
+1:  movaps xmm1, [rdx + rcx - 16]
+    mulps xmm1, [rsi + rcx - 16]
     addps xmm0, xmm1
-    sub ecx, 4
+    sub ecx, 16
     jne 1b
     movaps xmm1, xmm0
     shufps xmm1, xmm1, 0xb1
@@ -373,14 +498,14 @@ mix:
     maxss xmm0, [rbx + LEAST]
     ret
 
-// Adds inputs at rsi, ecx of them, times xmm1 to the weights at rdx.
+// Adds inputs at rsi times xmm1 to the weights at rdx.
 train:
     shufps xmm1, xmm1, 0
-1:  movaps xmm0, [rsi + rcx * 4 - 16]
+1:  movaps xmm0, [rsi + rcx - 16]
     mulps xmm0, xmm1
-    addps xmm0, [rdx + rcx * 4 - 16]
-    movaps [rdx + rcx * 4 - 16], xmm0
-    sub ecx, 4
+    addps xmm0, [rdx + rcx - 16]
+    movaps [rdx + rcx - 16], xmm0
+    sub ecx, 16
     jne 1b
     ret
 

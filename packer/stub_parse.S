@@ -18,17 +18,29 @@ parse:
     // In a displacement or an operand
     dec eax
     jne return
-    cmp [rbp + RELATIVE], al
+    mov dl, [rbp + RELATIVE]
+    test dl, dl
     je behind
     mov [rbp + RELATIVE], al
+    mov edi, [rbp + POSITION]
+    movsx eax, cl
+    lea eax, [rax + rdi + 1]
+    dec dl
+    je 1f
     mov eax, [r12 - 3]
     bswap eax
-    mov [rbp + TARGET], eax
-    sub eax, [rbp + POSITION]
-    sub eax, [rbp + IMMEDIATE]
-    dec eax
-    mov [r12 - 3], eax
-    xor eax, eax
+    mov ecx, eax
+    sub ecx, edi
+    sub ecx, [rbp + IMMEDIATE]
+    dec ecx
+    mov [r12 - 3], ecx
+1:  mov [rbp + TARGET], eax
+    cmp eax, [rbx + SIZE]
+    jae 2f
+    sub eax, edi
+    cdqe
+    or byte ptr [r13 + rax * PLACE + PLACE_MARKS], PLACE_NAMED
+2:  xor eax, eax
 
 behind: // after an opcode, an operand, or a byte of an operand
     test eax, eax
@@ -37,24 +49,37 @@ behind: // after an opcode, an operand, or a byte of an operand
     je ends
     and dword ptr [rbp + IMMEDIATE], 0
     mov byte ptr [rbp + PHASE], PHASE_OPERAND
+    cmp byte ptr [rbp + RELATIVE], 1
+    sbb byte ptr [rbp + PHASE], -1 // PHASE_JUMP, if it is
 return:
     ret
 
 ends:
+    or byte ptr [r13 + PLACE + PLACE_MARKS], PLACE_BEGINS
+    mov eax, [rbp + WRITTEN1]
+    mov [rbp + WRITTEN2], eax
     mov eax, [rbp + MODRM]
     mov [rbp + MODRM1], eax
+    and al, 0x38
+    mov cl, [rbp + HIGH]
+    and cl, 4
+    or al, cl
+    mov [rbp + WRITTEN1], eax
     mov rax, [rbp + OPCODE1]
     mov [rbp + OPCODE2], rax // and OPCODE3
     mov eax, [rbp + OPCODE]
     mov [rbp + OPCODE1], eax
-    mov eax, [rbp + SO_FAR]
+    cmp eax, RETURN
+    jne 1f
+    inc dword ptr [rbp + FUNCTION]
+1:  mov eax, [rbp + SO_FAR]
     mov [rbp + INSTRUCTION1], eax
     lea rdi, [rbp + OPCODE]
     xor eax, eax
     stosq // opcode, modrm
     stosq // mode, so far
     stosq // phase, left
-    stosq // wide, immediate
+    stosq // high, immediate
     ret
 
 at_sib:
@@ -105,6 +130,11 @@ at_vex:
     mov dl, cl
     and dl, 3
     mov [rbp + MAP], dl
+1:  cmp byte ptr [rbp + HIGH], 0
+    jne 1f
+    mov edx, ecx
+    shr edx, 5
+    mov [rbp + HIGH], edx
 1:  dec eax
     jne return
     mov [rbp + PHASE], al // PHASE_START
@@ -122,8 +152,8 @@ at_start:
     lea edx, [rcx - 0x40]
     cmp dl, 16
     jae 1f
-    and ecx, 8
-    mov [rbp + WIDE], ecx
+    and ecx, 15
+    mov [rbp + HIGH], ecx
     or al, SEEN_REX
     ret
 1:  mov edx, ecx
@@ -167,19 +197,22 @@ at_opcode:
 1:  movzx edx, byte ptr [rbp + rax + OPCODES]
     mov eax, edx
     shr eax, 1
-    cmp dl, RELATIVE32
-    sete [rbp + RELATIVE]
     test dl, IMMEDIATE32
     je 1f
     mov al, 4
     cmp dl, RELATIVE32
-    je 1f
-    cmp byte ptr [rbp + OPCODE + PREFIX_SHIFT / 8], 0x66
+    jb 3f
+    je 2f
+    mov al, 1
+    dec edx // no ModRM byte
+2:  mov [rbp + RELATIVE], al
+    jmp 1f
+3:  cmp byte ptr [rbp + OPCODE + PREFIX_SHIFT / 8], 0x66
     jne 2f
     mov al, 2
 2:  cmp dl, IMMEDIATE32
     jne 1f
-    cmp byte ptr [rbp + WIDE], 0
+    test byte ptr [rbp + HIGH], 8
     je 1f
     cmp cl, 0xb8
     jb 1f

@@ -22,6 +22,8 @@ runs_end:
     .long SETTLED0_BITS
     .long SETTLED1_BITS
     .long SETTLED2_BITS
+    .long EARLY_USES_BITS
+    .long EARLY_LEARNING_BITS
     .long LEARNING_BITS
     .long FINAL_LEARNING_BITS
     .long STEEPNESS_BITS

@@ -16,6 +16,7 @@ enum OpcodeClass : uint8_t {
     kImmediate8 = 2,  // one byte
     kImmediate32 = 4, // four bytes; two with prefix 66, eight for a move to a 64-bit register
     kRelative32 = 6,  // four bytes, relative to the next instruction
+    kRelative8 = 7,   // one such byte; there is no ModRM byte
 };
 constexpr uint32_t kClassBits = 3, kOpcodes = 4 << 8; // four maps
 struct OpcodeRun {
@@ -42,27 +43,32 @@ static_assert([] {
 }());
 
 struct Parser {
-    enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand };
-    static_assert(kOperand + 1 == kPhases && kPhases <= 1 << kPhaseBits);
+    enum Phase : uint32_t { kStart, kVex, kModrmByte, kSibByte, kDisplacement, kOperand, kJump };
+    static_assert(kJump + 1 == kPhases && kPhases <= 1 << kPhaseBits);
     // In kStart, `left` holds what has been seen of the instruction, and above it the map of the next opcode:
     // 1 for 0f, 2 for 0f 38, 3 for 0f 3a
     static constexpr uint32_t kSeenRex = 1, kSeenVex = 2, kMapShift = 2, kSeenMap = 1 << kMapShift;
     static constexpr uint32_t kPrefixShift = 16; // in kOpcode: above map and opcode
+    static constexpr uint32_t kReturn = 0xc3;
 
     Phase phase;   // what the next byte is part of
     uint32_t left; // how many bytes of it are to come
-    uint32_t map, wide, immediate, relative;
+    uint32_t map, immediate;
+    uint32_t high;     // bits of REX or VEX: 4 extends, or with VEX does not extend, ModRM's register; 8 is W
+    uint32_t relative; // bytes of this or the next field that is relative to the next instruction
+    bool begins;       // an instruction begins at the next byte
 
     // Takes the next byte. If this byte ends a field that is relative to the next instruction's address,
     // returns how far that address is from this byte; otherwise 0.
     uint32_t step(uint32_t *f, uint32_t b, const uint8_t *classes) {
         uint32_t found = 0;
         f[kSoFar] = mixIn(f[kSoFar], b);
+        begins = false;
         switch (phase) {
         case kStart: {
             if (left < kSeenMap) {
                 if ((b & 0xf0) == 0x40) {
-                    wide = b & 8;
+                    high = b & 15;
                     left |= kSeenRex;
                     return 0;
                 }
@@ -88,12 +94,13 @@ struct Parser {
             // The eight arithmetic operations, 00 .. 3f, have the same form
             uint32_t kind = classes[opcode < 0x40 ? opcode & 7 : opcode];
             f[kOpcode] |= opcode;
-            relative = kind == kRelative32;
             immediate = kind & kImmediate32 ? 4 : kind >> 1;
+            if (kind == kRelative8) immediate = 1;
+            relative = kind >= kRelative32 ? immediate : 0;
             if (kind & kImmediate32 && !relative && f[kOpcode] >> kPrefixShift == 0x66) immediate = 2;
-            if (kind == kImmediate32 && wide && b >= 0xb8) immediate = 8;
+            if (kind == kImmediate32 && high & 8 && b >= 0xb8) immediate = 8;
             left = 0;
-            if (kind & kHasModrm) {
+            if (kind & kHasModrm && !relative) {
                 phase = kModrmByte;
                 return 0;
             }
@@ -101,6 +108,7 @@ struct Parser {
         }
         case kVex:
             if (left == 2) map = b & 3;
+            if (!high) high = b >> 5;
             if (!--left) {
                 phase = kStart;
                 left = map << kMapShift | kSeenVex;
@@ -114,7 +122,7 @@ struct Parser {
             if ((f[kOpcode] & 0xfffe) == 0xf6 && b & 0x30) immediate = 0;
             left = b >> 6 == 1 ? 1 : b >> 6 == 2 ? 4 : 0;
             if ((b & 0xc7) == 5) {
-                relative = 1;
+                relative = 4;
                 left = 4;
             }
             if (b < 0xc0 && (b & 7) == 4) {
@@ -129,18 +137,23 @@ struct Parser {
             break;
         case kDisplacement:
         case kOperand:
+        case kJump:
             if (--left) return 0;
             if (relative) found = 1 + immediate;
             relative = 0;
         }
         if (left) return found;
         if (immediate) {
-            phase = kOperand;
+            phase = relative ? kJump : kOperand;
             left = immediate;
             immediate = 0;
             return found;
         }
         // The end of the instruction
+        begins = true;
+        f[kFunction] += f[kOpcode] == kReturn;
+        f[kWritten2] = f[kWritten1];
+        f[kWritten1] = (f[kModrm] & 0x38) | (high & 4);
         f[kModrm1] = f[kModrm];
         f[kOpcode3] = f[kOpcode2];
         f[kOpcode2] = f[kOpcode1];
@@ -148,7 +161,7 @@ struct Parser {
         f[kInstruction1] = f[kSoFar];
         for (int i = kOpcode; i <= kSoFar; ++i) f[i] = 0;
         phase = kStart;
-        wide = 0;
+        high = 0;
         return found;
     }
 };

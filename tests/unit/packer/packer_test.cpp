@@ -189,7 +189,7 @@ TEST(Coder, BothDecodersGiveBackWhatWasEncoded) {
         ModelParameters parameters = smallParameters(12 + random() % 6);
         parameters.contexts = 4 * (1 + random() % 6);
         for (auto &masks : parameters.masks)
-            for (uint32_t i = 0; i < parameters.hashes(); ++i) masks[i] = (uint16_t)random();
+            for (uint32_t i = 0; i < parameters.hashes(); ++i) masks[i] = random() % (1u << kChoices);
         Encoded e = encode(b, layout, parameters, workspace);
         ASSERT_EQ(decode(e.payload.data(), e.payload.size(), layout, parameters, workspace), b) << b.size();
         if (b.empty()) continue;
@@ -297,7 +297,7 @@ TEST(Estimates, AreNearTheTruth) {
             parameters.contexts = contexts;
             for (int type = 0; type < 2; ++type)
                 for (uint32_t i = 16; i < parameters.hashes(); ++i)
-                    parameters.masks[type][i] = (uint16_t)(7 << i % 14);
+                    parameters.masks[type][i] = 7u << i % (kChoices - 2);
             Estimator estimator(filtered, layout);
             Estimate first = estimator(parameters);
             double truth = measure(filtered, layout, parameters, workspace);
@@ -322,7 +322,7 @@ TEST(Search, KeepsTheBest) {
     Layout layout = allCode(b);
     Bytes filtered = filter(b, layout);
     ModelParameters poor = smallParameters();
-    for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = (uint16_t)(0x8000 >> i);
+    for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = 0x8000u >> i;
     double before = measure(filtered, layout, poor, workspace), told = 1e30;
     int tried = 0;
     // Make a hundred tries, however long they take

@@ -65,7 +65,7 @@ TEST(Pe, WhatIsPackedIsTakenAndReadsBack) {
               "kernel32.dll: GetProcAddress LoadLibraryA LoadLibraryA GetProcAddress VirtualAlloc "
               "VirtualFree VirtualProtect GetStdHandle WriteFile ExitProcess");
     EXPECT_EQ(file.size() % 512, 0u);
-    EXPECT_LE(overheadPe(defaultParameters()), 3072u);
+    EXPECT_LE(overheadPe(defaultParameters()), 3584u);
     EXPECT_EQ(decodeWithStubPe(file), p.bytes);
     Program back = readPackedPe(file);
     EXPECT_EQ(back.bytes, p.bytes);

@@ -29,7 +29,7 @@ ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordin
     for (int type = 0; type < 2; ++type) {
         for (uint32_t i = 0; i < s.contexts; ++i)
             parameters.masks[type][i] =
-                i < ordinary.contexts ? ordinary.masks[type][i] : (uint16_t)(3 << i % 15);
+                i < ordinary.contexts ? ordinary.masks[type][i] : 3u << i % (pack::kChoices - 1);
         for (uint32_t i = 0; i < kSets - 1; ++i)
             parameters.masks[type][s.contexts + i] = ordinary.masks[type][ordinary.contexts + i];
     }
