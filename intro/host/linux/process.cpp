@@ -4,7 +4,9 @@
 
 namespace odraz {
 
-static long theErrors = 2; // the descriptor that complain() writes to
+// Where standard error is kept while a Quiet exists, otherwise 0. Not the descriptor to write to: that would
+// be 2 at first, and what is not 0 at first is not there yet when the early part complains
+static long theKept;
 
 const char kMoreMemory[] = "end other programs, or raise ulimit -v";
 
@@ -31,7 +33,7 @@ int complain(const char *line) {
     // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';
-    sys::call(sys::kWrite, theErrors, (long)text, size);
+    sys::call(sys::kWrite, theKept ? theKept : 2, (long)text, size);
     return 1;
 }
 
@@ -40,7 +42,7 @@ Quiet::Quiet() {
          nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */);
     if (kept >= 0 && nothing >= 0) { // else libraries stay audible
         sys::call(sys::kDup2, nothing, 2);
-        theErrors = kept;
+        theKept = kept;
     } else {
         sys::call(sys::kClose, kept);
     }
@@ -48,10 +50,10 @@ Quiet::Quiet() {
 }
 
 Quiet::~Quiet() {
-    if (theErrors == 2) return;
-    sys::call(sys::kDup2, theErrors, 2);
-    sys::call(sys::kClose, theErrors);
-    theErrors = 2;
+    if (!theKept) return;
+    sys::call(sys::kDup2, theKept, 2);
+    sys::call(sys::kClose, theKept);
+    theKept = 0;
 }
 
 int prepareDescriptors() {
