@@ -62,6 +62,7 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     for (auto &masks : parameters.masks)
         for (uint32_t i = 0; i < parameters.hashes(); ++i, at += kMaskSize)
             std::memcpy(&masks[i], at, kMaskSize);
+    need(parameters.sane(), kDamaged); // the masks, too
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
              p.image % kPage == 0 && p.image > kBelow && p.image < kAddressEnd - span &&

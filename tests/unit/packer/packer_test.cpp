@@ -266,6 +266,25 @@ TEST(Coder, SurvivesDamage) {
     }
 }
 
+// A mask names fields that there are, also in a file: another decoder would read something else for others.
+TEST(Coder, RefusesMasksOfUnknownFields) {
+    Bytes b = randomBytes(100, 1);
+    ModelParameters parameters = smallParameters();
+    auto packed = [&] {
+        Program program = {};
+        program.base = 0x400000;
+        program.span = 1 << 20;
+        program.slots[0] = program.base;
+        program.slots[1] = program.base + 8;
+        program.bytes = b;
+        return writePacked(program, parameters, encode(b, {100, 0, 0}, smallParameters(), workspace).payload);
+    };
+    EXPECT_NO_THROW(readPacked(packed()));
+    parameters.masks[1][3] |= 1u << kChoices;
+    EXPECT_FALSE(parameters.sane());
+    EXPECT_THROW(readPacked(packed()), Unsuitable);
+}
+
 // --- Model parameters and search ---
 
 TEST(ModelParameters, ArePrintedAndParsed) {
