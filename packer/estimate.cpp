@@ -186,9 +186,9 @@ struct Estimator::Work {
             uint32_t nibble = hash;
             for (uint32_t start : {1u, 16u + (known.byte >> 4)}) {
                 nibble = mixIn(nibble, start);
-                Slot *first = &slots[nibble >> (32 - slotBits) & ~(kNibbleSlots - 1)];
-                __builtin_prefetch(first, 1);
-                __builtin_prefetch(first + kNibbleSlots / 2, 1);
+                Slot *first = &slots[nibble >> (32 - slotBits) & ~(kWays * kNibbleSlots - 1)];
+                for (uint32_t k = 0; k < kWays * kNibbleSlots; k += 64 / sizeof(Slot))
+                    __builtin_prefetch(first + k, 1);
             }
             return hash;
         };

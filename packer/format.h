@@ -7,8 +7,9 @@
 //     Front          528 bytes: ELF header, five program headers, the loader's tables
 //     stub           machine code, the same in every file
 //     PayloadHeader  46 bytes
-//     masks          three bytes each: ModelParameters::masks[0] for code, then masks[1] for data; each has
-//                    one mask for each context and kSets - 1 more
+//     masks          ModelParameters::masks[0] for code, two bytes each, without the kCodeShift lowest bits;
+//     then
+//                    masks[1] for data, a byte each. Both have one for each context and kSets - 1 more
 //     payload        the coded program, then zeros up to a multiple of four
 //     check          four bytes
 //
@@ -138,14 +139,15 @@ inline uint32_t checksum(const uint8_t *bytes, size_t words) {
     return sum;
 }
 
-constexpr size_t kMaskSize = kMaskBits / 8;
+constexpr size_t kCodeMask = kCodeBits / 8, kDataMask = kDataBits / 8; // bytes
 
 // The masks as they follow the header.
 inline std::vector<uint8_t> packMasks(const ModelParameters &parameters) {
     std::vector<uint8_t> all;
-    for (auto &masks : parameters.masks)
-        for (uint32_t i = 0; i < parameters.hashes(); ++i)
-            for (uint32_t bits = 0; bits < kMaskBits; bits += 8) all.push_back((uint8_t)(masks[i] >> bits));
+    for (uint32_t i = 0; i < parameters.hashes(); ++i)
+        for (uint32_t bits = 0; bits < kCodeBits; bits += 8)
+            all.push_back((uint8_t)(parameters.masks[0][i] >> (kCodeShift + bits)));
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) all.push_back((uint8_t)parameters.masks[1][i]);
     return all;
 }
 

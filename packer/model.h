@@ -20,27 +20,25 @@
 
 namespace pack {
 
-constexpr uint32_t kMostContexts = 24, kContextCounters = 3;
+constexpr uint32_t kMostContexts = 16, kContextCounters = 3; // more contexts gained nothing
 constexpr uint32_t kSets = 8;
 constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
-constexpr uint32_t kMaskBits = 24;                       // of which a packed file has three bytes
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
 
 // What the packer chooses for each program.
 struct ModelParameters {
     uint32_t contexts; // a multiple of four, 4 .. kMostContexts
     uint32_t slotBits; // 2^slotBits slots of eight bytes
-    // Which fields each context uses, one bit for each field from kByte1 on; then the same for the selectors
+    // Which fields each context uses, one bit for each field from kColumn on; then the same for the selectors
     // of all sets but the first. [0] is for code, [1] for data
     uint32_t masks[2][kMostContexts + kSets - 1];
-    static_assert(kChoices <= kMaskBits);
 
     uint32_t hashes() const { return contexts + kSets - 1; }
     uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
     bool sane() const {
-        uint32_t unknown = 0; // bits that stand for no field
-        for (auto &type : masks)
-            for (uint32_t mask : type) unknown |= mask >> kChoices;
+        uint32_t unknown = 0; // bits of fields that cannot be used
+        for (int type = 0; type < 2; ++type)
+            for (uint32_t mask : masks[type]) unknown |= mask & ~kMayUse[type];
         return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
                slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits && !unknown;
     }
@@ -75,14 +73,15 @@ constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
 constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
 constexpr int32_t kOddsShift = 2;         // of the logarithm of Surroundings::odds
 constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
-// Corrections: a hash selects one of 65,536 rows, and the weighted sum one of its 32 counters, 1.25 of them
+// Corrections: a hash selects one of 16,384 rows, and the weighted sum one of its 32 counters, 1.25 of them
 // for a factor of e
-constexpr uint32_t kCorrectionRowBits = 16, kCorrectionBits = 5;
+constexpr uint32_t kCorrectionRowBits = 14, kCorrectionBits = 5;
 constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
 constexpr uint32_t kFirstTrust = 14; // bits that a new correction counts as seen
 
-// The slots of one nibble are adjacent, sixteen of them in two cache lines. The nibble's hash selects the
-// sixteen; the bits coded of the nibble so far select one of them.
+// The slots of one nibble are adjacent, sixteen of them in two cache lines; the bits coded of the nibble so
+// far select one of them. The nibble's hash selects four such sixteens, one after another: a slot may be in
+// any of the four.
 struct Nibble {
     uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
     uint32_t number() const { return start ^ 16; } // 0 .. 15 for the second one, 17 for the first
@@ -91,14 +90,20 @@ inline Nibble nibbleOf(uint32_t bits) {
     uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
     return {start, bits - ((start - 1) << coded)};
 }
-constexpr uint32_t kNibbles = 18, kNibbleSlots = 16;
+constexpr uint32_t kNibbles = 18, kNibbleSlots = 16, kWays = 4;
+
+// The counters that all slots of a context share: for each phase of the parser, those selected by the
+// history, then those selected by nibble, last byte and step. To save memory, the counters of a phase begin
+// before those of the phase before end. What coincides is rare: here the histories, which are busy, fall on
+// last bytes of 0x90 to 0x9f before a nibble of 9.
+constexpr uint32_t kHistories = 256, kAfterByte = 256 * kNibbleSlots;
+constexpr uint32_t kPhaseCounters = 9 * kAfterByte + 0x90 * kNibbleSlots - kHistories;
+constexpr uint32_t kSharedCounters = (kPhases - 1) * kPhaseCounters + kHistories + kNibbles * kAfterByte;
 
 struct Context {
     Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
     Counter *counter[kContextCounters];
-    struct {
-        Counter histories[256], afterLast[kNibbles][256][kNibbleSlots];
-    } shared[kPhases]; // by all slots, for each phase of the parser
+    Counter shared[kSharedCounters]; // by all slots
 };
 
 struct Model {
@@ -150,10 +155,12 @@ inline void train(Float4 *weights, const Float4 *inputs, uint32_t count4, float 
     while (count4--) weights[count4] += inputs[count4] * by;
 }
 
+constexpr uint32_t kMostSeen = (1 << kSeenBits) - 1;
+inline uint32_t seenBy(Counter c) { return c & kMostSeen; }
+
 inline void adapt(Counter &c, uint32_t bit, float settled) {
-    constexpr uint32_t kMostSeen = (1 << kSeenBits) - 1;
     int32_t p = (int32_t)c >> kSeenBits;
-    uint32_t seen = c & kMostSeen;
+    uint32_t seen = seenBy(c);
     p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + settled));
     c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
 }
@@ -162,7 +169,7 @@ inline void adapt(Counter &c, uint32_t bit, float settled) {
 // selectors of all sets but the first.
 inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
     uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kWhere]), mask = parameters.masks[type][i];
-    for (uint32_t j = kByte1; mask; mask >>= 1, ++j)
+    for (uint32_t j = kColumn; mask; mask >>= 1, ++j)
         if (mask & 1) hash = mixIn(hash, fields[j]);
     return hash;
 }
@@ -172,22 +179,19 @@ inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 <<
 // Finds a context's counters. `hash` is that of the nibble.
 inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, Nibble nibble) {
     uint16_t check = (uint16_t)hash;
-    uint32_t place = hash >> (32 - slotBits) ^ nibble.step;
-    Slot *s = slots + place;
-    if (s->check != check) {
-        Slot *other = slots + (place ^ kNibbleSlots);
-        if (other->check == check)
-            s = other;
-        else {
-            if (other->history < s->history) s = other;
-            *s = Slot{0, 0, 0, check};
-        }
-    }
+    uint32_t place = hash >> (32 - slotBits) & ~((kWays - 1) * kNibbleSlots);
+    Slot *s = slots + (place ^ nibble.step), *worst = s;
+    uint32_t ways = kWays;
+    for (; ways && s->check != check; --ways, s += kNibbleSlots)
+        if (seenBy(s->counter) < seenBy(worst->counter)) worst = s;
+    if (!ways) *(s = worst) = Slot{0, 0, 0, check}; // forgets the one that has seen least
     c.slot = s;
     if (nibble.start == 1 && nibble.step == 1) c.byteSlot = s;
+    Counter *shared = c.shared + phase * kPhaseCounters;
     c.counter[0] = &s->counter;
-    c.counter[1] = &c.shared[phase].histories[s->history];
-    c.counter[2] = &c.shared[phase].afterLast[nibble.number()][c.byteSlot->lastByte][nibble.step];
+    c.counter[1] = shared + s->history;
+    shared += kHistories + nibble.number() * kAfterByte + nibble.step;
+    c.counter[2] = shared + c.byteSlot->lastByte * kNibbleSlots;
 }
 
 inline void learn(Context &c, uint32_t bit) {

@@ -10,7 +10,7 @@ namespace pack {
 namespace {
 
 constexpr size_t kCheckSize = 4;
-size_t masksSize(const ModelParameters &parameters) { return kMaskSize * 2 * parameters.hashes(); }
+size_t masksSize(const ModelParameters &parameters) { return (kCodeMask + kDataMask) * parameters.hashes(); }
 
 } // namespace
 
@@ -59,10 +59,11 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     parameters.contexts = p.contexts;
     parameters.slotBits = 32u - p.slotShift;
     need(parameters.sane() && (size_t)(end - at) >= masksSize(parameters), kDamaged);
-    for (auto &masks : parameters.masks)
-        for (uint32_t i = 0; i < parameters.hashes(); ++i, at += kMaskSize)
-            std::memcpy(&masks[i], at, kMaskSize);
-    need(parameters.sane(), kDamaged); // the masks, too
+    for (uint32_t i = 0; i < parameters.hashes(); ++i, at += kCodeMask) {
+        std::memcpy(&parameters.masks[0][i], at, kCodeMask);
+        parameters.masks[0][i] <<= kCodeShift;
+    }
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) parameters.masks[1][i] = *at++;
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
              p.image % kPage == 0 && p.image > kBelow && p.image < kAddressEnd - span &&

@@ -53,7 +53,9 @@ Change propose(const ModelParameters &parameters, const Layout &layout, std::mt1
     const uint32_t *masks = parameters.masks[change.type];
     uint32_t i = random() % parameters.hashes();
     uint32_t mask = masks[i];
-    auto field = [&] { return 1u << random() % kChoices; };
+    auto field = [&] {
+        return change.type ? 1u << random() % kDataBits : 1u << (random() % kCodeBits + kCodeShift);
+    };
     // A field that is in the mask, or one that is not
     auto fieldOf = [&](uint32_t all) {
         uint32_t one = field();

@@ -25,8 +25,8 @@ decode:
     sub eax, [rbx + SIZE]
     lea r13, [rbp + rax + FIELDS - PLACE * FUTURE]
     movzx eax, byte ptr [rbx + CONTEXTS]
-    imul eax, eax, 2 * MASK
-    lea r14, [rbx + rax + MASKS + 2 * MASK * (SETS - 1)]
+    imul eax, eax, CODE_MASK + DATA_MASK
+    lea r14, [rbx + rax + MASKS + (CODE_MASK + DATA_MASK) * (SETS - 1)]
 
     xor eax, eax
 next_byte: // eax is the position
@@ -49,17 +49,17 @@ next_byte: // eax is the position
     shl eax, PHASE_BITS
     or eax, [rbp + PHASE]
     stosd
-    push FIELD_BYTE5
-    pop rcx
-    mov rsi, r13
-1:  sub rsi, PLACE
-    movzx eax, byte ptr [rsi]
-    stosd
-    loop 1b
     mov edx, [rbp + POSITION]
     mov eax, edx
     and eax, COLUMNS - 1
     stosd
+    push 1 + FIELD_BYTE1 - FIELD_BYTE5
+    pop rcx
+    lea rsi, [r13 - PLACE * (1 + FIELD_BYTE1 - FIELD_BYTE5)]
+1:  lodsw
+    movzx eax, al
+    stosd
+    loop 1b
     mov eax, ecx
 1:  cmp byte ptr [r13 + rax * PLACE + PLACE_MARKS], cl
     js 2f
@@ -99,21 +99,24 @@ next_byte: // eax is the position
     inc r8d // 1 in data
     mov [rbp + TYPE], r8d
     je 1f
-    lea rsi, [rsi + rcx * (MASK - 1)]
-    add rsi, rcx
+    lea rsi, [rsi + rcx * CODE_MASK]
 1:  lea rdi, [rbp + HASHES]
 hash_next:
-    lodsd
-    dec rsi // a mask has three bytes
-    and eax, (1 << MASK_BITS) - 1
-    xchg r9d, eax
+    xor eax, eax
+    lodsb
+    test r8d, r8d
+    jne 1f
+    mov ah, [rsi]
+    inc rsi
+    shl eax, CODE_SHIFT
+1:  xchg r9d, eax
     lea eax, [rcx + r8]
     mov edx, [rbp + WHERE]
 1:  call mix_in
     bsf edx, r9d
     je 2f
     btr r9d, edx
-    mov edx, [rbp + rdx * 4 + FIELDS + 4 * FIELD_BYTE1]
+    mov edx, [rbp + rdx * 4 + FIELDS + 4 * FIELD_COLUMN]
     jmp 1b
 2:  stosd
     loop hash_next
@@ -129,20 +132,19 @@ next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
     lea r8, [rbp + SLOTS]
     movzx r10d, byte ptr [rbx + CONTEXTS]
     lea rdi, [rbp + HASHES]
-    mov cl, [rbx + SLOT_SHIFT]
 1:  mov eax, [rdi]
     mov edx, r11d
     call mix_in
     stosd
+    mov cl, [rbx + SLOT_SHIFT]
     shr eax, cl
     lea rax, [r8 + rax * SLOT]
-    prefetcht0 [rax]
-    xor al, SLOT * NIBBLE_SLOTS / 2
-    prefetcht0 [rax]
-    xor al, SLOT * NIBBLE_SLOTS * 3 / 2
-    prefetcht0 [rax]
-    xor al, SLOT * NIBBLE_SLOTS / 2
-    prefetcht0 [rax]
+    and ax, -WAYS_SIZE
+    push WAYS_SIZE / 64
+    pop rcx
+3:  prefetcht0 [rax]
+    add rax, 64
+    loop 3b
     dec r10d
     jne 1b
     mov eax, r11d
@@ -159,7 +161,7 @@ next_bit: // eax is the step, NIBBLE_SLOTS or more if a nibble begins
     lea rsi, [rbp + HASHES]
     lea rdi, [rbp + COUNTERS]
     lea r9, [rbp + BYTE_SLOTS]
-    imul eax, [rbp + PHASE], SHARED
+    imul eax, [rbp + PHASE], PHASE_SHARED
     lea r15, [rbp + rax + HISTORIES]
 find:
     lodsd
@@ -168,21 +170,23 @@ find:
     shr eax, cl
     xor eax, [rbp + STEP]
     lea rax, [r8 + rax * SLOT]
-    cmp [rax + SLOT_CHECK], dx
+    and ax, ~(WAYS_SIZE - SLOT * NIBBLE_SLOTS)
+    push rsi
+    mov rsi, rax
+    mov ch, WAYS
+1:  cmp [rax + SLOT_CHECK], dx
     je 2f
-    mov rcx, rax
-    xor cl, SLOT * NIBBLE_SLOTS
-    cmp [rcx + SLOT_CHECK], dx
-    je 1f
-    push rdx
-    mov dl, [rax + SLOT_HISTORY]
-    cmp [rcx + SLOT_HISTORY], dl
-    pop rdx
-    cmovae rcx, rax
+    mov cl, [rsi]
+    cmp [rax], cl
+    cmovb rsi, rax
+    sub rax, -SLOT * NIBBLE_SLOTS
+    dec ch
+    jne 1b
+    mov rax, rsi
     shl rdx, 8 * SLOT_CHECK
-    mov [rcx], rdx // its other fields become 0
-1:  mov rax, rcx
-2:  stosq // a slot begins with its counter
+    mov [rax], rdx // its other fields become 0
+2:  pop rsi
+    stosq // a slot begins with its counter
     mov rcx, rax
     movzx eax, byte ptr [rcx + SLOT_HISTORY]
     lea rax, [r15 + rax * COUNTER]
@@ -199,7 +203,7 @@ find:
     mov ecx, [rbp + STEP]
     lea rax, [rax + rcx * COUNTER + AFTER_LAST]
     stosq
-    add r15, PHASES * SHARED
+    add r15, SHARED
     dec r10d
     jne find
     push rdi // where the correction's counter goes

@@ -29,7 +29,6 @@
 .set INSTRUCTION1, FIELDS + 4 * FIELD_INSTRUCTION1
 .set OPCODE1, FIELDS + 4 * FIELD_OPCODE1
 .set OPCODE2, FIELDS + 4 * FIELD_OPCODE2
-.set MODRM1, FIELDS + 4 * FIELD_MODRM1
 .set OPCODE, FIELDS + 4 * FIELD_OPCODE
 .set MODRM, FIELDS + 4 * FIELD_MODRM
 .set MODE, FIELDS + 4 * FIELD_MODE
@@ -63,23 +62,24 @@
 .set ALL_ROWS, SETS << SET_ROW_BITS
 .set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
-.set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * PHASES * SHARED - FIELDS
-.set SLOTS, SLOTS_FROM + 255 - (SLOTS_FROM + 255) % 256 + FIELDS // flipping a bit finds the other slots
+.set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * SHARED - FIELDS
+.set WAYS_SIZE, WAYS * NIBBLE_SLOTS * SLOT
+.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS // masks find the other slots
 // The slots follow, then the places
 
 .set AFTER_BITS, 14 // of a nibble in the table of what followed last
 
 // --- What the code relies on beyond these names ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
-EQUAL(FIELD_WHERE, 0) // fields up to the column are written in a row
-EQUAL(FIELD_BYTE1, 1)
-EQUAL(FIELD_COLUMN, FIELD_BYTE5 + 1)
-EQUAL(FIELD_TO_MARK, FIELD_COLUMN + 1)
+EQUAL(FIELD_WHERE, 0) // fields up to this one are written in a row
+EQUAL(FIELD_COLUMN, 1)
+EQUAL(FIELD_BYTE5, 2)
+EQUAL(FIELD_TO_MARK, FIELD_BYTE1 + 1)
 EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two are copied at once
 EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
-EQUAL(FIELD_MODRM, FIELD_OPCODE + 1) // what is cleared with the parser's state
-EQUAL(FIELD_MODE, FIELD_OPCODE + 2)
-EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 3)
+EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // what is cleared with the parser's state
+EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 2)
+EQUAL(FIELD_MODRM, FIELD_OPCODE + 3)
 EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
 EQUAL(PHASE_START, 0) // phases are compared in this order
 EQUAL(PHASE_VEX, 1)
@@ -88,13 +88,17 @@ EQUAL(PHASE_SIB, 3)
 EQUAL(PHASE_DISPLACEMENT, 4)
 EQUAL(PHASE_JUMP, PHASE_OPERAND + 1)
 EQUAL(RELATIVE8, RELATIVE32 + 1)
+EQUAL(PLACE, 2) // lodsw takes one
+EQUAL(CODE_MASK, 2)
+EQUAL(DATA_MASK, 1)
 EQUAL(PLACE_NAMED, 0x80) // the sign bit of a byte
 EQUAL(SLOT_COUNTER, 0) // a new slot is its check, shifted up
 EQUAL(SLOT_CHECK, SLOT - 2)
+EQUAL(SLOT * NIBBLE_SLOTS, 128) // what a signed byte can subtract
 EQUAL(COUNTER, 4) // its lowest byte counts the bits seen
 EQUAL(SEEN_BITS, 8)
 EQUAL(HISTORY_FULL, 128) // the sign bit of a byte
 EQUAL(1 << AFTER_BITS, 256 * NIBBLE_SLOTS * COUNTER)
-EQUAL((SLOTS - FIELDS) & (2 * SLOT * NIBBLE_SLOTS - 1), 0)
+EQUAL((SLOTS - FIELDS) & (WAYS_SIZE - 1), 0)
 EQUAL((INPUTS | FINAL_WEIGHTS | WEIGHTS) & 15, 0) // vectors
-EQUAL(FLIP + 4, RESULTS) // the variables end where RESULTS begins, which is aligned
+EQUAL(FLIP + 8, RESULTS) // the variables end before RESULTS, which is aligned; four bytes are free

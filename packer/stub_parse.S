@@ -59,7 +59,6 @@ ends:
     mov eax, [rbp + WRITTEN1]
     mov [rbp + WRITTEN2], eax
     mov eax, [rbp + MODRM]
-    mov [rbp + MODRM1], eax
     and al, 0x38
     mov cl, [rbp + HIGH]
     and cl, 4
@@ -76,8 +75,8 @@ ends:
     mov [rbp + INSTRUCTION1], eax
     lea rdi, [rbp + OPCODE]
     xor eax, eax
-    stosq // opcode, modrm
-    stosq // mode, so far
+    stosq // opcode, mode
+    stosq // so far, modrm
     stosq // phase, left
     stosq // high, immediate
     ret

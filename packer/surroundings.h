@@ -18,7 +18,7 @@ constexpr uint8_t kBegins = 48; // an instruction begins there
 
 constexpr uint32_t kPast = 128;   // zeros that stand for the places before the first one
 constexpr uint32_t kFuture = 256; // ... and for those after the last one
-static_assert(kPast >= kByte5 && kPast >= 127 && kFuture >= kFarMark);
+static_assert(kPast >= 5 && kPast >= 127 && kFuture >= kFarMark);
 
 struct Surroundings {
     uint32_t fields[kFields];
@@ -33,7 +33,7 @@ struct Surroundings {
     // Before byte i.
     void begin(uint32_t i) {
         const Place *now = places + i;
-        for (uint32_t k = kByte1; k <= kByte5; ++k) fields[k] = (now - k)->byte;
+        for (uint32_t k = 0; k < 5; ++k) fields[kByte1 - k] = (now - k - 1)->byte;
         fields[kWhere] = parser.left << kPhaseBits | parser.phase;
         fields[kColumn] = i % kColumns;
         uint32_t far = 0;
@@ -42,7 +42,7 @@ struct Surroundings {
 
         block = nullptr;
         if (!parser.relative || parser.left != 1) return;
-        uint32_t first = fields[kByte1 + 2] << 24 | fields[kByte1 + 1] << 16 | fields[kByte1] << 8;
+        uint32_t first = fields[kByte3] << 24 | fields[kByte2] << 16 | fields[kByte1] << 8;
         flip = 0;
         if (parser.relative == 1) {
             flip = 128; // the byte has a sign

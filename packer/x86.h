@@ -154,12 +154,11 @@ struct Parser {
         f[kFunction] += f[kOpcode] == kReturn;
         f[kWritten2] = f[kWritten1];
         f[kWritten1] = (f[kModrm] & 0x38) | (high & 4);
-        f[kModrm1] = f[kModrm];
         f[kOpcode3] = f[kOpcode2];
         f[kOpcode2] = f[kOpcode1];
         f[kOpcode1] = f[kOpcode];
         f[kInstruction1] = f[kSoFar];
-        for (int i = kOpcode; i <= kSoFar; ++i) f[i] = 0;
+        for (int i = kOpcode; i <= kModrm; ++i) f[i] = 0;
         phase = kStart;
         high = 0;
         return found;

@@ -10,7 +10,7 @@ says() { # says STATUS TEXT COMMAND...: exit status and standard output
 }
 check "it runs" says 7 "hello, 1 words, 42" "$hello"
 check "it gets its arguments" says 7 "hello, 3 words, 42" "$hello" a b
-check "it costs its payload and 3,217 bytes" prints '\(3217 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
+check "it costs its payload and 3,149 bytes" prints '\(3149 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
 check "without randomised addresses" says 7 "hello, 1 words, 42" setarch -R "$hello"
 check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"

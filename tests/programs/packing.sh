@@ -26,7 +26,7 @@ check "a plain one for Linux" "$pack" "$hello" -o "$WORK/plain" --plain
 check "... runs" test "$("$WORK/plain" a b)" = "hello, 3 words, 42"
 
 # A search from unsuitable contexts, so that there is something to find
-awk '$1 == "code" { $2 = "byte4+byte5+instruction1" ($2 == "-" ? "" : "+" $2) } 1' "$model" >"$WORK/unsuited"
+awk '$1 == "code" { $2 = "byte4+byte3+instruction1" ($2 == "-" ? "" : "+" $2) } 1' "$model" >"$WORK/unsuited"
 check "takes contexts that do not suit" prints 'bytes left' "$pack" "$hello" -o "$WORK/poor" --model "$WORK/unsuited"
 "$pack" "$hello" -o "$WORK/found" --model "$WORK/unsuited" --effort 100000 --save-model "$WORK/model" 2>"$WORK/searching" >/dev/null &
 pid=$!

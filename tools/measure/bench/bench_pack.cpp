@@ -1,7 +1,7 @@
 // Compares the packer with general packers that are installed, on machine code.
-//   bench_pack [--effort SECONDS] [--only SAMPLE] [FILM]
+//   bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]
 // The packer searches for SECONDS on each sample. FILM is a path of odraz-safe. --only packs one sample,
-// without the other packers.
+// without the other packers. --model packs the film once more, with the contexts in FILE.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
 #include "tools/common/temporary_folder.h"
@@ -48,10 +48,9 @@ long packedSize(const Peer &peer, const std::string &path) {
 }
 
 // Packs the sample and decodes it with the stub's own code, as a program does. Prints the rest of its line.
-void packSample(const Sample &s, double effort, const long (&sizes)[4]) {
+void packSample(const Sample &s, ModelParameters parameters, double effort, const long (&sizes)[4]) {
     static Workspace workspace;
     const Layout &layout = s.layout;
-    ModelParameters parameters = defaultParameters();
     if (effort > 0)
         parameters = search(filter(s.bytes, layout), layout, parameters, effort,
                             [](const Progress &) { return true; });
@@ -85,10 +84,12 @@ void packSample(const Sample &s, double effort, const long (&sizes)[4]) {
 
 int run(Arguments &words) {
     double effort = 0;
-    std::string film = "build/odraz-safe", only;
+    std::string film = "build/odraz-safe", only, model;
     while (const char *word = words.next()) {
         if (!std::strcmp(word, "--effort"))
             effort = words.number("--effort", 0, 1e6);
+        else if (!std::strcmp(word, "--model"))
+            model = words.value("--model");
         else if (!std::strcmp(word, "--only"))
             only = words.value("--only");
         else if (word[0] != '-')
@@ -120,7 +121,15 @@ int run(Arguments &words) {
         long sizes[4] = {-1, -1, -1, -1};
         for (int i = 0; i < 4; ++i)
             if (thePeers[i].there) std::printf(" %ld |", sizes[i] = packedSize(thePeers[i], path));
-        packSample(s, effort, sizes);
+        packSample(s, defaultParameters(), effort, sizes);
+        if (s.name != kWholeFilm || model.empty()) continue;
+        ModelParameters itsOwn;
+        if (std::string wrong = parseParameters(odraz::readWhole(model), itsOwn); !wrong.empty())
+            throw odraz::Refused(model + ": " + wrong);
+        std::printf("| ... with its own contexts | %zu |", s.bytes.size());
+        for (int i = 0; i < 4; ++i)
+            if (thePeers[i].there) std::printf(" %ld |", sizes[i]);
+        packSample(s, itsOwn, 0, sizes);
     }
     return 0;
 }
@@ -128,6 +137,7 @@ int run(Arguments &words) {
 } // namespace
 
 int main(int argc, char **argv) {
-    return odraz::runProgram("bench_pack", "usage: bench_pack [--effort SECONDS] [--only SAMPLE] [FILM]\n",
+    return odraz::runProgram("bench_pack",
+                             "usage: bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]\n",
                              argc, argv, run);
 }

@@ -74,10 +74,10 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
                                {(uint32_t)size, 0, (uint32_t)size}});
     }
     if (fileSize(film.c_str()) < 0)
-        missing.push_back("the whole film");
+        missing.push_back(kWholeFilm);
     else {
         Program program = programIn(film);
-        samples.push_back({"the whole film", program.bytes, program.layout()});
+        samples.push_back({kWholeFilm, program.bytes, program.layout()});
     }
     return samples;
 }

@@ -14,6 +14,7 @@ struct Sample {
 // Reads the program in a file. Throws odraz::Refused with a line that names the file.
 Program programIn(const std::string &file);
 
+inline constexpr char kWholeFilm[] = "the whole film"; // the name of its sample
 // Samples of 16, 48, 128 and 256 KB. Files that are not installed or too small are left out and named in
 // `missing`. `film`: a path of odraz-safe. Throws like programIn().
 std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &missing);

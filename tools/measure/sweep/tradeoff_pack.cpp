@@ -29,7 +29,7 @@ ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordin
     for (int type = 0; type < 2; ++type) {
         for (uint32_t i = 0; i < s.contexts; ++i)
             parameters.masks[type][i] =
-                i < ordinary.contexts ? ordinary.masks[type][i] : 3u << i % (pack::kChoices - 1);
+                i < ordinary.contexts ? ordinary.masks[type][i] : 3u << i % (pack::kChoices - 1) & pack::kMayUse[type];
         for (uint32_t i = 0; i < kSets - 1; ++i)
             parameters.masks[type][s.contexts + i] = ordinary.masks[type][ordinary.contexts + i];
     }
@@ -40,7 +40,7 @@ ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordin
 // search.
 std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
     std::vector<PackSetting> all;
-    for (uint32_t n : {4u, 8u, 12u, 16u, 24u}) {
+    for (uint32_t n : {4u, 8u, 12u, 16u}) {
         bool shipped = n == ships.contexts;
         if (!quick || n < 12 || shipped)
             all.push_back({std::to_string(n) + " contexts",

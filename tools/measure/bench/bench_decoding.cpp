@@ -1,0 +1,137 @@
+// Measures how a packed film decodes itself, from the start of its process to the entry of the program.
+//   bench_decoding [--rounds N] [FILM...]
+// Runs the film under ptrace with --doctor, which opens no window, and ends it where the decoder gives its
+// memory back: its last call of the kernel before it jumps to the program. Cycles are those of the time-stamp
+// counter while the process had a processor.
+#include "tools/common/arguments.h"
+#include "tools/common/statistics.h"
+
+#include "elf_writer.h"
+#include "files.h"
+#include "stub.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/ptrace.h>
+#include <sys/syscall.h>
+#include <sys/user.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
+#include <x86intrin.h>
+
+using odraz::Arguments;
+
+namespace {
+
+// Of the processor time-stamp counter.
+double cyclesPerSecond() {
+    using Clock = std::chrono::steady_clock;
+    auto began = Clock::now();
+    uint64_t from = __rdtsc();
+    std::this_thread::sleep_for(std::chrono::milliseconds(200));
+    return (double)(__rdtsc() - from) / std::chrono::duration<double>(Clock::now() - began).count();
+}
+
+// The number that follows `name` in a file of /proc/PID; the first one if there is no name.
+double numberIn(pid_t pid, const char *file, const char *name) {
+    std::string path = "/proc/" + std::to_string(pid) + "/" + file;
+    std::FILE *in = std::fopen(path.c_str(), "r");
+    if (!in) throw std::runtime_error("cannot read " + path + ": " + std::strerror(errno));
+    double value = -1;
+    char line[256];
+    while (value < 0 && std::fgets(line, sizeof line, in))
+        if (!std::strncmp(line, name, std::strlen(name))) value = std::atof(line + std::strlen(name));
+    std::fclose(in);
+    if (value < 0) throw std::runtime_error(path + " does not tell " + name);
+    return value;
+}
+
+struct Spent {
+    double seconds, kilobytes;
+};
+
+// Ends the process also where something fails.
+struct Child {
+    pid_t pid;
+    ~Child() {
+        kill(pid, SIGKILL);
+        waitpid(pid, nullptr, 0);
+    }
+};
+
+Spent decodeOnce(const std::string &film, uint64_t modelMemory) {
+    Child child = {fork()};
+    if (child.pid < 0) throw std::runtime_error("cannot start a process");
+    if (child.pid == 0) {
+        int nowhere = open("/dev/null", O_RDWR);
+        for (int to : {0, 1, 2}) dup2(nowhere, to);
+        ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
+        execl(film.c_str(), film.c_str(), "--doctor", (char *)nullptr);
+        _exit(127);
+    }
+    int status;
+    waitpid(child.pid, &status, 0);
+    if (!WIFSTOPPED(status) || ptrace(PTRACE_SETOPTIONS, child.pid, nullptr, PTRACE_O_TRACESYSGOOD))
+        throw std::runtime_error("cannot trace " + film);
+    for (;;) {
+        ptrace(PTRACE_SYSCALL, child.pid, nullptr, nullptr);
+        if (waitpid(child.pid, &status, 0) != child.pid || !WIFSTOPPED(status))
+            throw std::runtime_error(film + " ended before it was decoded");
+        user_regs_struct r;
+        if (ptrace(PTRACE_GETREGS, child.pid, nullptr, &r)) throw std::runtime_error("cannot trace " + film);
+        if (r.orig_rax == SYS_munmap && r.rsi == modelMemory)
+            return {numberIn(child.pid, "schedstat", "") / 1e9, numberIn(child.pid, "status", "VmHWM:")};
+    }
+}
+
+int run(Arguments &words) {
+    int rounds = 5;
+    std::vector<std::string> films;
+    while (const char *word = words.next()) {
+        if (!std::strcmp(word, "--rounds"))
+            rounds = words.whole("--rounds", 1, 1000);
+        else if (word[0] != '-')
+            films.push_back(word);
+        else
+            words.refuse(word);
+    }
+    if (films.empty()) films = {"build/odraz"};
+    double cycles = cyclesPerSecond();
+    std::string table = "film,bytes decoded,ms until the program is entered,cycles a byte,MB at most\n";
+    for (const std::string &film : films) {
+        std::vector<uint8_t> file;
+        if (!pack::readFile(film.c_str(), file)) throw odraz::Refused("cannot read " + film);
+        pack::Packed packed;
+        try {
+            packed = pack::openPacked(file);
+        } catch (const pack::Unsuitable &why) {
+            throw odraz::Refused(film + ": " + why.what());
+        }
+        std::vector<double> seconds, kilobytes;
+        for (int i = 0; i < rounds; ++i) {
+            Spent s = decodeOnce(film, pack::stubMemory(packed.parameters, packed.layout.size));
+            seconds.push_back(s.seconds);
+            kilobytes.push_back(s.kilobytes);
+        }
+        double took = odraz::median(seconds), size = packed.layout.size;
+        char line[256];
+        std::snprintf(line, sizeof line, "`%.99s`,%.0f,%.0f,%.0f,%.0f\n",
+                      film.substr(film.rfind('/') + 1).c_str(), size, took * 1000, took * cycles / size,
+                      std::ceil(odraz::median(kilobytes) / 1024));
+        table += line;
+    }
+    std::fputs(table.c_str(), stdout);
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return odraz::runProgram("bench_decoding", "usage: bench_decoding [--rounds N] [FILM...]\n", argc, argv,
+                             run);
+}
