@@ -86,9 +86,9 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
     Layout layout = program.layout();
     Workspace workspace;
     for (const PackSetting &s : settings) {
-        // Only a search from default contexts shows what search gains: those that ship have been searched for
-        // already
-        ModelParameters parameters = parametersOf(s.value, s.series == kSearch ? defaultParameters() : ships);
+        // Only a search from contexts that nobody chose shows what search gains: those that ship, and the
+        // default ones, have been searched for already
+        ModelParameters parameters = parametersOf(s.value, s.series == kSearch ? ModelParameters{} : ships);
         double began = processorSeconds();
         if (s.value.effort > 0)
             parameters = search(filter(program.bytes, layout), layout, parameters, s.value.effort,
