@@ -1,0 +1,114 @@
+// Tests what is seen of shown pictures: their list, and the comparison with the film.
+#include "tools/common/arguments.h"
+#include "tools/measure/seen/viewer.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+constexpr char kHead[] = "at,time,kind,level,width,height\n";
+
+std::string wrongIn(const std::string &rows) {
+    try {
+        parseShown(kHead + rows);
+    } catch (const Refused &why) {
+        return why.what();
+    }
+    return "";
+}
+
+TEST(Shown, ListsAreWrittenAndRead) {
+    std::vector<Shown> list = steady(3, 4, 30, true, 1.25f, 640, 360);
+    list[4].at = -1; // it was left out
+    EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list));
+    EXPECT_TRUE(parseShown(kHead).empty());
+}
+
+TEST(Shown, WhatIsWrongIsTold) {
+    EXPECT_THROW(parseShown(""), Refused);
+    EXPECT_THROW(parseShown("at,time\n"), Refused);
+    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n1,1\n").substr(0, 7), "line 3:");
+    for (const char *row :
+         {"1,1,made,1,64,36", "1,1,traced,3,64,36", "1,1,traced,nan,64,36", "1,1,traced,1,0,36",
+          "1,1,traced,1,64,36,7", "nan,1,traced,1,64,36", "1,-1,traced,1,64,36", "1,1,between,1,64,36"})
+        EXPECT_NE(wrongIn(std::string(row) + "\n"), "") << row;
+    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,32,36\n3,3,traced,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("2,2,traced,1,64,36\n1,1,traced,1,64,36\n"), "");
+}
+
+TEST(Shown, TheLastOneThatCameStands) {
+    std::vector<Shown> list = {{1, 1, false, 1, 64, 36}, {-1, 2, false, 1, 64, 36}, {3, 3, false, 1, 64, 36}};
+    EXPECT_EQ(standsAt(list, 0.9), -1);
+    EXPECT_EQ(standsAt(list, 1), 0);
+    EXPECT_EQ(standsAt(list, 2.5), 0); // the second never came
+    EXPECT_EQ(standsAt(list, 9), 2);
+}
+
+TEST(Shown, SteadyPlayersMakePairs) {
+    std::vector<Shown> list = steady(10.01, 10.2, 60, true, 2, 64, 36);
+    EXPECT_LE(list.front().time, 10.01);
+    EXPECT_GE(list.back().time, 10.2);
+    for (size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i].between, i % 2 == 1);
+}
+
+// Against the values of the polynomials, and what any scaling keeps.
+TEST(Scaling, KeepsWhatIsThere) {
+    std::vector<uint8_t> grey(16 * 9 * 3, 77);
+    for (uint8_t v : scaled(grey, 16, 9, 33, 20)) ASSERT_EQ(v, 77);
+    std::vector<uint8_t> ramp(32 * 4 * 3);
+    for (size_t i = 0; i < ramp.size(); ++i) ramp[i] = (uint8_t)(i / 3 % 32 * 8);
+    std::vector<uint8_t> twice = scaled(ramp, 32, 4, 64, 4);
+    for (int x = 4; x < 60; ++x) ASSERT_NEAR(twice[(size_t)x * 3], (x + 0.5) / 2 * 8 - 4, 1) << x;
+    EXPECT_EQ(scaled(ramp, 32, 4, 32, 4), ramp);
+    // An edge, seen a third of a pixel behind the last dark one: by the polynomials
+    std::vector<uint8_t> edge(8 * 1 * 3);
+    for (size_t i = 12; i < 24; ++i) edge[i] = 160;
+    std::vector<uint8_t> wide = scaled(edge, 8, 1, 24, 1); // places 1/3 of a pixel apart
+    double t = 1 / 3., left = 160 * (((-3 * t + 4) * t + 1) * t / 2 + (t - 1) * t * t / 2);
+    EXPECT_NEAR(wide[11 * 3], left, 1);
+}
+
+struct Steady {
+    double rate;
+    bool pairs;
+    float level;
+    int width;
+};
+Seen seenOf(Viewer &viewer, Steady s, double from, double to) {
+    Seen seen;
+    viewer.look(steady(from, to, s.rate, s.pairs, s.level, s.width, s.width * 9 / 16), from, to, seen);
+    return seen;
+}
+
+// In the flake's flight, where all moves.
+TEST(Viewer, SeesWhatCostsWhat) {
+    constexpr double kFrom = 52.5, kTo = 52.7;
+    Viewer viewer(320, 180, kFrom, kTo);
+    Seen film = seenOf(viewer, {60, false, 0, 320}, kFrom, kTo);
+    EXPECT_EQ(film.sixtieths, 12);
+    EXPECT_EQ(film.fresh, 11);
+    EXPECT_EQ(film.flip, 0);
+    EXPECT_EQ(film.srgbPsnr(), kMostPsnr);
+    Seen play = seenOf(viewer, {60, false, 1, 320}, kFrom, kTo),
+         half = seenOf(viewer, {30, false, 1, 320}, kFrom, kTo),
+         quarter = seenOf(viewer, {15, false, 1, 320}, kFrom, kTo),
+         pairs = seenOf(viewer, {60, true, 1, 320}, kFrom, kTo),
+         small = seenOf(viewer, {60, false, 1, 160}, kFrom, kTo);
+    EXPECT_EQ(half.fresh, 5);
+    EXPECT_GT(play.srgbPsnr(), pairs.srgbPsnr());
+    EXPECT_GT(pairs.srgbPsnr(), half.srgbPsnr() + 1);
+    EXPECT_GT(half.srgbPsnr(), quarter.srgbPsnr() + 1);
+    EXPECT_GT(play.srgbPsnr(), small.srgbPsnr() + 1);
+    EXPECT_LT(play.meanFlip(), pairs.meanFlip());
+    EXPECT_LT(pairs.meanFlip(), half.meanFlip());
+    EXPECT_LT(half.meanFlip(), quarter.meanFlip());
+    // A late start is told
+    EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, false, 1, 320, 180), kFrom, kTo, film), Refused);
+}
+
+} // namespace

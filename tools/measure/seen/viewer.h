@@ -1,0 +1,65 @@
+// What is seen of the pictures that were shown: every sixtieth of a second, what stands on the screen is
+// compared with the film's picture of that very moment. So pictures that come late or too seldom count, as
+// well as coarse ones.
+#pragma once
+
+#include "intro.h"
+#include "tools/common/heap_arena.h"
+#include "tools/common/machine.h"
+#include "tools/measure/seen/shown.h"
+
+#include <map>
+#include <memory>
+
+namespace odraz {
+
+// Scales eight-bit sRGB, three bytes a pixel, by Catmull and Rom's cubic; larger or smaller, of any aspect.
+std::vector<uint8_t> scaled(const std::vector<uint8_t> &rgb, int width, int height, int toWidth,
+                            int toHeight);
+
+// Sums over the sixtieths of a second.
+struct Seen {
+    int sixtieths = 0;
+    int fresh = 0; // of these, how many brought another picture than the one before
+    double flip = 0;
+    double linear = 0, srgb = 0; // squares, 0 .. 255^2, means of a picture
+
+    void add(const Seen &more) {
+        sixtieths += more.sixtieths, fresh += more.fresh;
+        flip += more.flip, linear += more.linear, srgb += more.srgb;
+    }
+    double meanFlip() const { return flip / sixtieths; }
+    double linearPsnr() const; // dB, at most kMostPsnr
+    double srgbPsnr() const;
+};
+inline constexpr double kMostPsnr = 99; // of pictures that are the same
+
+// The film, loaded for pictures of one size.
+struct Theatre {
+    // Throws std::runtime_error.
+    Theatre(const IntroSettings &settings, Workers &workers, bool hall);
+    HeapArena memory;
+    Intro *intro = nullptr; // in the arena
+};
+
+class Viewer {
+public:
+    // Looks at a screen of so many pixels, while the film plays from one second to another. Throws
+    // std::runtime_error.
+    Viewer(int width, int height, double from, double to);
+
+    // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing stands on
+    // the screen at one of them.
+    void look(const std::vector<Shown> &list, double from, double to, Seen &seen);
+
+private:
+    std::vector<uint8_t> made(const std::vector<Shown> &list, int i);
+    Intro &of(int width, int height);
+
+    int width, height;
+    double from, to;
+    Workers workers;
+    std::map<std::pair<int, int>, std::unique_ptr<Theatre>> theatres; // by the size of their pictures
+};
+
+} // namespace odraz
