@@ -14,7 +14,7 @@
 
 namespace pack {
 
-// A context's inputs, three and a zero for every bit; a selector's hashes, one for every byte.
+// A context's inputs, four for every bit; a selector's hashes, one for every byte.
 using Inputs = std::shared_ptr<const std::vector<int16_t>>;
 using Hashes = std::shared_ptr<const std::vector<uint32_t>>;
 

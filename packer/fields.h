@@ -34,7 +34,7 @@ enum Field {
 // The fields that a context may use or not, as bits of a mask from kColumn on: in code 16 of them, in data
 // eight.
 constexpr uint32_t kChoices = kSoFar + 1 - kColumn, kCodeBits = 16, kDataBits = 8;
-constexpr uint32_t kCodeShift = kByte4 - kColumn; // code does not use those before
+constexpr uint32_t kCodeShift = kByte4 - kColumn; // code does not use kColumn and kByte5
 constexpr uint32_t kMayUse[2] = {((1u << kCodeBits) - 1) << kCodeShift, (1u << kDataBits) - 1};
 static_assert(kCodeShift + kCodeBits == kChoices && kColumn + kDataBits == kTarget + 1);
 constexpr uint32_t kPhases = 7, kPhaseBits = 3, kColumns = 4, kFarMark = 16;

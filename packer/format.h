@@ -7,9 +7,9 @@
 //     Front          528 bytes: ELF header, five program headers, the loader's tables
 //     stub           machine code, the same in every file
 //     PayloadHeader  46 bytes
-//     masks          ModelParameters::masks[0] for code, two bytes each, without the kCodeShift lowest bits;
-//     then
-//                    masks[1] for data, a byte each. Both have one for each context and kSets - 1 more
+//     masks          ModelParameters::masks[0] for code, two bytes each, without the kCodeShift lowest
+//                    bits; then masks[1] for data, one byte each. Both have one for each context and
+//                    kSets - 1 more
 //     payload        the coded program, then zeros up to a multiple of four
 //     check          four bytes
 //

@@ -20,7 +20,8 @@
 
 namespace pack {
 
-constexpr uint32_t kMostContexts = 16, kContextCounters = 3; // more contexts gained nothing
+constexpr uint32_t kContextCounters = 3;
+constexpr uint32_t kMostContexts = 16; // 24 gained nothing
 constexpr uint32_t kSets = 8;
 constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
 constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
@@ -92,12 +93,13 @@ inline Nibble nibbleOf(uint32_t bits) {
 }
 constexpr uint32_t kNibbles = 18, kNibbleSlots = 16, kWays = 4;
 
-// The counters that all slots of a context share: for each phase of the parser, those selected by the
-// history, then those selected by nibble, last byte and step. To save memory, the counters of a phase begin
-// before those of the phase before end. What coincides is rare: here the histories, which are busy, fall on
-// last bytes of 0x90 to 0x9f before a nibble of 9.
+// The counters that all slots of a context share. Each phase of the parser has a table: first those that the
+// history selects, then those that nibble, last byte and step select. To save memory, each table begins
+// before the one in front of it ends. Places that two tables have in common are used by both. The histories,
+// which are busy, fall on a rare place of the other table: last bytes of 0x70 to 0x7f where the byte begins
+// with a 9.
 constexpr uint32_t kHistories = 256, kAfterByte = 256 * kNibbleSlots;
-constexpr uint32_t kPhaseCounters = 9 * kAfterByte + 0x90 * kNibbleSlots - kHistories;
+constexpr uint32_t kPhaseCounters = kHistories + 9 * kAfterByte + 0x70 * kNibbleSlots;
 constexpr uint32_t kSharedCounters = (kPhases - 1) * kPhaseCounters + kHistories + kNibbles * kAfterByte;
 
 struct Context {

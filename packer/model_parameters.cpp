@@ -50,7 +50,7 @@ bool parseMask(const std::string &text, uint32_t &mask) {
 
 } // namespace
 
-// Found for the film; code of other programs is smaller with them, too.
+// Found for the film. They suit other programs as well: bench_pack.
 const ModelParameters &defaultParameters() {
     static const ModelParameters parameters = {
         16,

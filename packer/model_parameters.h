@@ -5,6 +5,8 @@
 //     data column               ... of data
 //     code-weights opcode       what selects a set of weights
 //     data-weights -            nothing but what every context sees
+//
+// Code may use all fields but column and byte5, data those up to target (kMayUse in fields.h).
 #pragma once
 
 #include "model.h"

@@ -17,7 +17,7 @@ struct Progress {
 // processors, until the time is over or `goOn` returns false. `goOn` is called after each try and at the end.
 // The best result so far is measured now and then, and at the end. Returns the best parameters measured, or
 // `start` if none are better. Two runs may give different results, so the result is kept in a file instead of
-// being searched for again. With a program of 165 KB it needs 11 MB for each context, 35 MB for each
+// being searched for again. With a program of 185 KB it needs 12 MB for each context, 50 MB for each
 // processor, and the memory that decoding takes.
 ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layout,
                        const ModelParameters &start, double seconds,

@@ -64,14 +64,14 @@
 .set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
 .set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * SHARED - FIELDS
 .set WAYS_SIZE, WAYS * NIBBLE_SLOTS * SLOT
-.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS // masks find the other slots
+.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS // a mask finds the first of the four
 // The slots follow, then the places
 
 .set AFTER_BITS, 14 // of a nibble in the table of what followed last
 
 // --- What the code relies on beyond these names ---
 #define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
-EQUAL(FIELD_WHERE, 0) // fields up to this one are written in a row
+EQUAL(FIELD_WHERE, 0) // fields up to FIELD_TO_MARK are written in a row
 EQUAL(FIELD_COLUMN, 1)
 EQUAL(FIELD_BYTE5, 2)
 EQUAL(FIELD_TO_MARK, FIELD_BYTE1 + 1)

@@ -267,7 +267,7 @@ TEST(Coder, SurvivesDamage) {
     }
 }
 
-// A file has no more bits for a mask than there are fields to use, so it can name no other.
+// In a file there is no room for others.
 TEST(Coder, RefusesMasksOfFieldsThatCannotBeUsed) {
     for (int type = 0; type < 2; ++type)
         for (uint32_t bit = 0; bit < 32; ++bit) {

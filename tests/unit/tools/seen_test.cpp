@@ -38,6 +38,7 @@ TEST(Shown, WhatIsWrongIsTold) {
     EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,64,36\n"), "");
     EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n"), "");
     EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,32,36\n3,3,traced,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("2,1,traced,1,64,36\n1,2,traced,1,64,36\n"), "");
     EXPECT_NE(wrongIn("2,2,traced,1,64,36\n1,1,traced,1,64,36\n"), "");
 }
 

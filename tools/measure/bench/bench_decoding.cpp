@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
@@ -55,37 +56,50 @@ struct Spent {
     double seconds, kilobytes;
 };
 
-// Ends the process also where something fails.
+// A traced process, which ends with this object.
 struct Child {
     pid_t pid;
+    bool ended = false;
+    // Waits until it stops or ends; how it did.
+    int wait() {
+        int status;
+        while (waitpid(pid, &status, 0) < 0)
+            if (errno != EINTR) throw std::runtime_error("cannot wait for a process");
+        ended = !WIFSTOPPED(status);
+        return status;
+    }
     ~Child() {
+        if (ended) return;
         kill(pid, SIGKILL);
         waitpid(pid, nullptr, 0);
     }
 };
 
 Spent decodeOnce(const std::string &film, uint64_t modelMemory) {
-    Child child = {fork()};
-    if (child.pid < 0) throw std::runtime_error("cannot start a process");
-    if (child.pid == 0) {
+    pid_t pid = fork();
+    if (pid < 0) throw std::runtime_error("cannot start a process");
+    if (pid == 0) {
         int nowhere = open("/dev/null", O_RDWR);
         for (int to : {0, 1, 2}) dup2(nowhere, to);
         ptrace(PTRACE_TRACEME, 0, nullptr, nullptr);
         execl(film.c_str(), film.c_str(), "--doctor", (char *)nullptr);
         _exit(127);
     }
-    int status;
-    waitpid(child.pid, &status, 0);
-    if (!WIFSTOPPED(status) || ptrace(PTRACE_SETOPTIONS, child.pid, nullptr, PTRACE_O_TRACESYSGOOD))
+    Child child = {pid};
+    int status = child.wait(), signal = 0;
+    if (child.ended || ptrace(PTRACE_SETOPTIONS, pid, nullptr, PTRACE_O_TRACESYSGOOD | PTRACE_O_EXITKILL))
         throw std::runtime_error("cannot trace " + film);
     for (;;) {
-        ptrace(PTRACE_SYSCALL, child.pid, nullptr, nullptr);
-        if (waitpid(child.pid, &status, 0) != child.pid || !WIFSTOPPED(status))
-            throw std::runtime_error(film + " ended before it was decoded");
+        ptrace(PTRACE_SYSCALL, pid, nullptr, (void *)(long)signal);
+        status = child.wait();
+        if (child.ended) throw std::runtime_error(film + " ended before it was decoded");
+        // A stop that is not at a call of the kernel is a signal, which is passed on
+        signal = WSTOPSIG(status) == (SIGTRAP | 0x80) ? 0 : WSTOPSIG(status);
+        if (signal) continue;
         user_regs_struct r;
-        if (ptrace(PTRACE_GETREGS, child.pid, nullptr, &r)) throw std::runtime_error("cannot trace " + film);
+        if (ptrace(PTRACE_GETREGS, pid, nullptr, &r)) throw std::runtime_error("cannot trace " + film);
         if (r.orig_rax == SYS_munmap && r.rsi == modelMemory)
-            return {numberIn(child.pid, "schedstat", "") / 1e9, numberIn(child.pid, "status", "VmHWM:")};
+            return {numberIn(pid, "schedstat", "") / 1e9, numberIn(pid, "status", "VmHWM:")};
     }
 }
 

@@ -27,7 +27,7 @@ struct Asked {
     std::string list, screen = "1280x720", traced;
     std::vector<std::string> scenes;
     int windows = 1;
-    double length = 0.5, rate = 0, level = 1;
+    double length = 0.5, rate = 0, level = -1;
     bool pairs = false, onlyList = false;
 };
 
@@ -59,8 +59,9 @@ Asked read(Arguments &words) {
             a.list = w;
     }
     if (a.list.empty() == !a.rate) throw Refused("name a list, or a rate with --steady; see seen --help");
-    if (!a.rate && (a.pairs || a.onlyList || !a.traced.empty()))
-        throw Refused("--pairs, --traced and --list go with --steady");
+    if (!a.rate && (a.pairs || a.onlyList || a.level >= 0 || !a.traced.empty()))
+        throw Refused("--pairs, --level, --traced and --list go with --steady");
+    if (a.level < 0) a.level = 1;
     if (a.traced.empty()) a.traced = a.screen;
     if (a.scenes.empty())
         for (const SceneEntry &s : kScenes) a.scenes.push_back(s.name);

@@ -39,6 +39,7 @@ std::vector<Shown> parseShown(const std::string &csv) {
     std::istringstream lines(csv);
     std::string line;
     int number = 0;
+    double lastAt = 0;
     auto wrong = [&](const std::string &what) {
         return Refused("line " + std::to_string(number) + ": " + what);
     };
@@ -66,6 +67,8 @@ std::vector<Shown> parseShown(const std::string &csv) {
         if (s.width < 16 || s.height < 16 || s.width > kMostPixels || s.height > kMostPixels)
             throw wrong("no size of a picture");
         if (!list.empty() && s.time < list.back().time) throw wrong("it is earlier than the one before");
+        if (s.at >= 0 && s.at < lastAt) throw wrong("it came on the screen earlier than the one before");
+        lastAt = std::max(s.at, lastAt);
         if (s.between && (list.empty() || list.back().between))
             throw wrong("an in-between needs a traced picture before it");
         if (!list.empty() && (s.between || list.back().between) &&

@@ -22,22 +22,25 @@ struct PackSettings {
 };
 using PackSetting = odraz::Setting<PackSettings>;
 
-// The parameters that ship, with another number of contexts: the first of them, or additional ones of two
-// fields each.
+// A mask of two neighbouring fields for each i; once there are no more pairs, of three, and then of four.
+uint32_t neighbours(int type, uint32_t i) {
+    uint32_t first = type ? 0 : pack::kCodeShift, pairs = (type ? pack::kDataBits : pack::kCodeBits) - 1;
+    return ((4u << i / pairs) - 1) << (first + i % pairs) & pack::kMayUse[type];
+}
+
+// Parameters with so many contexts: the first of `ordinary`, then some that nobody chose.
 ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordinary) {
     ModelParameters parameters = {s.contexts, s.slotBits, {}};
     for (int type = 0; type < 2; ++type) {
         for (uint32_t i = 0; i < s.contexts; ++i)
-            parameters.masks[type][i] =
-                i < ordinary.contexts ? ordinary.masks[type][i] : 3u << i % (pack::kChoices - 1) & pack::kMayUse[type];
+            parameters.masks[type][i] = i < ordinary.contexts ? ordinary.masks[type][i] : neighbours(type, i);
         for (uint32_t i = 0; i < kSets - 1; ++i)
             parameters.masks[type][s.contexts + i] = ordinary.masks[type][ordinary.contexts + i];
     }
     return parameters;
 }
 
-// Settings with fewer and more contexts, each with a short search to adapt; with less memory; with more
-// search.
+// Settings with fewer contexts, each with a short search to adapt; with less and more memory; with searches.
 std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
     std::vector<PackSetting> all;
     for (uint32_t n : {4u, 8u, 12u, 16u}) {
