@@ -4,7 +4,6 @@
 #include "tools/measure/seen/viewer.h"
 
 #include <cstdio>
-#include <cstring>
 
 using namespace odraz;
 
@@ -15,9 +14,8 @@ static constexpr char kUsage[] =
     "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB.\n"
     "LIST says which pictures were shown, and when (CSV: at,time,kind,level,width,height). --steady is a\n"
     "player that never misses: RATE pictures a second, with --pairs every other one made between two; of a\n"
-    "level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the screen has. --list "
-    "only\n"
-    "writes the list of it.\n"
+    "level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the screen has. --list\n"
+    "only writes the list of it.\n"
     "Each shot has --windows windows of --length seconds, evenly spaced. Pictures of another size than the\n"
     "screen are scaled by Catmull and Rom's cubic. Writes a CSV to stdout; \"fresh\" counts new pictures.\n";
 

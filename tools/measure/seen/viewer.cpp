@@ -33,10 +33,6 @@ std::vector<Taps> tapsOf(int from, int to) {
     return all;
 }
 
-double decibels(double squares) {
-    return squares > 0 ? std::min(kMostPsnr, 10 * std::log10(255. * 255 / squares)) : kMostPsnr;
-}
-
 std::vector<uint8_t> rgbOf(const Picture &p) {
     std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
     for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
@@ -72,8 +68,8 @@ std::vector<uint8_t> scaled(const std::vector<uint8_t> &rgb, int width, int heig
     return out;
 }
 
-double Seen::linearPsnr() const { return decibels(linear / sixtieths); }
-double Seen::srgbPsnr() const { return decibels(srgb / sixtieths); }
+double Seen::linearPsnr() const { return std::min(kMostPsnr, psnr(linear, (size_t)sixtieths)); }
+double Seen::srgbPsnr() const { return std::min(kMostPsnr, psnr(srgb, (size_t)sixtieths)); }
 
 Theatre::Theatre(const IntroSettings &settings, Workers &workers, bool hall)
     : memory(memoryNeeded(settings, workers.count, hall)) {
