@@ -356,7 +356,9 @@ TEST(Search, KeepsTheBest) {
     Bytes b = realCode(3000);
     Layout layout = allCode(b);
     Bytes filtered = filter(b, layout);
-    ModelParameters poor = smallParameters();
+    // Four poor contexts, so that any good one saves several times what an estimate may be wrong by
+    ModelParameters poor = smallParameters(20);
+    poor.contexts = 4;
     for (uint32_t i = 0; i < poor.contexts; ++i) poor.masks[0][i] = 0x20000u >> i;
     double before = measure(filtered, layout, poor, workspace), told = 1e30;
     int tried = 0;
