@@ -24,7 +24,9 @@ struct Intro {
     Workers *workers;
     Film film;
     Tracer tracer;
-    Frame frame;
+    int width, height; // of the pictures
+    Frame frame;       // for in-betweens, and for letters
+    uint8_t *fewer;    // a picture before it is scaled up
     Curve curve;
     Glare glare;
     Slot slots[kSlots];

@@ -1,10 +1,12 @@
 #include "intro.h"
 
 #include "inside.h"
+#include "trace/picture/enlarge.h"
 
 namespace odraz {
 
 static_assert(kSceneCount <= kMaxScenes && kHeaderRoom <= kPictureMargin);
+static_assert(kMostEnlarged == kMostAcross);
 static_assert(kSoundRate == kSampleRate && kSoundBlock == kBlock);
 
 bool needsHall(double from, double to) {
@@ -21,7 +23,7 @@ size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
     if (s.pairs) bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 18) + 4096;
     bytes += glareBytes(s.width, s.height);
-    return bytes + pixels * 16 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
+    return bytes + pixels * 20 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
 }
 
@@ -31,6 +33,8 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
     Scene *scene = arena.take<Scene>(1);
     Hall *hall = gl ? arena.take<Hall>(1) : nullptr;
     intro->pairs = s.pairs;
+    intro->width = s.width, intro->height = s.height;
+    intro->fewer = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin);
     for (Slot &slot : intro->slots) {
         if (!s.pairs) break;
         Traced &t = slot.traced;
@@ -63,33 +67,40 @@ CameraKey cameraAt(double seconds) {
     return pose(m.shot->path, m.storyRow);
 }
 
-// Draws text over traced planes and develops them into `rgba`.
+// Draws text over traced planes, develops them, and scales the picture up into `rgba`.
 static Picture finish(Intro &intro, const Posed &now, const View &view, double seconds, float exposure,
                       const Frame &planes, uint8_t *rgba) {
     Frame frame = planes;
     if (now.entry->letter) {
         // Draw on a copy: the traced planes are still needed for in-betweens
-        frame = intro.frame;
         size_t floats = (size_t)frame.stride * (size_t)frame.height;
-        for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
-            __builtin_memcpy(frame.plane[k], planes.plane[k], floats * sizeof(float));
+        for (int k = 0; k < 3; ++k) {
+            frame.plane[k] = intro.frame.plane[k];
+            if (frame.plane[k] != planes.plane[k])
+                __builtin_memcpy(frame.plane[k], planes.plane[k], floats * sizeof(float));
+        }
         now.entry->letter(now.cue, view, frame);
     }
-    frame.rgba = rgba;
+    bool fewer = frame.width != intro.width || frame.height != intro.height;
+    frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;
     spreadGlare(intro.glare, frame, *intro.workers);
     // Squared, a fade looks even, because the eye quickly notices the first light. The noise changes with
     // time: if it stood still, it would look like a veil
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
             &intro.glare, kFilmLook);
-    return {frame.width, frame.height, rgba};
+    if (fewer)
+        enlarge(frame.rgba, frame.width, frame.height, rgba, intro.width, intro.height, *intro.workers);
+    return {intro.width, intro.height, rgba};
 }
 
-Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, const CameraKey *camera) {
+Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, const CameraKey *camera,
+                TracedSize traced) {
     Slot &s = intro.slots[slot];
     Traced &now = s.traced;
     Film film = intro.film;
     film.scene = now.scene;
     Posed posed = poseAt(film, seconds, camera);
+    resize(now.frame, traced.width ? traced.width : intro.width, traced.width ? traced.height : intro.height);
     now.view = posed.view(now.frame.width, now.frame.height);
     s.shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
     s.seconds = seconds;
@@ -101,6 +112,7 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
 Picture between(Intro &intro, int earlier, int later) {
     const Slot &a = intro.slots[earlier], &b = intro.slots[later];
     Frame &frame = intro.frame;
+    resize(frame, b.traced.frame.width, b.traced.frame.height);
     Traced now = {frame, intro.film.scene, {}};
     double seconds = (a.seconds + b.seconds) * 0.5;
     Posed posed = poseAt(intro.film, seconds);

@@ -55,14 +55,21 @@ struct Picture {
 inline constexpr int kHeaderRoom = 64;
 inline constexpr int kSlots = 2; // places for pictures, 0 and 1
 
+// How many pixels of a picture are traced; 0: as many as it has.
+struct TracedSize {
+    int width = 0, height = 0;
+};
+inline constexpr int kMostEnlarged = 2560; // width of pictures that may be traced in fewer pixels
+
 // Traces and develops the picture of a time, in seconds, in a slot. It depends on nothing but the time, the
-// quality and the size. A given `camera` replaces the scripted one.
+// quality and the sizes. If fewer pixels are traced, the picture is scaled up. A given `camera` replaces the
+// scripted one.
 Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
-                const CameraKey *camera = nullptr);
+                const CameraKey *camera = nullptr, TracedSize traced = {});
 
 // Makes the picture half-way in time between those of two slots: from these two or, if they are of different
 // shots, by tracing it. It depends on nothing but these two, which stay as they are. What must be traced has
-// the quality of the later one.
+// the quality and the size of the later one.
 Picture between(Intro &intro, int earlier, int later);
 
 // About the last picture: the number of samples that it took; and null, or the constant of scene.h that is

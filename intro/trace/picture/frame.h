@@ -18,10 +18,13 @@ struct Frame {
 
 inline constexpr uint16_t kManyShapes = 0xffff, kSkyShown = 0xfffe;
 
-// Free bytes before rgba, for a file's header.
+// Bytes before rgba, for a file's header, and behind it, which enlarge() may read.
 inline constexpr int kPictureMargin = 64;
 
 // Takes the memory for frames of up to this size; false when the arena is full.
 bool makeFrame(Frame &frame, Arena &arena, int width, int height);
+
+// Makes it a frame of another size, in the same memory.
+void resize(Frame &frame, int width, int height);
 
 } // namespace odraz

@@ -57,30 +57,36 @@ void addWider(Glare::Level &to, int y, const Glare::Level &from, float share) {
     }
 }
 
+// Divides the memory into levels for frames of a size.
+void layOut(Glare &glare, int width, int height) {
+    float *next = glare.memory + kMargin;
+    for (Glare::Level &l : glare.level) {
+        width = (width + 1) / 2, height = (height + 1) / 2;
+        l = {width, height, strideFor(width), {}};
+        for (float *&plane : l.plane) plane = next, next += (ptrdiff_t)l.stride * height + 2 * kMargin;
+    }
+}
+
 } // namespace
 
 size_t glareBytes(int width, int height) {
     size_t floats = 0;
     for (int i = 0; i < Glare::kLevels; ++i) {
         width = (width + 1) / 2, height = (height + 1) / 2;
-        floats += (size_t)strideFor(width) * (size_t)height + 2 * kMargin;
+        floats += ((size_t)strideFor(width) * (size_t)height + 2 * kMargin) * 3;
     }
-    return floats * 3 * sizeof(float) + 64 * 3 * Glare::kLevels;
+    return floats * sizeof(float) + 64;
 }
 
 bool makeGlare(Glare &glare, Arena &arena, int width, int height) {
-    for (Glare::Level &l : glare.level) {
-        width = (width + 1) / 2, height = (height + 1) / 2;
-        l = {width, height, strideFor(width), {}};
-        for (float *&plane : l.plane)
-            plane = arena.take<float>((size_t)l.stride * (size_t)height + 2 * kMargin) + kMargin;
-    }
+    glare.memory = arena.take<float>(glareBytes(width, height) / sizeof(float));
     return !arena.full;
 }
 
 void spreadGlare(Glare &glare, const Frame &frame, Workers &workers) {
     const float *plane[3] = {frame.plane[0], frame.plane[1], frame.plane[2]};
     int width = frame.width, height = frame.height, stride = frame.stride;
+    layOut(glare, width, height);
     for (Glare::Level &l : glare.level) {
         parallelRanges(workers, l.height, 32, [&](int first, int end, int) {
             for (int y = first; y < end; ++y) halve(l, y, plane, width, height, stride);

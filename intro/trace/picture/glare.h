@@ -23,14 +23,16 @@ struct Glare {
         int width, height, stride;
         float *plane[3];
     } level[kLevels];
+    float *memory; // of all of them
 };
 
-// Bytes of arena that makeGlare() takes for pictures of a size.
+// Bytes of arena that makeGlare() takes for pictures of up to this size.
 size_t glareBytes(int width, int height);
 // False if the arena is full.
 bool makeGlare(Glare &glare, Arena &arena, int width, int height);
 
-// Fills level 1 with the spread light: for each place a mean of the frame, with weights that sum to 1.
+// Fills level 1, a quarter as wide and high as the frame, with the spread light: for each place a mean of the
+// frame, with weights that sum to 1.
 void spreadGlare(Glare &glare, const Frame &frame, Workers &workers);
 
 } // namespace odraz

@@ -1,0 +1,85 @@
+// Pictures that are traced in fewer pixels than they have: those of a smaller film, scaled up; in any order;
+// and in-betweens of them.
+#include "inside.h"
+#include "tests/support/threads.h"
+#include "tools/common/heap_arena.h"
+#include "trace/picture/enlarge.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+constexpr int kWidth = 320, kHeight = 180;
+constexpr double kAtTable = 25, kAtFlake = 53, kAtCredits = 156; // the last one has letters
+
+struct Loaded {
+    Threads threads{2};
+    IntroSettings settings;
+    HeapArena memory;
+    Intro *intro = nullptr;
+    Loaded(int width, int height, bool pairs)
+        : settings{width, height, 0, nullptr, pairs}, memory(memoryNeeded(settings, 2, false)) {
+        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers), nullptr);
+    }
+    std::vector<uint8_t> at(double seconds, TracedSize traced = {}, int slot = 0) {
+        Picture p = picture(*intro, slot, seconds, kQualities[(int)QualityName::Draft], nullptr, traced);
+        return bytesOf(p);
+    }
+    std::vector<uint8_t> bytesOf(const Picture &p) {
+        EXPECT_EQ(p.width, settings.width);
+        EXPECT_EQ(p.height, settings.height);
+        return {p.rgba, p.rgba + p.width * p.height * 4};
+    }
+};
+
+double difference(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double sum = 0;
+    for (size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
+    return sum / (double)a.size();
+}
+
+} // namespace
+
+TEST(TracedSize, IsASmallerFilmScaledUp) {
+    for (bool pairs : {false, true})
+        for (TracedSize size : {TracedSize{160, 90}, {240, 135}, {319, 180}, {320, 177}}) {
+            Loaded large(kWidth, kHeight, pairs), small(size.width, size.height, pairs);
+            for (double seconds : {kAtTable, kAtCredits}) {
+                std::vector<uint8_t> less = small.at(seconds), expected((size_t)(kWidth * kHeight * 4));
+                less.resize(less.size() + 32);
+                enlarge(less.data(), size.width, size.height, expected.data(), kWidth, kHeight,
+                        large.threads.workers);
+                EXPECT_TRUE(large.at(seconds, size) == expected) << size.width << ' ' << seconds;
+            }
+        }
+}
+
+TEST(TracedSize, LeavesNothingBehind) {
+    Loaded film(kWidth, kHeight, true);
+    for (double seconds : {kAtTable, kAtCredits}) {
+        std::vector<uint8_t> before = film.at(seconds);
+        film.at(seconds + 0.1, {160, 90});
+        film.at(seconds + 0.2, {240, 135}, 1);
+        between(*film.intro, 0, 1);
+        EXPECT_TRUE(film.at(seconds) == before) << seconds;
+    }
+}
+
+// When the player changes the size, an in-between is made of pictures of two sizes.
+TEST(TracedSize, InBetweensMayBeOfTwo) {
+    Loaded film(kWidth, kHeight, true);
+    for (double seconds : {kAtTable, kAtFlake, kAtCredits}) {
+        auto made = [&](TracedSize before, TracedSize after) {
+            film.at(seconds - 1 / 60., before, 0);
+            film.at(seconds + 1 / 60., after, 1);
+            return film.bytesOf(between(*film.intro, 0, 1));
+        };
+        std::vector<uint8_t> truth = film.at(seconds, {}, 0);
+        double alike = difference(made({304, 171}, {304, 171}), truth);
+        EXPECT_LT(difference(made({304, 171}, {312, 176}), truth), alike * 1.15) << seconds;
+        EXPECT_LT(difference(made({312, 176}, {304, 171}), truth), alike * 1.15) << seconds;
+    }
+}
