@@ -3,8 +3,8 @@
 #include "host/clock.h"
 #include "host/process.h"
 #include "host/threads.h"
-#include "play/governor.h"
 #include "play/music.h"
+#include "play/schedule.h"
 #include "play/statistics.h"
 
 namespace odraz {
@@ -15,80 +15,46 @@ namespace {
 constexpr int kScreenRate = 60;
 constexpr int64_t kNap = 500000; // nanoseconds
 
-// A picture on its way from the thread that traces to the one that shows.
-struct Made {
-    Picture picture;
-    double time;
-    float trace, make; // seconds that this took, or 0
-    float samples;     // per pixel
-};
+// Zero at the start
+Statistics theStatistics;
+Music theMusic;
 
+// The stage of makePictures(), on a thread of its own.
 struct Player {
     Intro *intro;
     const Options *options;
     const int *leave;
-    // Numbers of pictures since the start, in the order in which they are shown. Traced ones are in the two
-    // slots in turn
-    unsigned made, shown;
+    double to;  // seconds of the film
     bool ended; // no more are made
-    Made ring[4];
+    Queue queue;
 
     bool leaves() const { return __atomic_load_n(leave, __ATOMIC_RELAXED); }
-    unsigned ready() const { return __atomic_load_n(&made, __ATOMIC_ACQUIRE); }
-    void add(const Made &m) {
-        ring[made % 4] = m;
-        __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
+
+    bool wants(double time) const { return time < to && !leaves(); }
+    int64_t now() const { return nanoseconds(); }
+    double filmAt(int64_t now) const {
+        return theMusic.clock.started() ? theMusic.clock.at(now) : Governor::kNotBegun;
     }
-    // Waits until that many pictures have been shown.
+    int sceneOf(double time) const { return sceneAt(time); }
+    void trace(Made &m, int slot, const Governor &governor) {
+        m.picture = picture(*intro, slot, m.time,
+                            options->quality == QualityName::Count ? governor.quality()
+                                                                   : options->qualityOr(QualityName::Play));
+        m.samples = (float)samplesTaken(*intro) / (float)(m.picture.width * m.picture.height);
+    }
+    void between(Made &m, int earlier, int later) { m.picture = odraz::between(*intro, earlier, later); }
+    unsigned add(const Made &m) { return queue.add(m); }
     void await(unsigned number) const {
-        while ((int)(__atomic_load_n(&shown, __ATOMIC_ACQUIRE) - number) < 0 && !leaves()) sleepFor(kNap);
+        while (!queue.passed(number) && !leaves()) sleepFor(kNap);
     }
 };
 
-// Zero at the start
-Statistics theStatistics;
-Music theMusic;
 Player thePlayer;
 
-// Traces the film ahead of its clock, which is possible because the film is scripted.
 [[gnu::force_align_arg_pointer]] void *make(void *) {
     Player &p = thePlayer;
-    const Options &o = *p.options;
     Governor governor;
-    // How many pictures must have been shown before each slot, and the frame of in-betweens, may be used
-    // again
-    unsigned until[2] = {}, untilBetween = 0;
-    double time = seconds(o.from), to = seconds(o.to), last = time;
-    for (int n = 0; time < to && !p.leaves(); ++n) {
-        int slot = n & 1;
-        p.await(until[slot]);
-        int64_t began = nanoseconds();
-        Made m = {};
-        m.time = time;
-        m.picture =
-            picture(*p.intro, slot, time,
-                    o.quality == QualityName::Count ? governor.quality() : o.qualityOr(QualityName::Play));
-        int64_t traced = nanoseconds(), waited = traced, ended = traced;
-        m.samples = (float)samplesTaken(*p.intro) / (float)(m.picture.width * m.picture.height);
-        m.trace = (float)(traced - began) * 1e-9f;
-        governor.enter(sceneAt(time));
-        if (n && governor.pairs()) {
-            p.await(untilBetween);
-            waited = nanoseconds();
-            Made b = {};
-            b.time = time - (time - last) * 0.5;
-            b.picture = between(*p.intro, !slot, slot);
-            ended = nanoseconds();
-            b.make = (float)(ended - waited) * 1e-9f;
-            p.add(b);
-            untilBetween = p.made;
-        }
-        p.add(m);
-        until[slot] = p.made;
-        governor.spent(m.trace, (float)(ended - waited) * 1e-9f);
-        last = time;
-        time = governor.next(time, theMusic.clock.started() ? theMusic.clock.at(ended) : Governor::kNotBegun);
-    }
+    makePictures(p, governor, seconds(p.options->from));
     __atomic_store_n(&p.ended, true, __ATOMIC_RELEASE);
     return nullptr;
 }
@@ -98,7 +64,7 @@ Player thePlayer;
 int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const int *leave, int64_t began) {
     double from = seconds(o.from), to = seconds(o.to);
     Player &p = thePlayer;
-    p.intro = &intro, p.options = &o, p.leave = leave;
+    p.intro = &intro, p.options = &o, p.leave = leave, p.to = to;
     if (startThread(make, nullptr)) {
         Message m;
         m << "no thread to trace on: " << kMoreThreads;
@@ -106,7 +72,8 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     }
 
     // The film and its sound begin when the first pictures are ready
-    while (p.ready() < 3 && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves()) sleepFor(kNap);
+    while (p.queue.ready() < Queue::kAhead && !__atomic_load_n(&p.ended, __ATOMIC_ACQUIRE) && !p.leaves())
+        sleepFor(kNap);
     startMusic(theMusic, sound, from, leave);
     int64_t start = nanoseconds(), lastSixtieth = -1, firstShown = 0;
     for (;;) {
@@ -115,15 +82,14 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         double time = theMusic.clock.at(before);
         if (time < from) time = from; // what is heard first is still on its way
         if (time >= to || p.leaves()) break;
-        unsigned ready = p.ready();
-        const Made &m = p.ring[p.shown % 4];
-        if (ready == p.shown || m.time > time) {
+        Queue::Turn turn = p.queue.turn(time);
+        if (turn == Queue::kWaits) {
             sleepFor(kNap);
             continue;
         }
+        const Made &m = p.queue.first();
         SceneStatistics &s = theStatistics.scenes[sceneAt(m.time)];
-        // If several pictures' time has come, show only the last
-        if (ready - p.shown < 2 || p.ring[(p.shown + 1) % 4].time > time) {
+        if (turn == Queue::kShows) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();
             if (!firstShown) firstShown = shown;
@@ -142,7 +108,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             ++s.between;
             s.make.add((int64_t)(m.make * 1e9f));
         }
-        __atomic_store_n(&p.shown, p.shown + 1, __ATOMIC_RELEASE);
+        p.queue.pass();
     }
     endMusic(theMusic);
     return o.stats && firstShown

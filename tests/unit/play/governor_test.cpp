@@ -1,6 +1,6 @@
-// Tests the governor on simulated machines. The tests drive it as the player does, with pictures in the same
-// slots, on a clock that only the test moves.
-#include "play/governor.h"
+// Tests the governor on simulated machines: the player's own makePictures() drives it, on a clock that only
+// the test moves.
+#include "play/schedule.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,36 +40,51 @@ struct Decision {
 };
 using SceneAt = std::function<Scene(double)>;
 
-// Does what make() and play() of player.cpp do, on the clock of the test.
+// Makes and shows pictures as the player does, on the clock of the test.
 class Player {
 public:
-    Player(const Machine &machine, SceneAt sceneAt)
-        : machine(machine), random(machine.seed), sceneAt(sceneAt) {}
+    Player(const Machine &machine, SceneAt sceneAt, double length)
+        : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {}
 
-    std::vector<Decision> play(double length) {
-        std::vector<Decision> all;
-        size_t until[2] = {}, untilBetween = 0;
-        double time = 0, last = 0;
-        for (int n = 0; time < length; ++n) {
-            await(until[n & 1]);
-            Scene scene = sceneAt(time);
-            double trace = spend(traceTime(scene), hiccup(time, false)), make = 0;
-            governor.enter(scene.id);
-            if (n && governor.pairs()) {
-                await(untilBetween);
-                make = spend(scene.make, hiccup(time, true));
-                add((time + last) / 2);
-                untilBetween = made;
-            }
-            add(time);
-            until[n & 1] = made;
-            governor.spent((float)trace, (float)make);
-            double next = governor.next(time, begin < 0 ? Governor::kNotBegun : now - begin);
-            all.push_back({time, scene, governor.way, governor.level, next > time + governor.step() + 1e-9});
-            last = time;
-            time = next;
-        }
+    std::vector<Decision> play() {
+        makePictures(*this, governor, 0);
         return all;
+    }
+
+    // The stage of makePictures()
+    bool wants(double time) {
+        if (!all.empty()) {
+            Decision &last = all.back();
+            last.way = governor.way;
+            last.level = governor.level;
+            last.leapt = time > last.time + governor.step() + 1e-9;
+        }
+        return time < length;
+    }
+    int64_t now() const { return moment; }
+    double filmAt(int64_t at) const { return begin < 0 ? Governor::kNotBegun : (double)(at - begin) * 1e-9; }
+    int sceneOf(double time) const { return sceneAt(time).id; }
+    void trace(Made &m, int, const Governor &) {
+        Scene scene = sceneAt(m.time);
+        all.push_back({m.time, scene, {}, 0, false});
+        spend(traceTime(scene), hiccup(m.time, false));
+    }
+    void between(Made &, int, int) {
+        const Decision &later = all.back();
+        spend(later.scene.make, hiccup(later.time, true));
+    }
+    unsigned add(const Made &made) {
+        showUntil(moment);
+        unsigned count = queue.add(made);
+        if (count == Queue::kAhead) begin = moment;
+        return count;
+    }
+    void await(unsigned number) {
+        while (!queue.passed(number)) {
+            ASSERT_TRUE(begin >= 0 && queue.shown < queue.made) << "the player would wait for ever";
+            moment = std::max(moment, nextTurn());
+            showUntil(moment);
+        }
     }
 
 private:
@@ -82,42 +97,36 @@ private:
         machine.hiccupAt = -1;
         return 1;
     }
-    double spend(double oneCore, double besides) {
+    void spend(double oneCore, double besides) {
         std::uniform_real_distribution<double> vary(1 - machine.noise, 1 + machine.noise);
-        double seconds = (kAlone + oneCore / machine.cores) * vary(random) + besides;
-        now += seconds;
-        return seconds;
+        moment += std::llround(((kAlone + oneCore / machine.cores) * vary(random) + besides) * 1e9);
     }
-    void add(double time) {
-        waiting.push_back({time, now});
-        ++made;
-        if (begin < 0 && made == 3) begin = now;
-        // When each picture is shown follows from when it was made, and from the clock
-        for (; begin >= 0 && shown.size() <= made - 1; waiting.erase(waiting.begin()))
-            shown.push_back(
-                std::max({shown.empty() ? 0 : shown.back(), waiting[0].made, begin + waiting[0].time}));
-    }
-    void await(size_t number) {
-        if (!number) return;
-        ASSERT_GE(shown.size(), number) << "the player would wait for ever";
-        now = std::max(now, shown[number - 1]);
+    // When the first waiting picture's time comes.
+    int64_t nextTurn() const { return std::max(looked, begin + (int64_t)(queue.first().time * 1e9)); }
+    // Shows all pictures whose time comes until a moment.
+    void showUntil(int64_t until) {
+        while (begin >= 0 && queue.shown < queue.made && nextTurn() <= until) {
+            looked = nextTurn();
+            if (queue.turn(filmAt(looked)) == Queue::kWaits)
+                ++looked; // it was rounded down
+            else
+                queue.pass();
+        }
+        looked = std::max(looked, until);
     }
 
-    struct Waiting {
-        double time, made;
-    };
     Machine machine;
     std::mt19937 random;
     SceneAt sceneAt;
+    double length; // of the film
     Governor governor;
-    double now = 0, begin = -1; // moments
-    size_t made = 0;
-    std::vector<Waiting> waiting;
-    std::vector<double> shown; // moments
+    Queue queue = {};
+    std::vector<Decision> all;
+    int64_t moment = 0, begin = -1, looked = 0; // now; of the film's start; until which pictures were shown
 };
 
 std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt) {
-    return Player(machine, sceneAt).play(length);
+    return Player(machine, sceneAt, length).play();
 }
 SceneAt always(const Scene &scene) {
     return [=](double) { return scene; };
