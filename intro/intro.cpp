@@ -62,6 +62,8 @@ int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).s
 
 const char *sceneName(int scene) { return kScenes[scene].name; }
 
+Pace paceOf(int scene) { return {kScenes[scene].fewerPixels * 0.1f, kScenes[scene].thirty * 0.1f}; }
+
 CameraKey cameraAt(double seconds) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
     return pose(m.shot->path, m.storyRow);

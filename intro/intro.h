@@ -42,6 +42,14 @@ inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
+// What a scene would rather do without, where there is no time for everything (play/governor.h): from which
+// coarseness on fewer pixels are traced, and from which on thirty pictures a second are better than sixty.
+struct Pace {
+    float pixels = 2, thirty = kNever;
+    static constexpr float kNever = 9;
+};
+Pace paceOf(int scene);
+
 // The pose of the scripted camera at a time.
 CameraKey cameraAt(double seconds);
 

@@ -1,5 +1,6 @@
 // The shipped program: look at the machine, read the options, play or dump.
 #include "base/for_tools.h"
+#include "base/maths.h"
 #include "doctor.h"
 #include "host/clock.h"
 #include "host/cpu.h"
@@ -29,6 +30,23 @@ struct Prepared {
     Arena arena;
     Intro *intro;
 };
+
+// Opens the window, if it is not open yet; returns an exit status. If the viewer has not said how large the
+// pictures are, they are as large as it can show them, up to what can be scaled up.
+int openScreen(Options &o) {
+    FilmWindow &window = theEarly.window;
+    if (!theEarly.opened) {
+        Quiet libraries;
+        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
+            return refuse(wrong);
+    }
+    if (o.sized) return 0;
+    Area area = areaOf(window, o.width, o.height);
+    int width = clamp(area.width, 16, kMostEnlarged);
+    o.height = max(area.height * width / max(area.width, 1), 9);
+    o.width = width;
+    return 0;
+}
 
 // Starts threads and takes memory; returns an exit status. What a dump lacks is reported to the script that
 // runs it, not in a window.
@@ -68,17 +86,11 @@ int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
     return dump(*f.intro, o, stdoutClosed);
 }
 
-// Opens the window first, which then shows how far loading is.
+// The window shows how far loading is.
 int playFilm(const Options &o, Prepared &f, int64_t began) {
     FilmWindow &window = theEarly.window;
-    float loaded = theEarly.opened ? kEarlyShare : 0;
-    if (!theEarly.opened) {
-        Quiet libraries;
-        if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
-            return refuse(wrong);
-    }
     const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &window.gl : nullptr,
-                             {showLoading, &window, loaded});
+                             {showLoading, &window, theEarly.opened ? kEarlyShare : 0});
     if (viewerLeft()) return 0;
     Sound *sound = f.heard ? loadSound(f.arena) : nullptr;
     return wrong ? refuse(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
@@ -97,6 +109,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
         status = writeWav(o, stdoutClosed);
         if (status || !o.dump) return status;
     }
+    if (!o.dump && (status = openScreen(o))) return status;
     Prepared film;
     if ((status = prepare(o, film))) return status;
     return o.dump ? dumpFilm(o, film, stdoutClosed) : playFilm(o, film, began);

@@ -96,8 +96,10 @@ constexpr Option kOptions[] = {
     {"--from", "S", "seconds, like 12.5", ": play or dump only [--from, --to); a frame's time n/fps decides",
      [](const char *p, Options &o) { return readSeconds(p, o.from); }},
     {"--to", "S", "seconds, like 12.5", "", [](const char *p, Options &o) { return readSeconds(p, o.to); }},
-    {"--size", "WxH", "pixels to trace, 1x1 to 7680x4320", " (default 1280x720)",
+    {"--size", "WxH", "pixels to trace, 1x1 to 7680x4320",
+     " (default 1280x720; played: what the window has and the processor can)",
      [](const char *p, Options &o) {
+         o.sized = true;
          return readCount(p, kMaxWidth, o.width) && *p++ == 'x' && readCount(p, kMaxHeight, o.height) && !*p;
      }},
     {"--quality", "NAME", "draft, play, film, reference or live",

@@ -23,6 +23,7 @@ struct Options {
     const char *dump = nullptr; // a directory, "-" for standard output, null to play
     const char *wav = nullptr;  // a file, "-" for standard output
     int width = 1280, height = 720;
+    bool sized = false;                       // whether they were given
     int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
     bool live = false;                        // every other frame is made from those beside it

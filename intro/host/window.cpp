@@ -5,6 +5,14 @@
 
 namespace odraz {
 
+Area areaOf(const FilmWindow &window, int width, int height) {
+    int inWidth = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
+        inHeight = __atomic_load_n(&window.height, __ATOMIC_RELAXED);
+    int64_t wide = (int64_t)inHeight * width / height, tall = (int64_t)inWidth * height / width;
+    int w = wide < inWidth ? (int)wide : inWidth, h = wide < inWidth ? inHeight : (int)tall;
+    return {(inWidth - w) / 2, (inHeight - h) / 2, w, h};
+}
+
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     const Gl &gl = window.gl;
     if (!window.picture) {
@@ -24,16 +32,12 @@ void present(FilmWindow &window, const uint8_t *rgba, int width, int height) {
     }
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba);
 
-    // The largest rectangle of the film's aspect, in the middle; black around it. The texture's top row is
-    // first
-    int toWidth = __atomic_load_n(&window.width, __ATOMIC_RELAXED),
-        toHeight = __atomic_load_n(&window.height, __ATOMIC_RELAXED);
-    int64_t wide = (int64_t)toHeight * width / height, tall = (int64_t)toWidth * height / width;
-    int w1 = wide < toWidth ? (int)wide : toWidth, h1 = wide < toWidth ? toHeight : (int)tall;
-    int x0 = (toWidth - w1) / 2, y0 = (toHeight - h1) / 2;
-    if (w1 < toWidth || h1 < toHeight) gl.glClear(GL_COLOR_BUFFER_BIT);
-    gl.glBlitFramebuffer(0, 0, width, height, x0, y0 + h1, x0 + w1, y0, GL_COLOR_BUFFER_BIT,
-                         w1 == width && h1 == height ? GL_NEAREST : GL_LINEAR);
+    // Black around it. The texture's top row is first
+    Area to = areaOf(window, width, height);
+    if (to.width < window.width || to.height < window.height) gl.glClear(GL_COLOR_BUFFER_BIT);
+    gl.glBlitFramebuffer(0, 0, width, height, to.x, to.y + to.height, to.x + to.width, to.y,
+                         GL_COLOR_BUFFER_BIT,
+                         to.width == width && to.height == height ? GL_NEAREST : GL_LINEAR);
     swapBuffers(window);
 }
 

@@ -28,6 +28,12 @@ void leaveContext(FilmWindow &window);
 // Shows what was drawn.
 void swapBuffers(FilmWindow &window);
 
+// The largest rectangle of an aspect in the middle of the window, where pictures of width x height are shown.
+struct Area {
+    int x, y, width, height;
+};
+Area areaOf(const FilmWindow &window, int width, int height);
+
 // Shows a picture of width x height RGBA bytes, top row first. The size stays the same from call to call.
 void present(FilmWindow &window, const uint8_t *rgba, int width, int height);
 

@@ -2,13 +2,15 @@
 // so that any machine keeps up. All times are in seconds. It has no clock of its own: the same times in, the
 // same decisions out.
 //
-// It changes two things. The quality moves between `film`, `play` and `draft`, a little with every picture,
-// so that nobody sees a step. The way tells how the sixty pictures a second that a screen shows are made:
+// It changes two things. The coarseness tells how much each traced picture does without: first quality, from
+// `film` over `play` down to a level at which the scene would rather do without pixels; then pixels, which
+// are scaled up; then the rest of quality, down to `draft`. It changes a little with every picture, so that
+// nobody sees a step. The way tells how the sixty pictures a second that a screen shows are made:
 //
 //   kSixty    all are traced, if that can be done at `play` or better
 //   kPairs    every other one is traced; the in-between of two of them is made from both, which is less work
-//   kThirty   every other one is traced, and shown twice: if `draft` is too slow for pairs, and making one
-//             costs nearly as much as tracing it. This lasts until the next scene
+//   kThirty   every other one is traced, and shown twice: where the scene would rather do without half of its
+//             pictures than be coarser, and where making one costs nearly as much as tracing it
 //
 // If even that is too much, next() leaves pictures out.
 #pragma once
@@ -31,43 +33,74 @@ struct Governor {
     // tracing. What takes longer is a hiccup of the system or of another program, and tells nothing about the
     // pictures after it.
     static constexpr float kMostTracing = 4, kMostMaking = 1.5f;
-    // How far the quality moves at a picture that takes twice its budget; from `play` to `draft` that is six
-    // pictures. It improves at half that speed at most: viewers notice a late picture, but hardly a coarse
-    // one.
-    static constexpr float kMove = 0.16f, kMostBetter = -0.5f, kMostWorse = 1;
+    // How far the coarseness moves at a picture that takes twice its budget; from `play` to `draft` that is
+    // six pictures. It improves at half that speed at most: viewers notice a late picture, but hardly a
+    // coarse one.
+    static constexpr float kMove = 0.16f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
     // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
     // All sixty are traced once a picture of at least `play` takes less than kSixtyBelow, and for as long as
-    // the quality stays at `play` or a little coarser. The gap between these two conditions is 25 % of a
+    // the coarseness stays at `play` or a little above. The gap between these two conditions is 25 % of a
     // picture's time. That is more than noise of 30 % leaves in an average, so the way does not swing.
     static constexpr float kSixtyBelow = 0.0125f, kPlay = 1, kLittleCoarser = 1.25f;
-    // No in-betweens are made once a pair at `draft` takes kLate times its budget and kNearlyTwice times what
-    // tracing alone takes
+    // No in-betweens are made once a pair at the coarsest takes kLate times its budget and kNearlyTwice times
+    // what tracing alone takes
     static constexpr float kLate = 1.1f, kNearlyTwice = 1.8f;
+    // In-betweens are made again once thirty pictures a second are so much better than where they began: then
+    // there is time for both
+    static constexpr float kBack = 1.3f;
     // The next picture may be so much late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
     static constexpr double kNotBegun = -1e9; // the film's time before it begins: no picture is late
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
+    // The share of a picture's width that a step of coarseness takes: about half of the time, as a step of
+    // quality does.
+    static constexpr float kShrink = 0.35f;
+    // How much wider or narrower than now pictures may be wished for before they are. In between quality
+    // makes up for it, so that their size does not go to and fro.
+    static constexpr int kBand = 32, kWidthStep = 16, kLeastWidth = 640; // pixels
+
+    // Pixels of the pictures that are shown, and of these pictures' width those that are traced; 0: always
+    // all
+    int width = 0, height = 0, across = 0;
+    Pace pace = {}; // of the scene
 
     Way way = kPairs;
-    float level = kPlay;                                    // kBest .. kSteps along kRange
+    float coarseness = kPlay;                               // kBest .. coarsest()
     float average = kThirtyBudget, tracing = kThirtyBudget; // of the last pictures, and of tracing them alone
     int scene = -1;
 
     bool pairs() const { return way == kPairs; }
     // From one traced picture to the next.
     double step() const { return way == kSixty ? 1 / 60.0 : 1 / 30.0; }
+    // What a width saves, in steps of coarseness.
+    float saved(int across) const { return width ? (1 - (float)across / (float)width) / kShrink : 0; }
+    float coarsest() const { return kSteps + saved(min(kLeastWidth, width)); }
+    // Along kRange.
+    float level() const { return min(coarseness - saved(across), (float)kSteps); }
     Quality quality() const {
-        int from = min((int)level, kSteps - 1);
-        return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level - (float)from);
+        int from = min((int)level(), kSteps - 1);
+        return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level() - (float)from);
     }
+    TracedSize size() const { return {across, width ? (across * height + width / 2) / width : 0}; }
 
-    // The picture that was traced last is of this scene.
-    void enter(int next) {
-        if (scene != next && way == kThirty) way = kPairs;
+    // Pictures are shown in so many pixels, and may be traced in fewer.
+    void tradePixels(int w, int h) { width = across = w, height = h; }
+
+    // The picture to trace next is of this scene.
+    void enter(int next, const Pace &itsPace) {
+        if (scene == next) return;
         scene = next;
+        pace = itsPace;
+        if (way == kThirty) way = kPairs;
+        choosePixels();
+    }
+    void choosePixels() {
+        float wish = (1 - kShrink * (coarseness - pace.pixels)) * (float)width;
+        if (wish < (float)across || wish >= (float)(across + 2 * kBand))
+            across = clamp(((int)wish - kBand) & -kWidthStep, min(kLeastWidth, width), width);
     }
 
     // The times that the last picture took: to trace it, and to make the in-between before it, or 0.
@@ -77,17 +110,23 @@ struct Governor {
         make = min(make, kMostMaking * tracing);
         tracing += (trace - tracing) * kFollow;
         average += (trace + make - average) * kFollow;
-        level =
-            clamp(level + clamp(average / budget - 1, kMostBetter, kMostWorse) * kMove, kBest, (float)kSteps);
-        bool late =
-            pairs() && level == kSteps && average > kLate * budget && average > kNearlyTwice * tracing;
-        if (pairs() ? level <= kPlay && tracing < kSixtyBelow : way == kSixty && level > kLittleCoarser) {
-            way = pairs() ? kSixty : kPairs;
-            average = tracing;
-        } else if (late) {
-            way = kThirty;
-            average = tracing;
-        }
+        float move = clamp(average / budget - 1, kMostBetter, kMostWorse) * kMove;
+        if (average > kFarTooLong * budget && coarseness + 1 < coarsest())
+            move = 1, average *= 0.5f, tracing *= 0.5f;
+        coarseness = clamp(coarseness + move, kBest, coarsest());
+        Way next = way;
+        if (way == kSixty) {
+            if (coarseness > kLittleCoarser) next = kPairs;
+        } else if (way == kThirty) {
+            if (coarseness < pace.thirty - kBack) next = kPairs, coarseness = pace.thirty;
+        } else if (coarseness <= kPlay && tracing < kSixtyBelow)
+            next = kSixty;
+        else if (coarseness > pace.thirty)
+            next = kThirty;
+        else if (coarseness == coarsest() && average > kLate * budget && average > kNearlyTwice * tracing)
+            next = kThirty, pace.thirty = 0; // until the next scene
+        if (next != way) way = next, average = tracing;
+        choosePixels();
     }
 
     // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.

@@ -36,11 +36,16 @@ struct Player {
         return theMusic.clock.started() ? theMusic.clock.at(now) : Governor::kNotBegun;
     }
     int sceneOf(double time) const { return sceneAt(time); }
+    Pace paceOf(int scene) const { return odraz::paceOf(scene); }
     void trace(Made &m, int slot, const Governor &governor) {
+        TracedSize size = governor.size();
         m.picture = picture(*intro, slot, m.time,
                             options->quality == QualityName::Count ? governor.quality()
-                                                                   : options->qualityOr(QualityName::Play));
-        m.samples = (float)samplesTaken(*intro) / (float)(m.picture.width * m.picture.height);
+                                                                   : options->qualityOr(QualityName::Play),
+                            nullptr, size);
+        if (!size.width) size = {m.picture.width, m.picture.height};
+        m.width = size.width;
+        m.samples = (float)samplesTaken(*intro) / (float)(size.width * size.height);
     }
     void between(Made &m, int earlier, int later) { m.picture = odraz::between(*intro, earlier, later); }
     unsigned add(const Made &m) { return queue.add(m); }
@@ -54,7 +59,9 @@ Player thePlayer;
 [[gnu::force_align_arg_pointer]] void *make(void *) {
     Player &p = thePlayer;
     Governor governor;
-    makePictures(p, governor, seconds(p.options->from));
+    const Options &o = *p.options;
+    if (o.quality == QualityName::Count && !o.sized) governor.tradePixels(o.width, o.height);
+    makePictures(p, governor, seconds(o.from));
     __atomic_store_n(&p.ended, true, __ATOMIC_RELEASE);
     return nullptr;
 }
@@ -103,6 +110,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         if (m.trace > 0) {
             ++s.traced;
             s.samples += m.samples;
+            s.width += m.width;
             s.trace.add((int64_t)(m.trace * 1e9f));
         } else {
             ++s.between;

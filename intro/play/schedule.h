@@ -11,7 +11,8 @@ struct Made {
     Picture picture;
     double time;       // of the film, in seconds
     float trace, make; // seconds that tracing it took, or making it between two others; the other one is 0
-    float samples;     // per pixel
+    float samples;     // per traced pixel
+    int width;         // that was traced, in pixels
 };
 
 // Made pictures in the order in which they are shown. One thread adds to it and another one shows. Zero at
@@ -52,9 +53,9 @@ struct Queue {
 //   bool wants(time)                whether the film goes on, with the picture of this time
 //   int64_t now()                   nanoseconds of its clock
 //   double filmAt(now)              the film's time at that moment; Governor::kNotBegun
-//   int sceneOf(time)
-//   trace(made, slot, governor)     traces the picture of made.time in slot 0 or 1, as the governor says: its
-//                                   quality, its level, its size
+//   int sceneOf(time); Pace paceOf(scene)
+//   trace(made, slot, governor)     traces the picture of made.time in slot 0 or 1, with the governor's
+//                                   quality and size
 //   between(made, earlier, later)   makes the one of made.time, half-way between those of two slots
 //   unsigned add(made)              adds to the queue, and returns how many were added
 //   await(number)                   waits until that many have been shown
@@ -69,10 +70,11 @@ template <class Stage> void makePictures(Stage &stage, Governor &governor, doubl
         int64_t began = stage.now();
         Made m = {};
         m.time = time;
+        int scene = stage.sceneOf(time);
+        governor.enter(scene, stage.paceOf(scene));
         stage.trace(m, slot, governor);
         int64_t traced = stage.now(), waited = traced, ended = traced;
         m.trace = (float)(traced - began) * 1e-9f;
-        governor.enter(stage.sceneOf(time));
         if (n && governor.pairs()) {
             stage.await(untilBetween);
             waited = stage.now();

@@ -17,7 +17,7 @@ int printStatistics(const Statistics &statistics, const FilmClock &clock, double
     (t << "first picture after ").decimal(untilFirst, 2) << " s\n";
     t << "                                            trace ms        between ms      present ms\n"
          "scene      traced  between  shown  missed  median p95      median p95      median p95      "
-         "samples/pixel\n";
+         "samples/pixel  width\n";
     for (int i = 0; i < kMaxScenes; ++i) {
         const SceneStatistics &s = statistics.scenes[i];
         if (!s.shown) continue;
@@ -31,7 +31,9 @@ int printStatistics(const Statistics &statistics, const FilmClock &clock, double
             t.padTo(line + 43 + 16 * k).decimal(times[k]->quantile(0.5), 1);
             t.padTo(line + 50 + 16 * k).decimal(times[k]->quantile(0.95), 1);
         }
-        t.padTo(line + 91).decimal(s.samples / (s.traced + !s.traced), 2) << '\n';
+        int traced = s.traced + !s.traced;
+        t.padTo(line + 91).decimal(s.samples / traced, 2);
+        t.padTo(line + 106).decimal(s.width / traced, 0) << '\n';
     }
     int count = 0, median = 0, most = 0, seen = 0;
     for (int times : clock.offsets) count += times;

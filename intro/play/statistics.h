@@ -25,7 +25,7 @@ struct Histogram {
 
 struct SceneStatistics {
     int traced, between, shown, missed;
-    double samples; // per pixel, summed over all traced pictures
+    double samples, width; // per traced pixel, and traced, in pixels: summed over all traced pictures
     Histogram trace, make, present;
 };
 

@@ -28,6 +28,7 @@ struct Machine {
     unsigned seed = 1;
     double hiccupAt = -1;         // the first picture from this time of the film on takes one second longer
     bool hiccupInBetween = false; // ... the in-between does
+    int width = 0, height = 0;    // of its screen, if pixels are traded
 };
 
 // What the governor decided after a traced picture.
@@ -37,6 +38,7 @@ struct Decision {
     Governor::Way way;
     float level;
     bool leapt; // pictures are left out
+    TracedSize size;
 };
 using SceneAt = std::function<Scene(double)>;
 
@@ -44,7 +46,9 @@ using SceneAt = std::function<Scene(double)>;
 class Player {
 public:
     Player(const Machine &machine, SceneAt sceneAt, double length)
-        : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {}
+        : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
+        governor.tradePixels(machine.width, machine.height);
+    }
 
     std::vector<Decision> play() {
         makePictures(*this, governor, 0);
@@ -56,7 +60,7 @@ public:
         if (!all.empty()) {
             Decision &last = all.back();
             last.way = governor.way;
-            last.level = governor.level;
+            last.level = governor.coarseness;
             last.leapt = time > last.time + governor.step() + 1e-9;
         }
         return time < length;
@@ -64,14 +68,15 @@ public:
     int64_t now() const { return moment; }
     double filmAt(int64_t at) const { return begin < 0 ? Governor::kNotBegun : (double)(at - begin) * 1e-9; }
     int sceneOf(double time) const { return sceneAt(time).id; }
+    Pace paceOf(int scene) const { return paces[scene]; }
     void trace(Made &m, int, const Governor &) {
         Scene scene = sceneAt(m.time);
-        all.push_back({m.time, scene, {}, 0, false});
-        spend(traceTime(scene), hiccup(m.time, false));
+        all.push_back({m.time, scene, {}, 0, false, governor.size()});
+        spend(traceTime(scene) * pixels(), hiccup(m.time, false));
     }
     void between(Made &, int, int) {
         const Decision &later = all.back();
-        spend(later.scene.make, hiccup(later.time, true));
+        spend(later.scene.make * pixels(), hiccup(later.time, true));
     }
     unsigned add(const Made &made) {
         showUntil(moment);
@@ -87,9 +92,16 @@ public:
         }
     }
 
+    Pace paces[4]; // of the scenes, by their ids
+    Governor governor;
+
 private:
+    // The share of the screen's pixels that are traced: costs are about its 0.85th power.
+    double pixels() const {
+        return machine.width ? std::pow((double)governor.size().width / machine.width, 1.7) : 1;
+    }
     double traceTime(const Scene &s) const {
-        double t = governor.level;
+        double t = governor.level();
         return t < 1 ? s.film * std::pow(s.play / s.film, t) : s.play * std::pow(s.draft / s.play, t - 1);
     }
     double hiccup(double time, bool between) {
@@ -119,7 +131,6 @@ private:
     std::mt19937 random;
     SceneAt sceneAt;
     double length; // of the film
-    Governor governor;
     Queue queue = {};
     std::vector<Decision> all;
     int64_t moment = 0, begin = -1, looked = 0; // now; of the film's start; until which pictures were shown
@@ -253,10 +264,122 @@ TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
 
 TEST(Governor, MixesQualities) {
     Governor g;
-    auto thresholdAt = [&](float level) { return g.level = level, g.quality().threshold; };
+    auto thresholdAt = [&](float level) { return g.coarseness = level, g.quality().threshold; };
     EXPECT_EQ(thresholdAt(0), kQualities[(int)QualityName::Film].threshold);
     EXPECT_EQ(thresholdAt(1), kQualities[(int)QualityName::Play].threshold);
     EXPECT_EQ(thresholdAt(2), kQualities[(int)QualityName::Draft].threshold);
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
+}
+
+// --- Pixels ---
+
+namespace {
+
+Machine withScreen(double cores, double noise = 0, unsigned seed = 1) {
+    Machine m = {cores, noise, seed};
+    m.width = 1280, m.height = 720;
+    return m;
+}
+
+} // namespace
+
+TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
+    for (double cores : {1., 1.5, 2., 3.}) {
+        auto all = played(withScreen(cores), 20, always(kUsual));
+        Seen then = seen(all, 2, 20);
+        const Decision &last = all.back();
+        EXPECT_EQ(then.leaps, 0) << cores;
+        EXPECT_TRUE(then.ways[Governor::kPairs]) << cores;
+        EXPECT_TRUE(cores > 1.5 || last.size.width < 1280) << cores;
+        EXPECT_TRUE(cores < 3 || last.size.width == 1280) << cores;
+        EXPECT_GE(last.size.width, Governor::kLeastWidth);
+        EXPECT_NEAR(last.size.height, last.size.width * 9 / 16., 0.5);
+    }
+}
+
+// A size that goes up and down all the time would be seen as a picture that breathes.
+TEST(Governor, DoesNotPump) {
+    for (double noise : {0., 0.1, 0.3})
+        for (double cores = 1; cores < 4; cores *= 1.1) {
+            auto all = played(withScreen(cores, noise), 62, always(kUsual));
+            int changes = 0, largest = 0;
+            for (size_t i = 1; i < all.size(); ++i) {
+                if (all[i].time < 2) continue;
+                int step = std::abs(all[i].size.width - all[i - 1].size.width);
+                changes += step != 0;
+                largest = std::max(largest, step);
+            }
+            double most = noise == 0 ? 0 : noise < 0.2 ? 0.5 : 2; // a second
+            EXPECT_LE(changes, most * 60 + 1) << noise << ' ' << cores;
+            EXPECT_LE(largest, 64) << noise << ' ' << cores;
+        }
+}
+
+// Where there is time again, pixels come back, and then quality.
+TEST(Governor, ComesBackToAllPixels) {
+    for (double cores : {2., 3., 4.}) {
+        auto all =
+            played(withScreen(cores), 15, [](double t) { return t < 5 || t >= 10 ? kUsual : kCostly; });
+        auto at = [&](double time) {
+            return *std::find_if(all.begin(), all.end(), [=](const Decision &d) { return d.time >= time; });
+        };
+        EXPECT_LT(at(9.5).size.width, 0.9 * at(4.5).size.width) << cores;
+        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 48) << cores;
+        EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.1) << cores;
+    }
+}
+
+// A scene says what it would rather do without: here, pixels before it is coarser than `play`.
+TEST(Governor, GivesUpWhatTheSceneNeedsLeast) {
+    auto levels = [](float pixels) {
+        Player player(withScreen(2), always(kUsual), 10);
+        player.paces[0].pixels = pixels;
+        player.play();
+        return std::pair(player.governor.level(), player.governor.across);
+    };
+    auto [late, wide] = levels(2);
+    auto [early, narrow] = levels(1);
+    EXPECT_GT(late, 1.8f);
+    EXPECT_NEAR(early, 1, 0.2);
+    EXPECT_GT(wide, 1200);
+    EXPECT_LT(narrow, 1000);
+}
+
+// ... or half of its pictures, before it has too few pixels. In-betweens come back with time.
+TEST(Governor, ShowsThirtyWhereTheSceneLikesThemMore) {
+    Scene easy = {0, .05, .02, .012, .005};
+    SceneAt easier = [=](double time) { return time < 10 ? kUsual : easy; };
+    Player player(withScreen(1), easier, 20);
+    player.paces[0].thirty = 2.3f;
+    auto all = player.play();
+    EXPECT_TRUE(seen(all, 2, 10).ways[Governor::kThirty]);
+    EXPECT_LE(seen(all, 1, 10).changes, 1);
+    EXPECT_GT(all[250].size.width, 950) << "in pairs it is 832";
+    EXPECT_FALSE(seen(all, 12, 20).ways[Governor::kThirty]);
+    EXPECT_LE(seen(all, 10, 20).changes, 2);
+}
+
+// A machine twice as fast never traces coarser, at any pace of the scene.
+TEST(Governor, IsNeverCoarserOnAFasterMachine) {
+    for (float pixels : {0.5f, 1.f, 1.5f, 2.f})
+        for (double cores = 0.5; cores <= 16; cores *= 2) {
+            auto coarsenessOf = [&](double cores) {
+                Player player(withScreen(cores), always(kUsual), 10);
+                player.paces[0].pixels = pixels;
+                player.play();
+                return player.governor.coarseness + (player.governor.way != Governor::kSixty);
+            };
+            EXPECT_LE(coarsenessOf(cores * 2), coarsenessOf(cores) + 0.01f) << cores << ' ' << pixels;
+        }
+}
+
+// On a screen far too large for the machine the film must not begin as a slide show.
+TEST(Governor, FindsItsWayDownQuickly) {
+    Machine machine = {1};
+    machine.width = 2560, machine.height = 1440;
+    auto all = played(machine, 10, always({0, 0.72, 0.28, 0.16, 0.064}));
+    Seen early = seen(all, 1.5, 2.5), late = seen(all, 8, 9);
+    EXPECT_NEAR(early.most, late.most, 0.3);
+    EXPECT_GT(early.pictures, 20);
 }

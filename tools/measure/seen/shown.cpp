@@ -18,7 +18,7 @@ constexpr int kMostPixels = 7680; // across
 
 Quality qualityOf(float level) {
     Governor governor;
-    governor.level = level;
+    governor.coarseness = level;
     return governor.quality();
 }
 

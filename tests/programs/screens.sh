@@ -1,0 +1,34 @@
+# The film on screens of many sizes: its picture is as large as the screen allows, in the middle, with black beside it.
+. "$(dirname "$0")/display.sh"
+odraz=$BUILD/odraz-safe
+
+# shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, looks at it, and checks that the film fills the
+# rectangle at (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
+shows() {
+    local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 film
+    shift 6
+    start_display "${width}x$height"
+    "$odraz" --mute --from 24 --to 60 "$@" >"$WORK/out" 2>"$WORK/err" &
+    film=$!
+    await lit "$x" "$y" "$w" "$h" "$width" "$height"
+    local status=$?
+    kill "$film" 2>/dev/null
+    wait "$film" 2>/dev/null
+    return $status
+}
+brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }
+lit() { # lit X Y W H WIDTH HEIGHT
+    import -window root "$WORK/screen.png" 2>/dev/null || return 1
+    [ "$(brightness "2x2+$(($1 + 2))+$(($2 + 2))")" -gt 20 ] && [ "$(brightness "2x2+$(($1 + $3 - 4))+$(($2 + 2))")" -gt 20 ] || return 1
+    [ "$1" -lt 2 ] || [ "$(brightness "$(($1 - 1))x$6+0+0")" = 0 ] || return 1
+    [ "$2" -lt 2 ] || [ "$(brightness "$5x$(($2 - 1))+0+0")" = 0 ]
+}
+check "1280x720: the whole screen" shows 1280 720 0 0 1280 720
+check "1366x768" shows 1366 768 0 0 1365 768
+check "1280x1024: bars above and below" shows 1280 1024 0 152 1280 720
+check "1000x300: bars at the sides" shows 1000 300 233 0 533 300
+check "3000x1800: more than it traces" shows 3000 1800 0 56 3000 1687
+check "320x200: less" shows 320 200 0 10 320 180
+check "--size: scaled to the screen" shows 1280 720 0 0 1280 720 --size 320x180
+check "... with its own aspect" shows 1280 720 280 0 720 720 --size 200x200
+finish
