@@ -26,15 +26,10 @@ struct Options : ScreeningOptions {
     double rate = 60; // pictures a second
 };
 
-// When a scene begins and ends, in seconds; false if the film does not play it.
-bool spanOf(const std::string &name, double &from, double &to) {
-    from = to = -1;
-    for (int i = 0; i < kFilm.count; ++i) {
-        if (name != kScenes[kFilm.shots[i].scene].name) continue;
-        if (from < 0) from = (double)kFilm.shots[i].row / kRowsPerSecond;
-        to = (i + 1 < kFilm.count ? (double)kFilm.shots[i + 1].row : (double)kFilm.endRow) / kRowsPerSecond;
-    }
-    return from >= 0;
+// A scene from its first shot to its last one.
+Span wholeOf(const std::string &scene) {
+    std::vector<Span> all = shotsOf(scene);
+    return {all[0].scene, all.front().from, all.back().to};
 }
 
 struct Meter {
@@ -97,28 +92,23 @@ int run(Arguments &words) {
     double first = duration(), last = 0;
     for (const std::string &q : o.qualities) qualityFrom(q);
     for (const std::string &s : o.scenes) {
-        double from, to;
-        if (!spanOf(s, from, to)) throw Refused("there is no scene '" + s + "'");
-        first = std::min(first, from), last = std::max(last, to);
+        Span whole = wholeOf(s);
+        first = std::min(first, whole.from), last = std::max(last, whole.to);
     }
     Screening screening(sizeFrom(o.size), first, last);
     Meter meter{screening, o};
     meter.reference.grid = o.grid;
 
     std::puts("scene,from,quality,rms");
-    for (const std::string &s : o.scenes) {
-        double from, to;
-        spanOf(s, from, to);
-        for (int i = 0; i < o.windows; ++i) {
-            double begin = from + (to - from) * (i + 0.5) / o.windows - 0.5;
+    for (const std::string &s : o.scenes)
+        for (const Span &window : windowsIn(wholeOf(s), o.windows, 1)) {
             std::vector<double> sums(o.qualities.size());
-            for (int k = 0; k < o.pairs; ++k) meter.add(begin + (k + 0.5) / o.pairs, sums);
+            for (int k = 0; k < o.pairs; ++k) meter.add(window.from + (k + 0.5) / o.pairs, sums);
             for (size_t k = 0; k < sums.size(); ++k)
-                std::printf("%s,%.2f,%s,%.3f\n", s.c_str(), begin, o.qualities[k].c_str(),
+                std::printf("%s,%.2f,%s,%.3f\n", s.c_str(), window.from, o.qualities[k].c_str(),
                             std::sqrt(sums[k] / o.pairs));
             std::fflush(stdout);
         }
-    }
     return 0;
 }
 

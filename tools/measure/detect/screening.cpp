@@ -7,16 +7,20 @@
 
 namespace odraz {
 
-Screening::Screening(IntroSettings settings, double from, double to)
-    : workers(allProcessors()), hall(needsHall(from, to)),
-      memory(memoryNeeded(settings, workers.count, hall)) {
+Theatre::Theatre(const IntroSettings &settings, Workers &workers, double from, double to)
+    : memory(memoryNeeded(settings, workers.count, needsHall(from, to))) {
+    bool hall = needsHall(from, to);
     Gl gl = hall ? openGl() : Gl{};
     if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
         throw std::runtime_error(wrong);
 }
 
+Screening::Screening(IntroSettings settings, double from, double to)
+    : workers(allProcessors()), theatre(settings, workers, from, to) {}
+
 std::vector<float> Screening::shown(double seconds, const Quality &quality) {
     picture(seconds, quality);
+    const Intro *intro = theatre.intro;
     const Frame &f = intro->frame;
     float fade = momentAt(kFilm, seconds * kRowsPerSecond).fade,
           exposure = intro->film.scene->exposure * fade * fade;
@@ -29,6 +33,34 @@ std::vector<float> Screening::shown(double seconds, const Quality &quality) {
                 for (int k = 0; k < std::min(8, f.width - x); ++k) levels.push_back(v[k] * 255);
             }
     return levels;
+}
+
+std::vector<Span> shots() {
+    std::vector<Span> all;
+    for (int i = 0; i < kFilm.count; ++i) {
+        float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        all.push_back({kFilm.shots[i].scene, (double)kFilm.shots[i].row / kRowsPerSecond,
+                       (double)end / kRowsPerSecond});
+    }
+    return all;
+}
+
+std::vector<Span> shotsOf(const std::string &scene) {
+    std::vector<Span> all;
+    for (const Span &shot : shots())
+        if (scene == kScenes[shot.scene].name) all.push_back(shot);
+    if (all.empty()) throw Refused("there is no scene '" + scene + "'");
+    return all;
+}
+
+std::vector<Span> windowsIn(const Span &span, int count, double length) {
+    std::vector<Span> all;
+    for (int i = 0; i < count; ++i) {
+        double begin =
+            std::max(span.from, span.from + (span.to - span.from) * (i + 0.5) / count - length / 2);
+        all.push_back({span.scene, begin, std::min(span.to, begin + length)});
+    }
+    return all;
 }
 
 bool ScreeningOptions::take(const std::string &option, Arguments &words) {

@@ -1,4 +1,4 @@
-// Gives tools any picture of the film, traced on all processors.
+// Gives tools any picture of the film, traced on all processors, and tells when its scenes play.
 #pragma once
 
 #include "inside.h"
@@ -10,6 +10,14 @@
 
 namespace odraz {
 
+// The film, loaded for pictures of one size.
+struct Theatre {
+    // Solves the hall if it is shown between two moments, in seconds. Throws std::runtime_error.
+    Theatre(const IntroSettings &settings, Workers &workers, double from, double to);
+    HeapArena memory;
+    Intro *intro = nullptr; // in the arena
+};
+
 class Screening {
 public:
     // Prepares the film from one second to another; solves the hall if it is shown there. Throws
@@ -17,7 +25,7 @@ public:
     Screening(IntroSettings settings, double from, double to);
     // The picture as a dump has it.
     Picture picture(double seconds, const Quality &quality) {
-        return odraz::picture(*intro, 0, seconds, quality);
+        return odraz::picture(*theatre.intro, 0, seconds, quality);
     }
     // The picture as it is shown, in levels of 255, neither dithered nor rounded. In each row all red values
     // come first, then green, then blue.
@@ -25,10 +33,20 @@ public:
 
 private:
     Workers workers;
-    bool hall;
-    HeapArena memory;
-    Intro *intro = nullptr; // in the arena
+    Theatre theatre;
 };
+
+// A part of the film, in seconds; of one scene.
+struct Span {
+    int scene;
+    double from, to;
+};
+// Its shots, in order: all, or those of the scene of this name. Throws Refused if there is no such scene, or
+// if it is not played.
+std::vector<Span> shots();
+std::vector<Span> shotsOf(const std::string &scene);
+// `count` windows of a length, evenly spaced; each as much of it as lies within the span.
+std::vector<Span> windowsIn(const Span &span, int count, double length);
 
 // The options that all programs that look at the film share: --size, --quality, --keep.
 struct ScreeningOptions {

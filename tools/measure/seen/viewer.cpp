@@ -1,6 +1,5 @@
 #include "tools/measure/seen/viewer.h"
 
-#include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
 #include "tools/measure/detect/flip.h"
 
@@ -71,13 +70,6 @@ std::vector<uint8_t> scaled(const std::vector<uint8_t> &rgb, int width, int heig
 double Seen::linearPsnr() const { return std::min(kMostPsnr, psnr(linear, (size_t)sixtieths)); }
 double Seen::srgbPsnr() const { return std::min(kMostPsnr, psnr(srgb, (size_t)sixtieths)); }
 
-Theatre::Theatre(const IntroSettings &settings, Workers &workers, bool hall)
-    : memory(memoryNeeded(settings, workers.count, hall)) {
-    Gl gl = hall ? openGl() : Gl{};
-    if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
-        throw std::runtime_error(wrong);
-}
-
 Viewer::Viewer(int width, int height, double from, double to)
     : width(width), height(height), from(from), to(to), workers(allProcessors()) {}
 
@@ -86,7 +78,7 @@ Intro &Viewer::of(int w, int h) {
     if (!theatre) {
         IntroSettings settings = {w, h};
         settings.pairs = true;
-        theatre = std::make_unique<Theatre>(settings, workers, needsHall(from, to));
+        theatre = std::make_unique<Theatre>(settings, workers, from, to);
     }
     return *theatre->intro;
 }

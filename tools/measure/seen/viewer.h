@@ -3,9 +3,7 @@
 // well as coarse ones.
 #pragma once
 
-#include "intro.h"
-#include "tools/common/heap_arena.h"
-#include "tools/common/machine.h"
+#include "tools/measure/detect/screening.h"
 #include "tools/measure/seen/shown.h"
 
 #include <map>
@@ -33,14 +31,6 @@ struct Seen {
     double srgbPsnr() const;
 };
 inline constexpr double kMostPsnr = 99; // of pictures that are the same
-
-// The film, loaded for pictures of one size.
-struct Theatre {
-    // Throws std::runtime_error.
-    Theatre(const IntroSettings &settings, Workers &workers, bool hall);
-    HeapArena memory;
-    Intro *intro = nullptr; // in the arena
-};
 
 class Viewer {
 public:
