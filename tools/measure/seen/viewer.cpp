@@ -103,9 +103,10 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
     SeenPicture perceived;
     int last = -1;
     for (long n = (long)std::ceil(begin * kScreenRate - 1e-6); (double)n < end * kScreenRate - 1e-6; ++n) {
-        // A little after the moment, or rounding would decide which picture stands there
+        // What stands there in the middle of its sixtieth: a picture that took some milliseconds to come on
+        // the screen has come, as on a screen that shows it a little later than it was given
         double moment = (double)n / kScreenRate;
-        int i = standsAt(list, moment + 1e-6);
+        int i = standsAt(list, moment + 0.5 / kScreenRate);
         if (i < 0) throw Refused("nothing was shown before " + std::to_string(moment) + " s");
         if (i != last) {
             standing = made(list, i);

@@ -1,6 +1,6 @@
-// What is seen of the pictures that were shown: every sixtieth of a second, what stands on the screen is
-// compared with the film's picture of that very moment. So pictures that come late or too seldom count, as
-// well as coarse ones.
+// What is seen of the pictures that were shown: every sixtieth of a second, what stands on the screen (in the
+// middle of it) is compared with the film's picture of that very moment. So pictures that come late or too
+// seldom count, as well as coarse ones.
 #pragma once
 
 #include "tools/measure/detect/screening.h"
