@@ -14,11 +14,13 @@
 #include "intro.h"
 #include "options.h"
 #include "play/music.h"
+#include "record.h"
 #include "timeline/track.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -119,9 +121,22 @@ int fail(const char *line) {
     return 1;
 }
 
+// Takes "--shown FILE" out of the words, which odraz itself does not know; null: it is not there.
+const char *takeShown(int &argc, char **argv) {
+    for (int i = 1; i + 1 < argc; ++i) {
+        if (std::string(argv[i]) != "--shown") continue;
+        const char *file = argv[i + 1];
+        argc -= 2;
+        std::copy(argv + i + 2, argv + argc + 2, argv + i);
+        return file;
+    }
+    return nullptr;
+}
+
 } // namespace
 
 int main(int argc, char **argv) {
+    const char *shown = takeShown(argc, argv);
     Options o;
     Message wrong;
     if (!parseOptions(argc, argv, duration(), o, wrong)) {
@@ -129,10 +144,15 @@ int main(int argc, char **argv) {
         return 2;
     }
     if (o.help) {
-        std::puts("usage: odraz-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
-                  "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC");
+        std::puts(
+            "usage: odraz-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
+            "       odraz-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
+            "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"
+            "--shown plays the film as odraz does, and writes which pictures were shown, and when, for\n"
+            "build/seen.");
         return 0;
     }
+    if (shown) return recordShown(o, shown);
     static const int never = 0;
     Workers workers;
     if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never))

@@ -1,5 +1,6 @@
 #include "play/player.h"
 
+#include "base/for_tools.h"
 #include "host/clock.h"
 #include "host/process.h"
 #include "host/threads.h"
@@ -38,14 +39,13 @@ struct Player {
     int sceneOf(double time) const { return sceneAt(time); }
     Pace paceOf(int scene) const { return odraz::paceOf(scene); }
     void trace(Made &m, int slot, const Governor &governor) {
-        TracedSize size = governor.size();
         m.picture = picture(*intro, slot, m.time,
                             options->quality == QualityName::Count ? governor.quality()
                                                                    : options->qualityOr(QualityName::Play),
-                            nullptr, size);
-        if (!size.width) size = {m.picture.width, m.picture.height};
-        m.width = size.width;
-        m.samples = (float)samplesTaken(*intro) / (float)(size.width * size.height);
+                            nullptr, m.size = governor.size());
+        if (!m.size.width) m.size = {m.picture.width, m.picture.height};
+        if (kForTools) m.level = governor.level();
+        m.samples = (float)samplesTaken(*intro) / (float)(m.size.width * m.size.height);
     }
     void between(Made &m, int earlier, int later) { m.picture = odraz::between(*intro, earlier, later); }
     unsigned add(const Made &m) { return queue.add(m); }
@@ -68,7 +68,8 @@ Player thePlayer;
 
 } // namespace
 
-int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const int *leave, int64_t began) {
+int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const int *leave, int64_t began,
+         const Recorder *recorder) {
     double from = seconds(o.from), to = seconds(o.to);
     Player &p = thePlayer;
     p.intro = &intro, p.options = &o, p.leave = leave, p.to = to;
@@ -107,10 +108,13 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             ++s.shown;
             s.present.add(shown - before);
         }
+        if (kForTools && recorder)
+            recorder->tell(recorder->context, m,
+                           turn == Queue::kShows ? theMusic.clock.at(nanoseconds()) : -1);
         if (m.trace > 0) {
             ++s.traced;
             s.samples += m.samples;
-            s.width += m.width;
+            s.width += m.size.width;
             s.trace.add((int64_t)(m.trace * 1e9f));
         } else {
             ++s.between;

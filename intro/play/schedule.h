@@ -12,7 +12,8 @@ struct Made {
     double time;       // of the film, in seconds
     float trace, make; // seconds that tracing it took, or making it between two others; the other one is 0
     float samples;     // per traced pixel
-    int width;         // that was traced, in pixels
+    TracedSize size;
+    float level; // of the quality that it was traced at, for tools alone
 };
 
 // Made pictures in the order in which they are shown. One thread adds to it and another one shows. Zero at

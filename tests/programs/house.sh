@@ -33,7 +33,9 @@ play            base host intro.h options.h output
 doctor.h        base
 doctor.cpp      base host start output doctor.h
 main.cpp        base host start intro.h options.h output play doctor.h
-main_debug.cpp  base host timeline intro.h options.h play
+record.h        base trace/quality.h options.h
+record.cpp      base host intro.h options.h output play record.h
+main_debug.cpp  base host timeline intro.h options.h play record.h
 END
 # ... and of the system's headers
 cat >"$WORK/system" <<'END'
@@ -43,6 +45,7 @@ host            stddef.h stdint.h
 host/cpu.cpp    cpuid.h
 host/linux      *
 start           stddef.h stdint.h
+record.cpp      *
 main_debug.cpp  *
 END
 

@@ -1,0 +1,90 @@
+#include "record.h"
+
+#include "host/clock.h"
+#include "host/cpu.h"
+#include "host/process.h"
+#include "host/threads.h"
+#include "output/output.h"
+#include "play/player.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace odraz {
+
+namespace {
+
+struct Row {
+    Made made;
+    double at;
+    bool between() const { return made.trace == 0; }
+};
+
+void tell(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows)->push_back({made, at}); }
+
+std::string listOf(std::vector<Row> rows) {
+    // An in-between is told with the two that it is made of, and has the level of the later one
+    while (!rows.empty() && rows.back().between()) rows.pop_back();
+    std::string text = "at,time,kind,level,width,height\n";
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const Row &row = rows[i];
+        char line[160];
+        std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d\n", row.at, row.made.time,
+                      row.between() ? "between" : "traced", (double)rows[i + row.between()].made.level,
+                      row.made.picture.width, row.made.picture.height);
+        text += line;
+    }
+    return text;
+}
+
+} // namespace
+
+// What is wrong with the words, or with where to write: better told before minutes of film than after them.
+static int refused(const Options &o, const char *to) {
+    const char *wrong = nullptr;
+    if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
+    if (o.quality != QualityName::Count) wrong = "--shown plays as the governor says: leave out --quality";
+    if (o.stats && isStdout(to)) wrong = "--shown - and --stats cannot both go to standard output";
+    if (wrong) return complain(wrong), 2;
+    int closed = prepareDescriptors();
+    if (int status = checkOutput(to, closed & 2)) return status;
+    std::string folder = to;
+    folder = folder.find('/') == std::string::npos ? "." : folder.substr(0, folder.rfind('/') + 1);
+    return !isStdout(to) && access(folder.c_str(), W_OK) ? cannotWrite(to, std::strerror(errno)) : 0;
+}
+
+int recordShown(const Options &o, const char *to) {
+    if (int status = refused(o, to)) return status;
+    int64_t began = nanoseconds();
+    static int leave = 0; // the window's thread sets it
+    static Workers workers;
+    int count = o.threads ? o.threads : cpuCount();
+    if (const char *missing = startWorkers(workers, count, &leave)) return complain(missing);
+    IntroSettings settings = {o.width, o.height};
+    settings.pairs = true;
+    bool hall = needsHall(seconds(o.from), seconds(o.to));
+    size_t bytes = memoryNeeded(settings, workers.count, hall) + soundMemory();
+    Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
+    if (!arena.base) return complain("not enough memory: try a smaller --size");
+    static FilmWindow window;
+    {
+        Quiet libraries;
+        if (const char *wrong = openWindow(window, false, o.width, o.height, &leave)) return complain(wrong);
+    }
+    Intro *intro;
+    if (const char *wrong =
+            load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
+        return complain(wrong);
+    std::vector<Row> rows;
+    Recorder recorder = {tell, &rows};
+    if (int status = play(*intro, o.mute ? nullptr : loadSound(arena), o, window, &leave, began, &recorder))
+        return status;
+    std::string text = listOf(rows);
+    return writeOutput(to, text.data(), text.size());
+}
+
+} // namespace odraz
