@@ -1,5 +1,5 @@
-// trace_once: traces one subject once, for programs that count instructions
-// (tools/measure/bench/instructions).
+// trace_once: traces one subject once, or makes one picture of the film, for programs that count instructions
+// (tools/measure/bench/instructions, tools/measure/seen/costs).
 //
 // Under such a program solving the hall takes half an hour. So one run poses the scene and another traces it.
 // Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
@@ -25,20 +25,29 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
+    "       trace_once film FILE SECONDS SETTING [WIDTH HEIGHT]\n"
+    "                                                    keeps the film, and its pictures a sixtieth of a\n"
+    "                                                    second before and after a moment\n"
     "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
     "       trace_once bare FILE                         ... as without glare\n"
+    "       trace_once picture FILE SETTING              makes the film's picture of the moment, as it is "
+    "shown\n"
+    "       trace_once between FILE                      makes it from the two that are kept\n"
     "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
     "medians\n"
     "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
     "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n";
+
+constexpr double kStep = 1 / 60.0; // seconds
 
 struct Kept {
     Intro *intro; // stands after this header
     View view;
     IntroSettings settings;
     char scene[64];
+    double seconds; // of the film, if that is kept
 };
 
 size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
@@ -55,18 +64,44 @@ void *map(const std::string &file, size_t bytes, bool make) {
     return place;
 }
 
-void pose(const std::string &file, const std::string &scene, const IntroSettings &settings) {
-    auto [name, camera] = findPicture(scene);
+// What may run on other threads is counted under this name.
+[[gnu::noinline]] void inParallel(Workers &w, int count, int size, void (*body)(const void *, int, int, int),
+                                  const void *context) {
+    serialWorkers().run(w, count, size, body, context);
+}
+Workers oneWorker() {
+    Workers workers = serialWorkers();
+    workers.run = inParallel;
+    return workers;
+}
+
+Kept &keep(const std::string &file, const IntroSettings &settings, Workers &workers, bool hall) {
     size_t bytes = bytesFor(settings);
     Kept &kept = *(Kept *)map(file, bytes, true);
     Arena arena = {(unsigned char *)&kept, bytes, sizeof(Kept)};
-    Workers workers = serialWorkers();
-    Gl gl = name.hall ? openGl() : Gl{};
+    Gl gl = hall ? openGl() : Gl{};
     kept.settings = settings;
-    std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
-    if (const char *missing = load(kept.intro, settings, arena, workers, name.hall ? &gl : nullptr))
+    if (const char *missing = load(kept.intro, settings, arena, workers, hall ? &gl : nullptr))
         throw std::runtime_error(missing);
+    return kept;
+}
+
+void pose(const std::string &file, const std::string &scene, const IntroSettings &settings) {
+    auto [name, camera] = findPicture(scene);
+    Workers workers = serialWorkers();
+    Kept &kept = keep(file, settings, workers, name.hall);
+    std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
     kept.view = poseSubject(name, camera, settings, kept.intro->film);
+}
+
+// An in-between is made from pictures that stand as far apart as in the film.
+void keepFilm(const std::string &file, double seconds, const Quality &setting, IntroSettings settings) {
+    settings.pairs = true;
+    Workers workers = serialWorkers();
+    Kept &kept = keep(file, settings, workers, needsHall(seconds - kStep, seconds + kStep));
+    kept.seconds = seconds;
+    picture(*kept.intro, 0, seconds - kStep, setting);
+    picture(*kept.intro, 1, seconds + kStep, setting);
 }
 
 // A process can start one set of threads only: each number of threads needs a run of its own.
@@ -84,6 +119,16 @@ void time(const std::string &scene, const Quality &setting, int threads) {
     std::printf("%.1f %.1f\n", median(clock), median(processors));
 }
 
+IntroSettings sizeAfter(Arguments &words) {
+    IntroSettings settings = {1280, 720};
+    if (const char *width = words.next()) {
+        settings.width = std::atoi(width);
+        settings.height = words.whole("WIDTH", 16, kMaxHeight);
+    }
+    if (settings.width < 16 || settings.width > kMaxWidth) throw Refused("pictures are 16x16 to 7680x4320");
+    return settings;
+}
+
 int run(Arguments &words) {
     auto needed = [&] {
         const char *word = words.next();
@@ -91,9 +136,11 @@ int run(Arguments &words) {
         return std::string(word);
     };
     std::string what = needed();
-    if (what != "pose" && what != "again" && what != "trace" && what != "develop" && what != "bare" &&
-        what != "time")
-        words.refuse(what);
+    bool known = false;
+    for (const char *verb :
+         {"pose", "film", "again", "trace", "develop", "bare", "picture", "between", "time"})
+        known |= what == verb;
+    if (!known) words.refuse(what);
     std::string file = needed();
     if (what == "time") {
         Quality setting = settingOf(needed());
@@ -102,23 +149,26 @@ int run(Arguments &words) {
     }
     if (what == "pose") {
         std::string scene = needed();
-        IntroSettings settings = {1280, 720};
-        if (const char *width = words.next()) {
-            settings.width = std::atoi(width);
-            settings.height = std::atoi(needed().c_str());
-        }
-        if (settings.width < 16 || settings.width > kMaxWidth || settings.height < 16 ||
-            settings.height > kMaxHeight)
-            throw Refused("pictures are 16x16 to 7680x4320");
-        pose(file, scene, settings);
+        pose(file, scene, sizeAfter(words));
         return 0;
     }
-    Quality setting = what == "trace" ? settingOf(needed()) : kQualities[0];
+    if (what == "film") {
+        double seconds = words.number("film", 0, duration());
+        Quality setting = settingOf(needed());
+        keepFilm(file, seconds, setting, sizeAfter(words));
+        return 0;
+    }
+    Quality setting = what == "trace" || what == "picture" ? settingOf(needed()) : kQualities[0];
     Kept &kept = *(Kept *)map(file, 0, false);
     Intro &intro = *kept.intro;
-    Workers workers = serialWorkers();
+    Workers workers = oneWorker();
+    intro.workers = &workers;
     if (what == "trace")
         traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, setting, intro.frame);
+    else if (what == "picture")
+        picture(intro, 0, kept.seconds, setting);
+    else if (what == "between")
+        between(intro, 0, 1);
     else if (what == "again") {
         auto [name, camera] = findPicture(kept.scene);
         poseSubject(name, camera, kept.settings, intro.film);

@@ -1,0 +1,87 @@
+// Tests the table of what pictures cost.
+#include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/seen/costs.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+constexpr char kHead[] = "seconds,kind,quality,width,height,serial,parallel\n";
+
+// A moment: all costs are multiples of `unit` millions.
+std::string momentAt(double seconds, int unit) {
+    std::string rows;
+    auto add = [&](const char *kind, const char *quality, const char *size, int serial, int parallel) {
+        rows += std::to_string(seconds) + "," + kind + "," + quality + "," + size + "," +
+                std::to_string(serial * unit * 1000) + "," + std::to_string(parallel * unit * 1000) + "\n";
+    };
+    for (const char *size : {"640,360", "1280,720"}) {
+        int more = size[0] == '1' ? 3 : 1;
+        add("between", "draft", size, 2, 30 * more);
+        add("between", "play", size, 2, 40 * more);
+        add("picture", "draft", size, 1, 50 * more);
+        add("picture", "play", size, 1, 100 * more);
+    }
+    add("picture", "film", "640,360", 1, 400);
+    return rows;
+}
+// The table and its shot: 16 to 40 s, 40 to 64 s.
+Costs sample() { return Costs(kHead + momentAt(20, 1) + momentAt(30, 2) + momentAt(50, 7)); }
+constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
+
+TEST(Costs, AreThoseCounted) {
+    Costs costs = sample();
+    EXPECT_NEAR(costs.of({20, 1, kSmall, false}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({20, 1, kLarge, false}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({30, 2, kLarge, false}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({20, 2, kSmall, true}).parallel, 30e6, 1);
+    EXPECT_NEAR(costs.of({20, 2, kSmall, true}).serial, 2e6, 1);
+}
+
+TEST(Costs, AreInterpolated) {
+    Costs costs = sample();
+    EXPECT_NEAR(costs.of({25, 1, kSmall, false}).parallel, 150e6, 1) << "time, linear";
+    EXPECT_NEAR(costs.of({20, 1.5f, kSmall, false}).parallel, 100e6 / std::sqrt(2.), 1)
+        << "level, by logarithm";
+    EXPECT_NEAR(costs.of({20, 0.5f, kSmall, false}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({20, 1, 2 * kSmall, false}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
+    EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).parallel, 900e6, 1) << "... and beyond";
+    EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).serial, 1e6, 1);
+    EXPECT_NEAR(costs.of({20, 0, kLarge, false}).parallel, 1200e6, 1) << "film grows as play does";
+    EXPECT_NEAR(costs.of({20, 0.2f, kSmall, true}).parallel, 40e6, 1) << "no in-between is better than play";
+}
+
+TEST(Costs, NeverCrossACut) {
+    Costs costs = sample();
+    EXPECT_NEAR(costs.of({16, 1, kSmall, false}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({39.9, 1, kSmall, false}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({40.1, 1, kSmall, false}).parallel, 700e6, 1);
+    EXPECT_THROW(costs.of({70, 1, kSmall, false}), Refused);
+}
+
+TEST(Costs, WhatIsWrongIsTold) {
+    auto wrongIn = [](const std::string &text) -> std::string {
+        try {
+            Costs costs(text);
+        } catch (const Refused &why) {
+            return why.what();
+        }
+        return "";
+    };
+    std::string good = kHead + momentAt(20, 1);
+    EXPECT_EQ(wrongIn(good), "");
+    EXPECT_EQ(wrongIn("seconds\n").substr(0, 7), "line 1:");
+    EXPECT_EQ(wrongIn(good + "1\n").substr(0, 8), "line 11:");
+    for (const char *row :
+         {"20,made,play,64,36,1,1", "20,picture,reference,64,36,1,1", "20,picture,play,0,36,1,1",
+          "20,picture,play,64,36,-1,1", "20,picture,play,64,36,1,nan", "1,picture,play,64,36,1,1",
+          "1e9,picture,play,64,36,1,1", "20,picture,play,64,36,1,1,1"})
+        EXPECT_NE(wrongIn(good + row + "\n"), "") << row;
+    EXPECT_NE(wrongIn(good + "30,picture,play,64,36,1,1\n"), "") << "too few counts";
+}
+
+} // namespace
