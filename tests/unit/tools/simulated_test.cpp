@@ -1,0 +1,79 @@
+// Tests the simulated player, with costs that the test makes up.
+#include "tools/measure/seen/simulated.h"
+
+#include "play/governor.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+// A film whose scenes cost very differently, and grow with quality as the tracer's do.
+Cost cost(const Pictured &p) {
+    double unit = 1 + std::fmod(std::floor(p.seconds / 16) * 2.7, 4);
+    if (p.between) return {3e6, 250 * p.pixels * unit};
+    return {3e6, 300 * p.pixels * unit * std::pow(p.level < 1 ? 3 : 2, 1 - p.level)};
+}
+constexpr double kFrom = 10, kTo = 60;
+std::vector<Shown> played(double giga, double cheaper = 1) {
+    return simulate(
+        [=](const Pictured &p) {
+            Cost c = cost(p);
+            return Cost{c.serial / cheaper, c.parallel / cheaper};
+        },
+        {giga * 1e9, 4, 1280, 720, kPresenting / cheaper}, kFrom, kTo);
+}
+
+TEST(Simulated, ListsAreWellFormed) {
+    for (double giga : {0.5, 4., 14., 64., 1e6}) {
+        std::vector<Shown> list = played(giga);
+        EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list)) << giga;
+        EXPECT_EQ(printShown(played(giga)), printShown(list)) << "the same every time";
+        for (const Shown &s : list)
+            ASSERT_TRUE(s.at < 0 || s.at >= s.time - 1e-3) << "nothing is shown before its time";
+    }
+}
+
+TEST(Simulated, WithoutLimitAllIsTracedAsWellAsCanBe) {
+    std::vector<Shown> list = simulate(
+        [](const Pictured &) {
+            return Cost{0, 0};
+        },
+        {1e30, 8, 1280, 720}, 0, 10);
+    int traced = 0, between = 0;
+    for (const Shown &s : list) {
+        EXPECT_GE(s.at, 0);
+        EXPECT_NEAR(s.at, s.time, 1e-6);
+        ++(s.between ? between : traced);
+    }
+    EXPECT_EQ(traced + between, 600);
+    EXPECT_LE(between, 3) << "until the governor has noticed";
+    EXPECT_EQ(list.back().level, Governor::kBest);
+}
+
+TEST(Simulated, CheaperIsAsGoodAsFaster) {
+    EXPECT_EQ(printShown(played(14, 2)), printShown(played(28)));
+    EXPECT_NE(printShown(played(14)), printShown(played(28)));
+}
+
+TEST(Simulated, FasterMachinesShowNoLess) {
+    for (double giga = 2; giga <= 64; giga *= 1.3) {
+        std::vector<PlayedScene> slow = summary(played(giga)), fast = summary(played(2 * giga));
+        ASSERT_EQ(slow.size(), 3u); // point, table, flake
+        for (size_t i = 0; i < slow.size(); ++i)
+            EXPECT_GE(fast[i].shown, slow[i].shown - 1) << giga << ' ' << slow[i].scene;
+    }
+}
+
+TEST(Simulated, CoresShareWhatIsParallel) {
+    auto shown = [](int cores, Cost each) {
+        return summary(simulate([=](const Pictured &) { return each; }, {8e9, cores, 640, 360}, 20, 30))[0]
+            .shown;
+    };
+    EXPECT_EQ(shown(1, {1, 400e6}), shown(8, {1, 400e6}));
+    EXPECT_GT(shown(1, {50e6, 1}), 3 * shown(8, {50e6, 1}));
+}
+
+} // namespace

@@ -1,0 +1,44 @@
+// The film's player on a machine that we do not have: its own decisions (play/schedule.h, play/governor.h),
+// on a clock that counted instructions move. There is no noise, so the same numbers come out everywhere.
+#pragma once
+
+#include "tools/measure/seen/costs.h"
+#include "tools/measure/seen/shown.h"
+
+#include <functional>
+
+namespace odraz {
+
+// Uploading a picture and drawing it: 1.3 ms of a core of 7 G instructions a second at 1280x720, as --stats
+// tells for OpenGL in software.
+inline constexpr double kPresenting = 10;
+
+struct Machine {
+    double rate;                     // instructions a second, of all cores
+    int cores;                       // that share it
+    int width, height;               // pixels of its screen
+    double presenting = kPresenting; // instructions that showing a pixel takes
+};
+
+// What a picture costs. A table's Costs::of(), or a test's own.
+using CostOf = std::function<Cost(const Pictured &)>;
+
+// Plays the film from one second to another and returns which pictures were made and when they were shown, in
+// order. The parallel part of making a picture takes as long as all cores need for it, the serial one as long
+// as one core does. Showing takes a core's time, which those that trace lack; it begins at a sixtieth of a
+// second, and these count from the film's first picture. What else the system does costs nothing.
+std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to);
+
+// What was done for a scene, by the pictures' own times.
+struct PlayedScene {
+    int scene;
+    double seconds; // that the list covers
+    int traced, between, shown;
+    double level, pixels; // means, over the traced ones and over all
+};
+// The scenes that a list shows, in the film's order, from its first picture to its last one.
+std::vector<PlayedScene> summary(const std::vector<Shown> &list);
+// ... as CSV: "scene,seconds,traced,between,shown,a_second,level,megapixels".
+std::string printSummary(const std::vector<PlayedScene> &scenes);
+
+} // namespace odraz
