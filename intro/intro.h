@@ -65,7 +65,7 @@ inline constexpr int kSlots = 2; // places for pictures, 0 and 1
 
 // How many pixels of a picture are traced; 0: as many as it has.
 struct TracedSize {
-    int width = 0, height = 0;
+    int width, height;
 };
 inline constexpr int kMostEnlarged = 2560; // width of pictures that may be traced in fewer pixels
 

@@ -23,7 +23,7 @@ std::vector<Shown> played(double giga, double cheaper = 1) {
             Cost c = cost(p);
             return Cost{c.serial / cheaper, c.parallel / cheaper};
         },
-        {giga * 1e9, 4, 1280, 720, kPresenting / cheaper}, kFrom, kTo);
+        {giga * 1e9, 4, 1280, 720, kPresenting / cheaper, kEnlarging / cheaper}, kFrom, kTo);
 }
 
 TEST(Simulated, ListsAreWellFormed) {
@@ -54,8 +54,8 @@ TEST(Simulated, WithoutLimitAllIsTracedAsWellAsCanBe) {
 }
 
 TEST(Simulated, CheaperIsAsGoodAsFaster) {
-    EXPECT_EQ(printShown(played(14, 2)), printShown(played(28)));
-    EXPECT_NE(printShown(played(14)), printShown(played(28)));
+    EXPECT_TRUE(printShown(played(14, 2)) == printShown(played(28)));
+    EXPECT_FALSE(printShown(played(14)) == printShown(played(28)));
 }
 
 TEST(Simulated, FasterMachinesShowNoLess) {
@@ -63,7 +63,7 @@ TEST(Simulated, FasterMachinesShowNoLess) {
         std::vector<PlayedScene> slow = summary(played(giga)), fast = summary(played(2 * giga));
         ASSERT_EQ(slow.size(), 3u); // point, table, flake
         for (size_t i = 0; i < slow.size(); ++i)
-            EXPECT_GE(fast[i].shown, slow[i].shown - 1) << giga << ' ' << slow[i].scene;
+            EXPECT_GE(fast[i].shown, 0.99 * slow[i].shown) << giga << ' ' << slow[i].scene;
     }
 }
 

@@ -24,8 +24,8 @@ static constexpr char kUsage[] =
     "only tells what was shown, by scene. --judged looks at a smaller screen, with all pictures smaller\n"
     "alike, which is faster.\n"
     "Each shot has --windows windows of --length seconds, evenly spaced; or there are windows that begin\n"
-    "--at a moment. Pictures of another size than the\n"
-    "screen are scaled by Catmull and Rom's cubic. Writes a CSV to stdout; \"fresh\" counts new pictures.\n";
+    "--at a moment. Pictures traced in fewer pixels than the screen has are scaled up as the film does it.\n"
+    "Writes a CSV to stdout; \"fresh\" counts new pictures.\n";
 
 namespace {
 

@@ -71,9 +71,9 @@ std::vector<Shown> parseShown(const std::string &csv) {
         lastAt = std::max(s.at, lastAt);
         if (s.between && (list.empty() || list.back().between))
             throw wrong("an in-between needs a traced picture before it");
-        if (!list.empty() && (s.between || list.back().between) &&
+        if (!list.empty() && list.back().between &&
             (list.back().width != s.width || list.back().height != s.height))
-            throw wrong("an in-between has the size of both that it is made of");
+            throw wrong("the in-between before it must have its size");
         list.push_back(s);
     }
     if (!number) throw Refused("it is empty");

@@ -14,7 +14,7 @@ struct Shown {
     double time;       // seconds of the film that it shows
     bool between;      // made half-way between the traced ones before and after it in the list
     float level;       // of quality, if it was traced: 0 film, 1 play, 2 draft, and all between these
-    int width, height; // pixels that it has
+    int width, height; // pixels traced; an in-between has those of the picture behind it
 };
 
 // The quality of a level, as the governor blends it.

@@ -28,6 +28,7 @@ public:
 
     std::vector<Shown> play() {
         Governor governor;
+        governor.tradePixels(machine.width, machine.height);
         makePictures(*this, governor, from);
         if (begin < 0) begin = moment; // so short that it never got ahead
         showUntil(begin + nanosecondsOf(to - from));
@@ -40,9 +41,11 @@ public:
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
     }
     int sceneOf(double time) const { return sceneAt(time); }
+    Pace paceOf(int scene) const { return odraz::paceOf(scene); }
     void trace(Made &m, int, const Governor &governor) {
         before = traced;
-        traced = {-1, m.time, false, governor.level, machine.width, machine.height};
+        TracedSize size = governor.size();
+        traced = {-1, m.time, false, governor.level(), size.width, size.height};
         make(traced);
     }
     void between(Made &m, int, int) {
@@ -75,6 +78,7 @@ private:
     // Passes the time that a picture takes. Showing others meanwhile takes its share of all cores.
     void make(const Shown &s) {
         Cost cost = costOf({s.time, s.level, (double)s.width * s.height, s.between});
+        if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int already = -1; already != presented;) {
             already = presented;
@@ -132,26 +136,24 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list) {
         scenes.back().seconds += end - begin;
     }
     for (PlayedScene &scene : scenes) {
-        int all = 0;
         for (const Shown &s : list) {
             if (sceneAt(s.time) != scene.scene) continue;
-            ++all;
             ++(s.between ? scene.between : scene.traced);
             scene.shown += s.at >= 0;
             scene.level += s.between ? 0 : (double)s.level;
-            scene.pixels += (double)s.width * s.height;
+            scene.width += s.between ? 0 : s.width;
         }
         scene.level /= std::max(1, scene.traced);
-        scene.pixels /= std::max(1, all);
+        scene.width /= std::max(1, scene.traced);
     }
     return scenes;
 }
 
 std::string printSummary(const std::vector<PlayedScene> &scenes) {
-    std::string text = "scene,seconds,traced,between,shown,a_second,level,megapixels\n";
+    std::string text = "scene,seconds,traced,between,shown,a_second,level,width\n";
     for (const PlayedScene &s : scenes)
-        print(text, "%s,%.2f,%d,%d,%d,%.1f,%.2f,%.2f\n", sceneName(s.scene), s.seconds, s.traced, s.between,
-              s.shown, s.shown / s.seconds, s.level, s.pixels / 1e6);
+        print(text, "%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f\n", sceneName(s.scene), s.seconds, s.traced, s.between,
+              s.shown, s.shown / s.seconds, s.level, s.width);
     return text;
 }
 

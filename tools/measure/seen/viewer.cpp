@@ -11,27 +11,6 @@ namespace odraz {
 namespace {
 
 constexpr int kScreenRate = 60;
-constexpr int kTaps = 4;
-
-// Where a line of `from` values is read, and with which weights, to have `to` of them.
-struct Taps {
-    int at[kTaps];
-    float weight[kTaps];
-};
-std::vector<Taps> tapsOf(int from, int to) {
-    std::vector<Taps> all((size_t)to);
-    for (int i = 0; i < to; ++i) {
-        double x = (i + 0.5) * from / to - 0.5, whole = std::floor(x), t = x - whole;
-        double weights[] = {((-t + 2) * t - 1) * t / 2, ((3 * t - 5) * t * t + 2) / 2,
-                            ((-3 * t + 4) * t + 1) * t / 2, (t - 1) * t * t / 2};
-        for (int k = 0; k < kTaps; ++k) {
-            all[(size_t)i].at[k] = std::clamp((int)whole + k - 1, 0, from - 1);
-            all[(size_t)i].weight[k] = (float)weights[k];
-        }
-    }
-    return all;
-}
-
 std::vector<uint8_t> rgbOf(const Picture &p) {
     std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
     for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
@@ -40,65 +19,36 @@ std::vector<uint8_t> rgbOf(const Picture &p) {
 
 } // namespace
 
-std::vector<uint8_t> scaled(const std::vector<uint8_t> &rgb, int width, int height, int toWidth,
-                            int toHeight) {
-    if (width == toWidth && height == toHeight) return rgb;
-    std::vector<Taps> across = tapsOf(width, toWidth), down = tapsOf(height, toHeight);
-    std::vector<float> rows((size_t)height * (size_t)toWidth * 3);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < toWidth; ++x)
-            for (int c = 0; c < 3; ++c) {
-                float sum = 0;
-                const Taps &t = across[(size_t)x];
-                for (int k = 0; k < kTaps; ++k)
-                    sum += t.weight[k] *
-                           (float)rgb[((size_t)y * (size_t)width + (size_t)t.at[k]) * 3 + (size_t)c];
-                rows[((size_t)y * (size_t)toWidth + (size_t)x) * 3 + (size_t)c] = sum;
-            }
-    size_t row = (size_t)toWidth * 3;
-    std::vector<uint8_t> out((size_t)toHeight * row);
-    for (int y = 0; y < toHeight; ++y)
-        for (size_t x = 0; x < row; ++x) {
-            float sum = 0;
-            const Taps &t = down[(size_t)y];
-            for (int k = 0; k < kTaps; ++k) sum += t.weight[k] * rows[(size_t)t.at[k] * row + x];
-            out[(size_t)y * row + x] = (uint8_t)std::clamp(sum + 0.5f, 0.f, 255.f);
-        }
-    return out;
-}
-
 double Seen::linearPsnr() const { return std::min(kMostPsnr, psnr(linear, (size_t)sixtieths)); }
 double Seen::srgbPsnr() const { return std::min(kMostPsnr, psnr(srgb, (size_t)sixtieths)); }
 
-Viewer::Viewer(int width, int height, double from, double to)
-    : width(width), height(height), from(from), to(to), workers(allProcessors()) {}
-
-Intro &Viewer::of(int w, int h) {
-    auto &theatre = theatres[{w, h}];
-    if (!theatre) {
-        IntroSettings settings = {w, h};
-        settings.pairs = true;
-        theatre = std::make_unique<Theatre>(settings, workers, from, to);
-    }
-    return *theatre->intro;
+static IntroSettings inPairs(int width, int height) {
+    IntroSettings settings = {width, height};
+    settings.pairs = true;
+    return settings;
 }
 
-// A picture of the list, as large as the screen.
-std::vector<uint8_t> Viewer::made(const std::vector<Shown> &list, int i) {
-    const Shown &s = list[(size_t)i];
-    Intro &intro = of(s.width, s.height);
-    auto traced = [&](int slot, const Shown &t) { return picture(intro, slot, t.time, qualityOf(t.level)); };
-    Picture p = {};
-    if (s.between) {
-        traced(0, list[(size_t)i - 1]);
-        traced(1, list[(size_t)i + 1]);
-        p = between(intro, 0, 1);
-    } else
-        p = traced(0, s);
-    return scaled(rgbOf(p), s.width, s.height, width, height);
+Viewer::Viewer(int width, int height, double from, double to)
+    : workers(allProcessors()), theatre(inPairs(width, height), workers, from, to) {}
+
+// A picture of the list, as it stands on the screen.
+Picture Viewer::made(const std::vector<Shown> &list, int i) {
+    auto traced = [&](int slot, const Shown &s) {
+        return picture(*theatre.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height});
+    };
+    if (!list[(size_t)i].between) return traced(0, list[(size_t)i]);
+    traced(0, list[(size_t)i - 1]);
+    traced(1, list[(size_t)i + 1]);
+    return between(*theatre.intro, 0, 1);
 }
 
 void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen &seen) {
+    int width = theatre.intro->width, height = theatre.intro->height;
+    for (const Shown &s : list)
+        if (s.width > width || s.height > height || (s.width < width && width > kMostEnlarged))
+            throw Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
+                          " are not scaled to a screen of " + std::to_string(width) + "x" +
+                          std::to_string(height));
     std::vector<uint8_t> standing;
     SeenPicture perceived;
     int last = -1;
@@ -109,13 +59,13 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
         int i = standsAt(list, moment + 0.5 / kScreenRate);
         if (i < 0) throw Refused("nothing was shown before " + std::to_string(moment) + " s");
         if (i != last) {
-            standing = made(list, i);
+            standing = rgbOf(made(list, i));
             perceived = see(standing, width, height);
             seen.fresh += last >= 0;
             last = i;
         }
         std::vector<uint8_t> truth =
-            rgbOf(picture(of(width, height), 0, moment, kQualities[(int)QualityName::Film]));
+            rgbOf(picture(*theatre.intro, 0, moment, kQualities[(int)QualityName::Film]));
         double linear = 0, srgb = 0;
         for (size_t k = 0; k < truth.size(); ++k) {
             double a = (linearOfSrgb(truth[k]) - linearOfSrgb(standing[k])) * 255, b = truth[k] - standing[k];

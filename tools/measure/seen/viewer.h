@@ -6,14 +6,7 @@
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/seen/shown.h"
 
-#include <map>
-#include <memory>
-
 namespace odraz {
-
-// Scales eight-bit sRGB, three bytes a pixel, by Catmull and Rom's cubic; larger or smaller, of any aspect.
-std::vector<uint8_t> scaled(const std::vector<uint8_t> &rgb, int width, int height, int toWidth,
-                            int toHeight);
 
 // Sums over the sixtieths of a second.
 struct Seen {
@@ -39,17 +32,14 @@ public:
     Viewer(int width, int height, double from, double to);
 
     // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing stands on
-    // the screen at one of them.
+    // the screen at one of them, or if a picture has more pixels than the screen.
     void look(const std::vector<Shown> &list, double from, double to, Seen &seen);
 
 private:
-    std::vector<uint8_t> made(const std::vector<Shown> &list, int i);
-    Intro &of(int width, int height);
+    Picture made(const std::vector<Shown> &list, int i);
 
-    int width, height;
-    double from, to;
     Workers workers;
-    std::map<std::pair<int, int>, std::unique_ptr<Theatre>> theatres; // by the size of their pictures
+    Theatre theatre;
 };
 
 } // namespace odraz
