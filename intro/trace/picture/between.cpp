@@ -11,9 +11,14 @@ constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a bo
 constexpr int kBeam = 16,
               kBeams = kTile / kBeam + 1; // pixels; beams along the side of a tile with its border
 constexpr uint16_t kNone = 0xffff;
-constexpr float kAlike = 0.06f;              // differences of what is shown below this count as none
-constexpr float kBlinding = 1.5f;            // times white
-constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
+constexpr float kAlike = 0.06f;   // differences of what is shown below this count as none
+constexpr float kBlinding = 2.5f; // times white
+// Samples in a pixel that is traced anew: how many, and how far apart across and down
+constexpr int kSamples = 3;
+constexpr float kAside = 0.33f;
+constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
+constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
+constexpr int kMostAnew = kTile * kTile / 2; // pixels; a tile with more is traced as a whole
 
 } // namespace
 
@@ -29,7 +34,7 @@ struct BetweenScratch {
     // From one pixel up and left of the tile on: the shape seen, and how far along direction()
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
-    uint16_t anewAt[kTile * kTile + 8];
+    uint16_t anewAt[kTile * kTile]; // numbers of pixels
 };
 
 namespace {
@@ -47,6 +52,7 @@ void carryTo(const Traced &to, const Traced &now, Carry *carry) {
     for (int i = 0; i <= now.scene->shapeCount; ++i) {
         const Shape &a = now.scene->shapes[i];
         Carry &c = carry[i];
+        c = {};
         bool sky = i == now.scene->shapeCount;
         c.shape = sky ? kSkyShown : kNone;
         for (int j = next; !sky && j < min(next + kMostNew, to.scene->shapeCount); ++j) {
@@ -60,7 +66,6 @@ void carryTo(const Traced &to, const Traced &now, Carry *carry) {
         const Shape &b = to.scene->shapes[sky ? 0 : c.shape];
         for (int k = 0; k < 3; ++k) {
             Vec3 r = rows[k], turned = r;
-            c.h[k][3] = 0;
             if (!sky) {
                 // What a mirror shows does not turn with it
                 if (a.traits().extents && now.scene->materials[a.material].diffuse > 0)
@@ -117,35 +122,52 @@ struct Fetched {
             return fmadd(w, b - a, a);
         };
         found.radiance =
-            select(here, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
+            select(owned, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
         found.worth |= owned;
     }
     found.worth &= mine & (2 + others);
-    if (c.shape == kNone) found.worth = Int8{};
     return found;
 }
 
-// Traces pixels, four samples in each.
+// Traces pixels: with one sample in the middle where one shape fills them, else with kSamples, each in a row
+// and a column of its own.
 void traceAnew(Tile &t, const uint16_t *pixels, int count) {
     TileScratch &s = t.s;
-    for (uint32_t i = 0; i < kChunk; ++i) s.index[i] = i;
-    for (; count > 0; count -= kChunk, pixels += kChunk) {
-        int n = min(count, kChunk);
-        for (int k = 0; k < 4; ++k) {
-            for (int i = 0; i < n; ++i) {
-                s.x[i] = (float)(t.x0 + pixels[i] % kTile) + (k & 1 ? 0.75f : 0.25f);
-                s.y[i] = (float)(t.y0 + pixels[i] / kTile) + (k & 2 ? 0.75f : 0.25f);
+    for (int n; count > 0; count -= n, pixels += n) {
+        n = min(count, kChunk / kSamples);
+        int samples = 0;
+        for (int i = 0; i < n; ++i)
+            for (int k = -1; k < 2; ++k) {
+                bool inside = pixels[i] >= kInside;
+                int across = k, down = k == 1 ? -1 : k + 1;
+                float aside = inside ? 0 : kAside;
+                s.x[samples] = (float)(t.x0 + pixels[i] % kTile) + 0.5f + (float)across * aside;
+                s.y[samples] = (float)(t.y0 + pixels[i] / kTile % kTile) + 0.5f + (float)down * aside;
+                s.index[samples] = (uint32_t)samples;
+                ++samples;
+                if (inside) break;
             }
-            traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, n, s.x, s.y, s.index, s.inside);
-            for (int i = 0; i < n; ++i)
-                for (int c = 0; c < 3; ++c) {
-                    float &out =
-                        t.frame
-                            .plane[c][(t.y0 + pixels[i] / kTile) * t.frame.stride + t.x0 + pixels[i] % kTile];
-                    out = (k ? out : 0) + s.inside[i][c] * 0.25f;
-                }
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.3f, samples, s.x, s.y, s.index,
+                     s.inside);
+        s.sampleCount += samples;
+        const __m128 *v = s.inside;
+        for (int i = 0; i < n; ++i) {
+            int each = pixels[i] >= kInside ? 1 : kSamples;
+            __m128 sum = {}, least = *v, most = *v;
+            for (int k = 0; k < each; ++k, ++v) {
+                sum += *v;
+                least = _mm_min_ps(least, *v), most = _mm_max_ps(most, *v);
+            }
+            size_t at = (size_t)(t.y0 + pixels[i] / kTile % kTile) * (size_t)t.frame.stride +
+                        (size_t)(t.x0 + pixels[i] % kTile);
+            float *const *plane = t.frame.plane;
+            __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
+            // What was fetched makes so few samples less noisy. Where they miss something bright, nothing of
+            // it may remain
+            sum = sum * ((1 - kFetchedShare) / (float)each) +
+                  _mm_max_ps(_mm_min_ps(fetched, most * 3), least) * kFetchedShare;
+            for (int c = 0; c < 3; ++c) plane[c][at] = sum[c];
         }
-        s.sampleCount += 4 * n;
     }
 }
 
@@ -179,10 +201,10 @@ struct Sides {
     Carry *const (&carry)[2];
 };
 
-// What eight pixels show, as far as it is known without tracing.
+// What eight pixels show, as far as it is known without tracing; and kInside where one shape fills them.
 struct Known {
     Rgb8 radiance = {};
-    Int8 done = {};
+    Int8 done = {}, inside = {};
 };
 
 // Fetches from both pictures what the lanes show, `far` along their directions.
@@ -204,11 +226,13 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         Int8 agree = (before > 0) & (after > 0) &
                      (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
                       fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
-        more = select(agree, more * broadcast(0.5f), select(before > after, v.radiance, w.radiance));
+        more = select(agree | (before == after), more * broadcast(0.5f),
+                      select(before > after, v.radiance, w.radiance));
         // A pixel is white as soon as a little of something much brighter than white extends into it.
         // Interpolation would widen the outline of such a thing
         Int8 blinding = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kBlinding);
         known.radiance = select(mine, more, known.radiance);
+        known.inside = select(mine & (before + after == 4), broadcast(kInside), known.inside);
         known.done |= mine & (agree | (before != after)) & ~blinding;
     }
 }
@@ -263,8 +287,10 @@ void makeTile(const Sides &sides, Tile &t, BetweenScratch &b) {
             size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
             const Float8 *channel[3] = {&known.radiance.x, &known.radiance.y, &known.radiance.z};
             for (int k = 0; k < 3; ++k) store(t.frame.plane[k] + out, *channel[k]);
-            for (int left = laneBits(~known.done & (kLanes < t.width - x)); left; left &= left - 1)
-                b.anewAt[count++] = (uint16_t)(y * kTile + x + __builtin_ctz((unsigned)left));
+            for (int left = laneBits(~known.done & (kLanes < t.width - x)); left; left &= left - 1) {
+                int lane = __builtin_ctz((unsigned)left);
+                b.anewAt[count++] = (uint16_t)(y * kTile + x + lane + known.inside[lane]);
+            }
         }
     retrace(t, b, count);
 }
