@@ -18,11 +18,12 @@ constexpr double kStep = 1 / 60.0;
 
 struct Loaded {
     Threads threads;
-    IntroSettings settings = {kWidth, kHeight};
+    IntroSettings settings;
     HeapArena memory;
     Intro *intro = nullptr;
-    explicit Loaded(int count, bool hall)
-        : threads(count), memory((settings.pairs = true, memoryNeeded(settings, count, hall))) {
+    explicit Loaded(int count, bool hall, int width = kWidth, int height = kHeight)
+        : threads(count), settings{width, height},
+          memory((settings.pairs = true, memoryNeeded(settings, count, hall))) {
         EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, hall ? &headlessGl() : nullptr),
                      nullptr);
     }
@@ -130,4 +131,38 @@ TEST(Between, IsTheSameForAllThreads) {
     Loaded one(1, false), five(5, false);
     for (double seconds : {14., 30., 56.})
         EXPECT_EQ(made(*one.intro, seconds), made(*five.intro, seconds)) << seconds;
+}
+
+// A player may change the number of pixels from picture to picture.
+TEST(Between, OfPicturesOfDifferentSizesIsAsNearToTheTruth) {
+    struct Size {
+        int width, height;
+    };
+    constexpr Size kSmall = {640, 360}, kMiddle = {648, 364}, kLarge = {656, 369};
+    Loaded loaded(2, false, kLarge.width, kLarge.height);
+    Intro &intro = *loaded.intro;
+    auto trace = [&](Traced &to, double seconds, Size size, QualityName quality) {
+        Film film = intro.film;
+        film.scene = to.scene;
+        to.frame.width = size.width, to.frame.height = size.height, to.frame.stride = (size.width + 7) & ~7;
+        to.view = poseAt(film, seconds).view(size.width, size.height);
+        traceFrame(intro.tracer, *intro.workers, *to.scene, to.view, named(quality), to.frame);
+    };
+    for (double seconds : {30., 56.}) {
+        Traced now = {intro.frame, intro.film.scene, {}};
+        trace(now, seconds, kMiddle, QualityName::Reference);
+        auto truth = planes(now.frame);
+        auto between = [&](Size earlier, Size later) {
+            trace(intro.slots[0].traced, seconds - kStep, earlier, QualityName::Play);
+            trace(intro.slots[1].traced, seconds + kStep, later, QualityName::Play);
+            traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced,
+                         intro.slots[1].traced, named(QualityName::Play), now);
+            return decibels(intro, truth, planes(now.frame));
+        };
+        double equal = between(kMiddle, kMiddle), grows = between(kSmall, kLarge),
+               shrinks = between(kLarge, kSmall);
+        std::printf("%g s: of equal ones %.2f dB, growing %.2f, shrinking %.2f\n", seconds, equal, grows,
+                    shrinks);
+        EXPECT_GT(std::fmin(grows, shrinks), equal - 0.7) << seconds;
+    }
 }
