@@ -10,23 +10,23 @@ using namespace odraz;
 
 namespace {
 
-constexpr char kHead[] = "seconds,kind,quality,width,height,serial,parallel\n";
+constexpr char kHead[] = "seconds,kind,level,width,height,serial,parallel\n";
 
 // A moment: all costs are multiples of `unit` millions.
 std::string momentAt(double seconds, int unit) {
     std::string rows;
-    auto add = [&](const char *kind, const char *quality, const char *size, int serial, int parallel) {
-        rows += std::to_string(seconds) + "," + kind + "," + quality + "," + size + "," +
+    auto add = [&](const char *kind, const char *level, const char *size, int serial, int parallel) {
+        rows += std::to_string(seconds) + "," + kind + "," + level + "," + size + "," +
                 std::to_string(serial * unit * 1000) + "," + std::to_string(parallel * unit * 1000) + "\n";
     };
     for (const char *size : {"640,360", "1280,720"}) {
         int more = size[0] == '1' ? 3 : 1;
-        add("between", "draft", size, 2, 30 * more);
-        add("between", "play", size, 2, 40 * more);
-        add("picture", "draft", size, 1, 50 * more);
-        add("picture", "play", size, 1, 100 * more);
+        add("between", "2", size, 2, 30 * more);
+        add("between", "1", size, 2, 40 * more);
+        add("picture", "2", size, 1, 50 * more);
+        add("picture", "1", size, 1, 100 * more);
     }
-    add("picture", "film", "640,360", 1, 400);
+    add("picture", "0", "640,360", 1, 400);
     return rows;
 }
 // The table and its shot: 16 to 40 s, 40 to 64 s.
@@ -51,8 +51,9 @@ TEST(Costs, AreInterpolated) {
     EXPECT_NEAR(costs.of({20, 1, 2 * kSmall, false}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
     EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).parallel, 900e6, 1) << "... and beyond";
     EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).serial, 1e6, 1);
-    EXPECT_NEAR(costs.of({20, 0, kLarge, false}).parallel, 1200e6, 1) << "film grows as play does";
-    EXPECT_NEAR(costs.of({20, 0.2f, kSmall, true}).parallel, 40e6, 1) << "no in-between is better than play";
+    EXPECT_NEAR(costs.of({20, 0, kLarge, false}).parallel, 1200e6, 1)
+        << "a level of one size grows as play does";
+    EXPECT_NEAR(costs.of({20, 0.2f, kSmall, true}).parallel, 40e6, 1) << "beyond the best one counted";
 }
 
 TEST(Costs, NeverCrossACut) {
@@ -76,12 +77,26 @@ TEST(Costs, WhatIsWrongIsTold) {
     EXPECT_EQ(wrongIn(good), "");
     EXPECT_EQ(wrongIn("seconds\n").substr(0, 7), "line 1:");
     EXPECT_EQ(wrongIn(good + "1\n").substr(0, 8), "line 11:");
-    for (const char *row :
-         {"20,made,play,64,36,1,1", "20,picture,reference,64,36,1,1", "20,picture,play,0,36,1,1",
-          "20,picture,play,64,36,-1,1", "20,picture,play,64,36,1,nan", "1,picture,play,64,36,1,1",
-          "1e9,picture,play,64,36,1,1", "20,picture,play,64,36,1,1,1"})
+    for (const char *row : {"20,made,1,64,36,1,1", "20,picture,3,64,36,1,1", "20,picture,play,64,36,1,1",
+                            "20,picture,1,0,36,1,1", "20,picture,1,64,36,-1,1", "20,picture,1,64,36,1,nan",
+                            "1,picture,1,64,36,1,1", "1e9,picture,1,64,36,1,1", "20,picture,1,64,36,1,1,1"})
         EXPECT_NE(wrongIn(good + row + "\n"), "") << row;
-    EXPECT_NE(wrongIn(good + "30,picture,play,64,36,1,1\n"), "") << "too few counts";
+    EXPECT_NE(wrongIn(good + "30,picture,1,64,36,1,1\n"), "") << "too few counts";
+}
+
+// The table that the repository has is whole.
+TEST(Costs, EveryMomentOfTheFilmIsCounted) {
+    Costs costs(readWhole(kCostsFile));
+    for (double s = 0; s < 162; s += 0.25) {
+        double last = 1e18;
+        for (float level : {0.1f, 1.f, 1.5f, 2.f}) {
+            Cost c = costs.of({s, level, kLarge, false});
+            EXPECT_LT(c.parallel, last) << s << ' ' << level;
+            EXPECT_LT(c.serial, 0.2 * c.parallel) << s << ' ' << level;
+            last = c.parallel;
+        }
+        EXPECT_GT(costs.of({s, 1.5f, kLarge, true}).parallel, 1e6);
+    }
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 // Under such a program solving the hall takes half an hour. So one run poses the scene and another traces it.
 // Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
 // it.
+#include "play/governor.h"
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
 #include "tools/common/machine.h"
@@ -25,20 +26,20 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
-    "       trace_once film FILE SECONDS SETTING [WIDTH HEIGHT]\n"
+    "       trace_once film FILE SECONDS LEVEL [WIDTH HEIGHT]\n"
     "                                                    keeps the film, and its pictures a sixtieth of a\n"
     "                                                    second before and after a moment\n"
     "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
     "       trace_once bare FILE                         ... as without glare\n"
-    "       trace_once picture FILE SETTING              makes the film's picture of the moment, as it is "
-    "shown\n"
+    "       trace_once picture FILE LEVEL                makes the picture of the moment, as it is shown\n"
     "       trace_once between FILE                      makes it from the two that are kept\n"
     "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
     "medians\n"
     "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
-    "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n";
+    "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n"
+    "LEVEL: a quality as the player blends them: 0 film, 1 play, 2 draft, and all between\n";
 
 constexpr double kStep = 1 / 60.0; // seconds
 
@@ -104,6 +105,12 @@ void keepFilm(const std::string &file, double seconds, const Quality &setting, I
     picture(*kept.intro, 1, seconds + kStep, setting);
 }
 
+Quality levelAfter(Arguments &words) {
+    Governor governor;
+    governor.level = (float)words.number("LEVEL", 0, Governor::kSteps);
+    return governor.quality();
+}
+
 // A process can start one set of threads only: each number of threads needs a run of its own.
 void time(const std::string &scene, const Quality &setting, int threads) {
     auto [name, camera] = findPicture(scene);
@@ -154,11 +161,13 @@ int run(Arguments &words) {
     }
     if (what == "film") {
         double seconds = words.number("film", 0, duration());
-        Quality setting = settingOf(needed());
-        keepFilm(file, seconds, setting, sizeAfter(words));
+        Quality level = levelAfter(words);
+        keepFilm(file, seconds, level, sizeAfter(words));
         return 0;
     }
-    Quality setting = what == "trace" || what == "picture" ? settingOf(needed()) : kQualities[0];
+    Quality setting = what == "trace"     ? settingOf(needed())
+                      : what == "picture" ? levelAfter(words)
+                                          : kQualities[0];
     Kept &kept = *(Kept *)map(file, 0, false);
     Intro &intro = *kept.intro;
     Workers workers = oneWorker();

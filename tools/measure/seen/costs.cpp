@@ -13,17 +13,9 @@ namespace odraz {
 
 namespace {
 
-constexpr char kHead[] = "seconds,kind,quality,width,height,serial,parallel";
-constexpr int kPlayLevel = (int)Governor::kPlay;
+constexpr char kHead[] = "seconds,kind,level,width,height,serial,parallel";
 
-// The level of a quality by its name; -1 if the player does not use it.
-int levelOf(const std::string &name) {
-    for (int i = 0; i <= Governor::kSteps; ++i)
-        if (name == kQualities[(int)Governor::kRange[i]].name) return i;
-    return -1;
-}
-
-const Shot *shotAt(double seconds) { return odraz::momentAt(kFilm, seconds * kRowsPerSecond).shot; }
+const Shot *shotAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot; }
 
 double mix(double a, double b, double t) { return a + (b - a) * t; }
 double mixLogarithms(double a, double b, double t) { return std::exp(mix(std::log(a), std::log(b), t)); }
@@ -54,16 +46,15 @@ Costs::Costs(const std::string &csv) {
         ++number;
         if (number == 1 && line != kHead) throw wrong("it must be \"" + std::string(kHead) + "\"");
         if (number == 1 || line.empty()) continue;
-        double seconds, serial, parallel;
-        char kind[16], quality[16], behind;
+        double seconds, level, serial, parallel;
+        char kind[16], behind;
         int width, height;
-        if (std::sscanf(line.c_str(), "%lf,%15[a-z],%15[a-z],%d,%d,%lf,%lf%c", &seconds, kind, quality,
-                        &width, &height, &serial, &parallel, &behind) != 7)
+        if (std::sscanf(line.c_str(), "%lf,%15[a-z],%lf,%d,%d,%lf,%lf%c", &seconds, kind, &level, &width,
+                        &height, &serial, &parallel, &behind) != 7)
             throw wrong("it needs the seven values \"" + std::string(kHead) + "\"");
         bool between = std::string(kind) == "between";
-        int level = levelOf(quality);
         if (!between && std::string(kind) != "picture") throw wrong("a kind is picture or between");
-        if (level < 0) throw wrong("the player does not use the quality '" + std::string(quality) + "'");
+        if (!(level >= 0 && level <= Governor::kSteps)) throw wrong("levels are 0 to 2");
         if (!(seconds >= 0 && seconds < duration())) throw wrong("no moment of the film");
         if (width < 16 || height < 16) throw wrong("no size of a picture");
         if (!(serial > 0 && parallel > 0 && std::isfinite(serial + parallel))) throw wrong("no count");
@@ -71,29 +62,29 @@ Costs::Costs(const std::string &csv) {
             throw wrong("it is earlier than the one before");
         if (moments.empty() || seconds > moments.back().seconds)
             moments.push_back({seconds, shotAt(seconds), {}});
-        moments.back().kinds[between][level][(double)width * height] = {serial * 1e3, parallel * 1e3};
+        moments.back().kinds[between][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};
     }
     for (const Moment &m : moments)
-        for (const auto &kind : m.kinds) {
-            auto play = kind.find(kPlayLevel);
-            if (play == kind.end() || play->second.size() < 2 ||
-                (&kind == m.kinds && kind.size() != Governor::kSteps + 1))
-                throw Refused("at " + std::to_string(m.seconds) + " s some counts are missing");
+        for (const Levels &levels : m.kinds) {
+            auto play = levels.find(Governor::kPlay);
+            if (play == levels.end() || play->second.size() < 2)
+                throw Refused("at " + std::to_string(m.seconds) + " s level 1 is not counted in two sizes");
         }
 }
 
 Cost Costs::at(const Moment &moment, const Pictured &asked) {
-    const auto &kind = moment.kinds[asked.between];
-    auto ofLevel = [&](int level) {
-        const Sizes &sizes = kind.at(level);
+    const Levels &levels = moment.kinds[asked.between];
+    auto counted = [&](const Sizes &sizes) {
         auto [pixels, cost] = *sizes.begin();
-        Cost more = growth(sizes.size() > 1 ? sizes : kind.at(kPlayLevel), pixels, asked.pixels);
+        Cost more = growth(sizes.size() > 1 ? sizes : levels.at(Governor::kPlay), pixels, asked.pixels);
         return Cost{cost.serial * more.serial, cost.parallel * more.parallel};
     };
-    float level = std::clamp(asked.level, (float)kind.begin()->first, (float)kind.rbegin()->first);
-    int below = std::min((int)level, kind.rbegin()->first - 1);
-    if (!kind.count(below)) return ofLevel(below + 1);
-    return mixed(ofLevel(below), ofLevel(below + 1), level - (float)below, mixLogarithms);
+    auto after = levels.lower_bound(asked.level);
+    if (after == levels.end()) return counted(levels.rbegin()->second);
+    if (after == levels.begin()) return counted(after->second);
+    auto before = std::prev(after);
+    return mixed(counted(before->second), counted(after->second),
+                 (asked.level - before->first) / (after->first - before->first), mixLogarithms);
 }
 
 Cost Costs::of(const Pictured &asked) const {

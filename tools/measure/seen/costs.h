@@ -27,23 +27,23 @@ struct Pictured {
 
 class Costs {
 public:
-    // Reads the table, as `costs` writes it: "seconds,kind,quality,width,height,serial,parallel", counts in
-    // thousands, where the kind is "picture" or "between". Each moment needs a picture of each quality and an
-    // in-between of some, and `play` in two sizes. Throws Refused, with the line's number if it is a line's
-    // fault.
+    // Reads the table, as `costs` writes it: "seconds,kind,level,width,height,serial,parallel", counts in
+    // thousands, where the kind is "picture" or "between". Each moment needs a picture and an in-between of
+    // level 1, both in two sizes. Throws Refused, with the line's number if it is a line's fault.
     explicit Costs(const std::string &csv);
 
     // Linear in time within a shot, and level outside of its counted moments; logarithms are linear in level
-    // and in the logarithm of pixels. A quality counted at one size grows as `play` does. In-betweens better
-    // than `play` cost as at `play`. Throws Refused if no moment of this shot was counted.
+    // between counted ones, level outside, and linear in the logarithm of pixels. A level counted at one size
+    // grows as level 1 does. Throws Refused if no moment of this shot was counted.
     Cost of(const Pictured &asked) const;
 
 private:
     using Sizes = std::map<double, Cost>; // by pixels
+    using Levels = std::map<float, Sizes>;
     struct Moment {
         double seconds;
         const Shot *shot;
-        std::map<int, Sizes> kinds[2]; // by level: of pictures; of in-betweens
+        Levels kinds[2]; // of pictures; of in-betweens
     };
     static Cost at(const Moment &moment, const Pictured &asked);
     std::vector<Moment> moments; // in order of time
