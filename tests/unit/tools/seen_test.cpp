@@ -1,5 +1,7 @@
 // Tests what is seen of shown pictures: their list, and the comparison with the film.
 #include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
+#include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
 
 #include <cmath>
@@ -95,6 +97,26 @@ TEST(Viewer, SeesWhatCostsWhat) {
     EXPECT_THROW(seenOf(viewer, {60, false, 1, 640}, kFrom, kTo), Refused);
     // A late start is told
     EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, false, 1, 320, 180), kFrom, kTo, film), Refused);
+}
+
+// A machine that is twice as fast is never seen to do worse.
+TEST(Viewer, SeesFasterMachinesDoBetter) {
+    Costs costs(readWhole(kCostsFile));
+    constexpr double kLength = 0.15;
+    Viewer viewer(128, 72, 28, 53);
+    for (double from : {28., 52.5}) {
+        double lastPsnr = 0, lastFlip = 1;
+        for (double giga : {8, 16, 32, 64}) {
+            std::vector<Shown> list =
+                simulate([&](const Pictured &p) { return costs.of(p); }, {giga * 1e9, 4, 1280, 720}, 16, 54);
+            for (Shown &s : list) s.width = 128, s.height = 72;
+            Seen seen;
+            viewer.look(list, from, from + kLength, seen);
+            EXPECT_GT(seen.srgbPsnr(), lastPsnr - 0.1) << giga << " at " << from;
+            EXPECT_LT(seen.meanFlip(), lastFlip + 0.002) << giga << " at " << from;
+            lastPsnr = seen.srgbPsnr(), lastFlip = seen.meanFlip();
+        }
+    }
 }
 
 } // namespace

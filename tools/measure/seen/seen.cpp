@@ -84,7 +84,8 @@ Asked read(Arguments &words) {
         throw Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
     if (!a.rate && (a.pairs || a.level >= 0 || !a.traced.empty()))
         throw Refused("--pairs, --level and --traced go with --steady");
-    if (!a.machine && (a.cores || costs)) throw Refused("--cores and --costs go with --machine");
+    if (!a.machine && a.cores) throw Refused("--cores goes with --machine");
+    if (!a.machine && !a.onlySummary && costs) throw Refused("--costs goes with --machine or --summary");
     if (a.onlyList && !a.list.empty()) throw Refused("--list goes with --steady or --machine");
     if (!a.cores) a.cores = std::clamp((int)std::lround(a.machine / kCore), 1, kMaxWorkers);
     if (a.level < 0) a.level = 1;
@@ -106,15 +107,23 @@ template <class Parse> auto parsed(const std::string &path, Parse parse) {
     }
 }
 
+CostOf costsOf(const Asked &a) {
+    Costs costs = parsed(a.costs, [](const std::string &text) { return Costs(text); });
+    return [=](const Pictured &p) { return costs.of(p); };
+}
+
+Machine machineOf(const Asked &a) {
+    IntroSettings screen = sizeFrom(a.screen);
+    return {a.machine, a.cores, screen.width, screen.height};
+}
+
 // The pictures shown, of which some stand on the screen between two moments.
 std::vector<Shown> listOf(const Asked &a, double from, double to) {
     if (!a.list.empty()) return parsed(a.list, parseShown);
-    IntroSettings screen = sizeFrom(a.screen), traced = sizeFrom(a.traced);
+    IntroSettings traced = sizeFrom(a.traced);
     if (a.rate) return steady(from, to, a.rate, a.pairs, (float)a.level, traced.width, traced.height);
-    Costs costs = parsed(a.costs, [](const std::string &text) { return Costs(text); });
     // From the film's start, since the governor remembers
-    return simulate([&](const Pictured &p) { return costs.of(p); },
-                    {a.machine, a.cores, screen.width, screen.height}, 0, duration());
+    return simulate(costsOf(a), machineOf(a), 0, duration());
 }
 
 // Where it looks: windows of the same row of the output stand together.
@@ -145,7 +154,7 @@ int run(Arguments &words) {
     std::vector<Shown> list = listOf(asked, first, last);
     if (asked.onlyList || asked.onlySummary) {
         std::string text = printShown(list);
-        if (asked.onlySummary) text = printSummary(summary(list));
+        if (asked.onlySummary) text = printSummary(summary(list, costsOf(asked), machineOf(asked)));
         std::fputs(text.c_str(), stdout);
         return 0;
     }

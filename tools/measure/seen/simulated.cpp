@@ -13,12 +13,18 @@ namespace odraz {
 namespace {
 
 constexpr double kScreenRate = 60;
-// The player looks for a picture whose time has come every half a millisecond (play/player.cpp).
-constexpr double kNap = 0.0005;
 
 const Shot *shotAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot; }
 
 int64_t nanosecondsOf(double seconds) { return std::llround(seconds * 1e9); }
+
+// What making a picture takes, with scaling it up.
+Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s) {
+    Cost cost = costOf({s.time, s.level, (double)s.width * s.height, s.between});
+    if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
+    return cost;
+}
+double presenting(const Machine &machine) { return machine.presenting * machine.width * machine.height; }
 
 // The stage of makePictures().
 class Simulation {
@@ -66,44 +72,44 @@ public:
     void await(unsigned number) {
         while (!queue.passed(number)) {
             if (begin < 0) throw std::logic_error("the player would wait for ever");
-            moment = std::max(moment, sixtieth(looked));
+            moment = std::max(moment, nextTurn());
             showUntil(moment);
         }
     }
 
 private:
     double core() const { return machine.rate / machine.cores; }
-    double presenting() const { return machine.presenting * machine.width * machine.height; }
 
     // Passes the time that a picture takes. Showing others meanwhile takes its share of all cores.
     void make(const Shown &s) {
-        Cost cost = costOf({s.time, s.level, (double)s.width * s.height, s.between});
-        if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
+        Cost cost = costWith(costOf, machine, s);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int already = -1; already != presented;) {
             already = presented;
             showUntil(end);
-            end += nanosecondsOf((presented - already) * presenting() / machine.rate);
+            end += nanosecondsOf((presented - already) * presenting(machine) / machine.rate);
         }
         moment = end;
     }
-    // The beginning of a sixtieth of the screen, by its number since the film began.
-    int64_t sixtieth(int64_t number) const { return begin + nanosecondsOf((double)number / kScreenRate); }
-    // Shows what play() would, at all sixtieths up to a moment.
+    // When the time of the first waiting picture comes.
+    int64_t nextTurn() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
+    // Shows all pictures whose time comes until a moment, as play() does.
     void showUntil(int64_t until) {
-        for (; begin >= 0 && sixtieth(looked) <= until; ++looked) {
-            if (looked < free) continue;
-            double time = filmAt(sixtieth(looked));
-            for (Queue::Turn turn; (turn = queue.turn(time + kNap)) != Queue::kWaits;) {
-                unsigned number = queue.shown;
-                queue.pass();
-                if (turn == Queue::kPasses) continue;
-                list[number].at = time;
-                ++presented;
-                free = looked + std::max(1l, std::lround(std::ceil(presenting() / core() * kScreenRate)));
-                break;
-            }
+        while (begin >= 0 && queue.shown < queue.made && nextTurn() <= until) {
+            looked = nextTurn();
+            Queue::Turn turn = queue.turn(filmAt(looked));
+            if (turn == Queue::kWaits) ++looked; // it was rounded down
+            if (turn == Queue::kShows) show(queue.shown);
+            if (turn != Queue::kWaits) queue.pass();
         }
+        looked = std::max(looked, until);
+    }
+    void show(unsigned number) {
+        looked += nanosecondsOf(presenting(machine) / core());
+        double sixtieths = std::ceil((filmAt(looked) - from) * kScreenRate - 0.5);
+        list[number].at = from + (sixtieths + 0.5) / kScreenRate;
+        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // nobody saw it
+        last = number;
     }
 
     const CostOf &costOf;
@@ -113,8 +119,8 @@ private:
     std::vector<Shown> list;        // by the numbers of the queue
     Shown before = {}, traced = {}; // the last two
     int64_t moment = 0, begin = -1; // now; the film's first picture
-    // Sixtieths: the next one to look at, and the first one at which another picture can be shown
-    int64_t looked = 0, free = 0;
+    int64_t looked = 0;             // until when pictures were shown
+    unsigned last = 0;              // the one that was shown last
     int presented = 0;
 };
 
@@ -124,7 +130,8 @@ std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double
     return Simulation(costOf, machine, from, to).play();
 }
 
-std::vector<PlayedScene> summary(const std::vector<Shown> &list) {
+std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &costOf,
+                                 const Machine &machine) {
     std::vector<PlayedScene> scenes;
     if (list.empty()) return scenes;
     double from = list.front().time, to = list.back().time + 1 / kScreenRate;
@@ -132,7 +139,7 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list) {
         double begin = std::max(from, shot.from), end = std::min(to, shot.to);
         if (begin >= end) continue;
         if (scenes.empty() || scenes.back().scene != shot.scene)
-            scenes.push_back({shot.scene, 0, 0, 0, 0, 0, 0});
+            scenes.push_back({shot.scene, 0, 0, 0, 0, 0, 0, 0});
         scenes.back().seconds += end - begin;
     }
     for (PlayedScene &scene : scenes) {
@@ -142,7 +149,10 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list) {
             scene.shown += s.at >= 0;
             scene.level += s.between ? 0 : (double)s.level;
             scene.width += s.between ? 0 : s.width;
+            Cost cost = costWith(costOf, machine, s);
+            scene.rate += cost.serial + cost.parallel + (s.at >= 0) * presenting(machine);
         }
+        scene.rate /= scene.seconds;
         scene.level /= std::max(1, scene.traced);
         scene.width /= std::max(1, scene.traced);
     }
@@ -150,10 +160,10 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list) {
 }
 
 std::string printSummary(const std::vector<PlayedScene> &scenes) {
-    std::string text = "scene,seconds,traced,between,shown,a_second,level,width\n";
+    std::string text = "scene,seconds,traced,between,shown,a_second,level,width,giga\n";
     for (const PlayedScene &s : scenes)
-        print(text, "%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f\n", sceneName(s.scene), s.seconds, s.traced, s.between,
-              s.shown, s.shown / s.seconds, s.level, s.width);
+        print(text, "%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", sceneName(s.scene), s.seconds, s.traced,
+              s.between, s.shown, s.shown / s.seconds, s.level, s.width, s.rate / 1e9);
     return text;
 }
 

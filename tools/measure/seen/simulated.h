@@ -29,8 +29,9 @@ using CostOf = std::function<Cost(const Pictured &)>;
 
 // Plays the film from one second to another and returns which pictures were made and when they were shown, in
 // order. The parallel part of making a picture takes as long as all cores need for it, the serial one as long
-// as one core does. Showing takes a core's time, which those that trace lack; it begins at a sixtieth of a
-// second, and these count from the film's first picture. What else the system does costs nothing.
+// as one core does. Showing takes a core's time, which those that trace lack. What was given to the screen
+// stands on it from its next sixtieth of a second on; these lie half-way between those of the film, which is
+// neither good luck nor bad. What else the system does costs nothing.
 std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to);
 
 // What was done for a scene, by the pictures' own times.
@@ -39,10 +40,12 @@ struct PlayedScene {
     double seconds; // that the list covers
     int traced, between, shown;
     double level, width; // means, over the traced ones
+    double rate;         // instructions a second that making and showing them took
 };
 // The scenes that a list shows, in the film's order, from its first picture to its last one.
-std::vector<PlayedScene> summary(const std::vector<Shown> &list);
-// ... as CSV: "scene,seconds,traced,between,shown,a_second,level,width".
+std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &costOf,
+                                 const Machine &machine);
+// ... as CSV: "scene,seconds,traced,between,shown,a_second,level,width,giga", the last in 10^9 a second.
 std::string printSummary(const std::vector<PlayedScene> &scenes);
 
 } // namespace odraz

@@ -28,8 +28,14 @@ static IntroSettings inPairs(int width, int height) {
     return settings;
 }
 
+// A process can start one set of threads only.
+static const Workers &oneSet() {
+    static const Workers workers = allProcessors();
+    return workers;
+}
+
 Viewer::Viewer(int width, int height, double from, double to)
-    : workers(allProcessors()), theatre(inPairs(width, height), workers, from, to) {}
+    : workers(oneSet()), theatre(inPairs(width, height), workers, from, to) {}
 
 // A picture of the list, as it stands on the screen.
 Picture Viewer::made(const std::vector<Shown> &list, int i) {
@@ -56,7 +62,7 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
         // What stands there in the middle of its sixtieth: a picture that took some milliseconds to come on
         // the screen has come, as on a screen that shows it a little later than it was given
         double moment = (double)n / kScreenRate;
-        int i = standsAt(list, moment + 0.5 / kScreenRate);
+        int i = standsAt(list, moment + 0.5 / kScreenRate + 1e-6);
         if (i < 0) throw Refused("nothing was shown before " + std::to_string(moment) + " s");
         if (i != last) {
             standing = rgbOf(made(list, i));
