@@ -107,7 +107,7 @@ void keepFilm(const std::string &file, double seconds, const Quality &setting, I
 
 Quality levelAfter(Arguments &words) {
     Governor governor;
-    governor.level = (float)words.number("LEVEL", 0, Governor::kSteps);
+    governor.coarseness = (float)words.number("LEVEL", 0, Governor::kSteps);
     return governor.quality();
 }
 
