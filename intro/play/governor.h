@@ -58,9 +58,12 @@ struct Governor {
     // The share of a picture's width that a step of coarseness takes: about half of the time, as a step of
     // quality does.
     static constexpr float kShrink = 0.35f;
-    // How much wider or narrower than now pictures may be wished for before they are. In between quality
-    // makes up for it, so that their size does not go to and fro.
-    static constexpr int kBand = 32, kWidthStep = 16, kLeastWidth = 640; // pixels
+    // Pixels. Where fewer are traced than shown, quality stays as it is, and the coarseness does not move
+    // while pictures take within kCalm of their budget, so that their size does not go to and fro. Better
+    // quality is tried where all are traced in so much of the budget: the best of `draft` and the worst above
+    // it are up to 19 % apart, since only the latter samples within pixels.
+    static constexpr int kWidthStep = 16, kLeastWidth = 640;
+    static constexpr float kCalm = 0.06f, kSpare = 0.78f;
 
     // Pixels of the pictures that are shown, and of these pictures' width those that are traced; 0: always
     // all
@@ -70,24 +73,27 @@ struct Governor {
     Way way = kPairs;
     float coarseness = kPlay;                               // kBest .. coarsest()
     float average = kThirtyBudget, tracing = kThirtyBudget; // of the last pictures, and of tracing them alone
+    bool fewer = false;                                     // the coarseness is one of pixels
     int scene = -1;
 
     bool pairs() const { return way == kPairs; }
     // From one traced picture to the next.
     double step() const { return way == kSixty ? 1 / 60.0 : 1 / 30.0; }
-    // What a width saves, in steps of coarseness.
-    float saved(int across) const { return width ? (1 - (float)across / (float)width) / kShrink : 0; }
-    float coarsest() const { return kSteps + saved(min(kLeastWidth, width)); }
+    // How far pixels may go, in steps of coarseness.
+    float pixelSteps() const { return width ? max(1 - (float)kLeastWidth / (float)width, 0.f) / kShrink : 0; }
+    float coarsest() const { return kSteps + pixelSteps(); }
+    float withoutPixels() const { return fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0; }
     // Along kRange.
-    float level() const { return min(coarseness - saved(across), (float)kSteps); }
+    float level() const { return coarseness - withoutPixels(); }
     Quality quality() const {
         int from = min((int)level(), kSteps - 1);
         return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level() - (float)from);
     }
-    TracedSize size() const { return {across, width ? (across * height + width / 2) / width : 0}; }
-
-    // Pictures are shown in so many pixels, and may be traced in fewer.
-    void tradePixels(int w, int h) { width = across = w, height = h; }
+    TracedSize size() const {
+        int w = (int)((1 - kShrink * withoutPixels()) * (float)width);
+        if (w < width) w &= -kWidthStep;
+        return {w, width ? (w * height + width / 2) / width : 0};
+    }
 
     // The picture to trace next is of this scene.
     void enter(int next, const Pace &itsPace) {
@@ -95,12 +101,7 @@ struct Governor {
         scene = next;
         pace = itsPace;
         if (way == kThirty) way = kPairs;
-        choosePixels();
-    }
-    void choosePixels() {
-        float wish = (1 - kShrink * (coarseness - pace.pixels)) * (float)width;
-        if (wish < (float)across || wish >= (float)(across + 2 * kBand))
-            across = clamp(((int)wish - kBand) & -kWidthStep, min(kLeastWidth, width), width);
+        fewer = coarseness >= pace.pixels;
     }
 
     // The times that the last picture took: to trace it, and to make the in-between before it, or 0.
@@ -110,10 +111,14 @@ struct Governor {
         make = min(make, kMostMaking * tracing);
         tracing += (trace - tracing) * kFollow;
         average += (trace + make - average) * kFollow;
-        float move = clamp(average / budget - 1, kMostBetter, kMostWorse) * kMove;
+        float off = average / budget - 1;
+        if (fewer) off -= clamp(off, -kCalm, kCalm);
+        float move = clamp(off, kMostBetter, kMostWorse) * kMove;
         if (average > kFarTooLong * budget && coarseness + 1 < coarsest())
             move = 1, average *= 0.5f, tracing *= 0.5f;
-        coarseness = clamp(coarseness + move, kBest, coarsest());
+        if (fewer && coarseness <= pace.pixels && average < kSpare * budget) fewer = false;
+        coarseness = clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest());
+        fewer |= coarseness >= pace.pixels;
         Way next = way;
         if (way == kSixty) {
             if (coarseness > kLittleCoarser) next = kPairs;
@@ -126,7 +131,6 @@ struct Governor {
         else if (coarseness == coarsest() && average > kLate * budget && average > kNearlyTwice * tracing)
             next = kThirty, pace.thirty = 0; // until the next scene
         if (next != way) way = next, average = tracing;
-        choosePixels();
     }
 
     // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.

@@ -60,7 +60,7 @@ Player thePlayer;
     Player &p = thePlayer;
     Governor governor;
     const Options &o = *p.options;
-    if (o.quality == QualityName::Count && !o.sized) governor.tradePixels(o.width, o.height);
+    if (o.quality == QualityName::Count && !o.sized) governor.width = o.width, governor.height = o.height;
     makePictures(p, governor, seconds(o.from));
     __atomic_store_n(&p.ended, true, __ATOMIC_RELEASE);
     return nullptr;

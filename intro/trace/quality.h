@@ -69,7 +69,7 @@ static_assert(inOrder(kQualities, &Quality::id), "a row for every name, in the e
 inline Quality blend(const Quality &a, const Quality &b, float share) {
     auto mix = [&](float x, float y) { return x + (y - x) * share; };
     return {.coarse = share < 0.5f ? a.coarse : b.coarse,
-            .fine = a.fine < b.fine ? a.fine : b.fine,
+            .fine = share < 1 && a.fine < b.fine ? a.fine : b.fine,
             .textureSamples = share == 0 ? a.textureSamples : b.textureSamples,
             .threshold = mix(a.threshold, b.threshold),
             .markThreshold = mix(a.markThreshold, b.markThreshold),

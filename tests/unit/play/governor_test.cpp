@@ -47,7 +47,7 @@ class Player {
 public:
     Player(const Machine &machine, SceneAt sceneAt, double length)
         : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
-        governor.tradePixels(machine.width, machine.height);
+        governor.width = machine.width, governor.height = machine.height;
     }
 
     std::vector<Decision> play() {
@@ -270,6 +270,13 @@ TEST(Governor, MixesQualities) {
     EXPECT_EQ(thresholdAt(2), kQualities[(int)QualityName::Draft].threshold);
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
+    // ... and has all of a named one's other knobs
+    g.coarseness = 2;
+    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Draft].fine);
+    g.coarseness = 1;
+    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Play].fine);
+    g.coarseness = 1.99f;
+    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Play].fine);
 }
 
 // --- Pixels ---
@@ -326,7 +333,7 @@ TEST(Governor, ComesBackToAllPixels) {
         };
         EXPECT_LT(at(9.5).size.width, 0.9 * at(4.5).size.width) << cores;
         EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 48) << cores;
-        EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.1) << cores;
+        EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.2) << cores;
     }
 }
 
@@ -336,14 +343,14 @@ TEST(Governor, GivesUpWhatTheSceneNeedsLeast) {
         Player player(withScreen(2), always(kUsual), 10);
         player.paces[0].pixels = pixels;
         player.play();
-        return std::pair(player.governor.level(), player.governor.across);
+        return std::pair(player.governor.level(), player.governor.size().width);
     };
     auto [late, wide] = levels(2);
     auto [early, narrow] = levels(1);
     EXPECT_GT(late, 1.8f);
     EXPECT_NEAR(early, 1, 0.2);
     EXPECT_GT(wide, 1200);
-    EXPECT_LT(narrow, 1000);
+    EXPECT_LT(narrow, 1050);
 }
 
 // ... or half of its pictures, before it has too few pixels. In-betweens come back with time.

@@ -34,7 +34,7 @@ public:
 
     std::vector<Shown> play() {
         Governor governor;
-        governor.tradePixels(machine.width, machine.height);
+        governor.width = machine.width, governor.height = machine.height;
         makePictures(*this, governor, from);
         if (begin < 0) begin = moment; // so short that it never got ahead
         showUntil(begin + nanosecondsOf(to - from));
