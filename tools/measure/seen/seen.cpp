@@ -12,7 +12,7 @@ static constexpr char kUsage[] =
     "usage: seen LIST [--scene NAME]... [--windows N=1] [--at S]... [--length S=0.5]\n"
     "            [--screen WxH=1280x720] [--judged WxH] [--summary]\n"
     "       seen --steady RATE [--pairs] [--level L=1] [--traced WxH] [--list] ...\n"
-    "       seen --machine G [--cores N] [--costs FILE] [--list] ...\n"
+    "       seen --machine G [--cores N] [--costs FILE] [--pixels L] [--thirty L] [--list] ...\n"
     "Compares what stands on the screen at every sixtieth of a second with the film's picture of that very\n"
     "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB.\n"
     "LIST says which pictures were shown, and when (CSV: at,time,kind,level,width,height). --steady is a\n"
@@ -20,7 +20,8 @@ static constexpr char kUsage[] =
     "level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the screen has. --machine "
     "is\n"
     "the film's own player, simulated on a machine of so many 10^9 instructions a second in all and so many\n"
-    "cores (of 7 each, if --cores does not say), with counted costs. --list only writes the list; --summary\n"
+    "cores (of 7 each, if --cores does not say), with counted costs. --pixels and --thirty change what all\n"
+    "scenes would rather do without (Pace in intro.h). --list only writes the list; --summary\n"
     "only tells what was shown, by scene. --judged looks at a smaller screen, with all pictures smaller\n"
     "alike, which is faster.\n"
     "Each shot has --windows windows of --length seconds, evenly spaced; or there are windows that begin\n"
@@ -37,6 +38,7 @@ struct Asked {
     std::vector<double> at;
     int windows = 1, cores = 0;
     double length = 0.5, rate = 0, level = -1, machine = 0; // machine: instructions a second
+    double pixels = -1, thirty = -1;                        // of all scenes' pace; negative: each has its own
     bool pairs = false, onlyList = false, onlySummary = false;
 };
 
@@ -67,6 +69,10 @@ Asked read(Arguments &words) {
             a.cores = words.whole(w, 1, kMaxWorkers);
         else if (w == "--costs")
             a.costs = words.value(w), costs = true;
+        else if (w == "--pixels")
+            a.pixels = words.number(w, 0, 9);
+        else if (w == "--thirty")
+            a.thirty = words.number(w, 0, 9);
         else if (w == "--level")
             a.level = words.number(w, 0, 2);
         else if (w == "--pairs")
@@ -84,7 +90,8 @@ Asked read(Arguments &words) {
         throw Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
     if (!a.rate && (a.pairs || a.level >= 0 || !a.traced.empty()))
         throw Refused("--pairs, --level and --traced go with --steady");
-    if (!a.machine && a.cores) throw Refused("--cores goes with --machine");
+    if (!a.machine && (a.cores || a.pixels >= 0 || a.thirty >= 0))
+        throw Refused("--cores, --pixels and --thirty go with --machine");
     if (!a.machine && !a.onlySummary && costs) throw Refused("--costs goes with --machine or --summary");
     if (a.onlyList && !a.list.empty()) throw Refused("--list goes with --steady or --machine");
     if (!a.cores) a.cores = std::clamp((int)std::lround(a.machine / kCore), 1, kMaxWorkers);
@@ -114,7 +121,15 @@ CostOf costsOf(const Asked &a) {
 
 Machine machineOf(const Asked &a) {
     IntroSettings screen = sizeFrom(a.screen);
-    return {a.machine, a.cores, screen.width, screen.height};
+    Machine machine = {a.machine, a.cores, screen.width, screen.height};
+    double pixels = a.pixels, thirty = a.thirty;
+    machine.paceOf = [=](int scene) {
+        Pace pace = paceOf(scene);
+        if (pixels >= 0) pace.pixels = (float)pixels;
+        if (thirty >= 0) pace.thirty = (float)thirty;
+        return pace;
+    };
+    return machine;
 }
 
 // The pictures shown, of which some stand on the screen between two moments.

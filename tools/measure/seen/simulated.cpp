@@ -47,7 +47,7 @@ public:
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
     }
     int sceneOf(double time) const { return sceneAt(time); }
-    Pace paceOf(int scene) const { return odraz::paceOf(scene); }
+    Pace paceOf(int scene) const { return machine.paceOf(scene); }
     void trace(Made &m, int, const Governor &governor) {
         before = traced;
         TracedSize size = governor.size();

@@ -2,6 +2,7 @@
 // on a clock that counted instructions move. There is no noise, so the same numbers come out everywhere.
 #pragma once
 
+#include "intro.h"
 #include "tools/measure/seen/costs.h"
 #include "tools/measure/seen/shown.h"
 
@@ -22,6 +23,7 @@ struct Machine {
     int width, height;               // pixels of its screen
     double presenting = kPresenting; // instructions that showing a pixel takes
     double enlarging = kEnlarging;   // ... and that scaling up takes, for a pixel of the screen
+    std::function<Pace(int scene)> paceOf = odraz::paceOf;
 };
 
 // What a picture costs. A table's Costs::of(), or a test's own.
