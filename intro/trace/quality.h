@@ -20,7 +20,7 @@ struct Quality {
     int textureSamples = 1; // 1 or 2 per side of a pixel, of textures whose own filter is approximate
     // Thresholds, as differences of shown intensity (0 .. 1)
     float threshold = 0;     // splits a square
-    float markThreshold = 0; // splits a square of two pixels whose corners have different marks
+    float markThreshold = 0; // ... of two pixels whose corners have different marks; also see meanServes()
     float edge = 0;          // splits a pixel; to split it again, twice that is needed
     float markWeight = 0;    // least share of the intensity at which a ray's hit may split squares
     int depth = 0;           // most bounces of a path, <= kMaxDepth
@@ -35,7 +35,7 @@ inline constexpr Quality kQualities[] = {
      .coarse = 32,
      .fine = 4,
      .threshold = 0.08f,
-     .markThreshold = 0.2f,
+     .markThreshold = 0.08f,
      .edge = 1,
      .markWeight = 0.25f,
      .depth = 5,
@@ -44,8 +44,8 @@ inline constexpr Quality kQualities[] = {
      .name = "play",
      .coarse = 16,
      .fine = 2,
-     .threshold = 0.04f,
-     .markThreshold = 0.05f,
+     .threshold = 0.038f,
+     .markThreshold = 0.02f,
      .edge = 0.12f,
      .markWeight = 0.2f,
      .depth = 5,

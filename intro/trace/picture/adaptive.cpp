@@ -19,17 +19,49 @@ ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
 void wantCorners(TileScratch &s, Square q, int size) {
     for (int k = 0; k < 4; ++k) want(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
 }
-// Wants the corners of a square's quarters, `half` wide, that are not corners of the square.
-ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
-    uint32_t across = (uint32_t)half, down = across << kPlaceShift,
-             middle = placeAt(q.x, q.y) + across + down;
-    want(s, middle - down), want(s, middle - across), want(s, middle), want(s, middle + across);
-    want(s, middle + down);
+// Makes the corner in the middle of two their mean, with the marks of the first.
+void average(TileScratch &s, uint32_t a, uint32_t b) {
+    uint32_t middle = (a + b) / 2;
+    const float *first = &s.corners[a].albedo.x, *second = &s.corners[b].albedo.x;
+    float *to = &s.corners[middle].albedo.x;
+    for (size_t k = 0; k < sizeof(Sample) / sizeof(float); k += 4) {
+        __m128 one = _mm_load_ps(first + k), none = _mm_setzero_ps(),
+               sum = _mm_blend_ps(one, none, 8) + _mm_blend_ps(_mm_load_ps(second + k), none, 8);
+        _mm_store_ps(to + k, _mm_blend_ps(sum * 0.5f, one, 8));
+    }
+    s.shown[middle] = (s.shown[a] + s.shown[b]) * 0.5f;
+    s.marks[middle] = s.marks[a];
 }
 
-// Appends those quarters of a square that lie in the tile, and wants their corners. Returns their number; may
+// Takes the corner in the middle of corners a and b: makes it their mean if that may be and serves, or wants
+// it. A mean does not count as traced, so a square beside it may still want it.
+void takeMiddle(Tile &t, uint32_t a, uint32_t b, uint32_t place, int half, bool mayBeMean) {
+    TileScratch &s = t.s;
+    if (mayBeMean && s.traced[place] != s.stamp && meanServes(t, a, b, half))
+        average(s, a, b);
+    else
+        want(s, place);
+}
+
+// Takes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may hide
+// what lies between its ends, and that mostly looks like something else in the square. So the square's own
+// contrast must be low: lines and outlines stay whole.
+void takeMiddles(Tile &t, Square q, int half, Split why) {
+    TileScratch &s = t.s;
+    uint32_t c[4], across = (uint32_t)half, down = across << kPlaceShift,
+                   middle = placeAt(q.x, q.y) + across + down;
+    cornersOf(q, half * 2, c);
+    bool calm = why == Split::Differs && !exceeds(rangeOf(s, c), 2.5f * t.quality.threshold);
+    takeMiddle(t, c[0], c[1], middle - down, half, calm);
+    takeMiddle(t, c[0], c[2], middle - across, half, calm);
+    want(s, middle);
+    takeMiddle(t, c[1], c[3], middle + across, half, calm);
+    takeMiddle(t, c[2], c[3], middle + down, half, calm);
+}
+
+// Appends those quarters of a square that lie in the tile, and takes their corners. Returns their number; may
 // write one more behind them.
-[[gnu::noinline]] int quarter(Tile &t, Square a, int half, Square *to) {
+[[gnu::noinline]] int quarter(Tile &t, Square a, int half, Split why, Square *to) {
     bool right = a.x + half < t.width, below = a.y + half < t.height;
     uint8_t x = (uint8_t)(a.x + half), y = (uint8_t)(a.y + half);
     int count = 1;
@@ -37,7 +69,7 @@ ODRAZ_INLINE void wantMiddles(TileScratch &s, Square q, int half) {
     to[count] = {x, a.y}, count += right;
     to[count] = {a.x, y}, count += below;
     to[count] = {x, y}, count += right & below;
-    wantMiddles(t.s, a, half);
+    takeMiddles(t, a, half, why);
     return count;
 }
 
@@ -79,8 +111,9 @@ int splitSquares(Tile &t, int count) {
             uint32_t c[4];
             cornersOf(a, size, c);
             if (size > 1) {
-                if (size > finest && splitsSquare(t, a, size, c))
-                    splits += quarter(t, a, half, next + splits);
+                Split why = size > finest ? splitsSquare(t, a, size, c) : Split::No;
+                if (why != Split::No)
+                    splits += quarter(t, a, half, why, next + splits);
                 else
                     squares[left++] = a;
                 continue;
@@ -103,7 +136,8 @@ int splitSquares(Tile &t, int count) {
                 else
                     squares[kept++] = squares[i];
             left = kept;
-            for (int i = 0; i < found; ++i) splits += quarter(t, more[i], half, next + splits);
+            for (int i = 0; i < found; ++i)
+                splits += quarter(t, more[i], half, Split::Differs, next + splits);
         }
         for (int i = 0; i < left; ++i) fill(t, squares[i], size);
         Square *done = squares;

@@ -6,6 +6,7 @@
 // inside. Squares and pixels also split where there may be a shape that no corner shows (hidden.h). Squares
 // also split where a sample on one of their sides, traced for a neighbour, shows something new. The Quality
 // holds the thresholds. A new criterion belongs in splitsSquare() and splitsPixel(), a new mark in marksOf().
+// Where a square splits, meanServes() tells which of the new corners need not be traced.
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -22,6 +23,7 @@ ODRAZ_INLINE __m128 shown(const Scene &scene, __m128 radiance) {
 ODRAZ_INLINE __m128 range(__m128 a, __m128 b, __m128 c, __m128 d) {
     return _mm_max_ps(_mm_max_ps(a, b), _mm_max_ps(c, d)) - _mm_min_ps(_mm_min_ps(a, b), _mm_min_ps(c, d));
 }
+ODRAZ_INLINE __m128 range(__m128 a, __m128 b) { return _mm_max_ps(a, b) - _mm_min_ps(a, b); }
 ODRAZ_INLINE bool exceeds(__m128 difference, float threshold) {
     return _mm_movemask_ps(_mm_cmpgt_ps(difference, _mm_set1_ps(threshold)));
 }
@@ -58,9 +60,12 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
+// Why a square splits. Hidden: its corners tell nothing, but there may be a shape that they miss.
+enum class Split { No, Differs, Hidden };
+
 // Whether a square of more than a pixel splits, judged by its corners c. Where a mirror or glass shows a
 // texture, the corners of a larger square cannot tell what lies between them.
-ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
+ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
     bool marks = same != kSameMarks;
@@ -68,12 +73,21 @@ ODRAZ_INLINE bool splitsSquare(const Tile &t, Square a, int size, const uint32_t
         __m128i all = _mm_or_si128(_mm_or_si128(s.marks[c[0]], s.marks[c[1]]),
                                    _mm_or_si128(s.marks[c[2]], s.marks[c[3]]));
         bool textured = _mm_movemask_ps(_mm_castsi128_ps(all)) & 8;
-        if (marks || textured) return true;
+        if (marks || textured) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    return exceeds(difference, t.quality.threshold) ||
-           (marks && exceeds(difference, t.quality.markThreshold)) ||
-           mayHide(t, a, size, shapeOf(s, c[0], same));
+    if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)))
+        return Split::Differs;
+    return mayHide(t, a, size, shapeOf(s, c[0], same)) ? Split::Hidden : Split::No;
+}
+
+// Whether the mean of corners a and b stands for the one in their middle, `half` from both. They must be
+// alike, and the closer in brightness the farther they are apart: what a straight line misses grows with the
+// square of its length. Near a mirrored lamp only a sample can tell. `film` traces them all.
+ODRAZ_INLINE bool meanServes(const Tile &t, uint32_t a, uint32_t b, int half) {
+    const TileScratch &s = t.s;
+    return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&
+           !exceeds(range(s.shown[a], s.shown[b]) * (float)(half * half), 1.5f * t.quality.markThreshold);
 }
 
 // Whether a square splits although its own corners, all alike, did not split it. It does where a sample in
@@ -84,8 +98,7 @@ ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float 
         if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
         uint32_t middle = corner + y * half * kCorners + x * half;
         if (alike(s, middle, corner) == kSameMarks) return false;
-        return size > 2 || exceeds(range(s.shown[corner], s.shown[middle], s.shown[corner], s.shown[middle]),
-                                   markThreshold);
+        return size > 2 || exceeds(range(s.shown[corner], s.shown[middle]), markThreshold);
     };
     return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
 }

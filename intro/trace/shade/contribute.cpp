@@ -59,7 +59,7 @@ void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count,
     }
 }
 
-Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x); }
+Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x) & ~kLamps; }
 
 // The light of sunshafts between the eye and the hits.
 Rgb8 inTheAir(const Shading &c, const RayStream &in, const Eight &pick) {

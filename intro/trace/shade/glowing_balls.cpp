@@ -38,6 +38,7 @@ void addGlowingBalls(const Shading &c, const RayStream &in) {
         }
         int32_t place[8];
         store(place, kLanes + i);
+        if (c.samples.whole) marks = marks * (kLamps + 1) | ((Uint8)(marks != 0u) & 1u);
         if (any(found)) addRest(c, in, place, min(in.count - i, 8), light, (Int8)marks);
     }
 }

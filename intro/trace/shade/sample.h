@@ -58,5 +58,7 @@ inline Rgb8 eightColours(const __m128 *v) {
 inline constexpr int kCellShift = 16;
 inline constexpr uint32_t kTextured = 1u << 31;
 static_assert(2 * kMaxLights <= kCellShift, "two bits a light");
+// In these bits Sample::secondary counts the rays that bring mirrored lamps near; in hashes they are clear.
+inline constexpr int kLamps = 7;
 
 } // namespace odraz

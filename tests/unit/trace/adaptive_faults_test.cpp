@@ -177,3 +177,19 @@ TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
                          }),
                   0);
 }
+
+// A ball of two pixels is found wherever it lies, beside an edge too, where the corners that split a square
+// do so for the edge alone.
+TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
+    for (QualityName name : {QualityName::Draft, QualityName::Play})
+        EXPECT_EQ(blinks(named(name),
+                         [](Scene &s) {
+                             Material wall = {}, ball = {};
+                             wall.emit = {0.05f, 0.05f, 0.05f};
+                             ball.emit = {0.6f, 0.6f, 0.6f};
+                             int behind = s.add(wall), before = s.add(ball);
+                             s.add(box({-2, 0, -1}, {2, 4, 0.5f}, behind));
+                             s.add(sphere({0.05f, 0, 0}, 0.025f, before));
+                         }),
+                  0);
+}
