@@ -17,7 +17,7 @@ constexpr int kSamples = 3;
 constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
 constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
-constexpr int kMostAnew = kTile * kTile / 2; // pixels; a tile with more is traced as a whole
+constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
 
 } // namespace
 
