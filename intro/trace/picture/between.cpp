@@ -41,7 +41,7 @@ namespace {
 // How all shapes of `now`, and behind the last of them the sky, map to another picture. Its scene may have
 // some more shapes and lack some others, but their order is the same. A shape that is in both has hardly
 // moved.
-void carryTo(const Traced &to, const Traced &now, Carry *carry) {
+[[gnu::cold]] void carryTo(const Traced &to, const Traced &now, Carry *carry) {
     constexpr int kMostNew = 200;
     const View &v = to.view, &w = now.view;
     Vec3 rows[3] = {v.right * (v.width / dot(v.right, v.right)) + v.forward * (v.width * 0.5f),
@@ -149,16 +149,15 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
         traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.3f, samples, s.x, s.y, s.index,
                      s.inside);
         s.sampleCount += samples;
-        const __m128 *v = s.inside;
-        for (int i = 0; i < n; ++i) {
+        for (int i = 0, next = 0; i < n; ++i) {
             int each = pixels[i] >= kInside ? 1 : kSamples;
-            __m128 sum = {}, least = *v, most = *v;
-            for (int k = 0; k < each; ++k, ++v) {
-                sum += *v;
-                least = _mm_min_ps(least, *v), most = _mm_max_ps(most, *v);
+            ptrdiff_t at = (ptrdiff_t)s.y[next] * t.frame.stride + (ptrdiff_t)s.x[next];
+            __m128 sum = {}, least = s.inside[next], most = least;
+            for (int k = 0; k < each; ++k) {
+                __m128 v = s.inside[next++];
+                sum += v;
+                least = _mm_min_ps(least, v), most = _mm_max_ps(most, v);
             }
-            size_t at = (size_t)(t.y0 + pixels[i] / kTile % kTile) * (size_t)t.frame.stride +
-                        (size_t)(t.x0 + pixels[i] % kTile);
             float *const *plane = t.frame.plane;
             __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
             // What was fetched makes so few samples less noisy. Where they miss something bright, nothing of
@@ -240,7 +239,7 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         // Interpolation would widen the outline of such a thing
         Int8 blinding = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kBlinding);
         known.radiance = select(mine, more, known.radiance);
-        known.inside = select(mine & (before + after == 4), broadcast(kInside), known.inside);
+        known.inside = select(mine, (before & after) >> 1 << 12, known.inside);
         known.done |= mine & (agree | (before != after)) & ~blinding;
     }
 }
