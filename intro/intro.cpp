@@ -75,12 +75,12 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
     Frame frame = planes;
     if (now.entry->letter) {
         // Draw on a copy: the traced planes are still needed for in-betweens
-        size_t floats = (size_t)frame.stride * (size_t)frame.height;
-        for (int k = 0; k < 3; ++k) {
-            frame.plane[k] = intro.frame.plane[k];
-            if (frame.plane[k] != planes.plane[k])
-                __builtin_memcpy(frame.plane[k], planes.plane[k], floats * sizeof(float));
-        }
+        for (int k = 0; k < 3; ++k) frame.plane[k] = intro.frame.plane[k];
+        parallelFor(*intro.workers, frame.height, [&](int y, int) {
+            ptrdiff_t row = (ptrdiff_t)y * frame.stride;
+            for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
+                __builtin_memcpy(frame.plane[k] + row, planes.plane[k] + row, (size_t)frame.stride * 4);
+        });
         now.entry->letter(now.cue, view, frame);
     }
     bool fewer = frame.width != intro.width || frame.height != intro.height;
