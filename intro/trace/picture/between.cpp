@@ -146,7 +146,7 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
                 ++samples;
                 if (inside) break;
             }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.3f, samples, s.x, s.y, s.index,
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 0.5f, samples, s.x, s.y, s.index,
                      s.inside);
         s.sampleCount += samples;
         for (int i = 0, next = 0; i < n; ++i) {
