@@ -51,6 +51,7 @@ struct Governor {
     static constexpr float kBack = 1.3f;
     // The next picture may be so much late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
+    static constexpr double kSixtieth = 1 / 60.0;
     static constexpr double kNotBegun = -1e9; // the film's time before it begins: no picture is late
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
@@ -78,7 +79,7 @@ struct Governor {
 
     bool pairs() const { return way == kPairs; }
     // From one traced picture to the next.
-    double step() const { return way == kSixty ? 1 / 60.0 : 1 / 30.0; }
+    double step() const { return way == kSixty ? kSixtieth : 2 * kSixtieth; }
     // How far pixels may go, in steps of coarseness.
     float pixelSteps() const { return width ? max(1 - (float)kLeastWidth / (float)width, 0.f) / kShrink : 0; }
     float coarsest() const { return kSteps + pixelSteps(); }
@@ -135,11 +136,12 @@ struct Governor {
 
     // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.
     // The picture must be ready when its time comes; in pairs it must be ready earlier, as the in-between is
-    // made from it.
+    // made from it. Pictures that are left out leave whole sixtieths out: else all later ones would come between
+    // those of the screen, and wait there for the next.
     double next(double time, double now) const {
-        double soonest = now + average + (pairs() ? 0.5 * step() : 0);
-        time += step();
-        return time < soonest - kTolerance ? soonest : time;
+        double soonest = now + average + (pairs() ? 0.5 * step() : 0) - kTolerance;
+        for (time += step(); time < soonest;) time += kSixtieth;
+        return time;
     }
 };
 
