@@ -45,8 +45,7 @@ const char *sceneName(int scene);
 // What a scene would rather do without, where there is no time for everything (play/governor.h): from which
 // coarseness on fewer pixels are traced, and from which on thirty pictures a second are better than sixty.
 struct Pace {
-    float pixels = 2, thirty = kNever;
-    static constexpr float kNever = 9;
+    float pixels = 2, thirty = 9; // the latter: never
 };
 Pace paceOf(int scene);
 

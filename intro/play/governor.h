@@ -9,8 +9,10 @@
 //
 //   kSixty    all are traced, if that can be done at `play` or better
 //   kPairs    every other one is traced; the in-between of two of them is made from both, which is less work
-//   kThirty   every other one is traced, and shown twice: where the scene would rather do without half of its
-//             pictures than be coarser, and where making one costs nearly as much as tracing it
+//   kThirty   thirty are shown, and every other one of these is traced: where the scene would rather do
+//   without
+//             half of its pictures than be coarser; and where pairs are too slow, since making one takes as
+//             long as tracing it
 //
 // If even that is too much, next() leaves pictures out.
 #pragma once
@@ -23,9 +25,9 @@ namespace odraz {
 struct Governor {
     enum Way { kSixty, kPairs, kThirty };
 
-    // What a picture may take: 87 % of the time until the next one. The rest is for showing it, and for
-    // pictures that take longer than those before them.
-    static constexpr float kSixtyBudget = 0.0145f, kThirtyBudget = 0.029f;
+    // What a traced picture may take, with its in-between: 87 % of the time until the next one. The rest is
+    // for showing it, and for pictures that take longer than those before them.
+    static constexpr float kBudget[] = {0.0145f, 0.029f, 0.058f}; // by way
     // Each new picture counts a quarter in the averages: they are those of the last four or so, a seventh of
     // a second. Fewer would follow noise, more would see a costly scene too late.
     static constexpr float kFollow = 0.25f;
@@ -35,7 +37,8 @@ struct Governor {
     static constexpr float kMostTracing = 4, kMostMaking = 1.5f;
     // How far the coarseness moves at a picture that takes twice its budget; from `play` to `draft` that is
     // six pictures. It improves at half that speed at most: viewers notice a late picture, but hardly a
-    // coarse one.
+    // coarse one. At pictures that take kFarTooLong times their budget it moves by a whole step, which is
+    // expected to halve their time.
     static constexpr float kMove = 0.16f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
     // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
@@ -43,12 +46,12 @@ struct Governor {
     // the coarseness stays at `play` or a little above. The gap between these two conditions is 25 % of a
     // picture's time. That is more than noise of 30 % leaves in an average, so the way does not swing.
     static constexpr float kSixtyBelow = 0.0125f, kPlay = 1, kLittleCoarser = 1.25f;
-    // No in-betweens are made once a pair at the coarsest takes kLate times its budget and kNearlyTwice times
-    // what tracing alone takes
+    // Pairs are too slow once one at the coarsest takes kLate times its budget and kNearlyTwice times what
+    // tracing alone takes.
     static constexpr float kLate = 1.1f, kNearlyTwice = 1.8f;
-    // In-betweens are made again once thirty pictures a second are so much better than where they began: then
-    // there is time for both
-    static constexpr float kBack = 1.3f;
+    // Sixty are shown again once thirty are so much better than where they began, or once the best thirty
+    // take less than a share of their time.
+    static constexpr float kBack = 1.3f, kBetter = 0.9f;
     // The next picture may be so much late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
     static constexpr double kSixtieth = 1 / 60.0;
@@ -66,23 +69,22 @@ struct Governor {
     static constexpr int kWidthStep = 16, kLeastWidth = 640;
     static constexpr float kCalm = 0.06f, kSpare = 0.78f;
 
-    // Pixels of the pictures that are shown, and of these pictures' width those that are traced; 0: always
-    // all
-    int width = 0, height = 0, across = 0;
-    Pace pace = {}; // of the scene
+    int width = 0, height = 0; // of the pictures that are shown, where fewer pixels may be traced; else 0
+    Pace pace = {};            // of the scene
 
     Way way = kPairs;
-    float coarseness = kPlay;                               // kBest .. coarsest()
-    float average = kThirtyBudget, tracing = kThirtyBudget; // of the last pictures, and of tracing them alone
-    bool fewer = false;                                     // the coarseness is one of pixels
+    float coarseness = kPlay; // kBest .. coarsest()
+    // Of the last pictures, and of tracing them alone
+    float average = kBudget[kPairs], tracing = kBudget[kPairs];
+    bool fewer = false; // whether fewer pixels are traced, if it should be coarser than pace.pixels
     int scene = -1;
 
-    bool pairs() const { return way == kPairs; }
+    bool pairs() const { return way != kSixty; }
     // From one traced picture to the next.
-    double step() const { return way == kSixty ? kSixtieth : 2 * kSixtieth; }
+    double step() const { return kSixtieth * (1 << way); }
     // How far pixels may go, in steps of coarseness.
     float pixelSteps() const { return width ? max(1 - (float)kLeastWidth / (float)width, 0.f) / kShrink : 0; }
-    float coarsest() const { return kSteps + pixelSteps(); }
+    float coarsest() const { return kSteps + (pace.pixels <= kSteps ? pixelSteps() : 0); }
     float withoutPixels() const { return fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0; }
     // Along kRange.
     float level() const { return coarseness - withoutPixels(); }
@@ -101,13 +103,14 @@ struct Governor {
         if (scene == next) return;
         scene = next;
         pace = itsPace;
-        if (way == kThirty) way = kPairs;
+        if (way == kThirty) way = kPairs, average = tracing;
+        if (way == kPairs && coarseness > pace.thirty) way = kThirty;
         fewer = coarseness >= pace.pixels;
     }
 
     // The times that the last picture took: to trace it, and to make the in-between before it, or 0.
     void spent(float trace, float make) {
-        float budget = way == kSixty ? kSixtyBudget : kThirtyBudget;
+        float budget = kBudget[way];
         trace = min(trace, kMostTracing * tracing);
         make = min(make, kMostMaking * tracing);
         tracing += (trace - tracing) * kFollow;
@@ -124,20 +127,21 @@ struct Governor {
         if (way == kSixty) {
             if (coarseness > kLittleCoarser) next = kPairs;
         } else if (way == kThirty) {
-            if (coarseness < pace.thirty - kBack) next = kPairs, coarseness = pace.thirty;
+            if (coarseness < pace.thirty - kBack || (coarseness == kBest && average < kBetter * budget))
+                next = kPairs, coarseness = pace.thirty, average *= 0.5f;
         } else if (coarseness <= kPlay && tracing < kSixtyBelow)
             next = kSixty;
         else if (coarseness > pace.thirty)
             next = kThirty;
         else if (coarseness == coarsest() && average > kLate * budget && average > kNearlyTwice * tracing)
             next = kThirty, pace.thirty = 0; // until the next scene
-        if (next != way) way = next, average = tracing;
+        if (next != way) average = next == kSixty ? tracing : average, way = next;
     }
 
     // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.
     // The picture must be ready when its time comes; in pairs it must be ready earlier, as the in-between is
-    // made from it. Pictures that are left out leave whole sixtieths out: else all later ones would come between
-    // those of the screen, and wait there for the next.
+    // made from it. Pictures that are left out leave whole sixtieths out: else all later ones would come
+    // between those of the screen, and wait there for the next.
     double next(double time, double now) const {
         double soonest = now + average + (pairs() ? 0.5 * step() : 0) - kTolerance;
         for (time += step(); time < soonest;) time += kSixtieth;

@@ -246,10 +246,11 @@ TEST(Governor, LeavesSixtyWhenTheyCostTooMuch) {
     EXPECT_TRUE(then.ways[Governor::kPairs] && !then.ways[Governor::kSixty]);
 }
 
-TEST(Governor, MakesNoneBetweenWhereThatCostsMore) {
+TEST(Governor, ShowsThirtyWhereMakingCostsMore) {
     auto all = played({1.5}, 15, [](double time) { return time < 5 || time >= 10 ? kUsual : kEntangled; });
     EXPECT_TRUE(seen(all, 6, 10).ways[Governor::kThirty]);
     EXPECT_FALSE(seen(all, 6, 10).ways[Governor::kPairs]);
+    EXPECT_LE(seen(all, 6, 10).leaps, 8);
     EXPECT_TRUE(seen(all, 10, 15).ways[Governor::kPairs]) << "the next scene tries again";
     EXPECT_FALSE(seen(all, 10, 15).ways[Governor::kThirty]);
 }
