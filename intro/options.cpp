@@ -121,7 +121,8 @@ bool isStdout(const char *path) { return same(path, "-"); }
 void writeHelp(AnyText &t) {
     t << "usage: odraz [--window] [--mute]       watch the film; ESC leaves\n"
          "       odraz --dump DIR|- [--fps N]    write its frames as binary PPM, as in\n"
-         "       odraz --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n\n";
+         "       odraz --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n"
+         "Two cores show 30 to 60 pictures a second (1280x720), sixteen 60 (1920x1080).\n\n";
     for (const Option &o : kOptions) {
         int line = t.size;
         t << "  " << o.name;

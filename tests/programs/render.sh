@@ -64,15 +64,19 @@ if command -v parallel >/dev/null; then
     check "... the same" same_frames "$to/hosts"
     check "GNU parallel makes the video" rendered "${small[@]}" --shard 4 --hosts "$WORK/hosts" "$to/hosts film.mp4"
     check "... the same" same_video "$to/hosts film.mp4"
-    # What answers like ssh, and fails for one host when it is to draw
+    # What answers like ssh, and fails for one host when it is to draw; another one draws nothing before that
     cat >"$WORK/ssh" <<END
 #!/usr/bin/env bash
 echo "\$1" >>"$WORK/reached"
-case "\$*" in "broken exec"*film\ --dump*) echo "broken: the cable is out" >&2; exit 255 ;; deaf*) exit 255 ;; esac
+case "\$*" in
+"broken exec"*film\ --dump*) : >"$WORK/broke"; echo "broken: the cable is out" >&2; exit 255 ;;
+"patient exec"*film\ --dump*) for ((i = 0; i < 600; i++)); do [ ! -e "$WORK/broke" ] || break; sleep 0.1; done ;;
+deaf*) exit 255 ;;
+esac
 exec sh -c "\$2"
 END
     chmod +x "$WORK/ssh"
-    printf 'broken\nsound\n' >"$WORK/hosts"
+    printf 'broken\npatient\n' >"$WORK/hosts"
     check "a host fails, and another takes its shards" rendered "${small[@]}" --shard 4 --ssh "$WORK/ssh" --hosts "$WORK/hosts" "$to/retried.mp4"
     check "... the same" same_video "$to/retried.mp4"
     check "... and it was told" grep -q '^tools/render: frames [0-9]* to [0-9]* failed on broken: broken: the cable is out$' "$WORK/err"
