@@ -62,7 +62,10 @@ int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).s
 
 const char *sceneName(int scene) { return kScenes[scene].name; }
 
-Pace paceOf(int scene) { return {kScenes[scene].fewerPixels * 0.1f, kScenes[scene].thirty * 0.1f}; }
+Pace paceOf(int scene) {
+    const SceneEntry &s = kScenes[scene];
+    return {s.fewerPixels * 0.1f, s.thirty * 0.1f, s.leastWidth * 16};
+}
 
 CameraKey cameraAt(double seconds) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);

@@ -43,9 +43,11 @@ int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
 // What a scene would rather do without, where there is no time for everything (play/governor.h): from which
-// coarseness on fewer pixels are traced, and from which on thirty pictures a second are better than sixty.
+// coarseness on fewer pixels are traced, but no fewer than so many across; and from which on thirty pictures
+// a second are better than sixty.
 struct Pace {
     float pixels = 2, thirty = 9; // the latter: never
+    int leastWidth = 640;
 };
 Pace paceOf(int scene);
 

@@ -66,7 +66,7 @@ struct Governor {
     // while pictures take within kCalm of their budget, so that their size does not go to and fro. Better
     // quality is tried where all are traced in so much of the budget: the best of `draft` and the worst above
     // it are up to 19 % apart, since only the latter samples within pixels.
-    static constexpr int kWidthStep = 16, kLeastWidth = 640;
+    static constexpr int kWidthStep = 16;
     static constexpr float kCalm = 0.06f, kSpare = 0.78f;
 
     int width = 0, height = 0; // of the pictures that are shown, where fewer pixels may be traced; else 0
@@ -83,7 +83,9 @@ struct Governor {
     // From one traced picture to the next.
     double step() const { return kSixtieth * (1 << way); }
     // How far pixels may go, in steps of coarseness.
-    float pixelSteps() const { return width ? max(1 - (float)kLeastWidth / (float)width, 0.f) / kShrink : 0; }
+    float pixelSteps() const {
+        return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
+    }
     float coarsest() const { return kSteps + (pace.pixels <= kSteps ? pixelSteps() : 0); }
     float withoutPixels() const { return fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0; }
     // Along kRange.

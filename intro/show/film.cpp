@@ -19,8 +19,13 @@ constexpr SceneEntry kScenes[kSceneCount] = {
      .fewerPixels = 15,
      .thirty = 10},
     {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .fewerPixels = 19, .thirty = 12},
-    {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true, .thirty = 12},
-    {.name = "credits", .pose = poseCredits, .letter = letterCredits, .id = kCredits, .thirty = 15},
+    {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true, .thirty = 12, .leastWidth = 80},
+    {.name = "credits",
+     .pose = poseCredits,
+     .letter = letterCredits,
+     .id = kCredits,
+     .thirty = 15,
+     .leastWidth = 80},
 };
 static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 

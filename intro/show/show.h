@@ -34,7 +34,7 @@ struct SceneEntry {
     void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
     SceneId id;
     bool needsHall = false;
-    uint8_t fewerPixels = 20, thirty = 20; // its Pace (intro.h), in tenths
+    uint8_t fewerPixels = 20, thirty = 20, leastWidth = 40; // its Pace (intro.h), in tenths; 16 pixels
 };
 
 extern const SceneEntry kScenes[kSceneCount];

@@ -301,7 +301,7 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
         EXPECT_TRUE(then.ways[Governor::kPairs]) << cores;
         EXPECT_TRUE(cores > 1.5 || last.size.width < 1280) << cores;
         EXPECT_TRUE(cores < 3 || last.size.width == 1280) << cores;
-        EXPECT_GE(last.size.width, Governor::kLeastWidth);
+        EXPECT_GE(last.size.width, Pace{}.leastWidth);
         EXPECT_NEAR(last.size.height, last.size.width * 9 / 16., 0.5);
     }
 }
@@ -390,4 +390,12 @@ TEST(Governor, FindsItsWayDownQuickly) {
     Seen early = seen(all, 1.5, 2.5), late = seen(all, 8, 9);
     EXPECT_NEAR(early.most, late.most, 0.3);
     EXPECT_GT(early.pictures, 20);
+}
+
+// Where letters would be lost, pictures are left out instead.
+TEST(Governor, KeepsTheWidthThatTheSceneNeeds) {
+    Player player(withScreen(1), always(kUsual), 10);
+    player.paces[0].leastWidth = 1280;
+    for (const Decision &d : player.play()) EXPECT_EQ(d.size.width, 1280);
+    EXPECT_EQ(player.governor.level(), 2);
 }
