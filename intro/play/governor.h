@@ -50,8 +50,8 @@ struct Governor {
     // tracing alone takes.
     static constexpr float kLate = 1.1f, kNearlyTwice = 1.8f;
     // Sixty are shown again once thirty are so much better than where they began, or once the best thirty
-    // take less than a share of their time.
-    static constexpr float kBack = 1.3f, kBetter = 0.9f;
+    // take less than half of their time. Sooner, sixty would soon be too coarse, and the ways would swing.
+    static constexpr float kBack = 1.6f, kHalf = 0.5f;
     // The next picture may be so much late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
     static constexpr double kSixtieth = 1 / 60.0;
@@ -129,7 +129,7 @@ struct Governor {
         if (way == kSixty) {
             if (coarseness > kLittleCoarser) next = kPairs;
         } else if (way == kThirty) {
-            if (coarseness < pace.thirty - kBack || (coarseness == kBest && average < kBetter * budget))
+            if (coarseness < pace.thirty - kBack || (coarseness == kBest && average < kHalf * budget))
                 next = kPairs, coarseness = pace.thirty, average *= 0.5f;
         } else if (coarseness <= kPlay && tracing < kSixtyBelow)
             next = kSixty;

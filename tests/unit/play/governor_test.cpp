@@ -399,3 +399,15 @@ TEST(Governor, KeepsTheWidthThatTheSceneNeeds) {
     for (const Decision &d : player.play()) EXPECT_EQ(d.size.width, 1280);
     EXPECT_EQ(player.governor.level(), 2);
 }
+
+// ... and does not swing between thirty and sixty.
+TEST(Governor, StaysWithThirtyOrSixty) {
+    for (float thirty : {1.f, 1.2f, 1.5f, 2.f})
+        for (double noise : {0., 0.1})
+            for (double cores = 0.5; cores < 24; cores *= 1.1) {
+                Player player(withScreen(cores, noise), always(kUsual), 30);
+                player.paces[0].thirty = thirty;
+                auto all = player.play();
+                EXPECT_LE(seen(all, 3, 30).changes, 1) << thirty << ' ' << noise << ' ' << cores;
+            }
+}
