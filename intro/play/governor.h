@@ -10,9 +10,8 @@
 //   kSixty    all are traced, if that can be done at `play` or better
 //   kPairs    every other one is traced; the in-between of two of them is made from both, which is less work
 //   kThirty   thirty are shown, and every other one of these is traced: where the scene would rather do
-//   without
-//             half of its pictures than be coarser; and where pairs are too slow, since making one takes as
-//             long as tracing it
+//             without half of its pictures than be coarser; and where pairs are too slow, as making one
+//             takes as long as tracing it
 //
 // If even that is too much, next() leaves pictures out.
 #pragma once
@@ -105,6 +104,7 @@ struct Governor {
         if (scene == next) return;
         scene = next;
         pace = itsPace;
+        coarseness = min(coarseness, coarsest());
         if (way == kThirty) way = kPairs, average = tracing;
         if (way == kPairs && coarseness > pace.thirty) way = kThirty;
         fewer = coarseness >= pace.pixels;

@@ -411,3 +411,15 @@ TEST(Governor, StaysWithThirtyOrSixty) {
                 EXPECT_LE(seen(all, 3, 30).changes, 1) << thirty << ' ' << noise << ' ' << cores;
             }
 }
+
+// ... from its first picture on, whatever the scene before gave up.
+TEST(Governor, IsNeverCoarserThanDraft) {
+    Governor g;
+    g.width = 1280, g.height = 720;
+    g.coarseness = 3;
+    Pace wide;
+    wide.leastWidth = 1280;
+    g.enter(1, wide);
+    EXPECT_EQ(g.level(), Governor::kSteps);
+    EXPECT_EQ(g.size().width, 1280);
+}
