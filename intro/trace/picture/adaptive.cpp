@@ -168,6 +168,7 @@ void sampleInside(Tile &t, int count) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
     Square *pixels = s.squares[2];
+    const __m128 white = _mm_set1_ps(whiteOf(t.scene));
     for (int from = 0, to = kFirst; count; from = to, to = kInside) {
         int each = to - from, most = kChunk / each, kept = 0;
         bool asks = !from && q.fine < 2;
@@ -190,9 +191,10 @@ void sampleInside(Tile &t, int count) {
                 int p = a.y * kTile + a.x;
                 uint32_t c[4];
                 cornersOf(a, 1, c);
-                __m128 corners = {}, inside = {}, lo = _mm_set1_ps(kInfinity), hi = {};
+                __m128 corners = {}, inside = {}, hi = {}, lo = _mm_set1_ps(kInfinity), darkest = lo;
                 auto add = [&](__m128 &sum, __m128 radiance) {
-                    sum += radiance;
+                    sum += _mm_min_ps(radiance, white);
+                    darkest = _mm_min_ps(darkest, radiance);
                     if (!asks) return;
                     __m128 seen = shown(t.scene, radiance);
                     lo = _mm_min_ps(lo, seen), hi = _mm_max_ps(hi, seen);
@@ -201,7 +203,7 @@ void sampleInside(Tile &t, int count) {
                 if (from) inside = __m128{s.light[0][p], s.light[1][p], s.light[2][p], 0};
                 for (int k = from; k < to; ++k, ++v) add(inside, *v);
                 if (asks && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
-                __m128 sum = corners * ofCorner + inside * ofInside;
+                __m128 sum = _mm_max_ps(corners * ofCorner + inside * ofInside, darkest);
                 for (int k = 0; k < 3; ++k) s.light[k][p] = inside[k], s.rest[k][p] = sum[k];
                 s.owner[p] = kMixed;
             }

@@ -132,6 +132,7 @@ struct Fetched {
 // and a column of its own.
 void traceAnew(Tile &t, const uint16_t *pixels, int count) {
     TileScratch &s = t.s;
+    const __m128 white = _mm_set1_ps(whiteOf(t.scene));
     for (int n; count > 0; count -= n, pixels += n) {
         n = min(count, kChunk / kSamples);
         int samples = 0;
@@ -155,14 +156,14 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
             __m128 sum = {}, least = s.inside[next], most = least;
             for (int k = 0; k < each; ++k) {
                 __m128 v = s.inside[next++];
-                sum += v;
+                sum += _mm_min_ps(v, white);
                 least = _mm_min_ps(least, v), most = _mm_max_ps(most, v);
             }
             float *const *plane = t.frame.plane;
             __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
             // What was fetched makes so few samples less noisy. Where they miss something bright, nothing of
             // it may remain
-            sum = sum * ((1 - kFetchedShare) / (float)each) +
+            sum = _mm_max_ps(sum * (1 / (float)each), least) * (1 - kFetchedShare) +
                   _mm_max_ps(_mm_min_ps(fetched, most * 3), least) * kFetchedShare;
             for (int c = 0; c < 3; ++c) plane[c][at] = sum[c];
         }

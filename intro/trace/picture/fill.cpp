@@ -59,7 +59,9 @@ void fill(Tile &t, Square q, int size) {
     }
     if (size == 1) {
         __m128 l = (light[0] + light[1] + light[2] + light[3]) * 0.25f;
-        __m128 r = (rest[0] + rest[1] + rest[2] + rest[3]) * 0.25f;
+        __m128 white = _mm_set1_ps(whiteOf(t.scene)), r = {}, darkest = rest[0];
+        for (__m128 v : rest) r += _mm_min_ps(v, white), darkest = _mm_min_ps(darkest, v);
+        r = _mm_max_ps(r * 0.25f, darkest);
         for (int k = 0; k < 3; ++k) s.light[k][at] = l[k], s.rest[k][at] = r[k];
         s.owner[at] = owner;
         return;

@@ -42,6 +42,7 @@ namespace {
 void traceGrid(Tile &t) {
     TileScratch &s = t.s;
     int side = t.quality.grid, perPixel = side * side, wide = (t.width + 7) & ~7, rows = kChunk / wide;
+    float white = whiteOf(t.scene);
     for (uint32_t i = 0; i < kChunk; ++i) s.index[i] = i;
     for (int y = t.y0, end = t.y0 + t.height; y < end; y += rows) {
         int count = min(rows, end - y) * wide;
@@ -55,13 +56,14 @@ void traceGrid(Tile &t) {
             traceSamples(t.scene, t.view, t.quality, s.trace, s.among, 1 / (float)side, count, s.x, s.y,
                          s.index, s.inside);
             for (int i = 0; i < count; i += 8) {
-                Rgb8 sum = eightColours(s.inside + i);
+                Rgb8 seen = eightColours(s.inside + i);
                 size_t at = (size_t)(y + i / wide) * (size_t)t.frame.stride + (size_t)(t.x0 + i % wide);
                 for (int c = 0; c < 3; ++c) {
-                    float *out = t.frame.plane[c] + at;
-                    Float8 v = c == 0 ? sum.x : c == 1 ? sum.y : sum.z;
-                    if (k > 0) v += load(out);
-                    store(out, k + 1 < perPixel ? v : v / broadcast((float)perPixel));
+                    float *out = t.frame.plane[c] + at, *darkest = s.rest[c] + i;
+                    Float8 v = c == 0 ? seen.x : c == 1 ? seen.y : seen.z, sum = min(v, broadcast(white));
+                    if (k > 0) v = min(v, load(darkest)), sum += load(out);
+                    store(darkest, v);
+                    store(out, k + 1 < perPixel ? sum : max(sum / broadcast((float)perPixel), v));
                 }
             }
         }

@@ -193,3 +193,35 @@ TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
                          }),
                   0);
 }
+
+// A pixel on the edge of a lamp is as white as the lamp covers it, however bright the lamp is: of a picture
+// of 255 it shows what a lamp just as bright as white would. The edge is steep, so that stairs would be long.
+TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
+    auto edge = [](float radiance, QualityName quality) {
+        auto s = std::make_unique<Scene>();
+        s->clear();
+        Material lamp = {};
+        lamp.emit = {radiance, radiance, radiance};
+        s->add(lamp);
+        s->add(Shape{.kind = ShapeKind::Rect,
+                     .centre = {-100, 0, -10},
+                     .half = {100, 0, 100},
+                     .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+        s->finish();
+        return traced(*s, {0, {0, 0, 0}, {0, 0, -10}, 4, 36}, named(quality), 160, 90);
+    };
+    for (QualityName quality :
+         {QualityName::Draft, QualityName::Play, QualityName::Film, QualityName::Reference}) {
+        TracedPicture white = edge(1, quality), bright = edge(50, quality);
+        int partly = 0;
+        for (int i = 0; i < 160 * 90 * 4; i += 4) {
+            int v = white.frame.rgba[i], w = bright.frame.rgba[i];
+            bool shared = v > 20 && v < 220; // white is shown as 231
+            partly += shared;
+            if (shared) {
+                EXPECT_NEAR(v, w, 8) << named(quality).name;
+            }
+        }
+        EXPECT_GT(partly, 50) << named(quality).name; // a pixel of each row
+    }
+}
