@@ -73,7 +73,11 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
     parallelRanges(workers, frame.height, 16, [&](int first, int end, int) {
         for (int y = first; y < end; ++y) {
             uint8_t *out = frame.rgba + (size_t)y * (size_t)frame.width * 4;
-            float below = (float)y + 0.5f - midY, rest = fmadd(below * below, -darker, 1.f) * exposure;
+            float down = (float)y + 0.5f - midY, rest = fmadd(down * down, -darker, 1.f) * exposure;
+            // At the picture's edges, neighbours are asked twice; in pictures of one row or of eight columns,
+            // pixels themselves
+            ptrdiff_t below = y + 1 < frame.height ? frame.stride : -(ptrdiff_t)(y > 0) * frame.stride,
+                      above = y > 0 ? -frame.stride : below;
             GlareRow of(glare ? glare->level[1] : Glare::Level{}, y);
             for (int x = 0; x < frame.width; x += 8) {
                 Uint8 noise = pcg((Uint8)(kLanes + (x + y * kMaxWidth)) ^ salt), grain = pcg(noise);
@@ -81,16 +85,23 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
                 Int8 pixels = broadcast((int32_t)0xff000000);
                 Float8 aside = toFloat(kLanes) + ((float)x + 0.5f - midX),
                        gain = fmadd(aside * aside, -darker * exposure, rest);
+                ptrdiff_t right = x + 8 < frame.width ? 1 : -(ptrdiff_t)(x > 0), left = x > 0 ? -1 : right;
                 for (int c = 0; c < 3; ++c) {
-                    Float8 v = load(frame.plane[c] + (size_t)y * (size_t)frame.stride + x);
+                    const float *at = frame.plane[c] + (size_t)y * (size_t)frame.stride + x;
+                    // What is brighter than all of its neighbours is mostly a sample that met something thin
+                    // by chance, which the next picture lacks
+                    auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
+                    const float *up = at + above, *under = at + below;
+                    Float8 beside = max(max(most(up), most(under)), max(load(up), load(under)));
+                    Float8 v = min(max(most(at), beside), load(at));
                     if (glare) v = fmadd(of.at(c, x) - v, look.glare, v);
                     // NaN becomes the first entry
                     v = clamp(fmadd(v, gain, Curve::kFoot), Curve::kFoot, Curve::kHead);
-                    Int8 at = bits(v) - bits(Curve::kFoot);
-                    Int8 place = lookUp(curve.place, at >> Curve::kShift);
+                    Int8 entry = bits(v) - bits(Curve::kFoot);
+                    Int8 place = lookUp(curve.place, entry >> Curve::kShift);
                     // The value times 2^14, plus the difference to the next one times the 14 bits that follow
                     // the index
-                    Int8 share = (at >> (Curve::kShift - 14) & 0x3fff) | 1 << 30;
+                    Int8 share = (entry >> (Curve::kShift - 14) & 0x3fff) | 1 << 30;
                     Int8 shown = (Int8)_mm256_madd_epi16((__m256i)place, (__m256i)share);
                     // Each colour has its own noise: 10 bits that no other one uses
                     shown += (Int8)(noise >> 11);

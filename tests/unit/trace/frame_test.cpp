@@ -111,6 +111,29 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
     }
 }
 
+// A pixel that is brighter than all around it shows the brightest of these; lines, corners and pairs stay. In
+// a picture of odd size, also at its edges, which have fewer neighbours.
+TEST(Develop, ShowsNoSparks) {
+    constexpr int kWidth = 21, kHeight = 9;
+    Workers workers = serialWorkers();
+    Curve curve;
+    makeCurve(curve);
+    for (int at = 0; at < kWidth * kHeight; ++at) {
+        int x = at % kWidth, y = at / kWidth;
+        for (bool pair : {false, true}) {
+            Canvas c(kWidth, kHeight);
+            for (float *plane : c.frame.plane) {
+                std::fill_n(plane, (size_t)c.frame.stride * kHeight, 0.2f);
+                plane[y * c.frame.stride + x] = 5;
+                if (pair) plane[(y ? y - 1 : 1) * c.frame.stride + x] = 5; // above it, or below
+            }
+            develop(curve, c.frame, workers, 1, 0);
+            EXPECT_NEAR(c.frame.rgba[4 * at], exact(pair ? 5 : 0.2f), 1.1) << x << ',' << y;
+            EXPECT_NEAR(c.frame.rgba[4 * ((at + 3) % (kWidth * kHeight))], exact(0.2f), 1.1);
+        }
+    }
+}
+
 // With noise, the mean of many pixels has more precision than eight bits: it gives the table's value without
 // steps. 512 pixels give 1/40 of a step.
 TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
