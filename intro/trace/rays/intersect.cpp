@@ -1,5 +1,9 @@
 #include "trace/rays/intersect.h"
 
+#include "trace/rays/stream.h"
+
+#include <stddef.h>
+
 namespace odraz {
 
 namespace {
@@ -24,18 +28,95 @@ struct Slabs {
         shift = ray.o * inverse;
         return {inverse, shift, max(abs(shift.x), max(abs(shift.y), abs(shift.z))) * 2.4e-7f};
     }
-    // The distances at which the rays enter boxes; kInfinity if that is not before the limit.
-    Float8 enter(Vec3x8 lo, Vec3x8 hi, Float8 limit) const {
+    // Which rays meet boxes before the limit, and where they enter them.
+    Int8 meet(Vec3x8 lo, Vec3x8 hi, Float8 limit, Float8 &enter) const {
         auto meet = [](Float8 plane, Float8 inverse, Float8 shift) {
             return (Float8)_mm256_fmsub_ps(plane, inverse, shift);
         };
         Float8 ax = meet(lo.x, inverse.x, shift.x), bx = meet(hi.x, inverse.x, shift.x);
         Float8 ay = meet(lo.y, inverse.y, shift.y), by = meet(hi.y, inverse.y, shift.y);
         Float8 az = meet(lo.z, inverse.z, shift.z), bz = meet(hi.z, inverse.z, shift.z);
-        Float8 enter = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
+        enter = max(max(min(ax, bx), min(ay, by)), max(min(az, bz), 0.f));
         Float8 leave = min(min(max(ax, bx), max(ay, by)), max(az, bz));
-        return select((enter <= fmadd(leave, 1.0000004f, slack)) & (enter <= limit), enter, kInfinity);
+        return (enter <= fmadd(leave, 1.0000004f, slack)) & (enter <= limit);
     }
+};
+
+// What the active rays of a packet have in common. Along an axis on which all of them point to the same side,
+// their origins and inverse directions lie in intervals, and these bound where the rays enter and leave
+// boxes. Other axes bound nothing. So one test culls eight boxes for eight rays.
+class Packet {
+public:
+    [[gnu::noinline]] Packet(const Ray8 &ray, const Slabs &slabs, Int8 active) {
+        int lanes = laneBits(active);
+        // Rays that are not active count as copies of the first that is
+        Int8 order = select(active, kLanes, broadcast(__builtin_ctz((unsigned)lanes)));
+        constexpr int kToHigh = (int)(offsetof(Node, hi) / sizeof(float));
+        const Float8 *from = &ray.o.x, *slope = &slabs.inverse.x; // x, y, z
+        for (int k = 0; k < 3; ++k) {
+            int backward = laneBits((Int8)slope[k]) & lanes;
+            if (backward && backward != lanes) continue;
+            Float8 inverse = permute(slope[k], order);
+            Int8 sign = (Int8)inverse & (int)0x80000000;
+            Range origins(flip(permute(from[k], order), sign)), slopes(flip(inverse, sign));
+            int low = k * 8, high = low + kToHigh;
+            axes[count++] = {low,
+                             backward ? high : low,
+                             backward ? low : high,
+                             sign,
+                             flip(origins.most, sign),
+                             flip(slopes.least, sign),
+                             flip(origins.least, sign),
+                             flip(slopes.most, sign)};
+        }
+        slack = Range(permute(slabs.slack, order)).most * 2.f;
+    }
+    // The boxes or balls of a node that some ray may enter before the limit, a bit for each.
+    [[gnu::noinline]] int mayEnter(const Node &n, Float8 limit) const {
+        const float *numbers = n.lo[0];
+        Float8 enter = {}, leave = limit;
+        auto meet = [&](const Axis &a, Float8 near, Float8 far) {
+            enter = max(enter, (near - a.nearOrigin) * a.nearSlope);
+            leave = min(leave, (far - a.farOrigin) * a.farSlope);
+        };
+        if (n.balls) {
+            for (const Axis *a = axes; a < axes + count; ++a) {
+                Float8 centre = load(numbers + a->centre), radius = flip(load(n.radius), a->sign);
+                meet(*a, centre - radius, centre + radius);
+            }
+        } else {
+            for (const Axis *a = axes; a < axes + count; ++a)
+                meet(*a, load(numbers + a->near), load(numbers + a->far));
+        }
+        // Allows for the rounding errors of these operations and of those that decide about each ray
+        return laneBits((enter <= fmadd(leave, 1.000002f, slack)) & (kLanes < n.count));
+    }
+
+private:
+    // The least and the most of eight numbers, in every lane.
+    struct Range {
+        Float8 least, most;
+
+        explicit Range(Float8 v) {
+            Float8 m =
+                min((Float8)_mm256_permute2f128_ps(v, -v, 0x20), (Float8)_mm256_permute2f128_ps(v, -v, 0x31));
+            m = min(m, (Float8)_mm256_permute_ps(m, 0x4e));
+            m = min(m, (Float8)_mm256_permute_ps(m, 0xb1));
+            least = (Float8)_mm256_permute2f128_ps(m, m, 0);
+            most = -(Float8)_mm256_permute2f128_ps(m, m, 0x11);
+        }
+    };
+    // Mirrored, so that the rays point to the positive side.
+    static Float8 flip(Float8 v, Int8 sign) { return (Float8)((Int8)v ^ sign); }
+    struct Axis {
+        // Where a node has the middles of balls, and the planes at which boxes are entered and left
+        int centre, near, far;
+        Int8 sign; // the side to which the rays point
+        // Of a ray that enters as early as any may, and of one that leaves as late
+        Float8 nearOrigin, nearSlope, farOrigin, farSlope;
+    } axes[3];
+    int count = 0;
+    Float8 slack;
 };
 
 // Nodes of the tree that are still to be visited, the nearest last.
@@ -54,43 +135,48 @@ struct Stack {
     }
 };
 
-// Calls meet(shape, t) for every unbounded shape, and for every bounded one that an active ray hits before
-// its limit, near nodes first if kSorted. `t` holds the distances to the shape. meet may lower `limit` and
-// clear lanes of `active`.
-template <bool kSorted, class Meet>
-void traverse(const Scene &scene, const Ray8 &ray, Flat flat, Float8 &limit, Int8 &active, Meet &&meet) {
+// Calls meet(with, shape, t) for every unbounded shape, and for every bounded one that an active ray hits
+// before its limit, near nodes first if `sorted`. `t` holds the distances to the shape. meet may lower
+// `limit` and clear lanes of `active`. (A function pointer, as the loop is large and would stand here twice.)
+[[gnu::noinline, gnu::noclone]] void traverse(const Scene &scene, const Ray8 &ray, Flat flat, bool sorted,
+                                              Float8 &limit, Int8 &active,
+                                              void (*meet)(const void *with, int shape, Float8 t),
+                                              const void *with) {
     for (int i = 0; i < scene.unboundedCount; ++i)
-        meet(scene.unbounded[i], distance(scene.shapes[scene.unbounded[i]], ray, flat));
+        meet(with, scene.unbounded[i], distance(scene.shapes[scene.unbounded[i]], ray, flat));
     if (!scene.nodeCount || !any(active)) return;
     Slabs slabs = Slabs::from(ray);
+    const Packet packet(ray, slabs, active);
+    Float8 reach = select(active, min(limit, kFar), -1.f), farthest = broadcast(-least(-reach));
     Stack stack;
     stack.push(0, 0, 0);
     while (stack.count) {
         Stack::Waiting next = stack.waiting[--stack.count];
-        Float8 reach = select(active, min(limit, kFar), -1.f);
-        if (!any(reach >= next.enter)) continue;
+        if (next.enter > farthest[0]) continue;
         const Node &n = scene.nodes[next.node];
         int base = stack.count;
-        for (int i = 0; i < n.count; ++i) {
+        for (int boxes = packet.mayEnter(n, farthest); boxes; boxes &= boxes - 1) {
+            int i = __builtin_ctz((unsigned)boxes);
             Vec3 lo = {n.lo[0][i], n.lo[1][i], n.lo[2][i]};
             Float8 t;
             if (n.balls) {
                 t = hitBall(ray.o - lo, n.radius[i], ray.d);
             } else {
                 Vec3 hi = {n.hi[0][i], n.hi[1][i], n.hi[2][i]};
-                Float8 enter = slabs.enter(broadcast(lo), broadcast(hi), reach);
-                if (!any(enter < kInfinity)) continue;
+                Float8 enter;
+                Int8 entered = slabs.meet(broadcast(lo), broadcast(hi), reach, enter);
+                if (!any(entered)) continue;
                 if (n.child[i] >= 0) {
-                    stack.push(base, n.child[i], kSorted ? least(enter) : 0);
+                    stack.push(base, n.child[i], sorted ? least(select(entered, enter, kInfinity)) : 0);
                     continue;
                 }
                 t = distance(scene.shapes[~n.child[i]], ray, flat);
             }
             if (!any(t <= reach)) continue;
-            meet(~n.child[i], t);
+            meet(with, ~n.child[i], t);
             reach = select(active, min(limit, kFar), -1.f);
+            farthest = broadcast(-least(-reach));
         }
-        if (!any(active)) return;
     }
 }
 
@@ -118,9 +204,10 @@ void intersectOne(const Scene &scene, const Ray8 &ray, const Slabs &slabs, float
             }
             continue;
         }
-        Float8 enter = slabs.enter(lo, load(n.hi, 0), broadcast(t));
+        Float8 enter;
+        Int8 entered = slabs.meet(lo, load(n.hi, 0), broadcast(t), enter);
         int base = stack.count;
-        for (int lanes = laneBits((enter < kInfinity) & (kLanes < n.count)); lanes; lanes &= lanes - 1) {
+        for (int lanes = laneBits(entered & (kLanes < n.count)); lanes; lanes &= lanes - 1) {
             int i = __builtin_ctz((unsigned)lanes);
             if (n.child[i] >= 0)
                 stack.push(base, n.child[i], enter[i]);
@@ -169,18 +256,22 @@ Hit8 intersect(const Scene &scene, const Ray8 &ray, Int8 active) {
         }
         return {nearest, which};
     }
-    traverse<true>(scene, ray, Flat::Seen, hit.t, active,
-                   [&](int shape, Float8 t) { takeNearer(hit, t, shape); });
+    traverse(
+        scene, ray, Flat::Seen, true, hit.t, active,
+        [](const void *hit, int shape, Float8 t) { takeNearer(*(Hit8 *)hit, t, shape); }, &hit);
     return hit;
 }
 
 Rgb8 transmittance(const Scene &scene, const Ray8 &ray, Float8 tMax, Int8 active, Int8 own, bool noBalls) {
     Rgb8 share = select(active, broadcast(Rgb{1, 1, 1}), broadcast(Rgb{}));
-    traverse<false>(scene, ray, Flat::BothSides, tMax, active, [&](int index, Float8 t) {
+    auto meet = [&](int index, Float8 t) {
         if (noBalls && scene.shapes[index].isBall()) return;
         Int8 hit = active & (t < tMax) & (own != index);
         if (any(hit)) dim(scene, scene.shapes[index], hit, share, active);
-    });
+    };
+    traverse(
+        scene, ray, Flat::BothSides, false, tMax, active,
+        [](const void *f, int shape, Float8 t) { (*(decltype(meet) *)f)(shape, t); }, &meet);
     return share;
 }
 

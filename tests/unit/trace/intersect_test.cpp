@@ -281,6 +281,49 @@ TEST(Tree, FindsWhatBruteForceFinds) {
     }
 }
 
+// Boxes are culled for a packet as a whole. Rays leave a mirror from different places; some lanes are not
+// active and point elsewhere; many only just hit a ball, where its box ends.
+TEST(Tree, CullsNothingThatAnActiveRayHits) {
+    Dice dice;
+    auto scene = std::make_unique<Scene>();
+    for (int round = 0; round < 12; ++round) {
+        scene->clear();
+        scene->add(Material{});
+        const bool balls = round % 2;
+        for (int i = 0; i < 300; ++i) {
+            Vec3 half = {dice(0.1f, 0.5f), dice(0.1f, 0.5f), dice(0.1f, 0.5f)};
+            scene->add(shapeOf(balls ? ShapeKind::Sphere : solid(i), dice.point(9), half));
+        }
+        scene->finish();
+        for (int i = 0; i < 400; ++i) {
+            float far = i % 3 == 0 ? 1000.f : 20.f, apart = dice(0, 2), spread = dice(0, 0.1f);
+            Vec3 from = dice.direction() * far;
+            int lanes = (int)dice(1, 255.99f);
+            const Shape &aim = scene->shapes[(int)dice(0, 299.99f)];
+            Ray8 r;
+            for (int k = 0; k < 8; ++k) {
+                // At the side of a ball that lies farthest along an axis
+                Vec3 side = {0, (i & 1 ? 1.f : -1.f) * aim.half.x * dice(0.999f, 1.0001f), 0};
+                Vec3 o = from + dice.point(apart), to = aim.centre + (k & 1 ? side : dice.point(spread * 20)),
+                     d = lanes >> k & 1 ? normalize(to - o) : dice.direction();
+                r.o.x[k] = o.x, r.o.y[k] = o.y, r.o.z[k] = o.z;
+                r.d.x[k] = d.x, r.d.y[k] = d.y, r.d.z[k] = d.z;
+            }
+            Int8 active = ((Int8{} + lanes) >> kLanes & 1) != 0;
+            Hit8 h = intersect(*scene, r, active);
+            Float8 nearest = broadcast(kInfinity);
+            for (int s = 0; s < scene->shapeCount; ++s) nearest = min(nearest, distance(scene->shapes[s], r));
+            Float8 end = nearest * 1.001f;
+            Rgb8 open = transmittance(*scene, r, end, active, broadcast(-1));
+            for (int k = 0; k < 8; ++k) {
+                if (!(lanes >> k & 1)) continue;
+                ASSERT_EQ(h.t[k], nearest[k]) << round << " " << i;
+                ASSERT_EQ(open.x[k], nearest[k] < kInfinity ? 0 : 1) << round << " " << i;
+            }
+        }
+    }
+}
+
 TEST(Tree, TakesCoincidentShapes) {
     auto scene = std::make_unique<Scene>();
     scene->clear();
