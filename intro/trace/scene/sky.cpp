@@ -9,7 +9,7 @@ Sky plainSky(const Rgb &low, const Rgb &high) {
     return {low, (high - low) * 2.f, low - high, 0, {0, 1, 0}, {}, {}, {}, 0, 0};
 }
 
-Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
+Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width) {
     Float8 y = max(d.y, sky.least);
     Rgb8 light = fmadd(fmadd(broadcast(sky.curve), y, broadcast(sky.slope)), y, broadcast(sky.low));
     if (maxComponent(sky.glow) > 0) {
@@ -26,7 +26,7 @@ Rgb8 radiance(const Sky &sky, const Vec3x8 &d) {
         // that
         Float8 up = max(d.y, 0.f), far = 3.f / (up + 0.12f);
         Float8 density = fractalNoise({fmadd(d.x, far, sky.drift), broadcast(sky.drift * 0.3f), d.z * far}, 3,
-                                      far * 0.014f);
+                                      far * width);
         density = smoothstep(0.f, 1.f, density + sky.cover) * smoothstep(0.f, 0.16f, up);
         light += (broadcast(sky.clouds) - light) * density;
     }

@@ -59,6 +59,10 @@ void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count,
     }
 }
 
+// Clouds are calm in mirrors and glass: balls show them so small that they would look like spots of a fur,
+// and coarse squares would miss them
+constexpr float kCalmClouds = 0.175f;
+
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x) & ~kLamps; }
 
 // The light of sunshafts between the eye and the hits.
@@ -124,7 +128,8 @@ void addShown(const Shading &c, const RayStream &in, const Run &run) {
 void addSky(const Shading &c, const RayStream &in, const Run &run) {
     for (int i = 0; i < run.count; i += 8) {
         Eight pick(run.ray + i);
-        Rgb8 weight = pick(in.weight), light = radiance(c.scene.sky, pick(in.d)) * weight;
+        Rgb8 weight = pick(in.weight),
+             light = radiance(c.scene.sky, pick(in.d), c.bounces ? kCalmClouds : kSharpClouds) * weight;
         int count = min(run.count - i, 8);
         if (c.bounces == 0)
             begin(c, in, run.ray + i, count, Rgb8{}, Int8{}, Rgb8{}, Int8{}, light + inTheAir(c, in, pick));
