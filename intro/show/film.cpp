@@ -44,11 +44,30 @@ static consteval Vec3 place(float degrees, float away, float height) {
 static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
     return {row, place(degrees, away, height), {0, aim, 0}, 0, fov};
 }
-// The camera sinks until it is just above the table and faces the sun.
-static constexpr CameraKey kOrbit[] = {
-    around(-48, 128, 6.9f, 1.6f, 0.8f, 36), around(0, 93, 6.5f, 1.5f, 0.8f, 36),
-    around(48, 60, 6.0f, 1.3f, 0.8f, 36),   around(96, 27, 5.3f, 0.95f, 0.7f, 37),
-    around(144, -5, 4.2f, 0.5f, 0.6f, 40),  around(192, -40, 3.0f, 0.2f, 0.6f, 46),
+// The table in three shots. The first walks round it with the sun behind.
+static constexpr CameraKey kTableWide[] = {
+    {-32, place(112, 6.5f, 1.6f), {-0.7f, 0.85f, 0}, 0, 36},
+    {16, place(80, 6.1f, 1.4f), {-0.7f, 0.85f, 0}, 0, 36},
+    {64, place(50, 5.4f, 1.15f), {0.2f, 0.8f, 0}, 0, 36},
+    {80, place(40, 5.1f, 1.05f), {0.4f, 0.8f, 0}, 0, 36},
+};
+// The second, against the sun, goes with a glass ball and the light that it throws on the board.
+static constexpr CameraKey kCaustic[] = {
+    {48, {2.56f, 0.59f, -0.87f}, {1.90f, 0.07f, -0.84f}, 0, 35.5},
+    {64, {2.78f, 0.60f, -0.19f}, {1.93f, 0.10f, -0.10f}, 0, 36},
+    {80, {2.67f, 0.60f, 0.45f}, {1.63f, 0.13f, 0.59f}, 0, 36.5},
+    {96, {2.28f, 0.61f, 0.90f}, {1.05f, 0.16f, 1.09f}, 0, 37},
+    {112, {1.73f, 0.61f, 1.05f}, {0.31f, 0.19f, 1.29f}, 0, 37.5},
+    {128, {1.17f, 0.62f, 0.86f}, {-0.44f, 0.22f, 1.16f}, 0, 38},
+    {144, {0.76f, 0.62f, 0.37f}, {-1.03f, 0.25f, 0.72f}, 0, 38.5},
+};
+// The third sinks until it is just above the board and faces the sun; from above, the dark ball passes below
+// the hero, not before it.
+static constexpr CameraKey kSink[] = {
+    around(112, 16, 5.5f, 3.1f, 0.45f, 38),          around(128, 5.9f, 5.0f, 2.6f, 0.48f, 38.7f),
+    around(144, -5, 4.4f, 1.95f, 0.55f, 40),         around(152, -10.2f, 4.1f, 1.35f, 0.58f, 40.9f),
+    around(160, -15.5f, 3.78f, 0.75f, 0.59f, 42),    around(168, -21.2f, 3.55f, 0.33f, 0.594f, 43.2f),
+    around(176, -27.3f, 3.33f, 0.272f, 0.6f, 44.3f), around(192, -40, 3.0f, 0.2f, 0.6f, 46),
     around(240, -75, 2.6f, 0.2f, 0.6f, 46),
 };
 
@@ -104,7 +123,9 @@ static constexpr CameraKey kStill[] = {
 
 static constexpr Shot kShots[] = {
     {.row = 0, .scene = kPoint, .storyRow = 0, .path = path(kPushIn), .fadeIn = 2, .fadeOut = 0},
-    {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kOrbit), .fadeIn = 0, .fadeOut = 0},
+    {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kTableWide), .fadeIn = 0, .fadeOut = 0},
+    {.row = 192, .scene = kTable, .storyRow = 128, .path = path(kCaustic), .fadeIn = 0, .fadeOut = 0},
+    {.row = 256, .scene = kTable, .storyRow = 128, .path = path(kSink), .fadeIn = 0, .fadeOut = 0},
     {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kValley), .fadeIn = 0, .fadeOut = 0},
     {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kAxonometry), .fadeIn = 8, .fadeOut = 0},
     {.row = 688, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 8},

@@ -46,9 +46,13 @@ constexpr struct {
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
 constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
-constexpr Light kLights[] = {
+constexpr Light kFill = {{6, 5, -4}, {9, 14, 24}};
+// The sun; and as it stands for the second shot, a macro under glass: so high that the board lies in the
+// focus of the balls
+constexpr double kMacroFrom = 64, kMacroTo = 128; // rows
+constexpr Light kKeyLights[] = {
     {kDuskSun, {620, 390, 210}, 0.6f},
-    {{6, 5, -4}, {9, 14, 24}},
+    {{-13.7f, 10.5f, 10.6f}, {620, 390, 210}, 0.6f},
 };
 
 } // namespace
@@ -56,7 +60,8 @@ constexpr Light kLights[] = {
 void poseTable(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
-    scene.addAll(kLights);
+    scene.add(kKeyLights[cue.row >= kMacroFrom && cue.row < kMacroTo]);
+    scene.add(kFill);
     float rows = (float)cue.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // It sets off from rest and reaches its speed within a beat
