@@ -71,24 +71,40 @@ static constexpr CameraKey kSink[] = {
     around(240, -75, 2.6f, 0.2f, 0.6f, 46),
 };
 
-// Towards the flake, and into the valley between its lower and its upper balls.
-static consteval CameraKey valley(float row, float degrees, float away, float height) {
-    return {row, place(degrees, away, height), place(degrees + 50, away * 0.62f, height - 0.25f), 0, 50};
-}
-static constexpr CameraKey kValley[] = {
-    {-32, place(-52, 15.2f, 2.4f), {0, 2.7f, 0}, 0, 40},
-    {0, place(-48, 10.9f, 2.9f), {0, 2.8f, 0}, 0, 40},
-    {32, place(-36, 6.8f, 3.6f), place(30, 1.2f, 3.2f), 0, 44},
-    valley(64, 6, 3.9f, 4.15f),
-    valley(88, 58, 3.75f, 4.3f),
-    valley(112, 111, 3.75f, 4.15f),
-    valley(136, 164, 3.75f, 4.3f),
-    valley(160, 217, 3.8f, 4.2f),
-    valley(184, 270, 3.8f, 4.3f),
-    valley(208, 323, 3.8f, 4.2f),
-    valley(232, 375, 3.9f, 4.45f),
-    valley(256, 425, 4.2f, 4.8f),
-    valley(280, 473, 4.8f, 5.4f),
+// The flake: while it grows;
+static constexpr CameraKey kGrowing[] = {
+    {-16, {7.84f, 1.70f, -12.55f}, {-1.88f, 2.60f, -1.32f}, 0, 40},
+    {16, {9.45f, 2.00f, -9.78f}, {-1.63f, 2.80f, -1.63f}, 0, 40},
+    {48, {10.69f, 2.40f, -6.68f}, {-1.05f, 3.00f, -1.82f}, 0, 40},
+    {80, {11.54f, 2.90f, -3.31f}, {-0.49f, 3.10f, -1.84f}, 0, 40},
+};
+// low, under its lower balls and up between two of them;
+static constexpr CameraKey kUnder[] = {
+    {48, {-3.30f, 1.40f, -5.72f}, {-2.17f, 1.50f, -0.38f}, 0, 52},
+    {64, {-3.86f, 0.80f, -3.48f}, {-2.17f, 1.70f, 0.38f}, -3, 52},
+    {76, {-3.92f, 0.50f, -1.51f}, {-2.03f, 2.00f, 1.08f}, -8, 52},
+    {88, {-3.40f, 0.80f, 0.18f}, {-1.54f, 2.80f, 1.84f}, -12, 52},
+    {100, {-2.89f, 2.15f, 0.98f}, {-1.14f, 3.90f, 2.34f}, -10, 52},
+    {112, {-2.85f, 3.70f, 1.21f}, {-0.70f, 4.90f, 2.81f}, -2, 52},
+    {124, {-3.12f, 5.20f, 1.80f}, {-0.11f, 5.90f, 3.20f}, 6, 52},
+};
+// over the top, between the three upper balls towards the sun, and down a gap;
+static constexpr CameraKey kOver[] = {
+    {100, {7.23f, 4.40f, -2.92f}, {-0.87f, 5.20f, 0.50f}, -8, 50},
+    {112, {5.64f, 4.70f, -2.05f}, {-1.30f, 5.20f, 0.75f}, -5, 50},
+    {124, {3.99f, 5.10f, -1.30f}, {-1.70f, 5.30f, 1.06f}, -1, 50},
+    {136, {2.31f, 5.65f, -0.66f}, {-2.05f, 5.30f, 1.60f}, 4, 50},
+    {148, {0.85f, 6.05f, -0.03f}, {-2.37f, 5.20f, 2.29f}, 9, 50},
+    {160, {-0.12f, 6.10f, 1.14f}, {-2.59f, 5.10f, 3.31f}, 12, 50},
+    {172, {-0.70f, 6.00f, 2.81f}, {-2.91f, 5.00f, 4.31f}, 12, 50},
+};
+// and away, until it is seen whole.
+static constexpr CameraKey kWhole[] = {
+    {144, {-4.13f, 1.40f, -2.02f}, {-0.56f, 2.70f, -0.21f}, 0, 46},
+    {160, {-5.83f, 1.50f, -3.10f}, {-0.56f, 2.80f, -0.21f}, 0, 45},
+    {176, {-8.23f, 1.70f, -4.94f}, {-0.31f, 2.90f, 0.85f}, 0, 43},
+    {192, {-10.94f, 1.90f, -7.38f}, {-0.44f, 3.00f, 1.22f}, 0, 41},
+    {208, {-13.58f, 2.10f, -10.23f}, {-0.51f, 3.00f, 1.41f}, 0, 40},
 };
 static constexpr CameraKey kAxonometry[] = {
     {0, {39.5f, 27, 31.5f}, {1.8f, 2.0f, -1.2f}, 0, 17.5f},
@@ -126,7 +142,10 @@ static constexpr Shot kShots[] = {
     {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kTableWide), .fadeIn = 0, .fadeOut = 0},
     {.row = 192, .scene = kTable, .storyRow = 128, .path = path(kCaustic), .fadeIn = 0, .fadeOut = 0},
     {.row = 256, .scene = kTable, .storyRow = 128, .path = path(kSink), .fadeIn = 0, .fadeOut = 0},
-    {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kValley), .fadeIn = 0, .fadeOut = 0},
+    {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kGrowing), .fadeIn = 0, .fadeOut = 0},
+    {.row = 384, .scene = kFlake, .storyRow = 320, .path = path(kUnder), .fadeIn = 0, .fadeOut = 0},
+    {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver), .fadeIn = 0, .fadeOut = 0},
+    {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 0},
     {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kAxonometry), .fadeIn = 8, .fadeOut = 0},
     {.row = 688, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 8},
     {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kWalk), .fadeIn = 8, .fadeOut = 0},

@@ -35,8 +35,7 @@ struct Flake {
               pixels = radius / away * kPixelsPerUnit;
         int shade = clamp((int)(pixels * 0.05f) - 1, 0, kShades - 1);
         scene.add(sphere(centre, radius, level ? pearls[level & 1][shade] : silver));
-        float size = grown[min(level, kLevels - 1)] * (1.f / 3);
-        size *= saturate(pixels * size * 0.15f - 0.4f);
+        float size = grown[min(level, kLevels - 1)] * (1.f / 3) * saturate(pixels * 0.05f - 0.4f);
         if (level == kLevels || size <= 0) return;
         for (int i = 0; i < 9; ++i) {
             float around = ((float)i * 60 + (i < 6 ? 0 : (float)i * 60 - 330)) * (kPi / 180) +
