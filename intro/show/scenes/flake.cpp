@@ -68,7 +68,8 @@ void poseFlake(const Cue &cue, Scene &scene) {
     scene.ambientLow = {0.05f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky((float)cue.row + 192);
-    scene.exposure = 0.9f;
+    // While the ball is alone, there is much of the bright sky
+    scene.exposure = lerp(0.76f, 0.9f, smoothstep(16.f, 64.f, (float)cue.row));
 }
 
 } // namespace odraz
