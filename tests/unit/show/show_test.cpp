@@ -59,7 +59,8 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
         float start = kFilm.shots[i].row, end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
         constexpr double kStep = 0.05; // seconds
         for (double t = start / kRowsPerSecond + kStep; t + kStep < end / kRowsPerSecond; t += kStep) {
-            CameraKey a = cameraAt(t - kStep), b = cameraAt(t);
+            // Never before the cut, however t is rounded
+            CameraKey a = cameraAt(std::fmax(t - kStep, start / kRowsPerSecond)), b = cameraAt(t);
             double speed = (double)length(b.eye - a.eye) / kStep;
             double turn = std::acos(std::fmin(
                               1., (double)dot(normalize(a.target - a.eye), normalize(b.target - b.eye)))) *
