@@ -60,24 +60,4 @@ inline const uint32_t *hemicubeIds(const Hemicubes &h, int index) {
 }
 inline int hemicubeStride(const Hemicubes &h) { return h.columns * h.px; }
 
-// The pixel that the unfolded cross of a hemicube shows at (u, v), as row * px + column of its 3 px rows and
-// px columns; -1 beside the cross. The top face is -1 .. 1 in u and v. The half faces are around it and
-// `folded` wide: 1 when they are folded out, less on the way there.
-inline int unfoldedPixel(float u, float v, float folded, int px) {
-    int row = (int)((v + 1) * 0.5f * (float)px);
-    if (max(abs(u), abs(v)) > 1) {
-        // Turn it until the way outwards points right
-        int face = 0;
-        for (; u <= 1; ++face) {
-            float right = u;
-            u = v, v = -right;
-        }
-        float up = 1 - (u - 1) / folded;
-        if (abs(v) > 1 || !(up > 0)) return -1;
-        row = px + face * (px / 2) + (int)(up * (float)(px / 2));
-        u = v;
-    }
-    return min(row, 3 * px - 1) * px + min((int)((u + 1) * 0.5f * (float)px), px - 1);
-}
-
 } // namespace odraz

@@ -50,16 +50,16 @@ inline constexpr Event kEvents[] = {
     {kGeneration2,      kFlake,    32, true},
     {kGeneration3,      kFlake,    48, true},
 
-    {kPatchIsVisited,   kPatches,  32, true},
-    {kHalfCubeRises,    kPatches,  48, true},
-    {kHalfCubeOpens,    kPatches,  64, true},
-    {kPatchTakesColour, kPatches,  80, true},
-    {kHalfCubeCloses,   kPatches,  92, false},
-    {kDirectLight,      kPatches, 112, true}, // and a bounce a bar
-    {kBounce1,          kPatches, 128, true},
-    {kBounce2,          kPatches, 144, true},
-    {kBounce3,          kPatches, 160, true},
-    {kPatchesMelt,      kPatches, 176, false},
+    {kPatchIsVisited,   kPatches,  16, true},
+    {kHalfCubeRises,    kPatches,  32, true},
+    {kHalfCubeOpens,    kPatches,  48, true},
+    {kPatchTakesColour, kPatches,  64, true},
+    {kHalfCubeCloses,   kPatches,  72, false},
+    {kDirectLight,      kPatches,  80, true}, // and a bounce a bar
+    {kBounce1,          kPatches,  96, true},
+    {kBounce2,          kPatches, 112, true},
+    {kBounce3,          kPatches, 128, true},
+    {kPatchesMelt,      kPatches, 144, false},
 
     {kSunMoves,         kHall,    16, false},
     {kLamp1,            kHall,   160, true},

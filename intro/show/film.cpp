@@ -53,13 +53,13 @@ static constexpr CameraKey kTableWide[] = {
 };
 // The second, against the sun, goes with a glass ball and the light that it throws on the board.
 static constexpr CameraKey kCaustic[] = {
-    {48, {2.56f, 0.59f, -0.87f}, {1.90f, 0.07f, -0.84f}, 0, 35.5},
+    {48, {2.50f, 0.56f, -0.95f}, {1.90f, 0.08f, -0.84f}, 0, 35.5},
     {64, {2.78f, 0.60f, -0.19f}, {1.93f, 0.10f, -0.10f}, 0, 36},
-    {80, {2.67f, 0.60f, 0.45f}, {1.63f, 0.13f, 0.59f}, 0, 36.5},
-    {96, {2.28f, 0.61f, 0.90f}, {1.05f, 0.16f, 1.09f}, 0, 37},
-    {112, {1.73f, 0.61f, 1.05f}, {0.31f, 0.19f, 1.29f}, 0, 37.5},
-    {128, {1.17f, 0.62f, 0.86f}, {-0.44f, 0.22f, 1.16f}, 0, 38},
-    {144, {0.76f, 0.62f, 0.37f}, {-1.03f, 0.25f, 0.72f}, 0, 38.5},
+    {80, {2.73f, 0.64f, 0.53f}, {1.63f, 0.12f, 0.59f}, 0, 36.5},
+    {96, {2.40f, 0.67f, 1.06f}, {1.05f, 0.15f, 1.09f}, 0, 37},
+    {112, {1.91f, 0.70f, 1.29f}, {0.31f, 0.18f, 1.29f}, 0, 37.5},
+    {128, {1.41f, 0.74f, 1.18f}, {-0.44f, 0.20f, 1.16f}, 0, 38},
+    {144, {1.07f, 0.78f, 0.77f}, {-1.03f, 0.23f, 0.72f}, 0, 38.5},
 };
 // The third sinks until it is just above the board and faces the sun; from above, the dark ball passes below
 // the hero, not before it.
@@ -73,10 +73,10 @@ static constexpr CameraKey kSink[] = {
 
 // The flake: while it grows;
 static constexpr CameraKey kGrowing[] = {
-    {-16, {7.84f, 1.70f, -12.55f}, {-1.88f, 2.60f, -1.32f}, 0, 40},
-    {16, {9.45f, 2.00f, -9.78f}, {-1.63f, 2.80f, -1.63f}, 0, 40},
-    {48, {10.69f, 2.40f, -6.68f}, {-1.05f, 3.00f, -1.82f}, 0, 40},
-    {80, {11.54f, 2.90f, -3.31f}, {-0.49f, 3.10f, -1.84f}, 0, 40},
+    {-16, {2.57f, 1.70f, -14.58f}, {-2.22f, 2.60f, -0.60f}, 0, 40},
+    {16, {6.38f, 2.00f, -12.01f}, {-1.99f, 2.80f, -1.15f}, 0, 40},
+    {48, {9.22f, 2.40f, -8.59f}, {-1.41f, 3.00f, -1.56f}, 0, 40},
+    {80, {11.13f, 2.90f, -4.50f}, {-0.71f, 3.10f, -1.76f}, 0, 40},
 };
 // low, under its lower balls and up between two of them;
 static constexpr CameraKey kUnder[] = {
@@ -106,13 +106,30 @@ static constexpr CameraKey kWhole[] = {
     {192, {-10.94f, 1.90f, -7.38f}, {-0.44f, 3.00f, 1.22f}, 0, 41},
     {208, {-13.58f, 2.10f, -10.23f}, {-0.51f, 3.00f, 1.41f}, 0, 40},
 };
-static constexpr CameraKey kAxonometry[] = {
-    {0, {39.5f, 27, 31.5f}, {1.8f, 2.0f, -1.2f}, 0, 17.5f},
-    {176, {31.5f, 31, 37}, {2.4f, 2.0f, -1.8f}, 0, 17.5f},
+// The patches from outside, through long lenses: down to one, whose half-cube fills the picture, and out as
+// light comes;
+static constexpr CameraKey kVisit[] = {
+    {-16, {38.2f, 27, 34}, {-0.2f, 2.4f, 0.2f}, 0, 18.4f},
+    {8, {37.4f, 27.2f, 35}, {0.3f, 2.2f, 0.2f}, 0, 16.2f},
+    {32, {36.3f, 27.5f, 36.3f}, {1.9f, 1.3f, -0.6f}, 0, 8.8f},
+    {48, {35.6f, 27.6f, 37}, {2.2f, 1.0f, -1.4f}, 0, 7},
+    {72, {34.6f, 27.8f, 38}, {2.3f, 1.0f, -1.5f}, 0, 6.7f},
+    {88, {33.8f, 28, 38.7f}, {1.8f, 1.4f, -1}, 0, 11},
+    {104, {32.8f, 28.5f, 39.4f}, {0.9f, 2.0f, -0.3f}, 0, 17},
 };
+// the bounces from the other end;
+static constexpr CameraKey kAcross[] = {
+    {80, {28, 31, -41}, {-0.6f, 2.0f, 0.4f}, 0, 16},
+    {160, {42, 29, -28}, {-0.6f, 2.1f, -0.4f}, 0, 14.4f},
+};
+// and in.
 static constexpr CameraKey kWalkIn[] = {
-    {176, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
-    {224, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
+    {144, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
+    {192, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
+};
+static constexpr CameraKey kSunPatches[] = {
+    {176, {0.9f, 1.3f, -7.6f}, {-0.9f, 2.0f, 0}, 0, 46},
+    {240, {0.3f, 1.5f, -4.4f}, {-1.1f, 2.3f, 4}, 0, 46},
 };
 // Down the nave between the columns; the camera turns with the sun, up to the lamps, and to the door.
 static constexpr CameraKey kWalk[] = {
@@ -146,8 +163,10 @@ static constexpr Shot kShots[] = {
     {.row = 384, .scene = kFlake, .storyRow = 320, .path = path(kUnder), .fadeIn = 0, .fadeOut = 0},
     {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver), .fadeIn = 0, .fadeOut = 0},
     {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 0},
-    {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kAxonometry), .fadeIn = 8, .fadeOut = 0},
-    {.row = 688, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 8},
+    {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kVisit), .fadeIn = 0, .fadeOut = 0},
+    {.row = 608, .scene = kPatches, .storyRow = 512, .path = path(kAcross), .fadeIn = 0, .fadeOut = 0},
+    {.row = 656, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 0},
+    {.row = 704, .scene = kPatches, .storyRow = 512, .path = path(kSunPatches), .fadeIn = 0, .fadeOut = 0},
     {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kWalk), .fadeIn = 8, .fadeOut = 0},
     {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 8},
     {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},

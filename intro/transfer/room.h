@@ -10,7 +10,7 @@ namespace odraz {
 
 inline constexpr int kBounces = 4; // how many bounces are kept
 inline constexpr int kSeen =
-    64; // width in pixels of the hemicube that is kept; finer than those used for solving
+    160; // width in pixels of the hemicube that is kept; finer than those used for solving
 
 struct RoomSettings {
     RadiositySettings radiosity;

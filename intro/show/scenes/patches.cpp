@@ -1,8 +1,8 @@
-// Scene 4. The hall, before light: its patches, flat and nearly black; one is visited: its half-cube rises
+// Scene 4. The hall, before light: its patches, black with copper lines. One is visited: its half-cube rises
 // over it and unfolds into five pictures of what it sees, the hall as it is then, and the patch takes its
-// colour. Then all patches get direct light, then bounce after bounce. What a bounce adds is shown in copper,
-// brightened so that it can be seen, before it joins the rest. We walk in, and patches become surfaces.
-// Everything shown is the solver's: the patches, the hemicube, the light after each bounce.
+// colour. Then a wave of direct light runs over all patches, then bounce after bounce. What a bounce adds is
+// shown in copper, brightened so that it can be seen, before it joins the rest. We walk in, and patches
+// become surfaces. Everything shown is the solver's: the patches, the hemicube, the light after each bounce.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/half_cube.h"
@@ -13,15 +13,24 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr float kGrey = 0.6f; // albedo of everything, at first
-static constexpr Key kRise[] = {{rowOf(kHalfCubeRises), 0, Smooth}, {rowOf(kHalfCubeRises) + 12, 1, Linear}};
+static constexpr Key kRise[] = {{rowOf(kHalfCubeRises), 0, Smooth},
+                                {rowOf(kHalfCubeRises) + 12, 1, Linear},
+                                {rowOf(kHalfCubeCloses) + 2, 1, Smooth},
+                                {rowOf(kHalfCubeCloses) + 10, 0, Linear}};
 static constexpr Key kOpen[] = {{rowOf(kHalfCubeOpens), 0, Smooth},
-                                {rowOf(kHalfCubeOpens) + 12, 1, Linear},
+                                {rowOf(kHalfCubeOpens) + 14, 1, Linear},
                                 {rowOf(kHalfCubeCloses), 1, Smooth},
                                 {rowOf(kHalfCubeCloses) + 8, 0, Linear}};
 static constexpr Key kTaken[] = {{rowOf(kPatchTakesColour), 0, Smooth},
                                  {rowOf(kPatchTakesColour) + 6, 1, Linear}};
 static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
                                     {rowOf(kPatchesMelt) + 44, 1.7f, Linear}};
+// Lines between patches: they glow, go out before there is light, and are dark in the light
+static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -26, Smooth},
+                                 {rowOf(kDirectLight), 0, Smooth},
+                                 {rowOf(kBounce1), 0.75f, Linear},
+                                 {rowOf(kPatchesMelt) + 2, 0.75f, Smooth},
+                                 {rowOf(kPatchesMelt) + 30, 0, Linear}};
 static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
 static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 8, 0, Smooth}, {rowOf(kPatchesMelt) + 36, 1, Linear}};
 
@@ -38,7 +47,8 @@ static constexpr struct {
 };
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
-static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f};
+static constexpr float kWave = 1; // how far light comes in a row: a bar to the farthest corner
+static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.06f, 0.8f};
 
 // How far a step has come: its contribution rises and, before its bar ends, joins the rest.
 struct Step {
@@ -50,7 +60,7 @@ struct Step {
         while (number + 1 < kStageCount && (float)row >= kStages[number + 1].row) ++number;
         float at = (float)row - kStages[max(number, 0)].row;
         rise = smoothstep(0.f, 3.f, at);
-        join = smoothstep(10.f, 15.f, at);
+        join = smoothstep(11.f, 14.f, at);
     }
     Rgb of(const Hall &hall, int patch) const {
         Rgb before = number ? hall.bounce[number - 1][patch] : Rgb{},
@@ -61,14 +71,13 @@ struct Step {
     }
 };
 
-// What a patch shows: a dark grey that depends on its normal, and later its light.
+// What a patch shows: a dark copper that depends on its normal, and later its light.
 static Rgb patchLight(const Hall &hall, int i, const Step &step, float lit) {
     const Model &m = hall.model;
-    const Chart &c = m.charts[m.patches[i].chart];
-    Rgb grey = Rgb{1, 1, 1.12f} * (0.055f + 0.034f * c.n.y + 0.02f * c.n.x - 0.012f * c.n.z);
-    if (lit <= 0 || step.number < 0) return grey;
-    if (m.patches[i].share == 0) return grey * (1 - 0.8f * lit); // under the stair there is no light
-    return lerp(grey, step.of(hall, i), lit);
+    const Vec3 n = m.charts[m.patches[i].chart].n;
+    Rgb dark = kDarkCopper * (0.0045f + 0.0025f * n.y + 0.0018f * n.x - 0.001f * n.z);
+    // Under the stair there is no light
+    return step.number < 0 || m.patches[i].share == 0 ? dark : dark * (1 - lit) + step.of(hall, i) * lit;
 }
 
 void posePatches(const Cue &cue, Scene &scene) {
@@ -78,9 +87,9 @@ void posePatches(const Cue &cue, Scene &scene) {
     Step step(row);
     HallLight light = {kNoon, {}, {}, real};
     poseHall(*hall, light, 1 - real, cue.camera.eye, scene);
-    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.012f, 0.013f, 0.016f}, {0.03f, 0.034f, 0.045f});
+    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.005f, 0.005f, 0.006f}, {0.005f, 0.005f, 0.006f});
     scene.exposure = value(track(kExposure), row);
-    scene.lines = 0.75f * (1 - melt);
+    scene.lines = value(track(kLines), row);
     hall->map.sharpness = exp2((1 - melt) * 10);
     hall->map.mosaic = 1 - melt;
     if (melt == 1) return;
@@ -88,19 +97,19 @@ void posePatches(const Cue &cue, Scene &scene) {
     // Colour the patches. Light spreads over them from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
-    float reach = ((float)row - rowOf(kDirectLight)) * 3;
+    float reach = ((float)row - rowOf(kDirectLight)) * kWave;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
-        float lit = saturate((reach - length(p.p - from)) * 0.5f);
+        float lit = saturate((reach - length(p.p - from)) * 0.3f);
         Rgb own = patchLight(*hall, i, step, lit);
         if (i == hall->visited && step.number < 0)
-            own = lerp(own, hall->bounce[1][i] * 2.f, value(track(kTaken), row));
+            own = lerp(own, hall->bounce[1][i], value(track(kTaken), row));
         // Use the patch's own reflectance, not that of the common grey, until its own material is shown
         own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
-        if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kHalfCubeCloses) - 2) {
+        if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kDirectLight)) {
             float pulse = 0.5f - 0.5f * cos(((float)row - rowOf(kPatchIsVisited)) * (kPi / 4));
-            own = lerp(own, Rgb{1.3f, 0.55f, 0.26f},
+            own = lerp(own, kCopperLight * 0.45f,
                        row < rowOf(kHalfCubeRises) ? pulse : 1 - value(track(kTaken), row));
         }
         hall->mosaic[0][i] = own.x, hall->mosaic[1][i] = own.y, hall->mosaic[2][i] = own.z;
@@ -112,10 +121,9 @@ void letterPatches(const Cue &cue, const View &view, Frame &frame) {
     Step step(cue.row);
     float h = (float)frame.height;
     if (step.number >= 0 && cue.row < rowOf(kPatchesMelt))
-        drawText(frame, kStages[step.number].name, h * 0.12f, h * 0.88f, h * 0.032f, 0.085f, 1.6f,
-                 Align::Left, {0.8f, 0.42f, 0.24f}, step.rise);
-    if (cue.row < rowOf(kHalfCubeCloses) + 8)
-        drawHalfCube(hall, value(track(kRise), cue.row), value(track(kOpen), cue.row), view, frame);
+        drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
+                 1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, step.rise);
+    drawHalfCube(hall, value(track(kRise), cue.row), value(track(kOpen), cue.row), view, frame);
 }
 
 } // namespace odraz

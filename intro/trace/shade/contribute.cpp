@@ -98,7 +98,7 @@ void addEight(const Shading &c, const RayStream &in, const Run &run, int i) {
         rest += radiance(scene.sky, pick(in.d)) * pick(in.weight) * (1.f - load(run.clear + i));
     Int8 id = loadInts(run.id + i);
     if (c.bounces == 0) {
-        if (scene.lines > 0) states += cell << kCellShift; // so that squares split where patches end
+        if (scene.lines != 0) states += cell << kCellShift; // so that squares split where patches end
         rest += inTheAir(c, in, pick);
         begin(c, in, run.ray + i, count, albedo, id, light, states, rest);
         return;

@@ -21,7 +21,7 @@ Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, cons
         colour = albedo(m, localOf(shape, p) + shape.textureShift, local, cosine, width, cell) *
                  broadcast(m.diffuse);
     }
-    if (scene.lines > 0 && shape.chart >= 0) {
+    if (scene.lines != 0 && shape.chart >= 0) {
         Float8 clear;
         cell = patchAt(scene.lightmap->charts[shape.chart], p, d, cosine, width, clear);
         colour = colour * fmadd(clear - 1.f, scene.lines, 1.f);
