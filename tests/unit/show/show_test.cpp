@@ -31,8 +31,12 @@ Intro &film() {
 
 } // namespace
 
+// As many as the treatment asks for.
+constexpr int kLeastCuts = 14;
+
 TEST(Film, CutsOnBarsAndHoldsShotsForTwo) {
     EXPECT_EQ(kFilm.shots[0].row, 0);
+    EXPECT_GE(kFilm.count - 1, kLeastCuts);
     for (int i = 0; i < kFilm.count; ++i) {
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
         EXPECT_EQ(std::fmod(kFilm.shots[i].row, kRowsPerBar), 0) << i;
@@ -71,6 +75,23 @@ TEST(Film, CamerasNeitherJumpNorStopDead) {
             if (!edge) {
                 EXPECT_GT(speed + turn, 0.002) << t;
             }
+        }
+    }
+}
+
+// What the eye looks at moves through the picture: in each second, by at least a hundredth of its height.
+// Seen from afar through a long lens a walk may be a standstill.
+TEST(Film, NoCameraStands) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        double end = (i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow) / kRowsPerSecond;
+        for (double t = kFilm.shots[i].row / kRowsPerSecond; t + 1 < end; t += 0.25) {
+            CameraKey a = cameraAt(t), b = cameraAt(t + 1);
+            Vec3 to = a.target - a.eye;
+            double passes = (double)(length(b.eye - a.eye) / length(to)) * 57.3,
+                   turns = std::acos(std::fmin(1., (double)dot(normalize(to), normalize(b.target - b.eye)))) *
+                           57.3,
+                   zooms = std::fabs((double)(b.fov - a.fov));
+            EXPECT_GT((passes + turns + zooms) / (double)a.fov, 0.02) << t;
         }
     }
 }
