@@ -3,6 +3,8 @@
 #include "show/length.h"
 #include "show/show.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 // What scenes would rather do without was found by build/seen, with two cores and 1280x720 in mind: details
@@ -36,6 +38,22 @@ static constexpr CameraKey kPushIn[] = {
     {192, {0.05f, 0.64f, 3.3f}, {0.22f, 0.50f, 0}, 0, 37.8f},
 };
 
+// Keys whose numbers have so few significant bits that they pack well. It is the paths' smoothness that the
+// eye sees, not where their keys lie to the millimetre.
+template <int N> struct Keys { CameraKey key[N]; };
+template <int kBits = 8, int N> static consteval Keys<N> coarse(const CameraKey (&keys)[N]) {
+    constexpr int kUnit = 1 << (24 - kBits);
+    auto round = [](float &x) { x = fromBits((bits(x) + kUnit / 2) & -kUnit); };
+    Keys<N> to = {};
+    for (int i = 0; i < N; ++i) {
+        CameraKey k = keys[i];
+        for (float *x : {&k.eye.x, &k.eye.y, &k.eye.z, &k.target.x, &k.target.y, &k.target.z, &k.fov})
+            round(*x);
+        to.key[i] = k;
+    }
+    return to;
+}
+
 // A place for paths around the y axis: degrees around it, distance from it, height.
 static consteval Vec3 place(float degrees, float away, float height) {
     float angle = degrees * (kPi / 180);
@@ -44,93 +62,87 @@ static consteval Vec3 place(float degrees, float away, float height) {
 static consteval CameraKey around(float row, float degrees, float away, float height, float aim, float fov) {
     return {row, place(degrees, away, height), {0, aim, 0}, 0, fov};
 }
+
 // The table in three shots. The first walks round it with the sun behind.
-static constexpr CameraKey kTableWide[] = {
-    {-32, place(112, 6.5f, 1.6f), {-0.7f, 0.85f, 0}, 0, 36},
-    {16, place(80, 6.1f, 1.4f), {-0.7f, 0.85f, 0}, 0, 36},
-    {64, place(50, 5.4f, 1.15f), {0.2f, 0.8f, 0}, 0, 36},
-    {80, place(40, 5.1f, 1.05f), {0.4f, 0.8f, 0}, 0, 36},
-};
+static constexpr auto kTableWide = coarse({
+    {0, {0, 1.47f, 6.19f}, {-0.767f, 0.854f, 0}, 0, 36},
+    {32, {2, 1.32f, 5.56f}, {-0.45f, 0.834f, 0}, 0, 36},
+    {64, {3.47f, 1.15f, 4.14f}, {0.2f, 0.8f, 0}, 0, 36},
+});
 // The second, against the sun, goes with a glass ball and the light that it throws on the board.
-static constexpr CameraKey kCaustic[] = {
-    {48, {2.50f, 0.56f, -0.95f}, {1.90f, 0.08f, -0.84f}, 0, 35.5},
-    {64, {2.78f, 0.60f, -0.19f}, {1.93f, 0.10f, -0.10f}, 0, 36},
-    {80, {2.73f, 0.64f, 0.53f}, {1.63f, 0.12f, 0.59f}, 0, 36.5},
-    {96, {2.40f, 0.67f, 1.06f}, {1.05f, 0.15f, 1.09f}, 0, 37},
-    {112, {1.91f, 0.70f, 1.29f}, {0.31f, 0.18f, 1.29f}, 0, 37.5},
-    {128, {1.41f, 0.74f, 1.18f}, {-0.44f, 0.20f, 1.16f}, 0, 38},
-    {144, {1.07f, 0.78f, 0.77f}, {-1.03f, 0.23f, 0.72f}, 0, 38.5},
-};
+static constexpr auto kCaustic = coarse({
+    {64, {2.78f, 0.6f, -0.19f}, {1.93f, 0.1f, -0.1f}, 0, 36},
+    {80, {2.73f, 0.64f, 0.53f}, {1.63f, 0.12f, 0.59f}, 0, 36.5f},
+    {96, {2.4f, 0.67f, 1.06f}, {1.05f, 0.15f, 1.09f}, 0, 37},
+    {112, {1.91f, 0.7f, 1.29f}, {0.31f, 0.18f, 1.29f}, 0, 37.5f},
+    {128, {1.41f, 0.74f, 1.18f}, {-0.44f, 0.2f, 1.16f}, 0, 38},
+});
 // The third sinks until it is just above the board and faces the sun; from above, the dark ball passes below
 // the hero, not before it.
-static constexpr CameraKey kSink[] = {
-    around(112, 16, 5.5f, 3.1f, 0.45f, 38),          around(128, 5.9f, 5.0f, 2.6f, 0.48f, 38.7f),
-    around(144, -5, 4.4f, 1.95f, 0.55f, 40),         around(152, -10.2f, 4.1f, 1.35f, 0.58f, 40.9f),
-    around(160, -15.5f, 3.78f, 0.75f, 0.59f, 42),    around(168, -21.2f, 3.55f, 0.33f, 0.594f, 43.2f),
-    around(176, -27.3f, 3.33f, 0.272f, 0.6f, 44.3f), around(192, -40, 3.0f, 0.2f, 0.6f, 46),
+static constexpr auto kSink = coarse<12>({
+    around(128, 5.9f, 5.0f, 2.6f, 0.48f, 38.7f),
+    around(144, -5, 4.4f, 1.95f, 0.55f, 40),
+    around(152, -10.2f, 4.1f, 1.35f, 0.58f, 40.9f),
+    around(160, -15.5f, 3.78f, 0.75f, 0.59f, 42),
+    around(168, -21.2f, 3.55f, 0.33f, 0.594f, 43.2f),
+    around(176, -27.3f, 3.33f, 0.272f, 0.6f, 44.3f),
+    around(192, -40, 3.0f, 0.2f, 0.6f, 46),
     around(240, -75, 2.6f, 0.2f, 0.6f, 46),
-};
+});
 
 // The flake: while it grows;
-static constexpr CameraKey kGrowing[] = {
-    {-16, {2.57f, 1.70f, -14.58f}, {-2.22f, 2.60f, -0.60f}, 0, 40},
-    {16, {6.38f, 2.00f, -12.01f}, {-1.99f, 2.80f, -1.15f}, 0, 40},
-    {48, {9.22f, 2.40f, -8.59f}, {-1.41f, 3.00f, -1.56f}, 0, 40},
-    {80, {11.13f, 2.90f, -4.50f}, {-0.71f, 3.10f, -1.76f}, 0, 40},
-};
+static constexpr auto kGrowing = coarse({
+    {0, {4.57f, 1.84f, -13.4f}, {-2.14f, 2.7f, -0.888f}, 0, 40},
+    {32, {7.92f, 2.19f, -10.4f}, {-1.73f, 2.91f, -1.38f}, 0, 40},
+    {64, {10.3f, 2.64f, -6.61f}, {-1.07f, 3.06f, -1.68f}, 0, 40},
+});
 // low, under its lower balls and up between two of them;
-static constexpr CameraKey kUnder[] = {
-    {48, {-3.30f, 1.40f, -5.72f}, {-2.17f, 1.50f, -0.38f}, 0, 52},
-    {64, {-3.86f, 0.80f, -3.48f}, {-2.17f, 1.70f, 0.38f}, -3, 52},
-    {76, {-3.92f, 0.50f, -1.51f}, {-2.03f, 2.00f, 1.08f}, -8, 52},
-    {88, {-3.40f, 0.80f, 0.18f}, {-1.54f, 2.80f, 1.84f}, -12, 52},
-    {100, {-2.89f, 2.15f, 0.98f}, {-1.14f, 3.90f, 2.34f}, -10, 52},
-    {112, {-2.85f, 3.70f, 1.21f}, {-0.70f, 4.90f, 2.81f}, -2, 52},
-    {124, {-3.12f, 5.20f, 1.80f}, {-0.11f, 5.90f, 3.20f}, 6, 52},
-};
-// over the top, between the three upper balls towards the sun, and down a gap;
-static constexpr CameraKey kOver[] = {
-    {100, {7.23f, 4.40f, -2.92f}, {-0.87f, 5.20f, 0.50f}, -8, 50},
-    {112, {5.64f, 4.70f, -2.05f}, {-1.30f, 5.20f, 0.75f}, -5, 50},
-    {124, {3.99f, 5.10f, -1.30f}, {-1.70f, 5.30f, 1.06f}, -1, 50},
-    {136, {2.31f, 5.65f, -0.66f}, {-2.05f, 5.30f, 1.60f}, 4, 50},
-    {148, {0.85f, 6.05f, -0.03f}, {-2.37f, 5.20f, 2.29f}, 9, 50},
-    {160, {-0.12f, 6.10f, 1.14f}, {-2.59f, 5.10f, 3.31f}, 12, 50},
-    {172, {-0.70f, 6.00f, 2.81f}, {-2.91f, 5.00f, 4.31f}, 12, 50},
-};
+static constexpr auto kUnder = coarse({
+    {64, {-3.86f, 0.8f, -3.48f}, {-2.17f, 1.7f, 0.38f}, -3, 52},
+    {76, {-3.92f, 0.5f, -1.51f}, {-2.03f, 2, 1.08f}, -8, 52},
+    {88, {-3.4f, 0.8f, 0.18f}, {-1.54f, 2.8f, 1.84f}, -12, 52},
+    {100, {-2.89f, 2.15f, 0.98f}, {-1.14f, 3.9f, 2.34f}, -10, 52},
+    {112, {-2.85f, 3.7f, 1.21f}, {-0.7f, 4.9f, 2.81f}, -2, 52},
+});
+// over the top, between the three upper balls, towards the sun;
+static constexpr auto kOver = coarse({
+    {112, {5.64f, 4.7f, -2.05f}, {-1.3f, 5.2f, 0.75f}, -5, 50},
+    {124, {3.99f, 5.1f, -1.3f}, {-1.7f, 5.3f, 1.06f}, -1, 50},
+    {136, {2.31f, 5.65f, -0.66f}, {-2.05f, 5.3f, 1.6f}, 4, 50},
+    {148, {0.85f, 6.05f, -0.03f}, {-2.37f, 5.2f, 2.29f}, 9, 50},
+    {160, {-0.12f, 6.1f, 1.14f}, {-2.59f, 5.1f, 3.31f}, 12, 50},
+});
 // and away, until it is seen whole.
-static constexpr CameraKey kWhole[] = {
-    {144, {-4.13f, 1.40f, -2.02f}, {-0.56f, 2.70f, -0.21f}, 0, 46},
-    {160, {-5.83f, 1.50f, -3.10f}, {-0.56f, 2.80f, -0.21f}, 0, 45},
-    {176, {-8.23f, 1.70f, -4.94f}, {-0.31f, 2.90f, 0.85f}, 0, 43},
-    {192, {-10.94f, 1.90f, -7.38f}, {-0.44f, 3.00f, 1.22f}, 0, 41},
-    {208, {-13.58f, 2.10f, -10.23f}, {-0.51f, 3.00f, 1.41f}, 0, 40},
-};
+static constexpr auto kWhole = coarse({
+    {160, {-5.83f, 1.5f, -3.1f}, {-0.56f, 2.8f, -0.21f}, 0, 45},
+    {176, {-8.23f, 1.7f, -4.94f}, {-0.31f, 2.9f, 0.85f}, 0, 43},
+    {192, {-10.9f, 1.9f, -7.38f}, {-0.44f, 3, 1.22f}, 0, 41},
+});
+
 // The patches from outside, through long lenses: down to one, whose half-cube fills the picture, and out as
 // light comes;
-static constexpr CameraKey kVisit[] = {
-    {-16, {38.2f, 27, 34}, {-0.2f, 2.4f, 0.2f}, 0, 18.4f},
-    {8, {37.4f, 27.2f, 35}, {0.3f, 2.2f, 0.2f}, 0, 16.2f},
+static constexpr auto kVisit = coarse({
+    {0, {37.7f, 27.1f, 34.6f}, {0, 2.33f, 0.26f}, 0, 17.4f},
+    {16, {37.1f, 27.3f, 35.4f}, {0.8f, 1.93f, 0}, 0, 13.9f},
     {32, {36.3f, 27.5f, 36.3f}, {1.9f, 1.3f, -0.6f}, 0, 8.8f},
-    {48, {35.6f, 27.6f, 37}, {2.2f, 1.0f, -1.4f}, 0, 7},
-    {72, {34.6f, 27.8f, 38}, {2.3f, 1.0f, -1.5f}, 0, 6.7f},
-    {88, {33.8f, 28, 38.7f}, {1.8f, 1.4f, -1}, 0, 11},
-    {104, {32.8f, 28.5f, 39.4f}, {0.9f, 2.0f, -0.3f}, 0, 17},
-};
+    {48, {35.6f, 27.6f, 37}, {2.2f, 1, -1.4f}, 0, 7},
+    {72, {34.6f, 27.8f, 38}, {2.3f, 1, -1.5f}, 0, 6.7f},
+    {96, {33.3f, 28.2f, 39.1f}, {1.39f, 1.68f, -0.669f}, 0, 13.8f},
+});
 // the bounces from the other end;
-static constexpr CameraKey kAcross[] = {
+static constexpr auto kAcross = coarse({
     {80, {28, 31, -41}, {-0.6f, 2.0f, 0.4f}, 0, 16},
     {160, {42, 29, -28}, {-0.6f, 2.1f, -0.4f}, 0, 14.4f},
-};
+});
 // and in.
-static constexpr CameraKey kWalkIn[] = {
+static constexpr auto kWalkIn = coarse({
     {144, {0.6f, 1.7f, 11.8f}, {-0.4f, 2.3f, 0}, 0, 44},
     {192, {0.5f, 1.6f, 7.4f}, {-0.8f, 2.3f, -4}, 0, 46},
-};
-static constexpr CameraKey kSunPatches[] = {
+});
+static constexpr auto kSunPatches = coarse({
     {176, {0.9f, 1.3f, -7.6f}, {-0.9f, 2.0f, 0}, 0, 46},
     {240, {0.3f, 1.5f, -4.4f}, {-1.1f, 2.3f, 4}, 0, 46},
-};
+});
 // Down the nave between the columns; the camera turns with the sun, up to the lamps, and to the door.
 static constexpr CameraKey kWalk[] = {
     {0, {1.0f, 1.6f, 8.5f}, {-3.4f, 2.4f, 1.2f}, 0, 48},
@@ -156,17 +168,22 @@ static constexpr CameraKey kStill[] = {
 
 static constexpr Shot kShots[] = {
     {.row = 0, .scene = kPoint, .storyRow = 0, .path = path(kPushIn), .fadeIn = 2, .fadeOut = 0},
-    {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kTableWide), .fadeIn = 0, .fadeOut = 0},
-    {.row = 192, .scene = kTable, .storyRow = 128, .path = path(kCaustic), .fadeIn = 0, .fadeOut = 0},
-    {.row = 256, .scene = kTable, .storyRow = 128, .path = path(kSink), .fadeIn = 0, .fadeOut = 0},
-    {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kGrowing), .fadeIn = 0, .fadeOut = 0},
-    {.row = 384, .scene = kFlake, .storyRow = 320, .path = path(kUnder), .fadeIn = 0, .fadeOut = 0},
-    {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver), .fadeIn = 0, .fadeOut = 0},
-    {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole), .fadeIn = 0, .fadeOut = 0},
-    {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kVisit), .fadeIn = 0, .fadeOut = 0},
-    {.row = 608, .scene = kPatches, .storyRow = 512, .path = path(kAcross), .fadeIn = 0, .fadeOut = 0},
-    {.row = 656, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn), .fadeIn = 0, .fadeOut = 0},
-    {.row = 704, .scene = kPatches, .storyRow = 512, .path = path(kSunPatches), .fadeIn = 0, .fadeOut = 0},
+    {.row = 128, .scene = kTable, .storyRow = 128, .path = path(kTableWide.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 192, .scene = kTable, .storyRow = 128, .path = path(kCaustic.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 256, .scene = kTable, .storyRow = 128, .path = path(kSink.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 320, .scene = kFlake, .storyRow = 320, .path = path(kGrowing.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 384, .scene = kFlake, .storyRow = 320, .path = path(kUnder.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 432, .scene = kFlake, .storyRow = 320, .path = path(kOver.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 480, .scene = kFlake, .storyRow = 320, .path = path(kWhole.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 512, .scene = kPatches, .storyRow = 512, .path = path(kVisit.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 608, .scene = kPatches, .storyRow = 512, .path = path(kAcross.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 656, .scene = kPatches, .storyRow = 512, .path = path(kWalkIn.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 704,
+     .scene = kPatches,
+     .storyRow = 512,
+     .path = path(kSunPatches.key),
+     .fadeIn = 0,
+     .fadeOut = 0},
     {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kWalk), .fadeIn = 8, .fadeOut = 0},
     {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 8},
     {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},

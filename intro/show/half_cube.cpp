@@ -18,13 +18,6 @@ constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};
 // first row of pixels, in halves of the top's, and the side of the patch, along u and v, that it looks to.
 constexpr struct { int8_t row, u, v; } kFaces[] = {{4, -1, 0}, {5, 0, -1}, {2, 1, 0}, {3, 0, 1}, {0, 0, 0}};
 
-struct Point {
-    float x, y;
-    Point operator+(Point b) const { return {x + b.x, y + b.y}; }
-    Point operator-(Point b) const { return {x - b.x, y - b.y}; }
-    Point operator*(float s) const { return {x * s, y * s}; }
-};
-
 } // namespace
 
 void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Frame &frame) {
@@ -32,67 +25,56 @@ void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Fr
     const Model &m = hall.model;
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
-    float h = (float)frame.height, opacity = smoothstep(0.4f, 1.f, rise);
-    auto project = [&](const Vec3 &way) {
-        Point on;
-        view.project(patch.p + way * (kHalfSide * rise), on.x, on.y);
-        return on;
-    };
-    // The lens is so long that the half-cube's sides are parallel in the picture
-    Point foot = project({}), alongU = project(c.u) - foot, alongV = project(c.v) - foot,
-          upwards = project(c.n) - foot, middle = {view.width - 0.51f * h, 0.5f * h};
-    // A point of the half-cube, in half sides. Unfolded, the lower points of the side towards (outU, outV)
-    // lie further out.
-    auto at = [&](float u, float v, float up, float outU, float outV) {
-        Point on = foot + alongU * u + alongV * v + upwards * up;
-        u += outU * (1 - up), v += outV * (1 - up);
-        return on + (middle + Point{-u, v} * (kUnfolded * h) - on) * open;
-    };
-    if (open > 0) {
-        // A line leads to it from its patch
-        Stroke line = {foot.x, foot.y, lerp(foot.x, middle.x, open), lerp(foot.y, middle.y, open)};
-        drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f);
-    }
+    float h = (float)frame.height, size = h * kUnfolded;
+    // The middle of its bottom, and its half sides: on the patch, and as far on the way to the cross as it is
+    // open. Through so long a lens the sides are alike everywhere
+    float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
+    const Vec3 ways[4] = {{}, c.u, c.v, c.n};
+    for (int i = 0; i < 4; ++i) view.project(patch.p + ways[i] * (kHalfSide * rise), on[i][0], on[i][1]);
+    Stroke line = {on[0][0], on[0][1], 0, 0};
+    for (int k = 0; k < 2; ++k)
+        for (int i = 0; i < 4; ++i) now[i][k] = lerp(i ? on[i][k] - on[0][k] : on[0][k], now[i][k], open);
+    // A line leads to it from its patch
+    line.x1 = now[0][0], line.y1 = now[0][1];
+    drawStrokes(frame, &line, 1, h * 0.0012f, kEdge, 0.5f * open);
     for (const auto &f : kFaces) {
-        // A parallelogram: its first pixel's corner, the last one's of the row, and the first one's of the
-        // last row
-        Point corner[3];
-        for (int k = 0; k < 3; ++k) {
-            float s = k == 1 ? 1 : -1, t = k == 2;
-            corner[k] = f.row ? at(f.u - f.v * s, f.v + f.u * s, t, f.u, f.v) : at(s, 2 * t - 1, 1, 0, 0);
+        // Its first pixel's corner, and its sides along columns and rows. What was below lies further out
+        float o[2], a[2], b[2], limits[2] = {view.width, h};
+        int from[2], to[2];
+        for (int k = 0; k < 2; ++k) {
+            float u = now[1][k], v = now[2][k], n = now[3][k], out = u * f.u + v * f.v,
+                  along = v * f.u - u * f.v;
+            o[k] = now[0][k] + out * (1 + open) - along, a[k] = along * 2, b[k] = n - out * open;
+            if (f.row == 0) o[k] += n - u - v, a[k] = u * 2, b[k] = v * 2;
+            float middle = o[k] + (a[k] + b[k]) * 0.5f, reach = (abs(a[k]) + abs(b[k])) * 0.5f;
+            from[k] = (int)clamp(middle - reach, 0.f, limits[k]);
+            to[k] = (int)clamp(middle + reach + 1, 0.f, limits[k]);
         }
-        Point o = corner[0], a = corner[1] - o, b = corner[2] - o, last = corner[1] + b;
-        float scale = kSeen / (a.x * b.y - a.y * b.x), rows = f.row ? kSeen / 2 : kSeen;
-        int x0, x1, y0, y1;
-        auto bound = [&](float Point::*axis, float limit, int &from, int &to) {
-            float p = o.*axis, q = last.*axis, r = corner[1].*axis, t = corner[2].*axis;
-            from = (int)clamp(min(min(p, q), min(r, t)), 0.f, limit);
-            to = (int)clamp(max(max(p, q), max(r, t)) + 1, 0.f, limit);
-        };
-        bound(&Point::x, view.width, x0, x1), bound(&Point::y, h, y0, y1);
-        for (int y = y0; y < y1; ++y)
-            for (int x = x0; x < x1; ++x) {
-                float dx = (float)x + 0.5f - o.x, dy = (float)y + 0.5f - o.y;
-                float s = (dx * b.y - dy * b.x) * scale, t = (dy * a.x - dx * a.y) * scale * rows / kSeen;
-                if (!(s >= 0 && s < kSeen && t >= 0 && t < rows)) continue;
+        float scale = kSeen / (a[0] * b[1] - a[1] * b[0]), rows = f.row ? 0.5f : 1;
+        for (int y = from[1]; y < to[1]; ++y)
+            for (int x = from[0]; x < to[0]; ++x) {
+                float dx = (float)x + 0.5f - o[0], dy = (float)y + 0.5f - o[1];
+                float s = (dx * b[1] - dy * b[0]) * scale, t = (dy * a[0] - dx * a[1]) * scale * rows;
+                if (!(min(s, t) >= 0 && s < kSeen && t < rows * kSeen)) continue;
                 const uint32_t *seen = hall.seen + (f.row * (kSeen / 2) + (int)t) * kSeen + (int)s;
                 uint32_t id = *seen;
-                Rgb colour = {};
-                if (id != kNothing && id != kBackSide)
+                Rgb colour = kLine;
+                if (id == seen[1] && id == seen[kSeen] && id != kNothing && id != kBackSide)
                     colour =
-                        m.charts[m.patches[id - 1].chart].open
+                        m.charts[m.patches[--id].chart].open
                             ? kSky
-                            : Rgb{hall.mosaic[0][id - 1], hall.mosaic[1][id - 1], hall.mosaic[2][id - 1]} *
-                                  kBrightened;
-                if ((s + 1 < kSeen && id != seen[1]) || (t + 1 < rows && id != seen[kSeen])) colour = kLine;
-                size_t to = (size_t)y * (size_t)frame.stride + (size_t)x;
+                            : Rgb{hall.mosaic[0][id], hall.mosaic[1][id], hall.mosaic[2][id]} * kBrightened;
+                size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
                 float light[3] = {colour.x, colour.y, colour.z};
-                for (int k = 0; k < 3; ++k) frame.plane[k][to] = lerp(frame.plane[k][to], light[k], opacity);
+                for (int k = 0; k < 3; ++k) frame.plane[k][at] = lerp(frame.plane[k][at], light[k], rise);
             }
-        Stroke edges[] = {{o.x, o.y, corner[1].x, corner[1].y},
-                          {o.x, o.y, corner[2].x, corner[2].y},
-                          {last.x, last.y, corner[1].x, corner[1].y},
-                          {last.x, last.y, corner[2].x, corner[2].y}};
+        Stroke edges[4];
+        for (int k = 0; k < 4; ++k) {
+            // Two along columns, two along rows
+            float *side = k & 1 ? a : b, *other = k & 1 ? b : a, far = k < 2 ? 0 : 1,
+                  x = o[0] + other[0] * far, y = o[1] + other[1] * far;
+            edges[k] = {x, y, x + side[0], y + side[1]};
+        }
         drawStrokes(frame, edges, 4, h * 0.0016f, kEdge, rise);
     }
 }

@@ -41,7 +41,7 @@ bool visit(Room &room, const Vec3 &place, const Gl &gl, Arena &arena) {
         room.visited = i;
     }
     Hemicubes h;
-    room.seen = arena.take<uint32_t>((size_t)(3 * kSeen * kSeen));
+    room.seen = arena.take<uint32_t>((size_t)((3 * kSeen + 1) * kSeen));
     if (arena.full || !openHemicubes(h, gl, arena, kSeen)) return false;
     Eye eye = {m.patches[room.visited].p, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}};
     drawHemicubes(h, m, &eye, 1);

@@ -30,7 +30,7 @@ struct Room {
     // Irradiance / pi on every patch after each bounce of the followed light; [0] is direct light
     Rgb *bounce[kBounces + 1];
     // The visited patch and what it sees: a hemicube, 3 kSeen rows of kSeen pixels in the layout of
-    // hemicube.h
+    // hemicube.h, and an empty row
     int visited;
     uint32_t *seen;
     Radiosity radiosity;

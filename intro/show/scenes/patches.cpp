@@ -28,9 +28,7 @@ static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
 // Lines between patches: they glow, go out before there is light, and are dark in the light
 static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -26, Smooth},
                                  {rowOf(kDirectLight), 0, Smooth},
-                                 {rowOf(kBounce1), 0.75f, Linear},
-                                 {rowOf(kPatchesMelt) + 2, 0.75f, Smooth},
-                                 {rowOf(kPatchesMelt) + 30, 0, Linear}};
+                                 {rowOf(kBounce1), 0.75f, Linear}};
 static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
 static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 8, 0, Smooth}, {rowOf(kPatchesMelt) + 36, 1, Linear}};
 
@@ -89,7 +87,7 @@ void posePatches(const Cue &cue, Scene &scene) {
     poseHall(*hall, light, 1 - real, cue.camera.eye, scene);
     if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.005f, 0.005f, 0.006f}, {0.005f, 0.005f, 0.006f});
     scene.exposure = value(track(kExposure), row);
-    scene.lines = value(track(kLines), row);
+    scene.lines = value(track(kLines), row) * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
     hall->map.mosaic = 1 - melt;
     if (melt == 1) return;
