@@ -30,11 +30,11 @@ static_assert(sizeof kInstruments / sizeof *kInstruments == kInstrumentCount);
 static_assert(
     [] {
         for (const Instrument &i : kInstruments)
-            if (i.partials < 4 || i.partials > 32 || i.partials % 4 || i.attack * kSampleRate < kBlock - 0.5f)
+            if (i.partials < 4 || i.partials > 32 || i.partials % 4)
                 return false;
         return true;
     }(),
-    "groups of four partials, 32 at most, and an attack of a block at least");
+    "groups of four partials, 32 at most");
 
 constexpr char kChords[][19] = {
     [kPoint] = "DDDDDBGD",

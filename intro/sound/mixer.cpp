@@ -1,13 +1,17 @@
 #include "sound/mixer.h"
 
+#include "base/maths.h"
+
 namespace odraz {
 
 namespace {
 
-constexpr float kLoud = 1.7f; // of all, before it is clipped softly
+constexpr float kLoud = 1.8f;    // of all, before it is clipped softly
+constexpr float kUsual = 0.006f; // mean square above which 4 dB more become 3 dB
+constexpr float kClosing = 0.3f; // of its gain, in a block
 constexpr float kRoomLevel = 0.42f;
 constexpr float kCross = 0.12f;      // of each side is heard on the other
-constexpr float kPeak = 0.84f;       // the largest sample: leaves room for peaks between samples
+constexpr float kPeak = 0.75f;       // the largest sample: leaves room for peaks between samples
 constexpr int kSeekBlocks = 8 * 200; // rendered before the block that is sought, so that the room is full
 
 } // namespace
@@ -40,6 +44,7 @@ void renderBlock(Mixer &m, float *stereo) {
             for (int n = 0; n < kBlock; ++n) {
                 m.dry[n] += m.voice[n];
                 m.wet[n] = fmadd(m.voice[n], send, m.wet[n]);
+                m.late[n] = fmadd(m.voice[n], kind.echo, m.late[n]);
                 m.voice[n] = Float8{};
             }
         }
@@ -52,19 +57,30 @@ void renderBlock(Mixer &m, float *stereo) {
     m.voiceCount = left;
 
     if (stereo) {
-        renderEcho(m.echo, m.block, m.wet);
+        renderEcho(m.echo, m.block, m.late, m.dry, m.wet);
         renderReverb(m.reverb, m.block, m.wet, m.dry);
+        // After silence all is there at once, as struck notes are; otherwise the gain goes straight
+        float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
+        if (m.hushed) gain = max(m.gain - kClosing, 0.f);
+        float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);
+        Float8 squares = {};
         for (int n = 0; n < kBlock; ++n) {
             Float8 x = m.dry[n];
-            m.dry[n] = m.wet[n] = Float8{};
+            m.dry[n] = m.wet[n] = m.late[n] = Float8{};
             x = (Float8)_mm256_hadd_ps(x, x);
             x = (Float8)_mm256_hadd_ps(x, x);
-            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1), kCross * kLoud, x * kLoud);
+            x = fmadd((Float8)_mm256_permute2f128_ps(x, x, 1), kCross, x);
+            squares = fmadd(x, x, squares);
+            m.gain = min(m.gain + step, most);
+            x *= m.gain;
             // Clip softly: by a cubic that is flat at 1.5
             x = clamp(x, -1.5f, 1.5f);
             x = (x - x * x * x * (4.f / 27)) * kPeak;
             stereo[2 * n] = x[0], stereo[2 * n + 1] = x[4];
         }
+        m.gain = gain;
+        float grown = (squares[0] + squares[4]) * (0.5f / kBlock) - m.power;
+        m.power = fmadd(grown, grown > 0 ? 0.05f : 0.005f, m.power);
     }
     ++m.block;
     m.ducked *= 0.93f;

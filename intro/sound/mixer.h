@@ -1,4 +1,5 @@
-// All that sounds: voices, what they send to the room and its echo, and the two channels that come of it.
+// All that sounds: voices, what they send to the room and its echo, and the two channels that come of it. A
+// slow compressor drives quiet scenes nearer to the loud ones, and leaves every hit its edge.
 //
 // Stereo, 48 kHz, a block of 5 ms at a time; a row of the film is 25 blocks. Nothing is allocated, and a
 // block depends on what was played before and on nothing else: the bits are the same on every processor.
@@ -22,12 +23,16 @@ struct Mixer {
     RowPlayer player;
     int block;    // the next one
     float ducked; // how far loud instruments push the others down: 0 .. 1
+    bool hushed;  // the player's: all is silent, 30 ms from then on, until it says otherwise
+    float power;  // mean square of all, over a tenth of a second as it grows and a second as it falls
+    float gain;   // of all, at the last block's end
     int voiceCount;
     int quietest; // index of the quietest voice, in the last block
     Voice voices[kVoices];
     Reverb reverb;
     Echo echo;
-    Float8 voice[kBlock], dry[kBlock], wet[kBlock]; // of one voice, and of all: zero between blocks
+    // Of one voice, and of all: zero between blocks
+    Float8 voice[kBlock], dry[kBlock], wet[kBlock], late[kBlock];
 };
 
 // Begins a note with the next block. Ignores it if its key or velocity is not positive, its room is negative,

@@ -31,6 +31,42 @@ Float8 randomLanes(uint32_t seed) {
     return toFloat((Int8)(pcg((Uint8)kLanes + seed * 8) >> 8)) * (1.f / 16777216);
 }
 
+bool isStruck(const Instrument &i) { return i.attack * kSampleRate < kBlock; }
+
+// A level over a block: straight from one value to the other, or up within the attack if that is shorter.
+struct Ramp {
+    float value, step, most;
+    float next() {
+        float now = value;
+        value = min(value + step, most);
+        return now;
+    }
+};
+
+// The filters' coefficient: the tangent of half the angle that the bands' pitch turns in a sample.
+Float8 warped(const Voice &v, int time) {
+    const Instrument &i = *v.note.instrument;
+    Float8 half = toFloat((Int8)v.group[0].turn) * (fmadd(1 - bent(i, time), i.bend, 1.f) * 0.5f);
+    half = clamp(half, 0, kHighest / kSampleRate * 0.5f * kTurn);
+    Phasor p = phasor((Uint8)toInt(half), broadcast(1.f));
+    return p.sin / p.cos;
+}
+
+void renderNoise(Voice &v, int time, Float8 amplitude, Ramp gain, Float8 *out) {
+    const Voice::Group &group = v.group[0];
+    float width = v.note.instrument->noise;
+    Float8 g = warped(v, time), step = (warped(v, time + kBlock) - g) * (1.f / kBlock),
+           falls = exp2(group.fall);
+    for (int n = 0; n < kBlock; ++n) {
+        Float8 white = toFloat((Int8)pcg(group.phase + (uint32_t)(time + n))) * (1.f / 2147483648.f);
+        Float8 x = fmadd(white - v.low, g, v.band) / fmadd(g, g + width, 1.f), y = fmadd(x, g, v.low);
+        v.band = x + x - v.band, v.low = y + y - v.low;
+        out[n] = fmadd(x * amplitude, gain.next(), out[n]);
+        amplitude *= falls;
+        g += step;
+    }
+}
+
 } // namespace
 
 float Voice::envelope(float time) const {
@@ -48,6 +84,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
     const Instrument &i = *note.instrument;
     v.note = note;
     v.start = block;
+    v.band = v.low = Float8{};
     v.groups = i.partials / 4;
     float frequency = exp2((note.key - 69) * (1.f / 12)) * 440;
     float tilt = i.tilt + i.softer * (1 - note.velocity);
@@ -65,7 +102,7 @@ void beginVoice(Voice &v, const Note &note, int block) {
         ratio = abs(ratio) * (1.f + side * i.detune);
         Float8 hertz = ratio * frequency;
         group.turn = (Uint8)toInt(min(hertz, kHighest) * (kTurn / kSampleRate));
-        group.phase = phaseOf(shared + mine * i.spread);
+        group.phase = phaseOf(mine * i.spread + (isStruck(i) ? Float8{} : shared));
         group.bend = hertz * (i.bend * i.bendTime * 1.442695f);
         group.amplitude =
             select(hertz * (1 + i.bend) < kHighest,
@@ -74,28 +111,32 @@ void beginVoice(Voice &v, const Note &note, int block) {
     }
 }
 
-void renderVoice(const Voice &v, int time, float gain0, float gain1, Float8 *out) {
+void renderVoice(Voice &v, int time, float gain0, float gain1, Float8 *out) {
     const Instrument &i = *v.note.instrument;
     gain0 *= v.envelope((float)time);
     gain1 *= v.envelope((float)(time + kBlock));
-    float step = (gain1 - gain0) * (1.f / kBlock);
+    Ramp gain = {gain0, (gain1 - gain0) * (1.f / kBlock), max(gain0, gain1)};
+    if (time == 0 && isStruck(i)) gain.step = gain1 / (i.attack * kSampleRate);
     float bend0 = bent(i, time), bend1 = bent(i, time + kBlock);
     for (int g = 0; g < v.groups; ++g) {
         const Voice::Group &group = v.group[g];
         Float8 amplitude = group.amplitude * exp2(group.fall * (float)time);
         if (!any(amplitude > kInaudible)) continue;
+        if (i.noise > 0) {
+            renderNoise(v, time, amplitude, gain, out);
+            continue;
+        }
         // The phase at the block's start, and the turn per sample: within the block, the bend goes straight
         // from its value at the start to that at the end
         Uint8 phase = group.phase + group.turn * (uint32_t)time + phaseOf(group.bend * bend0);
         Uint8 turn = group.turn + (Uint8)toInt(group.bend * (bend1 - bend0) * (kTurn / kBlock));
         Phasor p = phasor(phase, amplitude), by = phasor(turn, exp2(group.fall));
-        float gain = gain0;
+        Ramp level = gain;
         for (int n = 0; n < kBlock; ++n) {
-            out[n] = fmadd(p.sin, gain, out[n]);
+            out[n] = fmadd(p.sin, level.next(), out[n]);
             Float8 turned = fmadd(p.cos, by.cos, -(p.sin * by.sin));
             p.sin = fmadd(p.sin, by.cos, p.cos * by.sin);
             p.cos = turned;
-            gain += step;
         }
     }
 }

@@ -5,6 +5,11 @@
 // of 2^-32 turns, its amplitude is a power of two, and only within a block are phasors turned from sample to
 // sample. So phasors need no renormalising, rendering can begin at any time in a note, and no number becomes
 // denormal.
+//
+// Bands of noise are random numbers of the time, in eight state-variable filters of the zero-delay form,
+// which stay in tune and stable however fast they are swept. Their state is the only one: it is forgotten
+// within a few periods. Zavalishin, "The Art of VA Filter Design", 2012, 4; Simper, "Linear trapezoidal
+// integrated SVF", 2013.
 #pragma once
 
 #include "base/float8.h"
@@ -31,6 +36,7 @@ struct Voice {
         Float8 amplitude;  // at the start
         Float8 fall;       // change of log2(amplitude) per sample: not above 0
     } group[8];
+    Float8 band, low; // the filters' integrators
 
     // The envelope, and the amplitude of the first partial with it, `time` samples after the start; 0 after
     // the end.
@@ -45,6 +51,6 @@ void beginVoice(Voice &voice, const Note &note, int block);
 
 // Adds a block to `out`, kBlock samples of eight lanes, `time` samples after the voice's start (a multiple of
 // kBlock); its level goes from gain0 to gain1, both multiplied by the envelope.
-void renderVoice(const Voice &voice, int time, float gain0, float gain1, Float8 *out);
+void renderVoice(Voice &voice, int time, float gain0, float gain1, Float8 *out);
 
 } // namespace odraz

@@ -8,6 +8,8 @@ namespace odraz {
 // in turn.
 static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 4001};
 
+static constexpr int kDiffusers[] = {223, 467, 907}; // samples
+
 // The lengths of the lines at the beginning of a block. Each goes to and fro with a period of its own, some
 // 20 seconds, and at constant speed, so that it puts everything equally out of tune.
 static Float8 drifted(int block) {
@@ -38,17 +40,26 @@ void renderReverb(Reverb &reverb, int block, const Float8 *in, Float8 *out) {
             y = (Float8)_mm256_addsub_ps((Float8)_mm256_permute_ps(y, 0xb1), y);
             y = (Float8)_mm256_permutevar8x32_ps(y, (__m256i)Int8{0, 2, 4, 6, 1, 3, 5, 7});
         }
-        reverb.lines[reverb.at] = y + in[n];
+        Float8 entering = in[n];
+        for (int i = 0; i < 3; ++i) {
+            Float8 *line = reverb.diffuser[i];
+            Float8 late = line[(reverb.at - kDiffusers[i]) & 1023];
+            Float8 now = line[reverb.at & 1023] = fmadd(late, 0.6f, entering);
+            entering = fmadd(now, -0.6f, late);
+        }
+        reverb.lines[reverb.at] = y + entering;
         reverb.at = (reverb.at + 1) & (Reverb::kLength - 1);
     }
 }
 
-void renderEcho(Echo &echo, int block, Float8 *inOut) {
+void renderEcho(Echo &echo, int block, const Float8 *in, Float8 *dry, Float8 *wet) {
+    constexpr Float8 kEnters = {1, 1, 1, 1}; // on the left
     Float8 *line = echo.line + block % Echo::kBlocks * kBlock;
     for (int n = 0; n < kBlock; ++n) {
-        Float8 late = line[n];
-        line[n] = fmadd((Float8)_mm256_permute2f128_ps(late, late, 1), 0.4f, inOut[n] * 0.3f);
-        inOut[n] += late;
+        Float8 late = line[n], both = in[n] + (Float8)_mm256_permute2f128_ps(in[n], in[n], 1);
+        line[n] = fmadd((Float8)_mm256_permute2f128_ps(late, late, 1), 0.5f, both * kEnters);
+        dry[n] += late;
+        wet[n] = fmadd(late, 0.3f, wet[n]);
     }
 }
 

@@ -1,10 +1,11 @@
 // The room that answers, and an echo in tempo. Both take and give eight lanes, 0 to 3 the left ones.
 //
-// The room is a feedback delay network of eight lines, one a lane: their outputs are mixed by a Hadamard
-// matrix and go in again, so that echoes multiply until they sound like a room. A line's loss follows from
-// its length, so that all modes decay alike; a low-pass in each line makes high frequencies decay faster. The
-// lengths drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks for designing
-// artificial reverberators", 90th AES convention, 1991.
+// Three allpasses diffuse what enters the room, so that its first echoes are no clicks (Schroeder, "Natural
+// sounding artificial reverberation", 1962). The room is a feedback delay network of eight lines, one a lane:
+// their outputs are mixed by a Hadamard matrix and go in again, until they sound like a room. A line's loss
+// follows from its length, so that all modes decay alike; a low-pass in each line makes high frequencies
+// decay faster. The lengths drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks for
+// designing artificial reverberators", 90th AES convention, 1991.
 #pragma once
 
 #include "base/float8.h"
@@ -19,7 +20,8 @@ inline constexpr float kDrift = 9;        // samples, either way of a line's mea
 struct Reverb {
     static constexpr int kLength = 8192; // a power of two above the longest line
     Float8 lines[kLength];
-    Float8 low; // state of the low-passes
+    Float8 diffuser[3][1024]; // longer than their delays too
+    Float8 low;               // state of the low-passes
     int at;
 };
 
@@ -31,7 +33,8 @@ struct Echo {
     Float8 line[kBlocks * kBlock];
 };
 
-// Adds the echoes of a block to itself; every echo changes sides.
-void renderEcho(Echo &echo, int block, Float8 *inOut);
+// Sends both sides of a block into the echo, as one. What comes back, first on the left, then on the right
+// and so on, is added to what is heard dry and to what goes to the room.
+void renderEcho(Echo &echo, int block, const Float8 *in, Float8 *dry, Float8 *wet);
 
 } // namespace odraz

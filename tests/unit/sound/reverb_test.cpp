@@ -91,15 +91,26 @@ TEST(Reverb, IsDenseAndOnBothSides) {
     }
 }
 
-TEST(Echo, ComesBackOnTheOtherSideAfterThreeRows) {
+// What enters as an impulse is spread by the allpasses, with its energy.
+TEST(Reverb, HasFirstEchoesThatAreNoClicks) {
+    auto room = std::make_unique<Reverb>();
+    std::vector<double> out = impulse(*room, 0.1, 2);
+    double most = 0, sum = 0;
+    for (double x : out) most = std::max(most, x * x), sum += x * x;
+    EXPECT_LT(most, 0.1 * sum);
+}
+
+TEST(Echo, AlternatesSidesEveryThreeRows) {
     auto echo = std::make_unique<Echo>();
-    for (int block = 0; block < 200; ++block) {
-        Float8 x[kBlock] = {};
-        if (block == 0) x[3][1] = 1;
-        renderEcho(*echo, block, x);
-        EXPECT_EQ(x[3][1] > 0, block == 0 || block == Echo::kBlocks) << block;
-        EXPECT_EQ(x[3][5] > 0, block == 2 * Echo::kBlocks) << block;
-        EXPECT_EQ(x[4][1], 0);
+    for (int block = 0; block < 300; ++block) {
+        Float8 in[kBlock] = {}, dry[kBlock] = {}, wet[kBlock] = {};
+        if (block == 0) in[3][6] = 1;
+        renderEcho(*echo, block, in, dry, wet);
+        auto sum = [](Float8 x, int from) { return x[from] + x[from + 1] + x[from + 2] + x[from + 3]; };
+        EXPECT_EQ(sum(dry[3], 0) > 0, block == Echo::kBlocks || block == 3 * Echo::kBlocks) << block;
+        EXPECT_EQ(sum(dry[3], 4) > 0, block == 2 * Echo::kBlocks) << block;
+        EXPECT_EQ(sum(wet[3], 0) > 0, sum(dry[3], 0) > 0) << block;
+        EXPECT_EQ(sum(dry[4], 0), 0);
     }
     EXPECT_EQ(Echo::kBlocks * kBlock, kSampleRate * 3 / 8);
 }
