@@ -1,7 +1,7 @@
 // listen: reports what a test can hear in the film's music.
 #include "show/show.h"
 #include "tools/common/arguments.h"
-#include "tools/measure/detect/recording.h"
+#include "tools/measure/detect/hits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,10 @@ static constexpr char kUsage[] =
     "  all,DC,CLIPPED,PEAK,LAST     mean of the worse side; samples at full scale; largest; dB of the last "
     "0.1 s\n"
     "  step,LARGEST                 largest step between samples over what the 20 around it make likely\n"
-    "  scene,NAME,RMS,CORRELATION,LOWEST OCTAVE...      dB; left with right; shares of octaves from 31.25 Hz "
-    "on\n"
+    "  scene,NAME,RMS,CORRELATION,FLATNESS,LOWEST OCTAVE...    dB; left with right; of the spectrum from 2 "
+    "to "
+    "12 kHz,\n"
+    "                               0 for tones; shares of octaves from 31.25 Hz on\n"
     "  onset,NAME,ROW,OFF,STRENGTH  ms from a cut or a heard event to the strongest onset within 62 ms; by "
     "what it\n"
     "                               stands above what is usual around it\n";
@@ -63,8 +65,8 @@ static void scene(const Recording &r, const char *name, size_t from, size_t to) 
         double a = (double)r.side[0][i], b = (double)r.side[1][i];
         ll += a * a, rr += b * b, lr += a * b;
     }
-    std::printf("scene,%s,%.1f,%.2f", name, 10 * std::log10((ll + rr) / 2 / (double)(to - from)),
-                lr / std::sqrt(ll * rr));
+    std::printf("scene,%s,%.1f,%.2f,%.3f", name, 10 * std::log10((ll + rr) / 2 / (double)(to - from)),
+                lr / std::sqrt(ll * rr), flatness(r, (int64_t)from, (int64_t)to));
     constexpr int kSize = 8192;
     double octave[10] = {}, sum = 1e-20;
     for (size_t at = from; at + kSize <= to; at += kSize / 2) {
@@ -104,11 +106,11 @@ static int run(Arguments &words) {
     Recording r = readWav(path);
     all(r);
     steps(r);
-    auto sample = [&](float row) { return (size_t)((double)row / kRowsPerSecond * r.rate); };
+    auto sample = [&](double row) { return (size_t)(row / kRowsPerSecond * r.rate); };
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
-        scene(r, kScenes[s.scene].name, sample(s.row), sample(end));
+        scene(r, kScenes[s.scene].name, sample((double)s.row), sample((double)end));
     }
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
@@ -117,6 +119,10 @@ static int run(Arguments &words) {
             for (const Event &e : kEvents)
                 if (e.heard && e.scene == s.scene && s.row + e.row > 0)
                     onset(r, ("event" + std::to_string(e.id)).c_str(), (double)(s.row + e.row));
+    }
+    for (int row : hitRows()) {
+        int64_t at = (int64_t)sample(row);
+        std::printf("hit,%d,%.1f,%.1f\n", row, riseTime(r, at), level(r, at - r.rate / 5, at));
     }
     return 0;
 }
