@@ -1,9 +1,10 @@
-// The film's music, as data: chords by the bar, parts that play them, and the sounds of events.
+// The film's music, as data: a tune, chords by the bar, parts that play them, and the sounds of events.
 //
 // Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is five
-// tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A part plays k strokes
-// spread evenly over n rows (Toussaint, "The Euclidean algorithm generates traditional musical rhythms",
-// Bridges 2005), and takes the tones of its line one after the other.
+// tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A is the dominant:
+// under it, C is C sharp. A part plays k strokes spread evenly over n rows (Toussaint, "The Euclidean
+// algorithm generates traditional musical rhythms", Bridges 2005), and takes the tones of its line one after
+// the other.
 #pragma once
 
 #include "show/events.h"
@@ -11,11 +12,22 @@
 
 namespace odraz {
 
-enum InstrumentId : uint8_t { kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kAir, kInstrumentCount };
+// clang-format off
+enum InstrumentId : uint8_t {
+    kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kVoice, kSub, // sines
+    kBrush, kBreath, kWind, kRiser, kImpact,                             // noise
+    kInstrumentCount
+};
+// clang-format on
 extern const Instrument kInstruments[kInstrumentCount];
 
+// The tune: eight bars, a tone a beat. It leaps a fifth and steps back, and then the octave, which it walks
+// down to the end: the scale that the strips of the door climb.
+inline constexpr char kTune[] = "D-aGa--GF-EDE---D-dcb--aGFECD---";
+inline constexpr int kAnswer = 16; // its second half: the beat at which it begins
+
 // A chord for every bar of every scene: a letter, as above.
-extern const char kChords[kSceneCount][19];
+extern const char *const kChords[kSceneCount];
 
 // How something is played.
 struct Articulation {
@@ -31,7 +43,8 @@ struct Part {
     Articulation articulation;
     uint8_t strokes, rows; // how many strokes in how many rows
     uint8_t soft, loud;    // velocity at the start and at the end, per cent
-    char line[17];         // 0 .. 9: a tone of the chord; A .. G, a .. g: one of the scale; . is a rest
+    // 0 .. 9: a tone of the chord; A .. G, a .. g: one of the scale; . is a rest, - holds the last one on
+    const char *line;
 };
 
 // The sound of an event.
@@ -46,6 +59,9 @@ struct Heard {
         : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), articulation(articulation),
           tone(tone) {}
 };
+
+// The rows of the big hits. The half beat before each is silent.
+inline constexpr EventId kHits[] = {kDirectLight, kBall1};
 
 // Plays the notes that begin on a row of the film, from 0 on. It is a RowPlayer (mixer.h).
 void playRow(Mixer &mixer, int row);

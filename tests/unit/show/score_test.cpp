@@ -22,6 +22,44 @@ std::vector<Note> notesOf(int row) {
     return notes;
 }
 
+int barsOf(int scene) {
+    float rows = 0;
+    for (int i = 0; i < kFilm.count; ++i)
+        if (kFilm.shots[i].scene == scene)
+            rows = (i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow) - kFilm.shots[i].storyRow;
+    return (int)rows / 16;
+}
+
+// The key of a letter of the tune, from D = d' on; `chord` may raise C.
+int keyOf(char letter, char chord) {
+    const int steps[] = {57, 58, 60, 62, 64, 65, 67}; // A to G, as capitals
+    int key = steps[(letter & 31) - 1] + (letter >= 'a' ? 12 : 0);
+    return key + (chord == 'A' && (letter & 31) == 3);
+}
+
+char chordAt(int row) {
+    Moment m = momentAt(kFilm, row);
+    return kChords[m.shot->scene][(int)m.storyRow / 16];
+}
+
+// Whether someone plays a key, in any octave, from a row on.
+bool isPlayed(int row, int key) {
+    for (const Note &n : notesOf(row))
+        if ((n.instrument == &kInstruments[kPiano] || n.instrument == &kInstruments[kVoice]) &&
+            (int)n.key % 12 == key % 12 && n.length >= 0.49f)
+            return true;
+    return false;
+}
+
+// Beats of the tune, from one on, that are not heard from a row on.
+int missing(int row, int from, int beats) {
+    int count = 0;
+    for (int i = 0; i < beats; ++i)
+        if (char letter = kTune[from + i]; letter != '-')
+            count += !isPlayed(row + 4 * i, keyOf(letter, chordAt(row + 4 * i)));
+    return count;
+}
+
 int firstRow(SceneId scene) {
     for (int i = 0; i < kFilm.count; ++i)
         if (kFilm.shots[i].scene == scene) return (int)kFilm.shots[i].storyRow;
@@ -37,6 +75,7 @@ TEST(Score, KeepsToItsScale) {
             bool major = row >= firstRow(kCredits);
             std::set<int> scale =
                 major ? std::set<int>{1, 2, 4, 6, 7, 9, 11} : std::set<int>{0, 2, 4, 5, 7, 9, 10};
+            if (chordAt(row) == 'A') scale.erase(0), scale.insert(1); // the dominant has the leading tone
             ASSERT_EQ(n.key, std::floor(n.key));
             EXPECT_TRUE(scale.count((int)n.key % 12)) << row << ": " << n.key;
             EXPECT_GE(n.key, 24) << row; // 33 Hz
@@ -50,15 +89,76 @@ TEST(Score, KeepsToItsScale) {
 
 TEST(Score, HasAChordForEveryBarOfEveryScene) {
     for (int scene = 0; scene < kSceneCount; ++scene) {
-        float rows = 0;
-        for (int i = 0; i < kFilm.count; ++i) {
-            const Shot &shot = kFilm.shots[i];
-            if (shot.scene == scene)
-                rows = (i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow) - shot.storyRow;
-        }
-        EXPECT_GT(rows, 0) << kScenes[scene].name << " is in no shot";
-        EXPECT_EQ((float)std::strlen(kChords[scene]), rows / (float)kRowsPerBar) << kScenes[scene].name;
+        EXPECT_GT(barsOf(scene), 0) << kScenes[scene].name << " is in no shot";
+        // Scene 4 may end earlier, and the day, whose chords count from its end, may then begin earlier
+        int bars = (int)std::strlen(kChords[scene]);
+        EXPECT_GE(bars, barsOf(scene)) << kScenes[scene].name;
+        EXPECT_TRUE(bars == barsOf(scene) || scene == kPatches)
+            << kScenes[scene].name << ": kDayBegins in score.cpp?";
     }
+}
+
+TEST(Score, StatesTheTuneWhereItIsPromised) {
+    EXPECT_EQ(std::strlen(kTune), 32u) << "eight bars";
+    int door = firstRow(kHall) + barsOf(kHall) * 16;
+    EXPECT_EQ(missing(firstRow(kTable), 0, 32), 0) << "at the table";
+    EXPECT_EQ(missing(firstRow(kTable) + 128, kAnswer, 16), 0) << "and its answer";
+    EXPECT_EQ(missing(door - 256, 0, 24), 0) << "remembered in the hall, and broken off";
+    EXPECT_EQ(missing(door - 128, 0, 28), 0) << "whole at the door: its last tone is the finale's first";
+    EXPECT_EQ(missing(firstRow(kOdraz), 0, 32), 0) << "in the finale";
+    EXPECT_EQ(missing(firstRow(kOdraz) + 128, kAnswer, 8), 0) << "and its answer, slower and slower";
+    for (int i = 0; i < 3; ++i) {
+        bool heard = false;
+        for (const Note &n : notesOf(firstRow(kCredits) + kEvents[kLine1 + i].row))
+            heard |=
+                n.instrument == &kInstruments[kGlassDrop] && (int)n.key % 12 == keyOf("DaG"[i], 'd') % 12;
+        EXPECT_TRUE(heard) << i;
+    }
+}
+
+// It can be sung: within a tenth, in steps but for thirds and two leaps up. Every bar begins on a tone of its
+// chord; so does every half bar, or it passes to one by a step.
+TEST(Score, HasATuneToSing) {
+    int low = 200, high = 0, last = 0, leaps = 0;
+    for (int i = 0; i < 32; ++i) {
+        if (kTune[i] == '-') continue;
+        int key = keyOf(kTune[i], kChords[kTable][i / 4]);
+        low = std::min(low, key), high = std::max(high, key);
+        if (last) leaps += std::abs(key - last) > 4;
+        last = key;
+    }
+    EXPECT_GE(low, 55);
+    EXPECT_LE(high - low, 16);
+    EXPECT_EQ(leaps, 2) << "a fifth, and an octave";
+    for (auto [row, bars] : {std::pair(firstRow(kTable), 8),
+                             {firstRow(kOdraz), 8},
+                             {firstRow(kHall) + barsOf(kHall) * 16 - 128, 7}})
+        for (int i = 0; i < bars * 4; i += 2) {
+            if (kTune[i] == '-') continue;
+            char chord = chordAt(row + 4 * i);
+            auto fits = [&](int i) {
+                for (int third = 0; third < 5; ++third)
+                    if ((kTune[i] & 31) == (chord - 'A' + 2 * third) % 7 + 1) return true;
+                return false;
+            };
+            bool passes =
+                i % 4 && fits(i + 1) && std::abs(keyOf(kTune[i], chord) - keyOf(kTune[i + 1], chord)) <= 2;
+            EXPECT_TRUE(fits(i) || passes) << kTune[i] << " over " << chord;
+        }
+}
+
+TEST(Score, ClosesFromTheDominantAndEndsOnTheMajorNinth) {
+    EXPECT_EQ(chordAt(firstRow(kTable) + 6 * 16), 'A');
+    EXPECT_EQ(chordAt(firstRow(kTable) + 7 * 16), 'D');
+    EXPECT_EQ(chordAt(firstRow(kOdraz) - 1), 'A');
+    EXPECT_EQ(chordAt(firstRow(kOdraz)), 'D');
+    EXPECT_EQ(chordAt(firstRow(kCredits) - 1), 'A');
+    EXPECT_EQ(chordAt(firstRow(kCredits)), 'd');
+    int last = 0;
+    for (int row = 0; row < (int)kFilm.endRow; ++row)
+        for (const Note &n : notesOf(row))
+            if (n.instrument == &kInstruments[kGlassDrop]) last = (int)n.key;
+    EXPECT_EQ(last % 12, 4);
 }
 
 TEST(Score, AddsNoMoreNotesAtOnceThanFit) {

@@ -152,7 +152,7 @@ TEST(Note, BeginsAndEndsInSilence) {
 // Of a struck note, the first 5 ms are the loudest: its partials begin together, and rise within a
 // millisecond.
 TEST(Note, IsLoudestAtOnceIfStruck) {
-    for (InstrumentId id : {kGlassDrop, kPiano, kWood, kPulse, kDrum}) {
+    for (InstrumentId id : {kGlassDrop, kPiano, kWood, kPulse, kDrum, kBrush, kImpact}) {
         std::vector<double> x = render(kInstruments[id], 57, 0.2);
         double first = 0, later = 0;
         for (size_t i = 0; i < x.size(); ++i)

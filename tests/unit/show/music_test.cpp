@@ -1,0 +1,86 @@
+// The film's music, listened to: hits are on time and come out of silence, there is noise, nothing clips.
+#include "show/show.h"
+#include "tools/measure/detect/hits.h"
+
+#include "show/score.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+using namespace odraz;
+
+namespace {
+
+// All of it, rendered once.
+const Recording &music() {
+    static const Recording all = [] {
+        auto m = std::make_unique<Mixer>();
+        m->player = playRow;
+        Recording r;
+        r.rate = kSampleRate;
+        for (int block = 0; block < (int)kFilm.endRow * kBlocksPerRow; ++block) {
+            float stereo[2 * kBlock];
+            renderBlock(*m, stereo);
+            for (int i = 0; i < 2 * kBlock; ++i) r.side[i & 1].push_back(stereo[i]);
+        }
+        return r;
+    }();
+    return all;
+}
+
+int64_t sampleOf(double row) { return (int64_t)(row / kRowsPerSecond * kSampleRate); }
+
+} // namespace
+
+TEST(Music, HasItsHitsOnTime) {
+    std::vector<int> rows = hitRows();
+    int late = 0;
+    for (int row : rows) {
+        double rise = riseTime(music(), sampleOf(row));
+        std::printf("row %d: %.1f ms\n", row, rise);
+        late += rise > 10;
+    }
+    EXPECT_GE(rows.size(), 10u);
+    EXPECT_EQ(late, 0);
+}
+
+// Half a beat before the big hits, but for 30 ms in which the sound ends.
+TEST(Music, IsSilentBeforeTheBigHits) {
+    for (EventId hit : kHits) {
+        int64_t at = -1;
+        for (int i = kFilm.count; i-- > 0;)
+            if (kFilm.shots[i].scene == kEvents[hit].scene)
+                at = sampleOf((double)kFilm.shots[i].storyRow + kEvents[hit].row);
+        EXPECT_LT(level(music(), at - kSampleRate / 4 + kSampleRate * 3 / 100, at), -100) << hit;
+        EXPECT_GT(level(music(), at - kSampleRate, at - kSampleRate / 4), -40)
+            << hit << ": sound comes before it";
+        EXPECT_GT(level(music(), at, at + kSampleRate / 20), -20) << hit;
+        std::vector<int> rows = hitRows();
+        EXPECT_TRUE(std::count(rows.begin(), rows.end(), (int)(at * 8 / kSampleRate)))
+            << hit << ": a drum is struck";
+    }
+}
+
+TEST(Music, HasNoiseInEveryScene) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &s = kFilm.shots[i];
+        float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        double flat = flatness(music(), sampleOf((double)s.row), sampleOf((double)end));
+        std::printf("%s: %.3f\n", kScenes[s.scene].name, flat);
+        EXPECT_GT(flat, 0.05) << kScenes[s.scene].name;
+    }
+}
+
+TEST(Music, NeitherClipsNorStops) {
+    float most = 0;
+    for (const std::vector<float> &side : music().side)
+        for (float x : side) most = std::max(most, std::fabs(x));
+    EXPECT_LT(most, 0.76f);
+    EXPECT_LT(level(music(), sampleOf((double)kFilm.endRow - 1), sampleOf((double)kFilm.endRow)), -70)
+        << "it ends in silence";
+    // No bar before the credits is silent
+    for (int bar = 0; bar < 76; ++bar)
+        EXPECT_GT(level(music(), sampleOf(bar * 16), sampleOf(bar * 16 + 16)), -45) << bar;
+}
