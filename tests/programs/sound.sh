@@ -60,9 +60,12 @@ check "... no clipped sample" heard all '$3 == 0'
 check "... and ends in silence: -60 dB" heard all '$5 <= -60'
 check "it has no click: no step between samples stands out" heard step '$2 < 12'
 check "left and right belong together, and are not the same, in every scene" heard scene '$4 >= 0.2 && $4 <= 0.8'
-most='most = 0; for (i = 5; i <= NF; ++i) if ($i > most) most = $i;'
+most='most = 0; for (i = 6; i <= NF; ++i) if ($i > most) most = $i;'
 octaves() { awk -F, "\$1 == \"scene\" { ++seen; $most if (most > 0.5) bad = 1 } END { exit bad || seen < 7 }" "$WORK/heard"; }
 check "no octave has more than half of a scene" octaves
+check "every scene has noise: its flatness is 0.05 at least" heard scene '$5 >= 0.05'
+check "hits have their full strength within 10 ms" heard hit '$3 <= 10'
+check "... and two of them come out of silence" test "$(awk -F, '$1 == "hit" && $4 < -80' "$WORK/heard" | wc -l)" = 2
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
 check "every cut and every event that is heard is heard, within 20 ms" heard onset "$onset"
 check "... 47 of them" test "$(grep -c '^onset' "$WORK/heard")" -ge 40
