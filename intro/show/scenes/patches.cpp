@@ -26,7 +26,7 @@ static constexpr Key kTaken[] = {{rowOf(kPatchTakesColour), 0, Smooth},
 static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
                                     {rowOf(kPatchesMelt) + 44, 1.7f, Linear}};
 // Lines between patches: they glow, go out before there is light, and are dark in the light
-static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -26, Smooth},
+static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -21, Smooth},
                                  {rowOf(kDirectLight), 0, Smooth},
                                  {rowOf(kBounce1), 0.75f, Linear}};
 static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
