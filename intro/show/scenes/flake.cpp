@@ -61,15 +61,16 @@ void poseFlake(const Cue &cue, Scene &scene) {
     scene.add(plane({0, 0, 0}, scene.add(kSlate)));
     flake.add(0, {0, 2.5f, 0}, 2.5f, kIdentity);
 
-    // The sun, and a lamp that travels with us, behind us to one side
+    // The sun, and a lamp that travels with us, behind us to one side; from afar it shines brighter, so that
+    // what stands against the sun is not black
     Vec3 eye = flake.camera.eye, back = normalize(eye - flake.camera.target);
     scene.add(Light{kDuskSun * 3.f, {4600, 2900, 1700}, 1.8f});
-    scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f, {4.0f, 4.4f, 5.0f}, 0.1f});
-    scene.ambientLow = {0.05f, 0.045f, 0.045f};
+    scene.add(Light{eye + back * 0.6f + Vec3{back.z, 0.7f, -back.x} * 0.9f,
+                    Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.05f), 0.1f});
+    scene.ambientLow = {0.05f, 0.05f, 0.05f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
     scene.sky = duskSky((float)cue.row + 192);
-    // While the ball is alone, there is much of the bright sky
-    scene.exposure = lerp(0.76f, 0.9f, smoothstep(16.f, 64.f, (float)cue.row));
+    scene.exposure = 0.75f;
 }
 
 } // namespace odraz
