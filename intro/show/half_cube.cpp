@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kHalfSide = 1.5f;            // metres
 constexpr float kUnfolded = 0.19f;           // half a side of the cross's faces, in heights of the picture
-constexpr float kBrightened = 7;             // what it sees is dark
+constexpr float kBrightened = 5;             // what it sees is dark
 constexpr Rgb kSky = {0.30f, 0.34f, 0.40f};  // in windows
 constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // between the patches that it sees
 constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};

@@ -26,7 +26,7 @@ static constexpr Key kTaken[] = {{rowOf(kPatchTakesColour), 0, Smooth},
 static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
                                     {rowOf(kPatchesMelt) + 44, 1.7f, Linear}};
 // Lines between patches: they glow, go out before there is light, and are dark in the light
-static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -21, Smooth},
+static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -16, Smooth},
                                  {rowOf(kDirectLight), 0, Smooth},
                                  {rowOf(kBounce1), 0.75f, Linear}};
 static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
@@ -46,7 +46,7 @@ static constexpr struct {
 static constexpr int kStageCount = sizeof kStages / sizeof *kStages;
 static_assert(kStageCount <= kBounces + 1);
 static constexpr float kWave = 1; // how far light comes in a row: a bar to the farthest corner
-static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.06f, 0.8f};
+static constexpr Rgb kCopperLight = {1.9f, 0.86f, 0.42f}, kDarkCopper = {1.7f, 1.1f, 0.86f};
 
 // How far a step has come: its contribution rises and, before its bar ends, joins the rest.
 struct Step {
@@ -73,7 +73,7 @@ struct Step {
 static Rgb patchLight(const Hall &hall, int i, const Step &step, float lit) {
     const Model &m = hall.model;
     const Vec3 n = m.charts[m.patches[i].chart].n;
-    Rgb dark = kDarkCopper * (0.0045f + 0.0025f * n.y + 0.0018f * n.x - 0.001f * n.z);
+    Rgb dark = kDarkCopper * (0.006f + 0.0033f * n.y + 0.0024f * n.x - 0.0013f * n.z);
     // Under the stair there is no light
     return step.number < 0 || m.patches[i].share == 0 ? dark : dark * (1 - lit) + step.of(hall, i) * lit;
 }
@@ -85,7 +85,7 @@ void posePatches(const Cue &cue, Scene &scene) {
     Step step(row);
     HallLight light = {kNoon, {}, {}, real};
     poseHall(*hall, light, 1 - real, cue.camera.eye, scene);
-    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.005f, 0.005f, 0.006f}, {0.005f, 0.005f, 0.006f});
+    if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.003f, 0.003f, 0.004f}, {0.003f, 0.003f, 0.004f});
     scene.exposure = value(track(kExposure), row);
     scene.lines = value(track(kLines), row) * (1 - melt);
     hall->map.sharpness = exp2((1 - melt) * 10);
