@@ -20,7 +20,8 @@ void findBlockers(const Scene &scene, const Light &light, const Bounds &box, Blo
 Rgb8 softShadow(const Scene &scene, const Blockers &blockers, const Light &light, const Vec3x8 &p,
                 const Vec3x8 &l, Float8 far, Int8 own) {
     constexpr float kTaken = 0.84f;      // share of light that passes a glass ball, by Fresnel's equations
-    constexpr float kLeastSpot = 0.007f; // least s^2, in radii squared: aberration blurs the focus
+    constexpr float kHorn = 0.7f;        // h at the ball's middle, in radii squared
+    constexpr float kLeastSpot = 0.003f; // least blur, in radii squared
     Rgb8 share = broadcast(Rgb{1, 1, 1});
     Float8 widening = light.radius / far;
     for (int i = 0; i < blockers.count; ++i) {
@@ -42,14 +43,17 @@ Rgb8 softShadow(const Scene &scene, const Blockers &blockers, const Light &light
         const Material &m = scene.materials[scene.shapes[shape].material];
         Rgb8 left = broadcast(Rgb{1, 1, 1}) * (1.f - hidden);
         if (m.ior > 0) {
-            // `spot` is s^2: half of the light lies within s radii. It is least before the focus of the rays
-            // near the axis. The nearer the lamp is, the further behind the ball that focus lies
-            Float8 behind =
-                       max(fmadd(along * (1.f - along / far), (m.ior - 1) * 1.8f / (m.ior * r), -0.81f), 0.f),
-                   blur = wide * (0.7f / r);
-            Float8 spot = fmadd(behind, behind, fmadd(blur, blur, broadcast(kLeastSpot))),
-                   all = fmadd(square, 1 / (r * r), spot);
-            Float8 gain = spot / (all * all) * hidden * kTaken;
+            // `before`: how far it is to the focus of the rays near the axis, whose distance from the middle
+            // is 1. The nearer the lamp is, the further behind the ball that focus lies
+            Float8 before = fmadd(along * (1.f - along / far), (m.ior - 1) * -2.f / (m.ior * r), 1.f),
+                   narrow = max(before, 0.f), fold = narrow * narrow * narrow * kHorn,
+                   behind = max(fmadd(before, -0.9f, 0.09f), 0.f), blur = wide * (0.7f / r);
+            Float8 soft = fmadd(fmadd(behind, behind, fmadd(blur, blur, broadcast(kLeastSpot))), 0.5f,
+                                sqrt(fold) * blur),
+                   off = fmadd(square, -1 / (r * r), fold), soft2 = soft * soft,
+                   size = sqrt(fmadd(off, off, soft2));
+            Float8 gain = sqrt((size + off) / (sqrt(fmadd(fold, fold, soft2)) + fold)) / size * hidden *
+                          (0.5f * kTaken);
             left += m.tint * gain;
         }
         share = select(meets, share * left, share);

@@ -126,7 +126,7 @@ TEST(SoftShadow, OfGlassGathersWhatItTakes) {
             }
             double truth = withinByRays(behind, within, 1.5);
             std::printf("  %.2f / %.2f", sum, truth);
-            EXPECT_NEAR(sum, truth, behind < 1.2f ? 0.26 : 0.17) << behind << ' ' << within;
+            EXPECT_NEAR(sum, truth, 0.11) << behind << ' ' << within;
             EXPECT_LT(sum, 0.85); // no more than it receives
             EXPECT_NEAR(red, 0.6 * sum, 0.01);
         }
