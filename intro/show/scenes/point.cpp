@@ -1,5 +1,6 @@
 // Scene 1. Black; a light is born over dark marble, passes behind a ball of glass and rises; the ball gathers
-// it on the stone. Then a word of light is written there, and the marble mirrors it.
+// it on the stone in a caustic that wanders. Then a word of light is written there, 5 cm above the marble,
+// which mirrors it.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -13,11 +14,14 @@ static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
                                     {rowOf(kLightIsBorn) + 3, 0.5f, Smooth},
                                     {rowOf(kLightGrows), 0.45f, Smooth},
                                     {rowOf(kRimLightWakes), 1, Linear}};
-// The light begins beside the ball, passes behind it and rises above it
+// The light begins beside the ball, passes behind it, rises above it and goes on: the ball's caustic comes
+// near on the stone, shrinks to its cusp and wanders
 static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth},
-                                  {rowOf(kCausticFalls), -1.3f, Linear}};
-static constexpr Key kRises[] = {{rowOf(kLightIsBorn), 0.62f, Smooth},
-                                 {rowOf(kCausticFalls) + 16, 1.36f, Linear}};
+                                  {rowOf(kRimLightWakes) - 8, -1.45f, Smooth},
+                                  {rowOf(kWordStands) + 16, -0.1f, Linear}};
+static constexpr Key kRises[] = {{rowOf(kLightIsBorn) + 16, 0.6f, Smooth},
+                                 {rowOf(kCausticFalls), 1.2f, Smooth},
+                                 {rowOf(kWordStands) + 16, 1.4f, Linear}};
 static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
                                     {rowOf(kRimLightWakes) + 48, 1, Linear}};
 // The word's light: more with each stroke, a flash as it stands
@@ -38,12 +42,12 @@ void posePoint(const Cue &cue, Scene &scene) {
 
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
     scene.add(sphere({-0.8f, 0.5f, 0.6f}, 0.5f, kClear));
-    Vec3 place = {-0.42f, 0.004f, -0.7f};
+    Vec3 place = {-0.42f, 0.055f, -0.7f};
     standText(scene, "odraz", place, 0.045f, written, tube);
 
-    Vec3 point = {value(track(kPasses), cue.row), value(track(kRises), cue.row), -0.9f};
+    Vec3 point = {value(track(kPasses), cue.row), value(track(kRises), cue.row), -0.55f};
     if (key > 0) scene.add(sphere(point, 0.03f, glow));
-    scene.add(Light{point, Rgb{8.2f, 6.3f, 4.3f} * key, 0.06f});
+    scene.add(Light{point, Rgb{4.9f, 3.75f, 2.55f} * key, 0.06f});
     scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});
     if (written > 0) scene.add(Light{place + Vec3{1.2f, 0.35f, 0.1f}, Rgb{0.34f, 0.16f, 0.07f} * word, 0.2f});
     scene.ballsOcclude = true;
