@@ -143,17 +143,40 @@ static constexpr auto kSunPatches = coarse({
     {176, {0.9f, 1.3f, -7.6f}, {-0.9f, 2.0f, 0}, 0, 46},
     {240, {0.3f, 1.5f, -4.4f}, {-1.1f, 2.3f, 4}, 0, 46},
 });
-// Down the nave between the columns; the camera turns with the sun, up to the lamps, and to the door.
-static constexpr CameraKey kWalk[] = {
+// A day in the hall, cut where it turns: towards the entrance at dawn; down the nave, past the beams; across
+// the evening's light, and then with it, to the lanterns; away from them in the night; to the door.
+static constexpr CameraKey kDawn[] = {
+    {-16, {1.3f, 0.9f, -7.3f}, {-0.9f, 1.9f, 6}, 0, 44},
+    {80, {0.9f, 1.3f, -4.4f}, {-1.2f, 2.0f, 6}, 0, 44},
+};
+static constexpr CameraKey kBeams[] = {
     {0, {1.0f, 1.6f, 8.5f}, {-3.4f, 2.4f, 1.2f}, 0, 48},
     {64, {0.95f, 1.6f, 6.6f}, {-3.4f, 2.2f, -0.8f}, 0, 48},
     {112, {0.95f, 1.6f, 5.2f}, {-3.8f, 2.5f, -2.0f}, 0, 48},
     {144, {1.0f, 1.6f, 4.2f}, {-4.2f, 2.7f, -3.4f}, 0, 48},
-    {168, {0.9f, 1.6f, 3.5f}, {-3.6f, 2.9f, -4.6f}, 0, 48},
-    {196, {0.5f, 1.6f, 2.7f}, {-0.4f, 3.6f, -4.5f}, 0, 48},
-    {228, {0.05f, 1.6f, 1.8f}, {0, 2.3f, -7}, 0, 47},
-    {288, {0, 1.6f, 0.1f}, {0, 2.2f, -9}, 0, 46},
 };
+static constexpr CameraKey kEveningLight[] = {
+    {112, {1.5f, 0.8f, -6.6f}, {-2.6f, 1.9f, 1.0f}, 0, 50},
+    {176, {1.2f, 1.1f, -5.0f}, {-2.8f, 1.9f, 2.4f}, 0, 50},
+};
+static constexpr CameraKey kLanternLight[] = {
+    {144, {-1.1f, 1.1f, 8.6f}, {2.0f, 2.7f, -2.6f}, 0, 48},
+    {208, {-1.3f, 1.3f, 7.0f}, {2.0f, 2.8f, -3.6f}, 0, 48},
+};
+static constexpr CameraKey kNightfall[] = {
+    {176, {2.0f, 1.1f, 1.15f}, {-2.5f, 3.1f, -7}, 0, 46},
+    {240, {1.8f, 1.1f, 0.2f}, {-2.3f, 3.1f, -8}, 0, 46},
+};
+// To the door, and on when the balls come out of it. From a row of the hall's, in which the hall's story
+// began so many rows ago.
+struct TwoKeys {
+    CameraKey keys[2];
+};
+static consteval TwoKeys toTheDoor(float since) {
+    return {{{208 - since, {0, 1.6f, 3.0f}, {0, 2.15f, -9}, 0, 42},
+             {352 - since, {0, 1.3f, -0.4f}, {0, 1.6f, -9}, 0, 42}}};
+}
+static constexpr TwoKeys kToTheDoor = toTheDoor(0);
 // Above the balls that come, then down to the one that stays.
 static constexpr CameraKey kCrane[] = {
     {0, {-0.5f, 1.3f, 7.4f}, {0, 1.5f, -5}, 0, 42},     {64, {0.4f, 2.5f, 6.7f}, {0, 1.0f, -2}, 0, 42},
@@ -184,7 +207,12 @@ static constexpr Shot kShots[] = {
      .path = path(kSunPatches.key),
      .fadeIn = 0,
      .fadeOut = 0},
-    {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kWalk), .fadeIn = 8, .fadeOut = 0},
+    {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kDawn), .fadeIn = 0, .fadeOut = 0},
+    {.row = 800, .scene = kHall, .storyRow = 736, .path = path(kBeams), .fadeIn = 0, .fadeOut = 0},
+    {.row = 864, .scene = kHall, .storyRow = 736, .path = path(kEveningLight), .fadeIn = 0, .fadeOut = 0},
+    {.row = 896, .scene = kHall, .storyRow = 736, .path = path(kLanternLight), .fadeIn = 0, .fadeOut = 0},
+    {.row = 928, .scene = kHall, .storyRow = 736, .path = path(kNightfall), .fadeIn = 0, .fadeOut = 0},
+    {.row = 960, .scene = kHall, .storyRow = 736, .path = path(kToTheDoor.keys), .fadeIn = 0, .fadeOut = 0},
     {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 8},
     {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kDust = 0.017f; // share of light that dust scatters, a metre
 constexpr float kStripArea = 0.28f * 3.9f;
-constexpr Rgb kLanternLight = Rgb{60, 45, 30}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
+constexpr Rgb kLanternLight = Rgb{31, 29, 26}, kStripLight = Rgb{1.7f, 1.85f, 2.1f};
 
 // Blends a material (grey 0) with a grey that is the same for all (grey 1).
 Material faded(Material m, float grey) {
@@ -35,7 +35,12 @@ static_assert(sizeof kParts / sizeof *kParts == kLantern);
 void addMaterials(Scene &scene, const HallLight &light, float grey) {
     for (const Material *m : kParts) scene.add(faded(*m, grey));
     for (float on : light.lanterns) scene.add(lamp(kLanternLight * on + Rgb{0.01f, 0.01f, 0.01f}));
-    for (float on : light.strips) scene.add(lamp(kStripLight * on + Rgb{0.01f, 0.01f, 0.01f}));
+    // Strips that do not burn are pale glass, in front of paler plaster
+    for (float on : light.strips) {
+        Material glass = lamp(kStripLight * on);
+        glass.texture = kPlaster.texture, glass.diffuse = 0.6f;
+        scene.add(glass);
+    }
 }
 
 // Adds the beams of sun that are seen in the air. Windows are deep: light must pass both ends of the opening.
@@ -43,8 +48,8 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 // beyond.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
-    // A low sun's shafts lie along the view, and would hide the hall
-    Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 1.4f, 0.2f)));
+    // They thin out as the sun sinks: low ones would lie along the view, and hide the hall
+    Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 2.4f, -0.35f)));
     if (maxComponent(scatter) <= 0) return;
     float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
     s.sun = sun;
@@ -116,7 +121,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     Daylight now = daylightAt(light.hour);
     scene.sky = now.sky;
     raiseShafts(scene.shafts, now, light);
-    if (light.sun > 0) scene.add(Light{now.sunAt, now.sunlight * (light.sun * dot(now.sunAt, now.sunAt))});
+    if (Rgb sun = now.sunlight * (light.sun * dot(now.sunAt, now.sunAt)); maxComponent(sun) > 0)
+        scene.add(Light{now.sunAt, sun});
 
     // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its own
     // light is drawn in part, so that no jump is seen when two change places
@@ -133,10 +139,11 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
+    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it
     if (light.door > 0) {
         float on = 0;
         for (float strip : light.strips) on += strip * (kStripArea * light.door / kPi);
-        scene.add(Light{{0, 2.1f, -9.4f}, kStripLight * on, 1});
+        scene.add(Light{{0, 2.7f, -0.03f - kZ}, kStripLight * on, 0.35f});
     }
 
     // The ambient light of balls is the mean light of floor and ceiling

@@ -5,22 +5,26 @@ namespace odraz {
 
 using enum Interpolation;
 
-static constexpr Key kHour[] = {
-    {0, 0, Linear}, {rowOf(kSunMoves), 0.25f, Linear}, {172, 5.9f, Linear}, {204, 7, Linear}};
+// The hour jumps where the shot does
+static constexpr Key kHour[] = {{0, 0, Linear},      {32, 0.5f, Linear},  {64, 1.99f, Linear},
+                                {128, 4.3f, Linear}, {160, 5.3f, Linear}, {160, 5.9f, Linear},
+                                {192, 6.6f, Linear}, {208, 7, Linear}};
+// How much of the sun is drawn with hard edges: at dawn its light is soft
+static constexpr Key kSun[] = {{8, 0, Smooth}, {64, 1, Linear}};
 static constexpr Key kLantern1[] = {{rowOf(kLamp1), 0, Smooth},
                                     {rowOf(kLamp1) + 8, 1, Linear},
                                     {rowOf(kLamp1Dies), 1, Smooth},
-                                    {rowOf(kLamp1Dies) + 20, 0, Linear}};
+                                    {rowOf(kLamp1Dies) + 12, 0, Linear}};
 static constexpr Key kLantern2[] = {{rowOf(kLamp2), 0, Smooth},
                                     {rowOf(kLamp2) + 8, 0.8f, Linear},
                                     {rowOf(kLamp2Dies), 0.8f, Smooth},
-                                    {rowOf(kLamp2Dies) + 20, 0, Linear}};
+                                    {rowOf(kLamp2Dies) + 12, 0, Linear}};
 static constexpr Key kLantern3[] = {{rowOf(kLamp3), 0, Smooth},
-                                    {rowOf(kLamp3) + 8, 0.6f, Linear},
-                                    {rowOf(kLamp3Dies), 0.6f, Smooth},
-                                    {rowOf(kLamp3Dies) + 20, 0, Linear}};
-static constexpr Key kExposure[] = {
-    {0, 2.2f, Smooth}, {36, 1.4f, Linear}, {130, 1.35f, Smooth}, {180, 2.1f, Linear}};
+                                    {rowOf(kLamp3) + 8, 0.8f, Linear},
+                                    {rowOf(kLamp3Dies), 0.8f, Smooth},
+                                    {rowOf(kLamp3Dies) + 12, 0, Linear}};
+static constexpr Key kExposure[] = {{0, 2.2f, Smooth},   {36, 1.4f, Linear},  {130, 1.35f, Smooth},
+                                    {192, 2.1f, Smooth}, {216, 3.5f, Smooth}, {240, 2.1f, Linear}};
 
 void poseDay(const Cue &cue, Scene &scene) {
     HallLight light = {};
@@ -28,7 +32,7 @@ void poseDay(const Cue &cue, Scene &scene) {
     light.lanterns[2] = value(track(kLantern1), cue.row);
     light.lanterns[1] = value(track(kLantern2), cue.row);
     light.lanterns[0] = value(track(kLantern3), cue.row);
-    light.sun = 1;
+    light.sun = value(track(kSun), cue.row);
     // The strips rise in turn
     static constexpr Key kRise[] = {{0, 0, Smooth}, {4, 1, Linear}};
     static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
