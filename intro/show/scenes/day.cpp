@@ -11,27 +11,21 @@ static constexpr Key kHour[] = {{0, 0, Linear},      {32, 0.5f, Linear},  {64, 1
                                 {192, 6.6f, Linear}, {208, 7, Linear}};
 // How much of the sun is drawn with hard edges: at dawn its light is soft
 static constexpr Key kSun[] = {{8, 0, Smooth}, {64, 1, Linear}};
-static constexpr Key kLantern1[] = {{rowOf(kLamp1), 0, Smooth},
-                                    {rowOf(kLamp1) + 8, 1, Linear},
-                                    {rowOf(kLamp1Dies), 1, Smooth},
-                                    {rowOf(kLamp1Dies) + 12, 0, Linear}};
-static constexpr Key kLantern2[] = {{rowOf(kLamp2), 0, Smooth},
-                                    {rowOf(kLamp2) + 8, 0.8f, Linear},
-                                    {rowOf(kLamp2Dies), 0.8f, Smooth},
-                                    {rowOf(kLamp2Dies) + 12, 0, Linear}};
-static constexpr Key kLantern3[] = {{rowOf(kLamp3), 0, Smooth},
-                                    {rowOf(kLamp3) + 8, 0.8f, Linear},
-                                    {rowOf(kLamp3Dies), 0.8f, Smooth},
-                                    {rowOf(kLamp3Dies) + 12, 0, Linear}};
+// A lantern's light, from the row on which it comes up, or dies
+static constexpr Key kComesUp[] = {{0, 0, Smooth}, {8, 0.8f, Linear}};
+static constexpr Key kGoesOut[] = {{0, 1, Smooth}, {12, 0, Linear}};
+// From the door on, as they stand; the last to come up is the last to die
+static constexpr float kUp[kLanterns] = {rowOf(kLamp3), rowOf(kLamp2), rowOf(kLamp1)},
+                       kOut[kLanterns] = {rowOf(kLamp3Dies), rowOf(kLamp2Dies), rowOf(kLamp1Dies)};
 static constexpr Key kExposure[] = {{0, 2.2f, Smooth},   {36, 1.4f, Linear},  {130, 1.35f, Smooth},
                                     {192, 2.1f, Smooth}, {216, 3.5f, Smooth}, {240, 2.1f, Linear}};
 
 void poseDay(const Cue &cue, Scene &scene) {
     HallLight light = {};
     light.hour = value(track(kHour), cue.row);
-    light.lanterns[2] = value(track(kLantern1), cue.row);
-    light.lanterns[1] = value(track(kLantern2), cue.row);
-    light.lanterns[0] = value(track(kLantern3), cue.row);
+    for (int i = 0; i < kLanterns; ++i)
+        light.lanterns[i] =
+            value(track(kComesUp), cue.row - kUp[i]) * value(track(kGoesOut), cue.row - kOut[i]);
     light.sun = value(track(kSun), cue.row);
     // The strips rise in turn
     static constexpr Key kRise[] = {{0, 0, Smooth}, {4, 1, Linear}};
