@@ -167,8 +167,8 @@ static constexpr CameraKey kNightfall[] = {
     {176, {2.0f, 1.1f, 1.15f}, {-2.5f, 3.1f, -7}, 0, 46},
     {240, {1.8f, 1.1f, 0.2f}, {-2.3f, 3.1f, -8}, 0, 46},
 };
-// To the door, and on when the balls come out of it. From a row of the hall's, in which the hall's story
-// began so many rows ago.
+// To the door, and on when the balls come out of it: one straight path through two scenes, whose keys count
+// from the start of either.
 struct TwoKeys {
     CameraKey keys[2];
 };
@@ -176,12 +176,16 @@ static consteval TwoKeys toTheDoor(float since) {
     return {{{208 - since, {0, 1.6f, 3.0f}, {0, 2.15f, -9}, 0, 42},
              {352 - since, {0, 1.3f, -0.4f}, {0, 1.6f, -9}, 0, 42}}};
 }
-static constexpr TwoKeys kToTheDoor = toTheDoor(0);
-// Above the balls that come, then down to the one that stays.
+static constexpr TwoKeys kToTheDoor = toTheDoor(0), kMeet = toTheDoor(288);
+// Up above the balls that have come; then down, and into the one that stays.
 static constexpr CameraKey kCrane[] = {
-    {0, {-0.5f, 1.3f, 7.4f}, {0, 1.5f, -5}, 0, 42},     {64, {0.4f, 2.5f, 6.7f}, {0, 1.0f, -2}, 0, 42},
-    {112, {0.7f, 2.7f, 5.4f}, {0, 0.8f, -0.6f}, 0, 41}, {152, {0.5f, 1.6f, 3.7f}, {0, 0.8f, 0.3f}, 0, 38},
-    {192, {0.1f, 0.9f, 1.6f}, {0, 0.76f, 0.4f}, 0, 36},
+    {32, {-1.4f, 3.1f, 0.6f}, {0.2f, 0.1f, -4.5f}, 0, 44},
+    {128, {-0.6f, 5.6f, -2.2f}, {0.1f, 0, -5.1f}, 0, 44},
+};
+static constexpr CameraKey kFallIn[] = {
+    {96, {1.9f, 2.4f, -0.9f}, {-0.2f, 0.7f, -5.6f}, 0, 41},
+    {152, {0.5f, 1.6f, -1.7f}, {0, 0.8f, -5.1f}, 0, 38},
+    {192, {0.1f, 0.9f, -3.8f}, {0, 0.76f, -5}, 0, 36},
 };
 
 static constexpr CameraKey kStill[] = {
@@ -213,7 +217,9 @@ static constexpr Shot kShots[] = {
     {.row = 896, .scene = kHall, .storyRow = 736, .path = path(kLanternLight), .fadeIn = 0, .fadeOut = 0},
     {.row = 928, .scene = kHall, .storyRow = 736, .path = path(kNightfall), .fadeIn = 0, .fadeOut = 0},
     {.row = 960, .scene = kHall, .storyRow = 736, .path = path(kToTheDoor.keys), .fadeIn = 0, .fadeOut = 0},
-    {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 8},
+    {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kMeet.keys), .fadeIn = 0, .fadeOut = 0},
+    {.row = 1072, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 0},
+    {.row = 1136, .scene = kOdraz, .storyRow = 1024, .path = path(kFallIn), .fadeIn = 0, .fadeOut = 0},
     {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},
 };
 

@@ -140,11 +140,9 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
     // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it
-    if (light.door > 0) {
-        float on = 0;
-        for (float strip : light.strips) on += strip * (kStripArea * light.door / kPi);
-        scene.add(Light{{0, 2.7f, -0.03f - kZ}, kStripLight * on, 0.35f});
-    }
+    float burning = 0;
+    for (float strip : light.strips) burning += strip * (kStripArea * light.door / kPi);
+    if (burning > 0) scene.add(Light{{0, 2.7f, -0.03f - kZ}, kStripLight * burning, 0.35f});
 
     // The ambient light of balls is the mean light of floor and ceiling
     scene.ambientHigh = meanLight(hall, hall.floor);

@@ -1,6 +1,6 @@
 // Scene 6. Odraz: out of the door of light come mirrors, copper and glass, two a beat, their shadows before
-// them; everything reflects everything. They go back as the lights die, and one is left: it mirrors the word
-// of scene 1, which stands behind the camera.
+// them; everything reflects everything. They go back before the lights die, and one is left: it mirrors the
+// word of scene 1, which stands behind the camera.
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -11,28 +11,26 @@ namespace odraz {
 using enum Interpolation;
 
 static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
-                                    {rowOf(kLampLights) + 24, 0.45f, Linear},
-                                    {rowOf(kDoorDies), 0.45f, Smooth},
+                                    {rowOf(kLampLights) + 24, 0.7f, Linear},
+                                    {rowOf(kDoorDies), 0.7f, Smooth},
                                     {rowOf(kDoorDies) + 20, 0, Linear}};
-// How much of their light is drawn with shadows: none once the lamps have taken over
-static constexpr Key kDoor[] = {{rowOf(kLampLights) + 4, 0.6f, Smooth}, {rowOf(kLampLights) + 24, 0, Linear}};
+// How much of their light is drawn with shadows: more when there are balls that cast them
+static constexpr Key kDoor[] = {{0, 0, Smooth}, {24, 0.8f, Linear}};
+// The lanterns are equally strong, so that the tracer draws none of them, until one is left
 static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
-                                 {rowOf(kLampLights) + 16, 0.5f, Linear},
-                                 {rowOf(kOuterLampsDie), 0.5f, Smooth},
-                                 {rowOf(kOuterLampsDie) + 20, 0, Linear}};
-static constexpr Key kMiddle[] = {{rowOf(kLampLights) + 8, 0, Smooth},
-                                  {rowOf(kLampLights) + 24, 1, Linear},
-                                  {rowOf(kWordIsFound) + 8, 1, Smooth},
-                                  {rowOf(kWordIsFound) + 48, 0.4f, Linear}};
-static constexpr Key kExposure[] = {{8, 2.6f, Smooth},
-                                    {40, 3.4f, Linear},
-                                    {rowOf(kLampLights), 3.4f, Smooth},
-                                    {rowOf(kLampLights) + 24, 2.1f, Linear},
-                                    {rowOf(kOuterLampsDie), 2.1f, Smooth},
-                                    {160, 2.8f, Linear}};
+                                 {rowOf(kLampLights) + 20, 0.33f, Linear},
+                                 {rowOf(kOuterLampsDie), 0.33f, Smooth},
+                                 {rowOf(kOuterLampsDie) + 16, 0, Linear}};
+static constexpr Key kLast[] = {{rowOf(kOuterLampsDie), 0, Smooth},
+                                {rowOf(kOuterLampsDie) + 16, 0.5f, Linear},
+                                {rowOf(kWordIsFound) + 28, 0.5f, Smooth},
+                                {rowOf(kWordIsFound) + 48, 0.3f, Linear}};
+static constexpr Key kExposure[] = {{0, 2.1f, Smooth},  {24, 1.9f, Linear},  {48, 1.9f, Linear},
+                                    {48, 2.5f, Linear}, {144, 2.5f, Smooth}, {160, 3.7f, Linear}};
+
 // The share of the way from the door that a ball still has before it, and the share that it has gone back.
 // Both are squared, so that balls brake and set off evenly.
-static constexpr Key kLeft[] = {{0, 1, Linear}, {48, 0, Linear}};
+static constexpr Key kLeft[] = {{-4, 1, Linear}, {44, 0, Linear}};
 static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
 
 // In the order in which they are added below
@@ -42,9 +40,9 @@ static constexpr const Material *kMaterials[] = {&kMirror, &kGlass};
 // Three lanes: the ball that stays with three behind it, and six on either side. The first to come stands in
 // front and goes last, so that no ball passes another.
 constexpr int kBeat = 4, kRows = 6, kBehind = 3;
-constexpr float kHidden = -11; // in z, behind the door
-constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kClear, kRed, kPale},
-                                      {kClear, kPale, kRed, kSilver, kPale, kRed}};
+constexpr float kStays = -5, kHidden = -11.4f; // in z, behind the door
+constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
+                                      {kClear, kPale, kRed, kPale, kRed, kPale}};
 
 // Adds a ball of a lane, rolled by the way that it has come.
 static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
@@ -59,31 +57,30 @@ static void addBall(Scene &scene, double row, float x, float z, float radius, fl
 
 void poseOdraz(const Cue &cue, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, value(track(kDoor), cue.row)};
-    light.lanterns[0] = value(track(kOuter), cue.row);
-    light.lanterns[1] = value(track(kMiddle), cue.row);
-    light.lanterns[2] = value(track(kOuter), cue.row + 8);
+    light.lanterns[1] = light.lanterns[2] = value(track(kOuter), cue.row);
+    light.lanterns[0] = max(light.lanterns[1], value(track(kLast), cue.row));
     for (float &strip : light.strips) strip = value(track(kStripsGo), cue.row);
     poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
     scene.exposure = value(track(kExposure), cue.row);
 
     scene.addAll(kMaterials);
-    scene.add(pearl(true, 0.35f));
-    scene.add(pearl(false, 0.22f));
+    scene.add(pearl(true, 0.2f));
+    scene.add(pearl(false, 0.2f));
     scene.add(kGranite);
     scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
-    addBall(scene, cue.row, 0, 0.4f, 0.75f, rowOf(kBall1), 999, kSilver);
+    addBall(scene, cue.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
-        float z = 2.25f - 1.2f * (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
+        float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
         float comes = rowOf(kBall2) + (float)(kBeat * i), goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
         for (int side = 0; side < 2; ++side)
-            addBall(scene, cue.row, side ? aside : -aside, z - 0.5f * (float)side, radius, comes, goes,
+            addBall(scene, cue.row, side ? aside : -aside, z - 0.4f * (float)side, radius, comes, goes,
                     kSides[side][i]);
     }
     for (int i = 0; i < kBehind; ++i)
-        addBall(scene, cue.row, 0, -1.6f - 1.5f * (float)i, 0.45f,
-                rowOf(kBall2) + (float)(kBeat * (kRows + i)),
-                rowOf(kBall5Leaves) + (float)(kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
-    standText(scene, "odraz", {-2.35f, 0.01f, 6.5f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
+        addBall(scene, cue.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
+                rowOf(kBall2) + (float)(kBeat * (kRows + 2 * i)),
+                rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
+    standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
               scene.add(lamp({2.6f, 0.9f, 0.27f})));
 }
 
