@@ -91,8 +91,8 @@ inline constexpr Event kEvents[] = {
     {kWordIsFound,      kOdraz,   136, false}, // mirrored in the last ball: it stands behind the camera
 
     {kLine1,            kCredits,   4, true},
-    {kLine2,            kCredits,  12, true},
-    {kLine3,            kCredits,  20, true},
+    {kLine2,            kCredits,  28, true},
+    {kLine3,            kCredits,  52, true},
 };
 // clang-format on
 static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event, in the enum's order");

@@ -188,9 +188,13 @@ static constexpr CameraKey kFallIn[] = {
     {192, {0.1f, 0.9f, -3.8f}, {0, 0.76f, -5}, 0, 36},
 };
 
-static constexpr CameraKey kStill[] = {
-    {0, {0.3f, 0.9f, 4.4f}, {0, 0.72f, 0}, 0, 37.8f},
-    {80, {-0.1f, 0.8f, 4.0f}, {0, 0.72f, 0}, 0, 37.8f},
+// The word in the last ball becomes the word on the marble: of the same size, at the same place.
+static constexpr CameraKey kFallThrough[] = {
+    {0, {0.274f, 0.95f, 6.35f}, {0.274f, 0.834f, 0}, 0, 37.8f},
+    {10, {0.f, 0.85f, 5.06f}, {0.07f, 0.76f, 0}, 0, 37.8f},
+    {24, {-0.2f, 0.79f, 4.36f}, {-0.08f, 0.72f, 0}, 0, 37.8f},
+    {48, {-0.41f, 0.76f, 4.03f}, {-0.2f, 0.7f, 0}, 0, 37.8f},
+    {80, {-0.64f, 0.75f, 3.89f}, {-0.32f, 0.69f, 0}, 0, 37.8f},
 };
 
 static constexpr Shot kShots[] = {
@@ -220,7 +224,7 @@ static constexpr Shot kShots[] = {
     {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kMeet.keys), .fadeIn = 0, .fadeOut = 0},
     {.row = 1072, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 0},
     {.row = 1136, .scene = kOdraz, .storyRow = 1024, .path = path(kFallIn), .fadeIn = 0, .fadeOut = 0},
-    {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kStill), .fadeIn = 8, .fadeOut = 4},
+    {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kFallThrough), .fadeIn = 0, .fadeOut = 0},
 };
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};

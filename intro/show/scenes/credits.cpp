@@ -1,5 +1,5 @@
-// Scene 7. The word of scene 1 on its marble, before the last ball. Text tells what the film is, how many
-// bytes it has and what it ran on.
+// Scene 7. The word that the last ball mirrored, on the marble of scene 1. Text tells what the film is, how
+// many bytes it has, who made it and what it ran on, and greets those it stands on.
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"
@@ -11,51 +11,54 @@ using enum Interpolation;
 
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
-static constexpr Light kLights[] = {
-    {{-1.6f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f},
-    {{2.6f, 1.7f, -2.6f}, {3.2f, 4.4f, 6.8f}, 0.2f},
-    {{0, 0.07f, 0.6f}, {0.3f, 0.14f, 0.06f}, 0.1f},
-};
+static constexpr float kLastBeat = 76; // then all is black, and the room rings out
 
-void poseCredits(const Cue &, Scene &scene) {
+void poseCredits(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
-    scene.addAll(kLights);
+    // The light wanders over the stone until the end
+    float way = (float)cue.row * 0.03f;
+    scene.add(Light{{way - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
+    scene.add(Light{{2.6f, 1.7f, -2.6f + way}, {3.2f, 4.4f, 6.8f}, 0.2f});
+    scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's
     scene.add(plane({0, 0, 0}, kMarble))->textureShift = {3.1f, 0.37f, 1.9f};
-    scene.add(sphere({0, 0.6f, -1.2f}, 0.6f, kSilver));
+    scene.add(sphere({-1.95f, 0.6f, -1.2f}, 0.6f, kSilver));
     int tube = scene.add(lamp({4.5f, 1.6f, 0.5f}));
-    standText(scene, "odraz", {-1.17f, 0.004f, 0}, 0.045f, 100, tube);
+    standText(scene, "odraz", {-1.17f, 0.055f, 0}, 0.045f, 100, tube);
     scene.ballsOcclude = true;
     scene.ambientLow = {0.01f, 0.01f, 0.014f};
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
     scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});
     scene.fog = 0.09f;
-    scene.exposure = 1.3f;
+    scene.exposure = cue.row > kLastBeat ? 0 : 1.3f;
 }
 
-static constexpr Key kFade1[] = {{rowOf(kLine1), 0, Smooth}, {rowOf(kLine1) + 10, 1, Linear}};
-static constexpr Key kFade2[] = {{rowOf(kLine2), 0, Smooth}, {rowOf(kLine2) + 10, 1, Linear}};
-static constexpr Key kFade3[] = {{rowOf(kLine3), 0, Smooth}, {rowOf(kLine3) + 10, 1, Linear}};
+// A page of text, from its event on
+static constexpr Key kPage[] = {{0, 0, Smooth}, {5, 1, Linear}, {20, 1, Smooth}, {24, 0, Linear}};
 
 void letterCredits(const Cue &cue, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
-    auto line = [&](const char *text, float y, float size, Track fade, Rgb colour) {
-        drawText(frame, text, w * 0.5f, h * y, h * size, 0.085f, 1.6f, Align::Centre, colour,
-                 value(fade, cue.row));
+    auto line = [&](float page, const char *text, float y, float size, Rgb colour) {
+        drawText(frame, text, w * 0.5f, h * y, h * size, 0.09f, 1.6f, Align::Centre, colour,
+                 value(track(kPage), cue.row - page));
     };
-    Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f}, grey = {0.36f, 0.36f, 0.38f};
-    line("a film of reflections, traced ray by ray while you watched", 0.13f, 0.023f, track(kFade1), pale);
-    line("no picture and no sound was recorded", 0.19f, 0.023f, track(kFade2), grey);
-    Text<80> size;
+    Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f};
+    Text<80> size, machine;
     if (cue.facts.bytes)
         size << cue.facts.bytes << " bytes";
     else
         size << "in less than 65537 bytes";
-    line(size.data, 0.27f, 0.031f, track(kFade3), accent);
-    Text<80> machine;
     machine << "on "
             << (cue.facts.machine && *cue.facts.machine ? cue.facts.machine
                                                         : "a processor, and nothing else");
-    line(machine.data, 0.325f, 0.023f, track(kFade3), grey);
+    line(rowOf(kLine1), "light, traced ray by ray as you watched", 0.14f, 0.036f, pale);
+    line(rowOf(kLine1), size.data, 0.24f, 0.046f, accent);
+    line(rowOf(kLine1), "no picture and no sound was recorded", 0.33f, 0.036f, pale);
+    line(rowOf(kLine2), "picture and music", 0.14f, 0.036f, pale);
+    line(rowOf(kLine2), "the odraz team", 0.24f, 0.046f, accent);
+    line(rowOf(kLine2), machine.data, 0.33f, 0.03f, pale);
+    line(rowOf(kLine3), "greetings to those it stands on", 0.14f, 0.036f, pale);
+    line(rowOf(kLine3), "whitted  kajiya  goral  cohen", 0.24f, 0.041f, accent);
+    line(rowOf(kLine3), "greenberg  perlin  sloan  elias", 0.33f, 0.041f, accent);
 }
 
 } // namespace odraz
