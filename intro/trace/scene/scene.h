@@ -20,8 +20,8 @@ inline constexpr int kMaxShapes = 65500, kMaxMaterials = 32, kMaxLights = 8, kMa
 static_assert(kMaxShapes <= 0x10000 && kMaxMaterials <= 0x100, "numbers of them are kept in 16 and 8 bits");
 
 // A point light or, with a radius, a ball of light. Irradiance / pi at distance r is intensity / r^2. A
-// highlight shows a ball of light at its size. Shadows are hard, cast from the ball's middle; see
-// Scene::ballsOcclude for soft ones.
+// highlight shows a ball of light at its size. Shadows are hard, cast from the ball's middle by what is
+// outside it; see Scene::ballsOcclude for soft ones.
 struct Light {
     Vec3 position;
     Rgb intensity;
