@@ -22,11 +22,11 @@ static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
                                  {rowOf(kOuterLampsDie), 0.33f, Smooth},
                                  {rowOf(kOuterLampsDie) + 16, 0, Linear}};
 static constexpr Key kLast[] = {{rowOf(kOuterLampsDie), 0, Smooth},
-                                {rowOf(kOuterLampsDie) + 16, 0.5f, Linear},
-                                {rowOf(kWordIsFound) + 28, 0.5f, Smooth},
-                                {rowOf(kWordIsFound) + 48, 0.3f, Linear}};
+                                {rowOf(kOuterLampsDie) + 16, 0.9f, Linear},
+                                {rowOf(kWordIsFound) + 28, 0.9f, Smooth},
+                                {rowOf(kWordIsFound) + 48, 0.65f, Linear}};
 static constexpr Key kExposure[] = {{0, 2.1f, Smooth},  {24, 1.9f, Linear},  {48, 1.9f, Linear},
-                                    {48, 2.5f, Linear}, {144, 2.5f, Smooth}, {160, 3.7f, Linear}};
+                                    {48, 2.5f, Linear}, {144, 2.5f, Smooth}, {160, 2.4f, Linear}};
 
 // The share of the way from the door that a ball still has before it, and the share that it has gone back.
 // Both are squared, so that balls brake and set off evenly.
