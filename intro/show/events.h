@@ -92,7 +92,7 @@ inline constexpr Event kEvents[] = {
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  28, true},
-    {kLine3,            kCredits,  52, true},
+    {kLine3,            kCredits,  52, false},
 };
 // clang-format on
 static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event, in the enum's order");

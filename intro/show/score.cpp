@@ -102,7 +102,7 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
     {kCredits, 0, 3, {kPad, 4, 5, 150}, 1, 48, 35, 35, "0"},
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
-    {kCredits, 2, 3, {kGlassDrop, 5, 1, 120}, 1, 16, 60, 60, "e"},
+    {kCredits, 2, 3, {kGlassDrop, 5, 1, 120}, 4, 16, 60, 60, "Ge.."},
 };
 static_assert(
     [] {
@@ -160,7 +160,6 @@ static constexpr Heard kHeard[] = {
     {kBall1Leaves, {kGlassDrop, 6, 1, 120}, 60, '0'},
     {kLine1, {kGlassDrop, 6, 1, 120}, 60, 'D'},
     {kLine2, {kGlassDrop, 6, 1, 120}, 60, 'a'},
-    {kLine3, {kGlassDrop, 6, 1, 120}, 60, 'G'},
 };
 // clang-format on
 
