@@ -107,9 +107,10 @@ static int run(Arguments &words) {
     all(r);
     steps(r);
     auto sample = [&](double row) { return (size_t)(row / kRowsPerSecond * r.rate); };
-    for (int i = 0; i < kFilm.count; ++i) {
+    for (int i = 0, next; i < kFilm.count; i = next) {
         const Shot &s = kFilm.shots[i];
-        float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
+        for (next = i + 1; next < kFilm.count && kFilm.shots[next].scene == s.scene;) ++next;
+        float end = next < kFilm.count ? kFilm.shots[next].row : kFilm.endRow;
         scene(r, kScenes[s.scene].name, sample((double)s.row), sample((double)end));
     }
     for (int i = 0; i < kFilm.count; ++i) {
