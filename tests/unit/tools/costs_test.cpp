@@ -29,39 +29,39 @@ std::string momentAt(double seconds, int unit) {
     add("picture", "0", "640,360", 1, 400);
     return rows;
 }
-// The table and its shot: 16 to 40 s, 40 to 64 s.
-Costs sample() { return Costs(kHead + momentAt(20, 1) + momentAt(30, 2) + momentAt(50, 7)); }
+// Two moments of the shot up to 16 s, one of the next, up to 24 s.
+Costs sample() { return Costs(kHead + momentAt(4, 1) + momentAt(12, 2) + momentAt(20, 7)); }
 constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
 TEST(Costs, AreThoseCounted) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({20, 1, kSmall, false}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({20, 1, kLarge, false}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({30, 2, kLarge, false}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({20, 2, kSmall, true}).parallel, 30e6, 1);
-    EXPECT_NEAR(costs.of({20, 2, kSmall, true}).serial, 2e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, kSmall, false}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, kLarge, false}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({12, 2, kLarge, false}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({4, 2, kSmall, true}).parallel, 30e6, 1);
+    EXPECT_NEAR(costs.of({4, 2, kSmall, true}).serial, 2e6, 1);
 }
 
 TEST(Costs, AreInterpolated) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({25, 1, kSmall, false}).parallel, 150e6, 1) << "time, linear";
-    EXPECT_NEAR(costs.of({20, 1.5f, kSmall, false}).parallel, 100e6 / std::sqrt(2.), 1)
+    EXPECT_NEAR(costs.of({8, 1, kSmall, false}).parallel, 150e6, 1) << "time, linear";
+    EXPECT_NEAR(costs.of({4, 1.5f, kSmall, false}).parallel, 100e6 / std::sqrt(2.), 1)
         << "level, by logarithm";
-    EXPECT_NEAR(costs.of({20, 0.5f, kSmall, false}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({20, 1, 2 * kSmall, false}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
-    EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).parallel, 900e6, 1) << "... and beyond";
-    EXPECT_NEAR(costs.of({20, 1, 4 * kLarge, false}).serial, 1e6, 1);
-    EXPECT_NEAR(costs.of({20, 0, kLarge, false}).parallel, 1200e6, 1)
+    EXPECT_NEAR(costs.of({4, 0.5f, kSmall, false}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, 2 * kSmall, false}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
+    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, false}).parallel, 900e6, 1) << "... and beyond";
+    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, false}).serial, 1e6, 1);
+    EXPECT_NEAR(costs.of({4, 0, kLarge, false}).parallel, 1200e6, 1)
         << "a level of one size grows as play does";
-    EXPECT_NEAR(costs.of({20, 0.2f, kSmall, true}).parallel, 40e6, 1) << "beyond the best one counted";
+    EXPECT_NEAR(costs.of({4, 0.2f, kSmall, true}).parallel, 40e6, 1) << "beyond the best one counted";
 }
 
 TEST(Costs, NeverCrossACut) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({16, 1, kSmall, false}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({39.9, 1, kSmall, false}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({40.1, 1, kSmall, false}).parallel, 700e6, 1);
-    EXPECT_THROW(costs.of({70, 1, kSmall, false}), Refused);
+    EXPECT_NEAR(costs.of({0, 1, kSmall, false}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({15.9, 1, kSmall, false}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({16.1, 1, kSmall, false}).parallel, 700e6, 1);
+    EXPECT_THROW(costs.of({30, 1, kSmall, false}), Refused);
 }
 
 TEST(Costs, WhatIsWrongIsTold) {
