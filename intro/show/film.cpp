@@ -145,7 +145,7 @@ static constexpr auto kSunPatches = coarse({
 });
 // A day in the hall, cut where it turns: towards the entrance at dawn; down the nave, past the beams; across
 // the evening's light, and then with it, to the lanterns; away from them in the night; to the door.
-static constexpr CameraKey kDawn[] = {
+static constexpr CameraKey kAtDawn[] = {
     {-16, {1.3f, 0.9f, -7.3f}, {-0.9f, 1.9f, 6}, 0, 44},
     {80, {0.9f, 1.3f, -4.4f}, {-1.2f, 2.0f, 6}, 0, 44},
 };
@@ -215,7 +215,7 @@ static constexpr Shot kShots[] = {
      .path = path(kSunPatches.key),
      .fadeIn = 0,
      .fadeOut = 0},
-    {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kDawn), .fadeIn = 0, .fadeOut = 0},
+    {.row = 736, .scene = kHall, .storyRow = 736, .path = path(kAtDawn), .fadeIn = 0, .fadeOut = 0},
     {.row = 800, .scene = kHall, .storyRow = 736, .path = path(kBeams), .fadeIn = 0, .fadeOut = 0},
     {.row = 864, .scene = kHall, .storyRow = 736, .path = path(kEveningLight), .fadeIn = 0, .fadeOut = 0},
     {.row = 896, .scene = kHall, .storyRow = 736, .path = path(kLanternLight), .fadeIn = 0, .fadeOut = 0},
