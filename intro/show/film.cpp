@@ -12,7 +12,7 @@ namespace odraz {
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint},
     {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19, .thirty = 12},
-    {.name = "flake", .pose = poseFlake, .id = kFlake, .thirty = 12},
+    {.name = "flake", .pose = poseFlake, .id = kFlake, .fewerPixels = 15, .thirty = 12},
     {.name = "patches",
      .pose = posePatches,
      .letter = letterPatches,
@@ -20,7 +20,7 @@ constexpr SceneEntry kScenes[kSceneCount] = {
      .needsHall = true,
      .fewerPixels = 15,
      .thirty = 10},
-    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .fewerPixels = 19, .thirty = 12},
+    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .fewerPixels = 19, .thirty = 10},
     {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true, .thirty = 12, .leastWidth = 80},
     {.name = "credits",
      .pose = poseCredits,
