@@ -177,10 +177,10 @@ static consteval TwoKeys toTheDoor(float since) {
              {352 - since, {0, 1.3f, -0.4f}, {0, 1.6f, -9}, 0, 42}}};
 }
 static constexpr TwoKeys kToTheDoor = toTheDoor(0), kMeet = toTheDoor(288);
-// Up above the balls that have come; then down, and into the one that stays.
+// From the floor up and back, until the balls' shadows are seen; then down, and into the one that stays.
 static constexpr CameraKey kCrane[] = {
-    {32, {-1.4f, 3.1f, 0.6f}, {0.2f, 0.1f, -4.5f}, 0, 44},
-    {128, {-0.6f, 5.6f, -2.2f}, {0.1f, 0, -5.1f}, 0, 44},
+    {32, {0.9f, -0.4f, -3.2f}, {0, 2, -10}, 0, 44},
+    {128, {-0.9f, 4.5f, 4}, {0, -0.3f, -4}, 0, 44},
 };
 static constexpr CameraKey kFallIn[] = {
     {96, {1.9f, 2.4f, -0.9f}, {-0.2f, 0.7f, -5.6f}, 0, 41},

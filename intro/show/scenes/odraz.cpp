@@ -14,19 +14,22 @@ static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
                                     {rowOf(kLampLights) + 24, 0.7f, Linear},
                                     {rowOf(kDoorDies), 0.7f, Smooth},
                                     {rowOf(kDoorDies) + 20, 0, Linear}};
+// On bars one side of the door goes out, then the other, and all shadows turn
+static constexpr Key kSway[] = {{64, 0, Smooth},     {72, 0.5f, Linear},  {80, 0.5f, Smooth},
+                                {88, -0.5f, Linear}, {96, -0.5f, Smooth}, {108, 0, Linear}};
 // How much of their light is drawn with shadows: more when there are balls that cast them
-static constexpr Key kDoor[] = {{0, 0, Smooth}, {24, 0.8f, Linear}};
+static constexpr Key kDoor[] = {{0, 0, Smooth}, {24, 0.8f, Linear}, {72, 1, Linear}};
 // The lanterns are equally strong, so that the tracer draws none of them, until one is left
-static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Smooth},
-                                 {rowOf(kLampLights) + 20, 0.33f, Linear},
-                                 {rowOf(kOuterLampsDie), 0.33f, Smooth},
+static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Linear},
+                                 {rowOf(kLampLights) + 20, 0.38f, Linear},
+                                 {rowOf(kOuterLampsDie), 0.38f, Smooth},
                                  {rowOf(kOuterLampsDie) + 16, 0, Linear}};
 static constexpr Key kLast[] = {{rowOf(kOuterLampsDie), 0, Smooth},
                                 {rowOf(kOuterLampsDie) + 16, 0.9f, Linear},
                                 {rowOf(kWordIsFound) + 28, 0.9f, Smooth},
                                 {rowOf(kWordIsFound) + 48, 0.65f, Linear}};
 static constexpr Key kExposure[] = {{0, 2.1f, Smooth},  {24, 1.9f, Linear},  {48, 1.9f, Linear},
-                                    {48, 2.5f, Linear}, {144, 2.5f, Smooth}, {160, 2.4f, Linear}};
+                                    {48, 2.7f, Linear}, {112, 4.2f, Linear}, {112, 2.5f, Linear}};
 
 // The share of the way from the door that a ball still has before it, and the share that it has gone back.
 // Both are squared, so that balls brake and set off evenly.
@@ -59,7 +62,8 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     HallLight light = {kNight, {}, {}, 1, value(track(kDoor), cue.row)};
     light.lanterns[1] = light.lanterns[2] = value(track(kOuter), cue.row);
     light.lanterns[0] = max(light.lanterns[1], value(track(kLast), cue.row));
-    for (float &strip : light.strips) strip = value(track(kStripsGo), cue.row);
+    float burn = value(track(kStripsGo), cue.row), sway = value(track(kSway), cue.row);
+    for (int i = 0; i < kStrips; ++i) light.strips[i] = burn * saturate(1 + sway * ((float)i - 3.5f));
     poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
     scene.exposure = value(track(kExposure), cue.row);
 
@@ -71,14 +75,15 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     addBall(scene, cue.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
-        float comes = rowOf(kBall2) + (float)(kBeat * i), goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
+        float comes = rowOf(kBall2) + (float)(kBeat * (i < 4 ? i : i + 6)),
+              goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
         for (int side = 0; side < 2; ++side)
             addBall(scene, cue.row, side ? aside : -aside, z - 0.4f * (float)side, radius, comes, goes,
                     kSides[side][i]);
     }
     for (int i = 0; i < kBehind; ++i)
         addBall(scene, cue.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
-                rowOf(kBall2) + (float)(kBeat * (kRows + 2 * i)),
+                rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
               scene.add(lamp({2.6f, 0.9f, 0.27f})));
