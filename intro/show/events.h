@@ -88,7 +88,7 @@ inline constexpr Event kEvents[] = {
     {kBall4Leaves,      kOdraz,    88, false},
     {kBall3Leaves,      kOdraz,    96, true},
     {kBall1Leaves,      kOdraz,   116, true},
-    {kWordIsFound,      kOdraz,   136, false}, // mirrored in the last ball: it stands behind the camera
+    {kWordIsFound,      kOdraz,   144, false}, // mirrored in the last ball: it stands behind the camera
 
     {kLine1,            kCredits,   4, true},
     {kLine2,            kCredits,  28, true},

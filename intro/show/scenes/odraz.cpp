@@ -25,9 +25,7 @@ static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Linear},
                                  {rowOf(kOuterLampsDie), 0.38f, Smooth},
                                  {rowOf(kOuterLampsDie) + 16, 0, Linear}};
 static constexpr Key kLast[] = {{rowOf(kOuterLampsDie), 0, Smooth},
-                                {rowOf(kOuterLampsDie) + 16, 0.9f, Linear},
-                                {rowOf(kWordIsFound) + 28, 0.9f, Smooth},
-                                {rowOf(kWordIsFound) + 48, 0.65f, Linear}};
+                                {rowOf(kOuterLampsDie) + 16, 0.3f, Linear}};
 static constexpr Key kExposure[] = {{0, 2.1f, Smooth},  {24, 1.9f, Linear},  {48, 1.9f, Linear},
                                     {48, 2.7f, Linear}, {112, 4.2f, Linear}, {112, 2.5f, Linear}};
 
@@ -66,6 +64,12 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     for (int i = 0; i < kStrips; ++i) light.strips[i] = burn * saturate(1 + sway * ((float)i - 3.5f));
     poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
     scene.exposure = value(track(kExposure), cue.row);
+    // The night outside dims with the door, lest the entrance outshine the word that stands before it
+    Rgb night = Rgb{1, 1, 1} * min(0.3f + burn, 1.f);
+    scene.sky.low *= night, scene.sky.slope *= night, scene.sky.curve *= night;
+    // As the door dies, a cold light comes up behind it: the last ball keeps its outline and its shadow
+    if (float cold = 0.7f - burn; cold > 0)
+        scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.35f});
 
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.2f));
@@ -85,8 +89,10 @@ void poseOdraz(const Cue &cue, Scene &scene) {
         addBall(scene, cue.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
-    standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, (float)cue.row - rowOf(kWordIsFound),
-              scene.add(lamp({2.6f, 0.9f, 0.27f})));
+    // It glows up when it is large enough to be read
+    float since = (float)cue.row - rowOf(kWordIsFound);
+    Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.06f * since - 0.75f);
+    standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
 }
 
 } // namespace odraz
