@@ -143,11 +143,11 @@ static constexpr auto kSunPatches = coarse({
     {176, {0.9f, 1.3f, -7.6f}, {-0.9f, 2.0f, 0}, 0, 46},
     {240, {0.3f, 1.5f, -4.4f}, {-1.1f, 2.3f, 4}, 0, 46},
 });
-// A day in the hall, cut where it turns: towards the entrance at dawn; down the nave, past the beams; across
-// the evening's light, and then with it, to the lanterns; away from them in the night; to the door.
+// A day in the hall, cut where it turns: low, towards the windows, at dawn; down the nave, past the beams;
+// across the evening's light, and then with it, to the lanterns; away from them in the night; to the door.
 static constexpr CameraKey kAtDawn[] = {
-    {-16, {1.3f, 0.9f, -7.3f}, {-0.9f, 1.9f, 6}, 0, 44},
-    {80, {0.9f, 1.3f, -4.4f}, {-1.2f, 2.0f, 6}, 0, 44},
+    {-16, {2.7f, 0.35f, -4.0f}, {-4.5f, 1.9f, -0.2f}, 0, 50},
+    {80, {1.6f, 0.45f, -2.6f}, {-4.5f, 2.1f, 1.0f}, 0, 50},
 };
 static constexpr CameraKey kBeams[] = {
     {0, {1.0f, 1.6f, 8.5f}, {-3.4f, 2.4f, 1.2f}, 0, 48},
