@@ -144,7 +144,7 @@ static constexpr auto kSunPatches = coarse({
     {240, {0.3f, 1.5f, -4.4f}, {-1.1f, 2.3f, 4}, 0, 46},
 });
 // A day in the hall, cut where it turns: low, towards the windows, at dawn; down the nave, past the beams;
-// across the evening's light, and then with it, to the lanterns; away from them in the night; to the door.
+// across the evening's light, and then with it, to the lanterns; low again in the night; to the door.
 static constexpr CameraKey kAtDawn[] = {
     {-16, {2.7f, 0.35f, -4.0f}, {-4.5f, 1.9f, -0.2f}, 0, 50},
     {80, {1.6f, 0.45f, -2.6f}, {-4.5f, 2.1f, 1.0f}, 0, 50},
@@ -164,8 +164,8 @@ static constexpr CameraKey kLanternLight[] = {
     {208, {-1.3f, 1.3f, 7.0f}, {2.0f, 2.8f, -3.6f}, 0, 48},
 };
 static constexpr CameraKey kNightfall[] = {
-    {176, {2.0f, 1.1f, 1.15f}, {-2.5f, 3.1f, -7}, 0, 46},
-    {240, {1.8f, 1.1f, 0.2f}, {-2.3f, 3.1f, -8}, 0, 46},
+    {176, {1.6f, 0.5f, 6.4f}, {-4.5f, 0.8f, 2.4f}, 0, 50},
+    {240, {1.2f, 0.6f, 4.6f}, {-4.5f, 0.9f, 0.6f}, 0, 50},
 };
 // To the door, and on when the balls come out of it: one straight path through two scenes, whose keys count
 // from the start of either.
