@@ -28,8 +28,10 @@ void poseDay(const Cue &cue, Scene &scene) {
         light.lanterns[i] =
             value(track(kComesUp), cue.row - kUp[i]) * value(track(kGoesOut), cue.row - kOut[i]);
     light.sun = value(track(kSun), cue.row);
-    // The strips rise in turn
-    static constexpr Key kRise[] = {{0, 0, Smooth}, {4, 1, Linear}};
+    // The strips rise in turn. Later something passes behind them, and they go out and return, one a beat
+    // again
+    static constexpr Key kRise[] = {
+        {0, 0, Smooth}, {4, 1, Linear}, {32, 1, Smooth}, {34, 0.05f, Smooth}, {36, 1, Linear}};
     static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
                                              rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
     for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - kRows[i]);
