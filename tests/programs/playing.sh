@@ -77,7 +77,7 @@ check "plays to a server what --wav writes, to the last bit" into_server
 check "... and says nothing" says_nothing
 
 stops() {
-    play --to 7 &
+    play --from 40 --to 52 &
     local film=$!
     await seen
     sleep 3
@@ -92,7 +92,7 @@ check "plays while the server stops for two seconds" stops
 check "... and is heard again" is_loud "$WORK/after"
 check "... and says nothing" says_nothing
 dies() {
-    play --to 9 &
+    play --from 40 --to 54 &
     local film=$!
     await seen
     sleep 2
