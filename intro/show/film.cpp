@@ -8,7 +8,7 @@
 namespace odraz {
 
 // What scenes would rather do without was found by build/seen, with two cores and 1280x720 in mind: details
-// of most are worth more than half of the pictures. The hall is as good with all of them.
+// of most are worth more than half of the pictures.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint},
     {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19, .thirty = 12},
@@ -169,14 +169,11 @@ static constexpr CameraKey kNightfall[] = {
 };
 // To the door, and on when the balls come out of it: one straight path through two scenes, whose keys count
 // from the start of either.
-struct TwoKeys {
-    CameraKey keys[2];
-};
-static consteval TwoKeys toTheDoor(float since) {
+static consteval Keys<2> toTheDoor(float since) {
     return {{{208 - since, {0, 1.6f, 3.0f}, {0, 2.15f, -9}, 0, 42},
              {352 - since, {0, 1.3f, -0.4f}, {0, 1.6f, -9}, 0, 42}}};
 }
-static constexpr TwoKeys kToTheDoor = toTheDoor(0), kMeet = toTheDoor(288);
+static constexpr Keys<2> kToTheDoor = toTheDoor(0), kMeet = toTheDoor(288);
 // From the floor up and back, until the balls' shadows are seen; then down, and into the one that stays.
 static constexpr CameraKey kCrane[] = {
     {32, {0.9f, -0.4f, -3.2f}, {0, 2, -10}, 0, 44},
@@ -220,8 +217,8 @@ static constexpr Shot kShots[] = {
     {.row = 864, .scene = kHall, .storyRow = 736, .path = path(kEveningLight), .fadeIn = 0, .fadeOut = 0},
     {.row = 896, .scene = kHall, .storyRow = 736, .path = path(kLanternLight), .fadeIn = 0, .fadeOut = 0},
     {.row = 928, .scene = kHall, .storyRow = 736, .path = path(kNightfall), .fadeIn = 0, .fadeOut = 0},
-    {.row = 960, .scene = kHall, .storyRow = 736, .path = path(kToTheDoor.keys), .fadeIn = 0, .fadeOut = 0},
-    {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kMeet.keys), .fadeIn = 0, .fadeOut = 0},
+    {.row = 960, .scene = kHall, .storyRow = 736, .path = path(kToTheDoor.key), .fadeIn = 0, .fadeOut = 0},
+    {.row = 1024, .scene = kOdraz, .storyRow = 1024, .path = path(kMeet.key), .fadeIn = 0, .fadeOut = 0},
     {.row = 1072, .scene = kOdraz, .storyRow = 1024, .path = path(kCrane), .fadeIn = 0, .fadeOut = 0},
     {.row = 1136, .scene = kOdraz, .storyRow = 1024, .path = path(kFallIn), .fadeIn = 0, .fadeOut = 0},
     {.row = 1216, .scene = kCredits, .storyRow = 1216, .path = path(kFallThrough), .fadeIn = 0, .fadeOut = 0},

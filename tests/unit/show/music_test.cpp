@@ -64,13 +64,11 @@ TEST(Music, IsSilentBeforeTheBigHits) {
 }
 
 TEST(Music, HasNoiseInEveryScene) {
-    for (int i = 0, next; i < kFilm.count; i = next) {
-        const Shot &s = kFilm.shots[i];
-        for (next = i + 1; next < kFilm.count && kFilm.shots[next].scene == s.scene;) ++next;
-        float end = next < kFilm.count ? kFilm.shots[next].row : kFilm.endRow;
-        double flat = flatness(music(), sampleOf((double)s.row), sampleOf((double)end));
-        std::printf("%s: %.3f\n", kScenes[s.scene].name, flat);
-        EXPECT_GT(flat, 0.05) << kScenes[s.scene].name;
+    for (const SceneSpan &span : sceneSpans()) {
+        const char *name = kScenes[span.scene].name;
+        double flat = flatness(music(), sampleOf(span.from), sampleOf(span.to));
+        std::printf("%s: %.3f\n", name, flat);
+        EXPECT_GT(flat, 0.05) << name;
     }
 }
 

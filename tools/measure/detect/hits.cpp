@@ -9,6 +9,17 @@
 
 namespace odraz {
 
+std::vector<SceneSpan> sceneSpans() {
+    std::vector<SceneSpan> spans;
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &s = kFilm.shots[i];
+        double end = (double)(i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow);
+        if (spans.empty() || spans.back().scene != s.scene) spans.push_back({s.scene, (double)s.row, end});
+        spans.back().to = end;
+    }
+    return spans;
+}
+
 std::vector<int> hitRows() {
     std::vector<int> rows;
     auto m = std::make_unique<Mixer>();

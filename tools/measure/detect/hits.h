@@ -5,6 +5,13 @@
 
 namespace odraz {
 
+// A scene of the film, all of its shots together, in rows.
+struct SceneSpan {
+    int scene;
+    double from, to;
+};
+std::vector<SceneSpan> sceneSpans();
+
 // The rows of the film on which a drum is struck, in order.
 std::vector<int> hitRows();
 

@@ -107,12 +107,8 @@ static int run(Arguments &words) {
     all(r);
     steps(r);
     auto sample = [&](double row) { return (size_t)(row / kRowsPerSecond * r.rate); };
-    for (int i = 0, next; i < kFilm.count; i = next) {
-        const Shot &s = kFilm.shots[i];
-        for (next = i + 1; next < kFilm.count && kFilm.shots[next].scene == s.scene;) ++next;
-        float end = next < kFilm.count ? kFilm.shots[next].row : kFilm.endRow;
-        scene(r, kScenes[s.scene].name, sample((double)s.row), sample((double)end));
-    }
+    for (const SceneSpan &span : sceneSpans())
+        scene(r, kScenes[span.scene].name, sample(span.from), sample(span.to));
     for (int i = 0; i < kFilm.count; ++i) {
         const Shot &s = kFilm.shots[i];
         if (i) onset(r, "cut", (double)s.row);
