@@ -8,8 +8,9 @@ namespace odraz {
 namespace {
 
 // Pixels are means of their corners, which blurs them. So textures seen in mirrors are filtered for only half
-// a pixel. With a whole pixel, PSNR is 0.9 dB worse; with less than half, they shimmer.
-constexpr float kFilter = 0.5f;
+// a pixel. With a whole pixel, PSNR is 0.9 dB worse; with less than half, they shimmer. Lines between patches
+// are often narrower than a pixel: with half a one they are dashed where surfaces meet.
+float filterOf(const Scene &scene) { return scene.lines != 0 ? 1 : 0.5f; }
 
 ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
     s.wanted[s.wantedCount] = place;
@@ -85,8 +86,8 @@ void traceWanted(Tile &t) {
             store(s.y + i, toFloat(y + t.y0));
             store((int32_t *)s.index + i, y * kCorners + x);
         }
-        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, kFilter, count, s.x, s.y, s.index,
-                     s.corners);
+        traceSamples(t.scene, t.view, t.quality, s.trace, s.among, filterOf(t.scene), count, s.x, s.y,
+                     s.index, s.corners);
         for (int i = 0; i < count; ++i) {
             uint32_t at = s.index[i];
             s.shown[at] = intensityOf(t.scene, s.corners[at]);
@@ -182,8 +183,8 @@ void sampleInside(Tile &t, int count) {
                     s.index[samples] = (uint32_t)samples;
                     ++samples;
                 }
-            traceSamples(t.scene, t.view, q, s.trace, s.among, kFilter / sqrt((float)to), samples, s.x, s.y,
-                         s.index, s.inside);
+            traceSamples(t.scene, t.view, q, s.trace, s.among, filterOf(t.scene) / sqrt((float)to), samples,
+                         s.x, s.y, s.index, s.inside);
             s.sampleCount += samples;
             const __m128 *v = s.inside;
             for (int i = first; i < first + few; ++i) {

@@ -76,7 +76,9 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)))
+    // Lines between patches stand on all edges, and are no part of the intensities
+    if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
+        (t.scene.lines != 0 && !(same & kSameId)))
         return Split::Differs;
     return mayHide(t, a, size, shapeOf(s, c[0], same)) ? Split::Hidden : Split::No;
 }

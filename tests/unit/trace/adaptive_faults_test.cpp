@@ -226,3 +226,52 @@ TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
         EXPECT_GT(partly, 50) << named(quality).name; // a pixel of each row
     }
 }
+
+// Lines between patches are narrower than a pixel, and stand where two surfaces meet that look almost alike:
+// the edge must be one even line, not dashes.
+TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
+    Chart charts[2] = {};
+    charts[0] = {.corner = {-8, 0, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}, .n = {0, 0, 1}};
+    charts[1] = {.corner = {-8, 0, 0}, .u = {1, 0, 0}, .v = {0, 0, -1}, .n = {0, 1, 0}};
+    for (Chart &c : charts) {
+        c.width = c.height = 16;
+        c.across = c.down = 1;
+        c.patchesAcross = c.patchesDown = 1;
+    }
+    const Cell cell = {.corner = {0, 1, 2, 3}};
+    const float light[4] = {1, 1, 1, 1};
+    Lightmap map = {.charts = charts, .cells = &cell, .plane = {light, light, light}};
+
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material dark = {};
+    dark.diffuse = 1;
+    for (float grey : {0.008f, 0.009f}) {
+        dark.texture.palette[0] = {grey, grey, grey};
+        s->add(dark);
+    }
+    Shape side = {.kind = ShapeKind::Rect, .centre = {0, -8, 0}, .half = {8, 0, 8}}, top = side;
+    side.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+    side.chart = 0;
+    top.centre = {0, 0, -8};
+    top.material = 1;
+    top.chart = 1;
+    s->add(side);
+    s->add(top);
+    s->lightmap = &map;
+    s->lines = -16;
+    s->finish();
+    for (QualityName quality : {QualityName::Draft, QualityName::Play, QualityName::Film}) {
+        // Seen from aside, so that the edge climbs by a pixel in three to five
+        TracedPicture p = traced(*s, {0, {-5, 2, 6}, {0, 0, 0}, 0, 50}, named(quality), 320, 180);
+        double least = 1e9, most = 0;
+        for (int x = 80; x < 240; ++x) {
+            double sum = 0;
+            for (int y = 0; y < 180; ++y) sum += std::pow(p.at(x, y, 1) / 255., 2.2);
+            least = std::min(least, sum), most = std::max(most, sum);
+        }
+        std::printf("%s: columns across the line are between %.3f and %.3f bright\n", named(quality).name,
+                    least, most);
+        EXPECT_LT(most, 2 * least) << named(quality).name;
+    }
+}
