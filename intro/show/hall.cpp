@@ -140,8 +140,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
     // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it; aside if
-    // only one side of the door burns, and farther than that side, so that shadows are seen to turn. With more
-    // than 0.3 metres, its light on the walls aside ends at a strip here and at the gap beside it there
+    // only one side of the door burns, and farther than that side, so that shadows are seen to turn. With
+    // more than 0.3 metres, its light on the walls aside ends at a strip here and at the gap beside it there
     float burning = 0, aside = 0;
     for (int i = 0; i < kStrips; ++i)
         burning += light.strips[i], aside += light.strips[i] * ((float)i - 3.5f);

@@ -76,9 +76,9 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    // Lines between patches stand on all edges, and are no part of the intensities
+    // Where surfaces meet, their textures tell them apart too. Lines between patches stand on all edges
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
-        (t.scene.lines != 0 && !(same & kSameId)))
+        (!(same & kSameId) && (t.scene.lines != 0 || seenExceeds(t, c, t.quality.markThreshold))))
         return Split::Differs;
     return mayHide(t, a, size, shapeOf(s, c[0], same)) ? Split::Hidden : Split::No;
 }

@@ -34,7 +34,7 @@ static void addDisc(Tile &t, int index) {
     ++d.count;
 }
 
-// Adds a line along a shape's longest side, as thick as its second longest, if that is thin.
+// Adds a line along a shape's longest side, as thick as its second longest is seen, if that is thin.
 static void addThinShape(Tile &t, int index) {
     TileScratch &s = t.s;
     const View &v = t.view;
@@ -61,6 +61,11 @@ static void addThinShape(Tile &t, int index) {
                      : longest == 1 ? shape.frame.v
                                     : shape.frame.w) *
                     half[longest];
+        if (shape.isRectangle()) {
+            // It is seen from the side. How much narrower this makes it is the same all along it
+            Vec3 aside = cross(axis, middle - v.eye);
+            thick *= abs(dot(longest ? shape.frame.u : shape.frame.w, aside)) / max(length(aside), 1e-6f);
+        }
         float nearest = min(v.ahead(middle - axis), v.ahead(middle + axis));
         line.radius = thick / nearest * pixel * 1.1f;
         if (nearest <= r * 0.1f || line.radius > widest) return;

@@ -87,9 +87,12 @@ TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
                                           .half = {0.25f, 0, 3},
                                           .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
         TracedPicture p = traced(*s, {0, {0, 0, 0}, {0.3f, 0, -10}, 5, 36}, quality, 320, 180);
-        int lit = 0;
-        for (int y = 0; y < 180; ++y)
-            for (int x = 0; x < 320; ++x) lit += p.at(x, y, 1) > 8;
+        int lit = 0; // rows
+        for (int y = 0; y < 180; ++y) {
+            int most = 0;
+            for (int x = 0; x < 320; ++x) most = std::max(most, (int)p.at(x, y, 1));
+            lit += most > 8;
+        }
         return lit;
     };
     for (QualityName name : {QualityName::Draft, QualityName::Play}) {
@@ -97,6 +100,11 @@ TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
         EXPECT_GT(face(1.5f, named(name)), 150);
     }
     EXPECT_GT(face(0.11f, named(QualityName::Reference)), 100);
+    // A few pixels to a tenth of one: all of it, or nothing
+    for (float side = 3; side > 0.1f; side *= 0.9f) {
+        int lit = face(side, named(QualityName::Play));
+        EXPECT_TRUE(lit > 150 || !lit) << side << ": " << lit << " of 165 rows";
+    }
 }
 
 // The share of a pixel beyond an edge shows at every slope of the edge, even near the axes, where stairs are
@@ -273,5 +281,40 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
         std::printf("%s: columns across the line are between %.3f and %.3f bright\n", named(quality).name,
                     least, most);
         EXPECT_LT(most, 2 * least) << named(quality).name;
+    }
+}
+
+// Two surfaces that are alike but for their textures meet in a line without steps.
+TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material wall = {}, tiles = {};
+    wall.diffuse = tiles.diffuse = 1;
+    wall.texture.palette[0] = {0.5f, 0.5f, 0.5f};
+    tiles.texture.palette[0] = {0.2f, 0.2f, 0.2f};
+    tiles.other.palette[0] = {0.8f, 0.8f, 0.8f};
+    tiles.cell = 20;
+    s->add(wall);
+    s->add(tiles);
+    Shape wide = {.kind = ShapeKind::Rect, .centre = {10, 0, 10}, .half = {10, 0, 10}}, tall = wide;
+    wide.material = 1;
+    tall.centre = {10, 10, 0};
+    tall.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+    s->add(wide);
+    s->add(tall);
+    s->ambientLow = s->ambientHigh = {0.5f, 0.5f, 0.5f};
+    s->finish();
+    const CameraKey camera = {0, {6, 3, 9}, {10, 0, 0}, 4, 50};
+    TracedPicture truth = traced(*s, camera, named(QualityName::Reference), 320, 180);
+    for (QualityName quality : {QualityName::Draft, QualityName::Play, QualityName::Film}) {
+        TracedPicture p = traced(*s, camera, named(quality), 320, 180);
+        int worst = 0;
+        for (int x = 80; x < 240; ++x) {
+            int off = 0;
+            for (int y = 0; y < 180; ++y) off += p.at(x, y, 1) - truth.at(x, y, 1);
+            worst = std::max(worst, std::abs(off));
+        }
+        std::printf("%s: columns across the seam are off by up to %d levels\n", named(quality).name, worst);
+        EXPECT_LT(worst, 48) << named(quality).name;
     }
 }
