@@ -39,9 +39,9 @@ constexpr struct {
     float angle, distance, radius, speed, lift;
     int material;
 } kMovers[] = {
-    {5.02f, 1.5f, 0.40f, 1, 0, kClear},      {3.76f, 1.5f, 0.30f, 1, 0, kSilver},
-    {2.50f, 1.5f, 0.38f, 1, 0, kStone},      {1.24f, 1.5f, 0.42f, 1, 0, kClear},
-    {-0.02f, 1.5f, 0.38f, 1, 0, kRed},       {5.75f, 2.35f, 0.22f, 1, 0, kEdge},
+    {5.02f, 1.5f, 0.40f, 1, 0, kClear},      {3.76f, 1.5f, 0.30f, 1, 0, kEdge},
+    {2.50f, 1.5f, 0.38f, 1, 0, kRed},        {1.24f, 1.5f, 0.42f, 1, 0, kClear},
+    {-0.02f, 1.5f, 0.38f, 1, 0, kRed},       {5.75f, 2.35f, 0.22f, 1, 0, kStone},
     {3.65f, 2.35f, 0.2f, 1, 0, kSilver},     {1.55f, 2.35f, 0.3f, 1, 0, kClear},
     {2.4f, 0.95f, 0.24f, -1, 1.35f, kClear},
 };
