@@ -91,6 +91,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     // It glows up when it is large enough to be read
     float since = (float)cue.row - rowOf(kWordIsFound);
+    if (since > 12) scene.middleCoarse = 8;
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.06f * since - 0.75f);
     standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));
 }

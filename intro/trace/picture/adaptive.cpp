@@ -98,14 +98,14 @@ void traceWanted(Tile &t) {
     s.wantedCount = 0;
 }
 
-// Splits the first `count` squares level by level, at most down to a pixel, and fills the rest. Returns the
-// number of pixels left in squares[2], which need samples inside.
-int splitSquares(Tile &t, int count) {
+// Splits the first `count` squares, `size` wide, level by level, at most down to a pixel, and fills the rest.
+// Returns the number of pixels left in squares[2], which need samples inside.
+int splitSquares(Tile &t, int count, int size) {
     TileScratch &s = t.s;
     const Quality &q = t.quality;
     Square *squares = s.squares[0], *next = s.squares[1];
     int rough = 0, finest = q.fine >> 2;
-    for (int size = q.coarse >> 2; count; size /= 2) {
+    for (; count; size /= 2) {
         int splits = 0, half = size / 2, left = 0;
         for (int i = 0; i < count; ++i) {
             Square a = squares[i];
@@ -226,14 +226,16 @@ void traceAdaptive(Tile &t) {
     findBallsAndThinShapes(t);
     Square *squares = s.squares[0];
     int count = 0;
-    const int size = q.coarse >> 2;
+    const bool inMiddle =
+        abs((float)(t.x0 + kTile / 2) - t.view.width * 0.5f) < t.view.width * 0.125f + kTile / 2;
+    const int size = (inMiddle ? min(q.coarse, t.scene.middleCoarse) : q.coarse) >> 2;
     for (int y = 0; y < t.height; y += size)
         for (int x = 0; x < t.width; x += size) {
             squares[count] = {(uint8_t)x, (uint8_t)y};
             wantCorners(s, squares[count++], size);
         }
     traceWanted(t);
-    sampleInside(t, splitSquares(t, count));
+    sampleInside(t, splitSquares(t, count, size));
     finishTile(t);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
+#include <utility>
+#include <vector>
 
 using namespace odraz;
 
@@ -61,3 +63,33 @@ INSTANTIATE_TEST_SUITE_P(Qualities, Sweep, testing::Values(QualityName::Draft, Q
                          [](const auto &info) {
                              return info.param == QualityName::Draft ? "draft" : "film";
                          });
+
+// The film ends in the word that the last ball mirrors: its strokes are a pixel or two wide, and all of them
+// are there, even in draft.
+TEST(Film, WordInTheBallIsWhole) {
+    Workers workers = serialWorkers();
+    IntroSettings settings = {1280, 720};
+    HeapArena memory{memoryNeeded(settings, 1, true)};
+    Intro *intro = nullptr;
+    ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
+    const Frame &f = intro->frame;
+    auto glows = [&](int x, int y) { return f.plane[0][y * f.stride + x] > 0.7f; };
+    for (double t : {148.5, 149.5, 150.5}) {
+        picture(*intro, 0, t, kQualities[(int)QualityName::Film]);
+        std::vector<std::pair<int, int>> word;
+        // The word, above what the floor mirrors of it
+        for (int y = 360; y < 460; ++y)
+            for (int x = 480; x < 800; ++x)
+                if (glows(x, y)) word.push_back({x, y});
+        picture(*intro, 0, t, kQualities[(int)QualityName::Draft]);
+        size_t lost = 0;
+        for (auto [x, y] : word) {
+            bool near = false;
+            for (int k = 0; k < 9; ++k) near |= glows(x + k % 3 - 1, y + k / 3 - 1);
+            lost += !near;
+        }
+        std::printf("%.1f s: %zu pixels of the word, %zu are lost in draft\n", t, word.size(), lost);
+        EXPECT_GT(word.size(), 200u) << t;
+        EXPECT_LT((double)lost, 0.01 * (double)word.size()) << t;
+    }
+}
