@@ -66,8 +66,9 @@ namespace {
         for (int k = 0; k < 3; ++k) {
             Vec3 r = rows[k], turned = r;
             if (!sky) {
-                // What a mirror shows does not turn with it
-                if (a.traits().extents && now.scene->materials[a.material].diffuse > 0)
+                // What a ball mirrors does not roll with it, nor do lights and shadows on it. So a ball turns
+                // only if it has a texture
+                if (a.traits().extents && !(a.isBall() && now.scene->materials[a.material].plain()))
                     turned = transposeTimes(a.frame, b.frame * r);
                 if (a.half.x > 0) turned *= Vec3{1, 1, 1} * (b.half.x / a.half.x);
                 c.h[k][3] = dot(turned, w.eye - a.centre) + dot(r, b.centre - v.eye);
