@@ -192,11 +192,12 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     if (!any(lit)) return;
 
     // Add the light that passes. A shape does not shade its own outside where that faces the light, and none
-    // within the lamp shades it
+    // but balls within the lamp shades it. (Beams from a light know only where balls end on its side)
     bool soft = all.scene.ballsOcclude && light.radius > 0;
     way.find(all.scene, all.run, all.box, k, soft);
     Int8 own = select(at.side > 0.f, unpackShape(loadInts(all.run.id + at.first)), broadcast(-1));
-    Rgb8 through = transmittance(all.scene, way.among[k], {at.p, l}, far - light.radius, lit, own, soft);
+    Rgb8 through =
+        transmittance(all.scene, way.among[k], {at.p, l}, far - (soft ? light.radius : 0), lit, own, soft);
     if (soft && way.blockers[k].count)
         through = through * softShadow(all.scene, way.blockers[k], light, at.p, l, far, own);
     through += (Rgb{1, 1, 1} - through) * faint;

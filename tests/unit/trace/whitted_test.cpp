@@ -2,6 +2,7 @@
 #include "base/maths.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/stage.h"
+#include "tests/support/traced_picture.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -340,4 +341,23 @@ TEST(View, PutsTheTargetInTheMiddleAndUpOnTop) {
     EXPECT_NEAR(top.y / top.x, 1, 1e-5); // half of 90 degrees up
     View rolled = lookAt({1, 2, 3}, {4, 2, 3}, 90, 90, 100, 100);
     EXPECT_NEAR(rolled.direction(50.f, 0.f).y, 0, 1e-5);
+}
+
+// A lamp's size softens shadows only where balls block light in closed form. Elsewhere shadows are hard, and
+// what stands nearer to the floor than the lamp is large casts one too.
+TEST(Shadow, OfALargeLampReachesTheFloor) {
+    auto s = std::make_unique<Scene>();
+    s->clear();
+    Material grey = {};
+    grey.diffuse = 1;
+    grey.texture.palette[0] = {0.5f, 0.5f, 0.5f};
+    s->add(grey);
+    s->add(plane({0, 0, 0}, 0));
+    s->add(sphere({0, 0.4f, 0}, 0.3f, 0));
+    s->add(Light{{-30, 40, 0}, {2500, 2500, 2500}, 1.8f});
+    s->finish();
+    // Its shadow lies around x = 0.3
+    TracedPicture p = traced(*s, {0, {3, 3, 0}, {0.3f, 0, 0}, 0, 30}, named(QualityName::Play), 160, 90);
+    EXPECT_LT(p.at(80, 45, 1), 5);
+    EXPECT_GT(p.at(20, 45, 1), 50);
 }
