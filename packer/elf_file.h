@@ -23,6 +23,23 @@ struct ElfFile {
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
     }
+    // And `header`, the ELF header. Only an executable for x86-64 has any.
+    std::vector<Elf64_Phdr> programHeaders(Elf64_Ehdr &header) const {
+        need(bytes.size() >= 4 && !std::memcmp(bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
+        need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64,
+             "a 32-bit ELF file: only x86-64 is packed");
+        need(bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
+        header = at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
+        need(header.e_machine == EM_X86_64, "not for x86-64: only that is packed");
+        need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
+        need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
+             "its program headers make no sense");
+        std::vector<Elf64_Phdr> all;
+        for (uint64_t i = 0; i < header.e_phnum; ++i)
+            all.push_back(at<Elf64_Phdr>(header.e_phoff + i * sizeof(Elf64_Phdr),
+                                         "cut short: program headers are missing"));
+        return all;
+    }
     // Empty for a file without section headers; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
         constexpr char kCut[] = "cut short: its section headers are incomplete";

@@ -32,24 +32,6 @@ struct Memory {
     }
 };
 
-std::vector<Elf64_Phdr> readHeaders(const ElfFile &in, Elf64_Ehdr &header) {
-    need(in.bytes.size() >= 4 && !std::memcmp(in.bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
-    need(in.bytes.size() > EI_DATA && in.bytes[EI_CLASS] == ELFCLASS64,
-         "a 32-bit ELF file: only x86-64 is packed");
-    need(in.bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
-    header = in.at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
-    need(header.e_machine == EM_X86_64, "not for x86-64");
-    need(header.e_type != ET_DYN, "position-independent: link it with -no-pie");
-    need(header.e_type == ET_EXEC, "not an executable: link it first");
-    need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
-         "its program headers make no sense");
-    std::vector<Elf64_Phdr> all;
-    for (int i = 0; i < header.e_phnum; ++i)
-        all.push_back(in.at<Elf64_Phdr>(header.e_phoff + (uint64_t)i * sizeof(Elf64_Phdr),
-                                        "cut short: program headers are missing"));
-    return all;
-}
-
 // Checks the segments and lays them out as they will lie in memory.
 void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Program &program) {
     std::vector<Elf64_Phdr> loads;
@@ -217,7 +199,8 @@ void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector
 Program readProgram(const std::vector<uint8_t> &file, const System &system) {
     ElfFile in = {file};
     Elf64_Ehdr header;
-    std::vector<Elf64_Phdr> headers = readHeaders(in, header);
+    std::vector<Elf64_Phdr> headers = in.programHeaders(header);
+    need(header.e_type == ET_EXEC, "position-independent: link it with -no-pie");
     Program program = {};
     loadSegments(in, headers, program);
     const Elf64_Phdr *dynamic = nullptr, *interpreter = nullptr;

@@ -88,15 +88,19 @@ std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
     return decodePayloadSection(packed, kPayloadSectionAt, stubDecode);
 }
 
+bool isPacked(const std::vector<uint8_t> &file) {
+    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) &&
+           !std::memcmp(file.data() + kStubAt, kStub, sizeof kStub);
+}
+
 Packed openPacked(const std::vector<uint8_t> &file) {
-    constexpr char kForeign[] = "not packed by this version of pack";
-    need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
+    need(isPacked(file), "not packed by this version of pack");
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
-    need(!std::memcmp(file.data() + kStubAt, kStub, sizeof kStub), kForeign);
     uint64_t span = f.segments[2].p_memsz;
     Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, span);
     Program &program = packed.program;
+    need(program.base > kBelow, "damaged: get it again");
     for (int i = 0; i < 2; ++i) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
         need(program.slots[i] >= program.base && program.slots[i] - program.base + 8 <= span,

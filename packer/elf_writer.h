@@ -16,6 +16,9 @@ size_t overhead(const ModelParameters &parameters);
 // decoded bytes.
 std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed);
 
+// Whether a file was packed so. It may be damaged, but its stub is whole.
+bool isPacked(const std::vector<uint8_t> &file);
+
 // Takes a packed file apart, but does not decode it. The file may come from any source. Throws Unsuitable.
 Packed openPacked(const std::vector<uint8_t> &file);
 

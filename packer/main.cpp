@@ -1,7 +1,9 @@
-// pack: makes a small self-unpacking executable out of a freestanding one, and takes it apart again.
+// pack: makes a small self-unpacking executable out of another, and takes it apart again.
 #include "elf_reader.h"
 #include "elf_writer.h"
 #include "files.h"
+#include "loader_reader.h"
+#include "loader_writer.h"
 #include "model_parameters.h"
 #include "pe_writer.h"
 #include "report.h"
@@ -19,12 +21,16 @@
 namespace {
 
 constexpr char kUsage[] =
-    "usage: pack IN.elf -o OUT [OPTION...]   pack a program\n"
+    "usage: pack IN -o OUT [OPTION...]       pack a program: any for x86-64 Linux, as compilers make them, "
+    "or\n"
+    "                                        for fewer bytes one that was made for it (packer/README.md)\n"
     "       pack --test FILE                 decode a packed file and say whether it is whole\n"
     "       pack -d FILE -o OUT              write the program of a packed file, not packed\n"
-    "--pe                          write OUT for Windows; IN.elf must be linked for it\n"
+    "--loader                      pack as any program, even if IN was made for packing\n"
+    "--pe                          write OUT for Windows; IN must be linked for it\n"
     "--plain                       do not pack: write OUT with the program as it lies in memory\n"
-    "--budget BYTES                write OUT only if it has at most so many bytes; 65536\n"
+    "--budget BYTES                write OUT only if it has at most so many bytes; 65536 for a program\n"
+    "                              made for packing, else any number\n"
     "--effort fast|normal|best|SECONDS\n"
     "                              search so long for contexts that suit the program: not at all, 30 s,\n"
     "                              15 minutes, or SECONDS; fast\n"
@@ -35,11 +41,13 @@ constexpr char kUsage[] =
     "object files\n"
     "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n";
 
+constexpr long kBudget = 65536; // of a program made for packing
+
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
                *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr;
-    bool pe = false, plain = false;
-    long budget = 65536;
+    bool pe = false, loader = false, plain = false;
+    long budget = -1; // not given
     double seconds = 0;
     const char *onlyToPack = nullptr; // an option given that has no meaning otherwise
 };
@@ -114,7 +122,7 @@ double secondsOf(const std::string &effort) {
 void checkModes(const Options &o) {
     int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
     if (modes != 1 || !o.out != (o.test != nullptr))
-        throw Refusal{"it takes IN.elf -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
+        throw Refusal{"it takes IN -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
     if (!o.in && o.onlyToPack)
         throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
 }
@@ -132,6 +140,9 @@ Options parse(int argc, char **argv) {
         } else if (word == "--pe") {
             o.pe = true;
             o.onlyToPack = "--pe";
+        } else if (word == "--loader") {
+            o.loader = true;
+            o.onlyToPack = "--loader";
         } else if (word == "--plain") {
             o.plain = true;
             o.onlyToPack = "--plain";
@@ -146,6 +157,7 @@ Options parse(int argc, char **argv) {
         else
             throw Refusal{"cannot use '" + word + "'; see pack --help", 2};
     }
+    if (o.pe && o.loader) throw Refusal{"--loader is for Linux, --pe for Windows; see pack --help", 2};
     checkModes(o);
     return o;
 }
@@ -176,11 +188,40 @@ pack::ModelParameters findParameters(const Options &o, const pack::Program &prog
     return parameters;
 }
 
+// The ways to pack a program, and what each does in its own way.
+struct Way {
+    std::vector<uint8_t> (*write)(const pack::Program &, const pack::ModelParameters &,
+                                  const std::vector<uint8_t> &payload);
+    std::vector<uint8_t> (*decodeWithStub)(const std::vector<uint8_t> &packed);
+    pack::Program (*read)(const std::vector<uint8_t> &packed);
+    size_t (*overhead)(const pack::ModelParameters &);
+    std::vector<uint8_t> (*plain)(const pack::Program &);
+};
+constexpr Way kMadeForIt = {pack::writePacked, pack::decodeWithStub, pack::readPacked, pack::overhead,
+                            pack::writePlain},
+              kPe = {pack::writePackedPe, pack::decodeWithStubPe, pack::readPackedPe, pack::overheadPe,
+                     pack::writePlainPe},
+              kLoader = {pack::writePackedLoader, pack::decodeWithStubLoader, pack::readPackedLoader,
+                         pack::overheadLoader, pack::writePlainLoader};
+
+// What a packed copy would not be, though it would run.
+void checkCopy(const char *path, const std::vector<uint8_t> &file) {
+    struct stat s;
+    pack::need(stat(path, &s) == 0 && !(s.st_mode & (S_ISUID | S_ISGID)),
+               "setuid or setgid, which a packed file cannot be: pack a copy without that (chmod a-s)");
+    pack::need(!pack::isPacked(file) && !pack::isPackedLoader(file),
+               "it is packed already: pack the program that it was made from");
+}
+
 void makePacked(const Options &o) {
     std::vector<uint8_t> file = read(o.in);
-    pack::Program program = pack::readProgram(file, o.pe ? pack::kWindows : pack::kLinux);
+    checkCopy(o.in, file);
+    bool any = o.loader || (!o.pe && !pack::isMadeForPacking(file));
+    const Way &way = any ? kLoader : o.pe ? kPe : kMadeForIt;
+    pack::Program program =
+        any ? pack::readAnyProgram(file) : pack::readProgram(file, o.pe ? pack::kWindows : pack::kLinux);
     if (o.plain) {
-        std::vector<uint8_t> plain = o.pe ? pack::writePlainPe(program) : pack::writePlain(program);
+        std::vector<uint8_t> plain = way.plain(program);
         return write(o.out, plain.data(), plain.size(), true);
     }
     std::string map = o.map ? readText(o.map) : "";
@@ -193,11 +234,9 @@ void makePacked(const Options &o) {
     pack::Workspace workspace;
     pack::Layout layout = program.layout();
     pack::Encoded encoded = pack::encode(program.bytes, layout, parameters, workspace);
-    std::vector<uint8_t> packed =
-        (o.pe ? pack::writePackedPe : pack::writePacked)(program, parameters, encoded.payload);
-    size_t overhead = (o.pe ? pack::overheadPe : pack::overhead)(parameters);
-    if ((o.pe ? pack::decodeWithStubPe : pack::decodeWithStub)(packed) != program.bytes ||
-        (o.pe ? pack::readPackedPe : pack::readPacked)(packed).bytes != program.bytes)
+    std::vector<uint8_t> packed = way.write(program, parameters, encoded.payload);
+    size_t overhead = way.overhead(parameters);
+    if (way.decodeWithStub(packed) != program.bytes || way.read(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
     pack::Report report =
@@ -209,12 +248,15 @@ void makePacked(const Options &o) {
                                ", found by pack --effort\n" + pack::printParameters(parameters));
     if (o.report) write(o.report, pack::printJson(report));
     long size = (long)packed.size(), before = pack::fileSize(o.out);
-    if (size > o.budget) throw Refusal{"over budget by " + std::to_string(size - o.budget) + " bytes", 1};
+    long budget = o.budget >= 0 || any ? o.budget : kBudget;
+    if (budget >= 0 && size > budget)
+        throw Refusal{"over budget by " + std::to_string(size - budget) + " bytes", 1};
     write(o.out, packed.data(), packed.size(), true);
     std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out, size, overhead,
                 program.bytes.size());
     if (before >= 0) std::printf(", before %ld (%+ld)", before, size - before);
-    std::printf(", %ld bytes left of %ld\n", o.budget - size, o.budget);
+    if (budget >= 0) std::printf(", %ld bytes left of %ld", budget - size, budget);
+    std::puts("");
 }
 
 void run(const Options &o) {
@@ -222,14 +264,14 @@ void run(const Options &o) {
     try {
         if (o.in) return makePacked(o);
         std::vector<uint8_t> file = read(name);
-        bool pe = pack::isPe(file);
-        pack::Program program = (pe ? pack::readPackedPe : pack::readPacked)(file);
+        const Way &way = pack::isPe(file) ? kPe : pack::isPackedLoader(file) ? kLoader : kMadeForIt;
+        pack::Program program = way.read(file);
         if (o.test) {
             std::printf("%s: whole; %zu bytes of a program of %u in memory\n", name, program.bytes.size(),
                         program.span);
             return;
         }
-        std::vector<uint8_t> plain = (pe ? pack::writePlainPe : pack::writePlain)(program);
+        std::vector<uint8_t> plain = way.plain(program);
         write(o.out, plain.data(), plain.size(), true);
     } catch (const pack::Unsuitable &e) {
         throw Refusal{std::string(name) + ": " + e.what(), 2};

@@ -156,6 +156,7 @@ Program readPackedPe(const std::vector<uint8_t> &file) {
     std::memcpy(&start, file.data() + kStartAt, sizeof start);
     Packed packed = openPayloadSection(file, kPayloadSectionAt, kCheckedFrom, f.sections[1].memorySize);
     Program &program = packed.program;
+    need(program.base > kBelow, kDamaged);
     need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span, kDamaged);
     if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
         std::swap(program.slots[0], program.slots[1]);

@@ -1,7 +1,8 @@
-// The stub as the packer runs it: the decoder in stub.S and stub_windows.S, called with what a packed file
+// The stub as the packer runs it: the decoder in stub.S, stub_windows.S and stub_loader.S, called with what a packed file
 // contains. And the proof that the numbers which the assembler takes from stub_numbers.h are those of C++.
 #pragma once
 
+#include "loader_format.h"
 #include "pe_format.h"
 
 #include <bit>
@@ -12,6 +13,7 @@ namespace pack {
 // `image`: Layout::size bytes. `memory`: stubMemory() bytes of zeros, page-aligned.
 extern "C" void stubDecode(const uint8_t *header, uint8_t *image, void *memory);
 extern "C" void stubDecodeWindows(const uint8_t *header, uint8_t *image, void *memory);
+extern "C" void stubDecodeLoader(const uint8_t *header, uint8_t *image, void *memory);
 
 extern "C" const uint32_t kStubMemory; // bytes in front of the slots
 inline uint32_t stubMemory(const ModelParameters &parameters, uint32_t size) {

@@ -30,6 +30,7 @@ decode:
 
     xor eax, eax
 next_byte: // eax is the position
+#ifndef NOTHING_IS_EARLY
     test eax, EARLY_STEP - 1
     jne 1f
     cmp eax, [rbx + EARLY]
@@ -43,6 +44,7 @@ next_byte: // eax is the position
     mov eax, [rbx + EARLY_ENTRY]
     call rax
 1:
+#endif
     // Fields
     lea rdi, [rbp + FIELDS]
     mov eax, [rbp + LEFT]

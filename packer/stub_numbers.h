@@ -26,6 +26,9 @@ STUB_NUMBER(CODE_SHIFT, 2, kCodeShift)
 STUB_NUMBER(PAGE, 4096, kPage)
 STUB_NUMBER(EARLY_STEP, 2048, kEarlyStep)
 
+// For programs of any kind
+STUB_NUMBER(LOADER_FRONT, 184, sizeof(LoaderFront))
+
 // On Windows
 STUB_NUMBER(PE_START, 264, sizeof(PeStart))
 STUB_NUMBER(PE_SLOTS, 88, sizeof(PeStart::slots))

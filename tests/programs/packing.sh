@@ -66,8 +66,8 @@ cp "$WORK/b" "$WORK/d"
 check "... nor a file that is there replaced" refuses 1 "over budget" "$pack" "$hello" -o "$WORK/d" --budget 100
 check "... which stays as it was" cmp "$WORK/b" "$WORK/d"
 check "at the budget is fine" prints ', 0 bytes left' "$pack" "$hello" -o "$WORK/c" --budget "$size"
-check "no input" refuses 2 "it takes IN.elf -o OUT" "$pack"
-check "no output" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in"
+check "no input" refuses 2 "it takes IN -o OUT" "$pack"
+check "no output" refuses 2 "it takes IN -o OUT" "$pack" "$in"
 check "bad budget" refuses 2 "--budget needs" "$pack" "$in" -o "$WORK/x" --budget 64k
 check "bad effort" refuses 2 "--effort needs fast, normal, best or a number of seconds" "$pack" "$in" -o "$WORK/x" --effort more
 mkfifo "$WORK/fifo"
@@ -79,7 +79,7 @@ check "a wrong model" refuses 2 "line 1: unknown field in 'byte7'" "$pack" "$in"
 check "a missing map" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --map "$WORK/none"
 echo "a map" >"$WORK/map"
 check "a map that is none" refuses 2 "not a map of GNU ld" "$pack" "$in" -o "$WORK/x" --map "$WORK/map"
-check "two modes at once" refuses 2 "it takes IN.elf -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
+check "two modes at once" refuses 2 "it takes IN -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
 check "what is for packing alone" refuses 2 "--budget is for packing alone" "$pack" --test "$BUILD/odraz" --budget 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$pack" --fast
 check "a file where a folder should be" refuses 2 "cannot write" "$pack" "$hello" -o /dev/full/x
@@ -88,11 +88,11 @@ check "a closed pipe" cmp "$WORK/p" "$WORK/hello"
 check "missing file" refuses 2 "cannot read" "$pack" "$WORK/none" -o "$WORK/x"
 check "unwritable output" refuses 2 "cannot write" "$pack" "$hello" -o "$WORK/none/x"
 check "not an ELF file" refuses 2 "not an ELF file" "$pack" "$SOURCE/README.md" -o "$WORK/x"
-check "a position-independent program" refuses 2 "position-independent" "$pack" /bin/true -o "$WORK/x"
-check "a packed program" refuses 2 "linked below" "$pack" "$BUILD/odraz" -o "$WORK/x"
+check "a position-independent program, for Windows" refuses 2 "position-independent" "$pack" /bin/true -o "$WORK/x" --pe
+check "a packed program" refuses 2 "it is packed already" "$pack" "$BUILD/odraz" -o "$WORK/x"
 check "a program for Linux, as one for Windows" refuses 2 "it must need kernel32.dll and no other library" "$pack" "$hello" -o "$WORK/x" --pe --plain
 check "what is for packing alone" refuses 2 "--plain is for packing alone" "$pack" -d "$WORK/hello" -o "$WORK/x" --plain
-check "a hosted program" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x"
+check "a hosted program, for Windows" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x" --pe
 head -c 3000 "$in" >"$WORK/short"
 check "a file cut short" refuses 2 "cut short" "$pack" "$WORK/short" -o "$WORK/x"
 # An output that is a pipe or a device stays one

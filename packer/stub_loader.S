@@ -1,0 +1,264 @@
+// The code in front of a program of any kind: checks the file, decodes the program, and does with it what the kernel
+// would have done. Position-independent, baseline x86-64, no library. loader_format.h describes its input, its actions
+// and its results; the decoder is that of stub.S. The kernel starts it directly, so rdx is 0 as for any static program.
+//
+// Registers: rbx the payload header, r12 the program as it lies in memory, xmm15 the stack as the kernel made it, which
+// the decoder leaves alone.
+
+#define NOTHING_IS_EARLY
+#include "stub_memory.S"
+
+// Fields of ELF, and numbers of the kernel
+.set E_ENTRY, 24
+.set E_PHOFF, 32
+.set E_PHNUM, 56
+.set P_TYPE, 0
+.set P_FLAGS, 4
+.set P_OFFSET, 8
+.set P_VADDR, 16
+.set P_FILESZ, 32
+.set P_MEMSZ, 40
+.set PHDR, 56 // their size
+.set PT_LOAD, 1
+.set PT_INTERP, 3
+.set AT_PHDR, 3
+.set AT_PHNUM, 5
+.set AT_BASE, 7
+.set AT_ENTRY, 9
+
+.section .stub, "ax"
+start:
+    movq xmm15, rsp
+    lea rbx, [rip + payload_header]
+
+    // Check the file as stub.S does
+    lea rdi, [rip + start - LOADER_FRONT]
+    mov edx, [rbx + WORDS]
+    xor esi, esi
+    xor ebp, ebp
+1:  test di, PAGE - 1
+    jne 2f
+    push 21 // access
+    pop rax
+    syscall
+    cmp al, -14 // EFAULT
+    je damaged
+2:  add ebp, [rdi]
+    imul ebp, ebp, HASH
+    scasd
+    dec edx
+    jne 1b
+    test ebp, ebp
+    je get_memory
+damaged:
+    call refuse
+    .asciz ": damaged: get it afresh\n"
+no_memory:
+    call refuse
+    .asciz ": not enough memory\n"
+refuse: // "NAME: message"
+    movq rax, xmm15
+    mov rsi, [rax + 8]
+    call print
+    pop rsi
+    call print
+    push 60 // exit
+    pop rax
+    push 1
+    pop rdi
+    syscall
+print: // the string at rsi, to standard error; nothing if there is none, as a program may have no name
+    or rdx, -1
+    test rsi, rsi
+    je 2f
+1:  inc rdx
+    cmp byte ptr [rsi + rdx], 0
+    jne 1b
+    push 1 // write
+    pop rax
+    push 2
+    pop rdi
+    syscall
+2:  ret
+
+get_memory:
+    mov esi, [rbx + MEMORY]
+    call map
+    js no_memory
+    push rax // for munmap
+    lea rbp, [rax - FIELDS]
+
+    // The program's memory ends where the file begins
+    lea r12, [rip + start - LOADER_FRONT]
+    mov eax, [rbx + READ_ONLY]
+    sub r12, rax
+    push r12
+    call decode
+    pop r12
+    pop rdi
+    mov esi, [rbx + MEMORY]
+    push 11 // munmap
+    pop rax
+    syscall
+
+    // The program's segments get their protections. It was decoded to its place: there is no file to read from
+    mov r13, r12
+    mov eax, [rbx + IMAGE]
+    sub r13, rax // what was added to the program's addresses
+    mov r14, r12
+    or ebp, -1
+    call load
+    mov r8, r13
+    add r8, [r12 + E_ENTRY] // of the program
+    mov r9, r8              // where to go
+    xor r10d, r10d          // where the interpreter lies
+    test r15, r15
+    je give_vector
+
+    // Map the interpreter, whose headers lie in its first page
+    push r8
+    lea rdi, [r13 + r15]
+    xor esi, esi
+    push 2 // open
+    pop rax
+    syscall
+    mov ebp, eax
+    mov edx, PAGE
+    sub rsp, rdx
+    mov r14, rsp
+    mov edi, ebp
+    mov rsi, rsp
+    xor eax, eax // read
+    syscall
+    cmp eax, PAGE // an error, or less
+    jne no_interpreter
+    cmp dword ptr [r14], 0x464c457f // of an ELF file
+    jne no_interpreter
+    // The last segment's end is the size: segments are in order of address
+    call headers
+1:  cmp dword ptr [rdi + P_TYPE], PT_LOAD
+    jne 2f
+    mov rsi, [rdi + P_VADDR]
+    add rsi, [rdi + P_MEMSZ]
+2:  add rdi, PHDR
+    loop 1b
+    call map
+    js no_memory
+    mov r13, rax
+    call load
+    mov edi, ebp
+    push 3 // close
+    pop rax
+    syscall
+    mov r10, r13
+    mov r9, r13
+    add r9, [r14 + E_ENTRY]
+    mov r8, [rsp + PAGE]
+
+// The auxiliary vector lies behind the arguments and the environment. It tells of the program, not of this file
+give_vector:
+    mov r14, r12
+    call headers
+    movq rsp, xmm15
+    mov rax, [rsp]
+    lea rsi, [rsp + rax * 8 + 16]
+1:  lodsq
+    test rax, rax
+    jne 1b
+2:  lodsq
+    cmp eax, AT_PHDR
+    cmove rdx, rdi
+    je 3f
+    cmp eax, AT_PHNUM
+    cmove rdx, rcx
+    je 3f
+    cmp eax, AT_BASE
+    cmove rdx, r10
+    je 3f
+    cmp eax, AT_ENTRY
+    cmove rdx, r8
+    jne 4f
+3:  mov [rsi], rdx
+4:  add rsi, 8
+    test eax, eax
+    jne 2b
+    cdq // there is no function to call at exit
+    jmp r9
+
+// rax = esi bytes of zeros to read and write, at any place; the sign says whether there were none.
+map:
+    xor edi, edi
+    push 3 // read, write
+    pop rdx
+    push 0x22 // private, anonymous
+    pop r10
+    xor r9d, r9d
+    push 9 // mmap
+    pop rax
+    syscall
+    test rax, rax
+    ret
+
+// rdi = the program headers of the ELF file at r14, ecx their number.
+headers:
+    mov rdi, r14
+    add rdi, [r14 + E_PHOFF]
+    movzx ecx, word ptr [r14 + E_PHNUM]
+    ret
+
+// For each segment to load of the ELF file at r14, whose addresses r13 is added to: reads it from the file ebp, unless
+// that is -1, and gives it its protection. r15 = the address, not yet added to, of the interpreter's name; or 0.
+load:
+    call headers
+    xor r15d, r15d
+load_next:
+    push rcx
+    push rdi
+    cmp dword ptr [rdi + P_TYPE], PT_INTERP
+    cmove r15, [rdi + P_VADDR]
+    cmp dword ptr [rdi + P_TYPE], PT_LOAD
+    jne 2f
+    mov rsi, [rdi + P_VADDR]
+    add rsi, r13
+    mov r8, rdi
+    mov r9, rsi
+    test ebp, ebp
+    js 1f
+    mov rdx, [r8 + P_FILESZ]
+    mov r10, [r8 + P_OFFSET]
+    mov edi, ebp
+    push 17 // pread64
+    pop rax
+    syscall
+    cmp rax, [r8 + P_FILESZ]
+    jne no_interpreter
+1:  // mprotect's bits are those of the flags in reverse: a digit of this number for each
+    mov ecx, [r8 + P_FLAGS]
+    shl ecx, 2
+    mov edx, 0x73516240
+    shr edx, cl
+    and edx, 7
+    mov rdi, r9
+    mov rsi, [r8 + P_MEMSZ]
+    and rdi, -PAGE
+    add rsi, r9
+    sub rsi, rdi
+    push 10 // mprotect
+    pop rax
+    syscall
+    test eax, eax
+    js not_allowed
+2:  pop rdi
+    pop rcx
+    add rdi, PHDR
+    loop load_next
+    ret
+no_interpreter:
+    call refuse
+    .asciz ": no interpreter\n"
+not_allowed: // by SELinux, or systemd's MemoryDenyWriteExecute
+    call refuse
+    .asciz ": may not run packed\n"
+
+#define STUB_DECODE stubDecodeLoader
+#include "stub_rest.S"

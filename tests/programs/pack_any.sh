@@ -1,0 +1,157 @@
+# The packer with programs as compilers make them: packed, they must do what they did before.
+. "$(dirname "$0")/common.sh"
+skip_unless gcc
+pack=$BUILD/pack
+cd "$WORK" || exit 1
+
+# says COMMAND...: what it prints, on both outputs, and its exit status
+says() {
+    {
+        timeout "$PATIENCE" "$@" 2>&1
+        echo "status $?"
+    } 2>/dev/null # where the shell tells of signals
+}
+# same NAME: packs the program NAME, and both do the same with two arguments
+same() {
+    "$pack" "$1" -o "$1.packed" >/dev/null || return 1
+    mkdir -p before after
+    ln -f "$1" before/run && ln -f "$1.packed" after/run # under one name, which they may print
+    (cd before && says ./run a 'b c') >wanted
+    (cd after && says ./run a 'b c') >got
+    cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
+}
+
+# Constructors before main, destructors after it, thread-local storage, the heap, the environment and what the kernel
+# tells: all that a loader has to do with. A page of bss must be zeros. The vector must tell of the program itself
+cat >c.c <<'END'
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <elf.h>
+#include <sys/auxv.h>
+static __thread int local = 40;
+static char zeros[100000];
+static int (*volatile compare)(const char *, const char *) = strcmp; // by IRELATIVE in static programs
+static const char *names[] = {"relative", "addresses"};
+extern int main(int, char **);
+__attribute__((constructor)) static void first(void) { puts("first"); }
+__attribute__((destructor)) static void last(void) { puts("last"); }
+int main(int count, char **words) {
+    long sum = 0;
+    const Elf64_Phdr *headers = (void *)getauxval(AT_PHDR);
+    for (unsigned i = 0; i < getauxval(AT_PHNUM); ++i) sum += headers[i].p_type == PT_TLS;
+    for (int i = 0; i < 100000; ++i) sum += zeros[i];
+    char *block = malloc(300000), *more = malloc(100);
+    memset(block, 1, 300000);
+    strcpy(more, names[1]);
+    printf("%d words, the last '%s'; %d, %ld, %s %s, %d, %s\n", count, words[count - 1], local += count, sum, names[0],
+           more, compare(more, "addresses"), getenv("SAID"));
+    free(block);
+    fputs("to stderr\n", stderr);
+    return (unsigned long)main > (unsigned long)headers ? 7 : 8;
+}
+END
+cat >cpp.cpp <<'END'
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+thread_local int local = 7;
+std::map<std::string, int> numbers = {{"one", 1}, {"two", 2}};
+int main() {
+    std::vector<int> results(6);
+    std::vector<std::thread> threads;
+    for (int i = 0; i < 6; ++i)
+        threads.emplace_back([&results, i] {
+            try {
+                local += i;
+                if (i & 1) throw std::runtime_error("odd");
+                results[i] = local;
+            } catch (const std::exception &) {
+                results[i] = -local;
+            }
+        });
+    for (auto &t : threads) t.join();
+    for (int r : results) std::cout << r << ' ';
+    std::cout << local << ' ' << numbers.at("two") << std::endl;
+    try {
+        numbers.at("three");
+    } catch (const std::out_of_range &e) {
+        std::cout << e.what() << '\n';
+    }
+    throw 1; // which nobody catches: it ends by a signal
+}
+END
+cat >rust.rs <<'END'
+fn main() {
+    let threads: Vec<_> = (0..4).map(|i| std::thread::spawn(move || i * i)).collect();
+    let sum: i32 = threads.into_iter().map(|t| t.join().unwrap()).sum();
+    println!("{} {:?}", sum, std::env::args().nth(1));
+    std::process::exit(4)
+}
+END
+export SAID=words
+
+check "compiles a program" gcc -O1 c.c -o c
+check "... which runs packed" same c
+for options in -no-pie "-static -Wl,-s" "-static-pie -Wl,-s" "-no-pie -Wl,-s" "-Wl,-z,now -Wl,-z,pack-relative-relocs" "-Wl,-z,noseparate-code" "-Wl,-z,max-page-size=0x10000"; do
+    gcc -O1 c.c $options -o variant 2>/dev/null || { echo "not checked: gcc cannot link with $options"; continue; }
+    check "... linked with $options, too" same variant
+done
+if command -v g++ >/dev/null; then
+    check "compiles C++" g++ -O1 -pthread cpp.cpp -o cpp
+    check "... with threads and exceptions, the same packed" same cpp
+fi
+for compiler in clang musl-gcc; do
+    command -v $compiler >/dev/null && $compiler -O1 c.c -o other 2>/dev/null || { echo "not checked: $compiler"; continue; }
+    check "of $compiler, the same packed" same other
+done
+if command -v rustc >/dev/null && rustc -O -C strip=symbols rust.rs -o rust 2>/dev/null; then
+    check "of rustc, the same packed" same rust
+else
+    echo "not checked: rustc"
+fi
+
+is_small() {
+    prints '^c.packed: ' "$pack" c -o c.packed
+    less "$(sed -nE 's/^c.packed: .*\(([0-9]+) of them.*/\1/p' printed)" 3201
+}
+check "stub and headers take 3,200 bytes at most" is_small
+
+# Opened again
+check "tells that a packed one is whole" prints 'whole' "$pack" --test c.packed
+check "makes it plain" "$pack" -d c.packed -o plain
+says ./plain x >got
+says ./c x >wanted
+check "... the same" cmp wanted got
+
+# What goes wrong is told by name, and nothing of the program runs
+cp c.packed damaged
+flip damaged 3800
+check "a damaged one says so" refuses 1 "./damaged: damaged: get it afresh" ./damaged
+head -c 3900 c.packed >short && chmod +x short
+check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
+check "lack of memory is told" refuses 1 "./c.packed: not enough memory" bash -c 'ulimit -v 30000; exec ./c.packed'
+sed 's/ld-linux-x86-64.so.2/ld-linux-x86-64.so.9/' c >lost && chmod +x lost
+"$pack" lost -o lost.packed >/dev/null
+check "a missing interpreter, too" refuses 1 "./lost.packed: no interpreter" ./lost.packed
+if can_be_unwritten; then
+    check "that it may not run" refuses 1 "./c.packed: may not run packed" "${UNWRITTEN[@]}" ./c.packed
+fi
+
+# What is not packed
+check "a packed one is refused" refuses 2 "packed already" "$pack" c.packed -o x
+cp c setuid && chmod u+s setuid
+check "one with setuid" refuses 2 "setuid" "$pack" setuid -o x
+gcc -c c.c -o object.o
+check "an object file" refuses 2 "not an executable" "$pack" object.o -o x
+echo 'int f(void) { return 1; }' >f.c
+gcc -shared -fPIC f.c -o library.so
+check "a library" refuses 2 "pack programs, not libraries" "$pack" library.so -o x
+head -c 3000 c >cut
+check "a program cut short" refuses 2 "cut short" "$pack" cut -o x
+check "for Windows" refuses 2 "--loader is for Linux" "$pack" c -o x --loader --pe
+check "over a budget" refuses 1 "over budget" bash -c "'$pack' c -o x --budget 1000 >/dev/null"
+check "nothing is left behind" test ! -e x
+finish
