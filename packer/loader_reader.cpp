@@ -54,28 +54,27 @@ void checkSegment(const ElfFile &in, const Elf64_Phdr &h, uint64_t end) {
 
 // Lays the segments out as they will lie in memory.
 void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &headers, Program &program) {
+    Headers loads = headers;
+    std::erase_if(loads, [](auto &h) { return h.p_type != PT_LOAD || !h.p_memsz; });
+    need(!loads.empty(), "nothing to load in it: it is no program");
     uint64_t end = 0, fileEnd = 0;
-    const Elf64_Phdr *first = nullptr;
-    for (const Elf64_Phdr &h : headers) {
-        if (h.p_type != PT_LOAD || !h.p_memsz) continue;
+    for (const Elf64_Phdr &h : loads) {
         checkSegment(in, h, end);
-        if (!first) first = &h;
         end = h.p_vaddr + h.p_memsz;
         fileEnd = std::max(fileEnd, h.p_vaddr + h.p_filesz);
     }
-    need(first, "nothing to load in it: it is no program");
-    uint64_t base = first->p_vaddr & ~(kPage - 1);
-    need(first->p_offset == 0 && first->p_vaddr == base && first->p_filesz >= sizeof header &&
-             within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first->p_filesz),
+    const Elf64_Phdr &first = loads[0];
+    uint64_t base = first.p_vaddr & ~(kPage - 1);
+    need(first.p_offset == 0 && first.p_vaddr == base && first.p_filesz >= sizeof header &&
+             within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first.p_filesz),
          "its first segment lacks its headers: link it without a script that leaves them out");
     need(end - base <= kMostMemory, "it takes more than 64 MiB of memory: it cannot be packed");
     program.base = (uint32_t)base;
     program.readOnly = program.span = (uint32_t)wholePages(end - base);
     program.bytes.assign(fileEnd - base, 0);
-    for (const Elf64_Phdr &h : headers)
-        if (h.p_type == PT_LOAD)
-            std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
-                        program.bytes.begin() + (long)(h.p_vaddr - base));
+    for (const Elf64_Phdr &h : loads)
+        std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
+                    program.bytes.begin() + (long)(h.p_vaddr - base));
     // There are no section headers any more, and nothing should look for them
     Elf64_Ehdr without = header;
     without.e_shoff = without.e_shnum = without.e_shstrndx = 0;

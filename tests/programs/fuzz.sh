@@ -16,14 +16,17 @@ seeds_for_pack() {
     seed 1 hello packed
     tail -c +$((528 + $(stat -c %s "$BUILD/generated/stub.bin") + 1)) hello >parameters
     seed 2 parameters parameters
-    { printf '\xfe'; cat parameters; } >seeds/decoded # 254: reader 2, which decodes
+    { printf '\xfa'; cat parameters; } >seeds/decoded # 250: reader 2, which decodes
     bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" . --pe >/dev/null || return
     seed 5 hello_windows.elf windows
     seed 4 hello.exe packed_windows
     tail -c +$((512 + 264 + $(stat -c %s "$BUILD/generated/stub_windows.bin") + 1)) hello.exe >parameters
-    { printf '\xfa'; cat parameters; } >seeds/parameters_windows # 250: reader 4, of parts alone
+    { printf '\xfc'; cat parameters; } >seeds/parameters_windows # 252: reader 4, of parts alone
     "$BUILD/pack" hello.elf -o again --save-model model >/dev/null || return
     seed 3 model model
+    seed 6 hello.elf any
+    "$BUILD/pack" hello.elf -o any --loader >/dev/null || return
+    seed 7 any packed_any
     options=(-max_len=8192)
 }
 

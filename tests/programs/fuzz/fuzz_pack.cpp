@@ -2,6 +2,8 @@
 // first byte of the input chooses the reader.
 #include "elf_reader.h"
 #include "elf_writer.h"
+#include "loader_reader.h"
+#include "loader_writer.h"
 #include "model_parameters.h"
 #include "pe_format.h"
 #include "pe_writer.h"
@@ -66,21 +68,23 @@ void decodeTwice(Bytes file, const Packed &packed) {
         std::abort();
 }
 
+void filterCode(const Program &program) {
+    if (program.codeBegin > program.bytes.size() ||
+        program.codeSize > program.bytes.size() - program.codeBegin)
+        std::abort();
+    filter(program.bytes, program.layout());
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     if (!size) return 0;
     Bytes input(data + 1, data + size);
     try {
-        switch (data[0] % 6) {
-        case 0: {
-            Program program = readProgram(input);
-            if (program.codeBegin > program.bytes.size() ||
-                program.codeSize > program.bytes.size() - program.codeBegin)
-                std::abort();
-            filter(program.bytes, program.layout());
+        switch (data[0] % 8) {
+        case 0:
+            filterCode(readProgram(input));
             break;
-        }
         case 1:
             openPacked(input);
             break;
@@ -88,7 +92,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             Bytes file = packedElf(input);
             Packed packed = openPacked(file);
             // Decoding is slow: do it rarely
-            if (data[0] > 250 && packed.layout.size && packed.layout.size < 2000) decodeTwice(file, packed);
+            if (data[0] > 248 && packed.layout.size && packed.layout.size < 2000) decodeTwice(file, packed);
             break;
         }
         case 3: {
@@ -106,7 +110,17 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 5: { // a file that is accepted must keep the rules of Windows
             Program program = readProgram(input, kWindows);
             if (program.span < 1 << 20 && !brokenPeRule(writePlainPe(program)).empty()) std::abort();
+            break;
         }
+        case 6: { // a program of any kind
+            isMadeForPacking(input);
+            Program program = readAnyProgram(input);
+            filterCode(program);
+            writePlainLoader(program);
+            break;
+        }
+        case 7:
+            readPackedLoader(input);
         }
     } catch (const Unsuitable &) {
     }

@@ -1,5 +1,7 @@
 #include "elf_reader.h"
 #include "elf_writer.h"
+#include "loader_reader.h"
+#include "loader_writer.h"
 #include "model_parameters.h"
 
 #include <cstring>
@@ -332,5 +334,80 @@ TEST(Writer, NothingDamagedIsOpened) {
         EXPECT_THROW(openPacked(broken), Unsuitable) << i;
         broken.resize(i);
         EXPECT_THROW(openPacked(broken), Unsuitable) << i;
+    }
+}
+
+// --- Programs of any kind ---
+
+namespace {
+
+template <class Change> std::string loaderComplaintAfter(Change change) {
+    Example e;
+    change(e);
+    try {
+        readAnyProgram(e.file());
+    } catch (const Unsuitable &u) {
+        return u.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST(Loader, TellsWhatWasMadeForPacking) {
+    EXPECT_TRUE(isMadeForPacking(Example().file()));
+    Example other;
+    std::memcpy(other.data.strings, "\0libdl.so.3", 11);
+    EXPECT_FALSE(isMadeForPacking(other.file()));
+    Example independent;
+    independent.image.header.e_type = ET_DYN;
+    EXPECT_FALSE(isMadeForPacking(independent.file()));
+    EXPECT_FALSE(isMadeForPacking({}));
+}
+
+TEST(Loader, SaysWhatIsUnsuitable) {
+    auto says = [](const std::string &complaint, const char *text) {
+        return complaint.find(text) != std::string::npos;
+    };
+    EXPECT_EQ(loaderComplaintAfter([](Example &) {}), "");
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }),
+                     "names no interpreter"));
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }),
+                     "no entry point"));
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_flags |= PF_W; }),
+                     "both writable and executable"));
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; }),
+                     "overlap"));
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_filesz = 64; }),
+                     "lacks its headers"));
+    EXPECT_TRUE(says(
+        loaderComplaintAfter([](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; }),
+        "cut short"));
+    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; }),
+                     "more than 64 MiB"));
+}
+
+TEST(Loader, WritesWhatReadsBack) {
+    Program p = readAnyProgram(Example().file());
+    Workspace workspace;
+    ModelParameters parameters = defaultParameters();
+    Bytes packed =
+        writePackedLoader(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
+    EXPECT_TRUE(isPackedLoader(packed));
+    EXPECT_FALSE(isPacked(packed));
+    EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
+    EXPECT_EQ(decodeWithStubLoader(packed), p.bytes);
+    Program q = readPackedLoader(packed);
+    EXPECT_EQ(q.bytes, p.bytes);
+    EXPECT_EQ(q.base, p.base);
+    EXPECT_EQ(q.span, p.span);
+    // Read again, its own file differs by the offsets in its headers alone
+    Program again = readAnyProgram(writePlainLoader(q));
+    EXPECT_EQ(again.bytes.size(), p.bytes.size());
+    EXPECT_EQ(again.entry, p.entry);
+    for (size_t i = 0; i < packed.size(); i += 7) {
+        Bytes broken = packed;
+        broken[i] ^= (uint8_t)(1 << i % 8);
+        EXPECT_THROW(readPackedLoader(broken), Unsuitable) << i;
     }
 }
