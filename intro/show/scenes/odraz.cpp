@@ -69,7 +69,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     scene.sky.low *= night, scene.sky.slope *= night, scene.sky.curve *= night;
     // As the door dies, a cold light comes up behind it: the last ball keeps its outline and its shadow
     if (float cold = 0.7f - burn; cold > 0)
-        scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.35f});
+        scene.add(Light{{0, 2.7f, -9.03f}, Rgb{1.1f, 1.9f, 3.3f} * cold, 0.3f});
 
     scene.addAll(kMaterials);
     scene.add(pearl(true, 0.2f));
