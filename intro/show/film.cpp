@@ -147,7 +147,7 @@ static constexpr auto kSunPatches = coarse({
 // across the evening's light, and then with it, to the lanterns; low again in the night; to the door.
 static constexpr CameraKey kAtDawn[] = {
     {-16, {2.7f, 0.35f, -4.0f}, {-4.5f, 1.9f, -0.2f}, 0, 50},
-    {80, {1.6f, 0.45f, -2.6f}, {-4.5f, 2.1f, 1.0f}, 0, 50},
+    {80, {1.6f, 0.45f, -2.0f}, {-4.5f, 2.1f, 1.0f}, 0, 50},
 };
 static constexpr CameraKey kBeams[] = {
     {0, {1.0f, 1.6f, 8.5f}, {-3.4f, 2.4f, 1.2f}, 0, 48},
