@@ -10,14 +10,17 @@ namespace {
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a border of one, and room behind
 constexpr int kApart = 8; // how far those rows are apart that are always looked at; a power of two
 constexpr uint16_t kNone = 0xffff;
-constexpr float kAlike = 0.06f;   // differences of what is shown below this count as none
+// Differences of what is shown below this count as none. What glass shows moves unlike the glass: where that
+// moves fast, as when a ball crosses the lens, little is taken for alike
+constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f;
+constexpr float kFast = 0.05f;    // of a ball, in radii from picture to picture
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down
 constexpr int kSamples = 3;
 constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
 constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
-constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is traced as a whole
+constexpr int kMostAnew = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
 
 } // namespace
 
@@ -25,6 +28,7 @@ constexpr int kMostAnew = kTile * kTile / 4; // pixels; a tile with more is trac
 // direction(x, y) from the eye, the homogeneous coordinates there are s * (h[0] + h[1] x + h[2] y) + h[3].
 struct Carry {
     float h[3][4];
+    float alike;    // differences of what it shows below this count as none
     uint16_t shape; // its index in that picture's scene; kNone: it is not there
 };
 
@@ -62,7 +66,12 @@ namespace {
             break;
         }
         if (c.shape == kNone) continue;
+        c.alike = kAlike;
         const Shape &b = to.scene->shapes[sky ? 0 : c.shape];
+        Vec3 moved = b.centre - v.eye - (a.centre - w.eye);
+        if (!sky && now.scene->materials[a.material].ior > 0 &&
+            dot(moved, moved) > a.half.x * a.half.x * (kFast * kFast))
+            c.alike = kAlikeInGlass;
         for (int k = 0; k < 3; ++k) {
             Vec3 r = rows[k], turned = r;
             if (!sky) {
@@ -224,6 +233,7 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         int id = whose[__builtin_ctz((unsigned)left)];
         Int8 mine = lanes & (whose == id);
         left &= ~laneBits(mine);
+        const float alike = sides.carry[0][id].alike;
         Fetched v = fetch(sides.before, sides.carry[0][id], px, py, far),
                 w = fetch(sides.after, sides.carry[1][id], px, py, far);
         Int8 before = v.worth, after = w.worth;
@@ -234,7 +244,7 @@ ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim
         Float8 bright = brightest(more) * (0.5f * exposure);
         Int8 agree = (before > 0) & (after > 0) &
                      (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
-                      fmadd(bright, fmadd(bright, 2.5f * kAlike, broadcast(4 * kAlike)), 0.1f * kAlike));
+                      fmadd(bright, fmadd(bright, 2.5f, broadcast(4.f)), 0.1f) * alike);
         more = select(agree | (before == after), more * broadcast(0.5f),
                       select(before > after, v.radiance, w.radiance));
         // A pixel is white as soon as a little of something much brighter than white extends into it.
