@@ -52,14 +52,15 @@ struct ElfFile {
         need(all.empty() || header.e_shstrndx < all.size(), "its section headers make no sense");
         return all;
     }
-    // A string in `table`, which must be a section of strings.
-    std::string text(const Elf64_Shdr &table, uint64_t offset) const {
+    // The string at `offset` in a table of strings, which begins at `table` in the file.
+    std::string text(uint64_t table, uint64_t offset) const {
         constexpr char kCut[] = "cut short: a table of names is incomplete";
-        need(within(table.sh_offset, offset, 0, bytes.size()), kCut);
-        auto begin = bytes.begin() + (long)(table.sh_offset + offset), end = std::find(begin, bytes.end(), 0);
+        need(within(table, offset, 0, bytes.size()), kCut);
+        auto begin = bytes.begin() + (long)(table + offset), end = std::find(begin, bytes.end(), 0);
         need(end != bytes.end(), kCut);
         return {begin, end};
     }
+    std::string text(const Elf64_Shdr &table, uint64_t offset) const { return text(table.sh_offset, offset); }
 };
 
 } // namespace pack

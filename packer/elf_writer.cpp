@@ -13,6 +13,8 @@ namespace {
 // Where things lie in a packed file
 constexpr size_t kStubAt = sizeof(Front), kPayloadSectionAt = kStubAt + sizeof kStub;
 
+NamedStub namedStub() { return {kStub, sizeof kStub, kTexts, 0}; }
+
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {
     return {type, flags, offset, address, address, inFile, inMemory, align};
@@ -62,7 +64,7 @@ size_t overhead(const ModelParameters &parameters) {
 }
 
 std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &parameters,
-                                 const std::vector<uint8_t> &payload) {
+                                 const std::vector<uint8_t> &payload, const Names &names) {
     uint32_t base = program.base - kBelow;
     size_t size = (overhead(parameters) + payload.size() + 3) / 4 * 4;
     need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
@@ -79,7 +81,8 @@ std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &
         out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
     };
     append(&f, sizeof f);
-    append(kStub, sizeof kStub);
+    std::vector<uint8_t> stub = namedStub().with(names);
+    append(stub.data(), stub.size());
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
@@ -89,8 +92,7 @@ std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
 }
 
 bool isPacked(const std::vector<uint8_t> &file) {
-    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) &&
-           !std::memcmp(file.data() + kStubAt, kStub, sizeof kStub);
+    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
 }
 
 Packed openPacked(const std::vector<uint8_t> &file) {

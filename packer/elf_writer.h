@@ -2,12 +2,13 @@
 #pragma once
 
 #include "payload_section.h"
+#include "texts.h"
 
 namespace pack {
 
 // `payload` encodes `program.bytes`. Throws Unsuitable.
 std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &parameters,
-                                 const std::vector<uint8_t> &payload);
+                                 const std::vector<uint8_t> &payload, const Names &names = {});
 
 // Bytes of a packed file that are not payload.
 size_t overhead(const ModelParameters &parameters);

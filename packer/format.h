@@ -64,11 +64,11 @@
 // fields, too: they are coded as they are.
 //
 // ERRORS. If the checksum is not 0 or a page is missing, the stub says "damaged: get it afresh"; if it gets
-// no memory, "not enough free memory"; if the system does not let memory that was written be executed, "use
-// odraz-safe instead" (to pack another program, change that name in stub.S). Each is one line on standard
-// error; the exit status is 1, and nothing of the program has run. Once the checksum is right, the stub
-// trusts the file and examines nothing else. The checksum can guard neither the Front, which the loader reads
-// first, nor the 128 bytes of code that compute it.
+// no memory, "not enough free memory"; if the system does not let memory that was written be executed, "it
+// may not run packed", or which program to use instead (texts.h). Each is one line on standard error; the
+// exit status is 1, and nothing of the program has run. Once the checksum is right, the stub trusts the file
+// and examines nothing else. The checksum can guard neither the Front, which the loader reads first, nor the
+// 128 bytes of code that compute it.
 #pragma once
 
 #include "decoder.h"

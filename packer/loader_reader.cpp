@@ -33,9 +33,7 @@ std::vector<std::string> libraries(const ElfFile &in, const Headers &headers) {
     }
     for (const Elf64_Phdr &h : headers)
         if (h.p_type == PT_LOAD && within(strings, 1, h.p_vaddr, h.p_filesz)) {
-            Elf64_Shdr table = {};
-            table.sh_offset = h.p_offset + (strings - h.p_vaddr);
-            for (uint64_t name : needed) names.push_back(in.text(table, name));
+            for (uint64_t name : needed) names.push_back(in.text(h.p_offset + (strings - h.p_vaddr), name));
             break;
         }
     return names;
@@ -120,9 +118,7 @@ Program readAnyProgram(const std::vector<uint8_t> &file) {
     Program program = {};
     loadSegments(in, header, headers, program);
     if (std::optional<Elf64_Phdr> interpreter = find(headers, PT_INTERP)) {
-        Elf64_Shdr name = {};
-        name.sh_offset = interpreter->p_offset;
-        need(!in.text(name, 0).empty() &&
+        need(!in.text(interpreter->p_offset, 0).empty() &&
                  within(interpreter->p_vaddr, interpreter->p_filesz, program.base, program.bytes.size()),
              "its interpreter's name is missing: link it afresh");
     } else
@@ -136,6 +132,17 @@ Program readAnyProgram(const std::vector<uint8_t> &file) {
     program.early = kNothingEarly;
     findCode(in, headers, program);
     return program;
+}
+
+uint64_t appendedBytes(const std::vector<uint8_t> &file) {
+    ElfFile in = {file};
+    Elf64_Ehdr header;
+    uint64_t end = 0;
+    for (const Elf64_Phdr &h : in.programHeaders(header)) end = std::max(end, h.p_offset + h.p_filesz);
+    end = std::max(end, header.e_shoff + header.e_shnum * sizeof(Elf64_Shdr));
+    for (const Elf64_Shdr &s : in.sections())
+        if (s.sh_type != SHT_NOBITS) end = std::max(end, s.sh_offset + s.sh_size);
+    return end < file.size() ? file.size() - end : 0;
 }
 
 } // namespace pack

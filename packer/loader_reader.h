@@ -14,4 +14,7 @@ bool isMadeForPacking(const std::vector<uint8_t> &file);
 // has no slots, and nothing early. Throws Unsuitable.
 Program readAnyProgram(const std::vector<uint8_t> &file);
 
+// How many bytes lie behind everything that the ELF headers tell of. A packed program does not find them.
+uint64_t appendedBytes(const std::vector<uint8_t> &file);
+
 } // namespace pack

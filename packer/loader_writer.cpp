@@ -12,6 +12,10 @@ namespace {
 
 constexpr size_t kStubAt = sizeof(LoaderFront), kPayloadSectionAt = kStubAt + sizeof kStubLoader;
 
+NamedStub namedStub() {
+    return {kStubLoader, sizeof kStubLoader, kLoaderTexts, (size_t)(stubLoaderName - stubLoaderStart)};
+}
+
 LoaderFront makeFront(const Program &program, size_t size) {
     // What the program asks for, by its own headers, which are part of it
     ElfFile own = {program.bytes};
@@ -51,12 +55,13 @@ size_t overheadLoader(const ModelParameters &parameters) {
 }
 
 std::vector<uint8_t> writePackedLoader(const Program &program, const ModelParameters &parameters,
-                                       const std::vector<uint8_t> &payload) {
+                                       const std::vector<uint8_t> &payload, const Names &names) {
     size_t size = (overheadLoader(parameters) + payload.size() + 3) / 4 * 4;
     LoaderFront f = makeFront(program, size);
     std::vector<uint8_t> out(kPayloadSectionAt);
     std::memcpy(out.data(), &f, sizeof f);
-    std::memcpy(out.data() + kStubAt, kStubLoader, sizeof kStubLoader);
+    std::vector<uint8_t> stub = namedStub().with(names);
+    std::copy(stub.begin(), stub.end(), out.begin() + kStubAt);
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
@@ -66,8 +71,7 @@ std::vector<uint8_t> decodeWithStubLoader(const std::vector<uint8_t> &packed) {
 }
 
 bool isPackedLoader(const std::vector<uint8_t> &file) {
-    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) &&
-           !std::memcmp(file.data() + kStubAt, kStubLoader, sizeof kStubLoader);
+    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
 }
 
 Program readPackedLoader(const std::vector<uint8_t> &file) {

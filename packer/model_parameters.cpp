@@ -63,6 +63,16 @@ const ModelParameters &defaultParameters() {
     return parameters;
 }
 
+// Found for bash.
+const ModelParameters &fastParameters() {
+    static const ModelParameters parameters = {
+        4,
+        21,
+        {{0x3be10, 0x00020, 0x38040, 0x29200, 0x20000, 0x19000, 0x00000, 0x18000, 0x00010, 0x249bc, 0x08040},
+         {0x80, 0xb0, 0x78, 0x17, 0x41, 0x20, 0x45, 0x44, 0xd1, 0xb0, 0x0b}}};
+    return parameters;
+}
+
 std::string printParameters(const ModelParameters &parameters) {
     std::string text = "slots " + std::to_string(parameters.slotBits) + "\n";
     for (int type = 0; type < 2; ++type)

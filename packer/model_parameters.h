@@ -17,6 +17,9 @@ namespace pack {
 
 const ModelParameters &defaultParameters();
 
+// Four contexts instead of 16: they decode more than twice as fast, and cost 8 to 13 % more bytes.
+const ModelParameters &fastParameters();
+
 std::string printParameters(const ModelParameters &parameters);
 
 // Returns an empty string, or a message that says what is wrong, with the line's number.

@@ -66,8 +66,7 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     for (uint32_t i = 0; i < parameters.hashes(); ++i) parameters.masks[1][i] = *at++;
     need(span <= kMostMemory && span % kPage == 0 && p.layout.size <= span && p.readOnly <= span &&
              p.layout.codeBegin <= p.layout.size && p.layout.codeSize <= p.layout.size - p.layout.codeBegin &&
-             p.image % kPage == 0 && p.image < kAddressEnd - span &&
-             p.readOnly % kPage == 0,
+             p.image % kPage == 0 && p.image < kAddressEnd - span && p.readOnly % kPage == 0,
          kDamaged);
 
     Program program = {};

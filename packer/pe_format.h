@@ -29,11 +29,10 @@
 
 namespace pack {
 
-// The stub's messages, and the names of the function that shows a box and its library. They fill room that
-// the file has anyway.
+// The stub's texts (texts.h), and the names of the function that shows a box and its library. They fill room
+// that the file has anyway.
 struct PeTexts {
-    char guarded[24] = "use odraz-safe instead\n", damaged[24] = "damaged: get it afresh\n",
-         noMemory[24] = "not enough free memory\n", user32[7] = "user32", messageBox[25] = "MessageBoxA";
+    char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];
 };
 
 struct PeFront {

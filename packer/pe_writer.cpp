@@ -104,14 +104,40 @@ PeStart makeStart(const Program &program) {
     return s;
 }
 
+PeTexts makeTexts(const Names &names) {
+    PeTexts t = {{}, {}, {}, "user32", "MessageBoxA"};
+    char *places[] = {
+        [Text::kDamaged] = t.damaged, [Text::kNoMemory] = t.noMemory, [Text::kMayNotRun] = t.mayNotRun};
+    for (const Text &text : kTexts) std::strcpy(places[text.what], withNames(text, names).c_str());
+    return t;
+}
+
+// The names that the texts were made with, if the texts are whole; else perhaps others.
+Names namesIn(const PeTexts &texts) {
+    // Of "use NAME instead" and "NAME is damaged"
+    auto between = [](const char(&text)[24], const char *before, const char *behind) {
+        std::string line(text, sizeof text - 1);
+        size_t from = std::strlen(before), to = line.find_first_of(behind, from);
+        return line.compare(0, from, before) || to == line.npos ? "" : line.substr(from, to - from);
+    };
+    Names names = {between(texts.damaged, "", " "), between(texts.mayNotRun, "use ", " \n")};
+    if (!std::memcmp(makeTexts({}).damaged, texts.damaged, sizeof texts.damaged)) names.program = "";
+    try {
+        checkNames(names);
+    } catch (const Unsuitable &) {
+        return {};
+    }
+    return names;
+}
+
 // The headers of a packed file of `size` bytes.
-PeFront makeFront(const Program &program, uint32_t size) {
+PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
     uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
              programAt = program.base - base;
     PeFront f = {makeHeader(base, 2),
                  {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
                   {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}},
-                 {}};
+                 makeTexts(names)};
     f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
     f.header.imageSize = programAt + f.sections[1].memorySize;
     f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
@@ -126,10 +152,10 @@ size_t overheadPe(const ModelParameters &parameters) {
 }
 
 std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
-                                   const std::vector<uint8_t> &payload) {
+                                   const std::vector<uint8_t> &payload, const Names &names) {
     uint32_t size = fileWhole(overheadPe(parameters) + payload.size());
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
-    PeFront f = makeFront(program, size);
+    PeFront f = makeFront(program, size, names);
     PeStart start = makeStart(program);
 
     std::vector<uint8_t> out(kPayloadSectionAt);
@@ -161,7 +187,7 @@ Program readPackedPe(const std::vector<uint8_t> &file) {
     if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
         std::swap(program.slots[0], program.slots[1]);
     // Headers and slots are not in the check: the loader reads them
-    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words));
+    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.texts));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
     Workspace workspace;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "payload_section.h"
+#include "texts.h"
 
 namespace pack {
 
@@ -17,7 +18,7 @@ std::vector<uint8_t> writePlainPe(const Program &program);
 // Packed, as pe_format.h says; `payload` encodes `program.bytes`. The others are as in elf_writer.h. All of
 // them throw Unsuitable.
 std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
-                                   const std::vector<uint8_t> &payload);
+                                   const std::vector<uint8_t> &payload, const Names &names = {});
 size_t
 overheadPe(const ModelParameters &parameters); // without the zeros that make the file a multiple of 512
 std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed);

@@ -38,7 +38,7 @@ start:
     jne 1b
     test ebp, ebp
     je get_memory
-damaged: // the messages are here so that a truncated file still has them; each has 23 bytes
+damaged: // the texts are here so that a truncated file still has them; each has 23 bytes, and texts.h knows them
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:
@@ -108,7 +108,7 @@ protect:
     test eax, eax
     jns 1f
     call refuse
-    .ascii "use odraz-safe instead\n"
+    .ascii "it may not run packed.\n"
 1:  ret
 
 #define STUB_DECODE stubDecode

@@ -27,7 +27,9 @@
 .set AT_ENTRY, 9
 
 .section .stub, "ax"
+.globl stubLoaderStart
 start:
+stubLoaderStart:
     movq xmm15, rsp
     lea rbx, [rip + payload_header]
 
@@ -55,9 +57,11 @@ damaged:
     .asciz ": damaged: get it afresh\n"
 no_memory:
     call refuse
-    .asciz ": not enough memory\n"
-refuse: // "NAME: message"
+    .asciz ": not enough free memory\n"
+refuse: // "NAME: text"
     movq rax, xmm15
+.globl stubLoaderName
+stubLoaderName: // four bytes, which texts.cpp replaces if the texts have a name of their own
     mov rsi, [rax + 8]
     call print
     pop rsi
@@ -255,7 +259,7 @@ load_next:
     ret
 no_interpreter:
     call refuse
-    .asciz ": no interpreter\n"
+    .asciz ": interpreter missing\n"
 not_allowed: // by SELinux, or systemd's MemoryDenyWriteExecute
     call refuse
     .asciz ": may not run packed\n"

@@ -79,7 +79,7 @@ protect:
     test eax, eax
     je 1f
     ret
-1:  push PE_GUARDED
+1:  push PE_MAY_NOT_RUN
     jmp refuse
 damaged:
     push PE_DAMAGED

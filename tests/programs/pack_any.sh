@@ -132,13 +132,25 @@ flip damaged 3800
 check "a damaged one says so" refuses 1 "./damaged: damaged: get it afresh" ./damaged
 head -c 3900 c.packed >short && chmod +x short
 check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
-check "lack of memory is told" refuses 1 "./c.packed: not enough memory" bash -c 'ulimit -v 30000; exec ./c.packed'
+check "lack of memory is told" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
 sed 's/ld-linux-x86-64.so.2/ld-linux-x86-64.so.9/' c >lost && chmod +x lost
 "$pack" lost -o lost.packed >/dev/null
-check "a missing interpreter, too" refuses 1 "./lost.packed: no interpreter" ./lost.packed
+check "a missing interpreter, too" refuses 1 "./lost.packed: interpreter missing" ./lost.packed
 if can_be_unwritten; then
     check "that it may not run" refuses 1 "./c.packed: may not run packed" "${UNWRITTEN[@]}" ./c.packed
 fi
+called() { "$pack" c -o named --name hello --safe-name hello-safe >/dev/null && "$pack" --test named >/dev/null; }
+check "packed with names, it is whole" called
+flip named 3800
+check "... and says its name" refuses 1 "hello is damaged" ./named
+if can_be_unwritten; then
+    called
+    check "... or that of another" refuses 1 "use hello-safe" "${UNWRITTEN[@]}" ./named
+fi
+check "with few contexts" "$pack" c -o c.fast --fast
+says ./c.fast x >got
+says ./c x >wanted
+check "... the same" cmp wanted got
 
 # What is not packed
 check "a packed one is refused" refuses 2 "packed already" "$pack" c.packed -o x
@@ -152,6 +164,14 @@ check "a library" refuses 2 "pack programs, not libraries" "$pack" library.so -o
 head -c 3000 c >cut
 check "a program cut short" refuses 2 "cut short" "$pack" cut -o x
 check "for Windows" refuses 2 "--loader is for Linux" "$pack" c -o x --loader --pe
+check "with two choices of contexts" refuses 2 "--fast and --model" "$pack" c -o x --fast --model y
+if command -v setcap >/dev/null && cp c capable && setcap cap_net_raw=p capable 2>/dev/null; then
+    check "with file capabilities" refuses 2 "file capabilities" "$pack" capable -o x
+else
+    echo "not checked: files cannot be given capabilities here"
+fi
+cp c appended && head -c 1000 /dev/zero >>appended
+check "what is appended is told to be left out" prints '1000 bytes that are appended' "$pack" appended -o "$WORK/y"
 check "over a budget" refuses 1 "over budget" bash -c "'$pack' c -o x --budget 1000 >/dev/null"
 check "nothing is left behind" test ! -e x
 finish

@@ -16,7 +16,18 @@ check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
 check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
 check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
 check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
-if can_be_unwritten; then check "where written memory may not be executed" refuses 1 "use odraz-safe instead" "${UNWRITTEN[@]}" "$hello"; fi
+if can_be_unwritten; then check "where written memory may not be executed" refuses 1 "it may not run packed." "${UNWRITTEN[@]}" "$hello"; fi
+named() { # named OPTION...: packs the example with names, and it is still opened
+    "$pack" "$WORK/hello.elf" -o "$WORK/named" "$@" >/dev/null && "$pack" --test "$WORK/named" >/dev/null
+}
+check "it may name a program to use instead" named --safe-name hello-safe
+if can_be_unwritten; then check "... and does" refuses 1 "use hello-safe instead" "${UNWRITTEN[@]}" "$WORK/named"; fi
+check "... and call itself by a name" named --name hello
+check "... which runs" says 7 "hello, 1 words, 42" "$WORK/named"
+check "... and says it" refuses 1 "hello: no memory" bash -c "ulimit -v 40000; exec '$WORK/named'"
+check "for Windows, too" bash -c "bash '$SOURCE/packer/example/build.sh' '$pack' '$WORK' --pe >/dev/null && '$pack' '$WORK/hello_windows.elf' --pe -o '$WORK/named.exe' --name hello --safe-name hello-safe >/dev/null && grep -qa 'use hello-safe instead' '$WORK/named.exe' && '$pack' --test '$WORK/named.exe' >/dev/null"
+check "a name that does not fit is refused" refuses 2 "--name takes up to 10 letters" "$pack" "$WORK/hello.elf" -o "$WORK/x" --name twelveletter
+check "... or is none" refuses 2 "names consist of" "$pack" "$WORK/hello.elf" -o "$WORK/x" --safe-name "a b"
 
 check "--test says that it is whole" prints ': whole; ' "$pack" --test "$hello"
 check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
