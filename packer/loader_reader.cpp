@@ -66,6 +66,8 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
     need(first.p_offset == 0 && first.p_vaddr == base && first.p_filesz >= sizeof header &&
              within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first.p_filesz),
          "its first segment lacks its headers: link it without a script that leaves them out");
+    need(header.e_type == ET_DYN || base >= 0x10000,
+         "it lies below 64 KiB, where Linux lets nothing lie: link it higher");
     need(end - base <= kMostMemory, "it takes more than 64 MiB of memory: it cannot be packed");
     program.base = (uint32_t)base;
     program.readOnly = program.span = (uint32_t)wholePages(end - base);

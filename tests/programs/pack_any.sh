@@ -161,6 +161,8 @@ check "an object file" refuses 2 "not an executable" "$pack" object.o -o x
 echo 'int f(void) { return 1; }' >f.c
 gcc -shared -fPIC f.c -o library.so
 check "a library" refuses 2 "pack programs, not libraries" "$pack" library.so -o x
+gcc -no-pie c.c -Wl,-Ttext-segment=0x8000 -o low 2>/dev/null
+check "one where nothing may lie" refuses 2 "below 64 KiB" "$pack" low -o x
 head -c 3000 c >cut
 check "a program cut short" refuses 2 "cut short" "$pack" cut -o x
 check "for Windows" refuses 2 "--loader is for Linux" "$pack" c -o x --loader --pe

@@ -7,7 +7,7 @@ hello=$WORK/bare size=$(stat -c %s "$WORK/hello")
 strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # without symbols: of which pack reports
 
 # (binary.sh packs the stripped one)
-check "packs to the same bytes again, with a report" prints '^adaptive.cpp.o ' "$pack" "$BUILD/odraz.elf" -o "$WORK/b" --model "$model" --map "$BUILD/odraz.map" --symbols "$BUILD/generated/symbols" --report "$WORK/report"
+check "packs to the same bytes again, with a report" prints '^adaptive.cpp.o ' "$pack" "$BUILD/odraz.elf" -o "$WORK/b" --model "$model" --safe-name odraz-safe --map "$BUILD/odraz.map" --symbols "$BUILD/generated/symbols" --report "$WORK/report"
 check "... the film's size in it" grep -qE ' [0-9]+ bytes .*, [0-9]+ bytes left of 65536' "$WORK/printed"
 check "... those of the film" cmp "$WORK/b" "$BUILD/odraz"
 check "... executable" test -x "$WORK/b"
