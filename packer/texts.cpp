@@ -23,7 +23,7 @@ std::vector<std::string> lines(const Text &text, const Names &names) {
     case Text::kNoMemory:
         return {program + ": no memory\n"};
     case Text::kMayNotRun:
-        return {program + " may not run\n"};
+        return {program + " may not run\n", program + ": denied\n"};
     case Text::kNoInterpreter:
         return {program + ": no ld.so\n"};
     }

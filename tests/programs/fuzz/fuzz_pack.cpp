@@ -115,6 +115,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         case 6: { // a program of any kind
             isMadeForPacking(input);
             Program program = readAnyProgram(input);
+            if (appendedBytes(input) > input.size()) std::abort();
             filterCode(program);
             writePlainLoader(program);
             break;

@@ -401,6 +401,13 @@ TEST(Loader, WritesWhatReadsBack) {
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.span, p.span);
+    // Names stand in the texts' room, and nothing else changes
+    Bytes named = writePackedLoader(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload,
+                                    {"example", "plain-one"});
+    EXPECT_EQ(named.size(), packed.size());
+    EXPECT_TRUE(isPackedLoader(named));
+    EXPECT_EQ(readPackedLoader(named).bytes, p.bytes);
+    EXPECT_NE(std::string(named.begin(), named.end()).find("example is damaged\n"), std::string::npos);
     // Read again, its own file differs by the offsets in its headers alone
     Program again = readAnyProgram(writePlainLoader(q));
     EXPECT_EQ(again.bytes.size(), p.bytes.size());
@@ -410,4 +417,28 @@ TEST(Loader, WritesWhatReadsBack) {
         broken[i] ^= (uint8_t)(1 << i % 8);
         EXPECT_THROW(readPackedLoader(broken), Unsuitable) << i;
     }
+}
+
+// --- Texts ---
+
+TEST(Texts, KeepTheirLength) {
+    for (const char *program : {"", "a", "tenletters"})
+        for (const char *safe : {"", "a", "odraz-safe", "fourteen.chars"}) {
+            Names names = {program, safe};
+            EXPECT_NO_THROW(checkNames(names));
+            for (const Text &t : kTexts) {
+                std::string line = withNames(t, names);
+                EXPECT_EQ(line.size(), std::strlen(t.usual));
+                EXPECT_EQ(line.find('\n'), line.size() - 1); // one line
+            }
+            for (const Text &t : kLoaderTexts) {
+                std::string line = withNames(t, names);
+                EXPECT_EQ(line.size(), std::strlen(t.usual));
+                EXPECT_NE(line.find('\n'), std::string::npos);
+            }
+        }
+    EXPECT_EQ(withNames(kTexts[2], {"", "odraz-safe"}), "use odraz-safe instead\n");
+    for (const char *wrong : {"twelveletter", "a b", "a\n", "\xc3\xa9"})
+        EXPECT_THROW(checkNames({wrong, ""}), Unsuitable) << wrong;
+    EXPECT_THROW(checkNames({"", "fifteen.letters"}), Unsuitable);
 }
