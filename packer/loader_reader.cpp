@@ -10,6 +10,8 @@ namespace {
 
 using Headers = std::vector<Elf64_Phdr>;
 
+constexpr uint64_t kLeastAddress = 0x10000; // vm.mmap_min_addr, as distributions set it
+
 std::optional<Elf64_Phdr> find(const Headers &headers, uint32_t type) {
     for (const Elf64_Phdr &h : headers)
         if (h.p_type == type) return h;
@@ -66,7 +68,7 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
     need(first.p_offset == 0 && first.p_vaddr == base && first.p_filesz >= sizeof header &&
              within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first.p_filesz),
          "its first segment lacks its headers: link it without a script that leaves them out");
-    need(header.e_type == ET_DYN || base >= 0x10000,
+    need(header.e_type == ET_DYN || base >= kLeastAddress,
          "it lies below 64 KiB, where Linux lets nothing lie: link it higher");
     need(end - base <= kMostMemory, "it takes more than 64 MiB of memory: it cannot be packed");
     program.base = (uint32_t)base;

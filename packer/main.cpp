@@ -33,19 +33,16 @@ constexpr char kUsage[] =
     "--plain                       do not pack: write OUT with the program as it lies in memory\n"
     "--budget BYTES                write OUT only if it has at most so many bytes; 65536 for a program\n"
     "                              made for packing, else any number\n"
-    "--fast                        use few contexts: some 10 % larger, and starts in less than half the "
-    "time\n"
+    "--fast                        use few contexts: 10 % larger, starts in less than half the time\n"
     "--effort fast|normal|best|SECONDS\n"
     "                              search so long for contexts that suit the program: not at all, 30 s,\n"
     "                              15 minutes, or SECONDS; fast\n"
     "--model FILE                  start with the contexts in FILE instead of ordinary ones\n"
     "--save-model FILE             write the contexts that were used to FILE\n"
-    "--name NAME                   what the packed program calls itself when it says why it cannot start; up "
-    "to\n"
-    "                              10 letters\n"
-    "--safe-name NAME              that of the same program, not packed, which it names where nothing that "
-    "was\n"
-    "                              written may run; up to 14 letters\n"
+    "--name NAME                   what the packed program calls itself when it cannot start; up to 10\n"
+    "                              letters\n"
+    "--safe-name NAME              the same program, not packed: it is named where nothing that was written\n"
+    "                              may run; up to 14 letters\n"
     "--map FILE                    print what each object file costs, by the linker's map in FILE\n"
     "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its "
     "object files\n"
@@ -233,12 +230,6 @@ void checkCopy(const char *path, const std::vector<uint8_t> &file) {
                "it has file capabilities, which a packed file cannot have: pack a copy without them (cp)");
 }
 
-double secondsNow() {
-    timespec t;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 // What a user might not expect of a packed file.
 void warn(const Options &o, const pack::Program &program, uint64_t appended, double seconds) {
     constexpr size_t kLarge = 2 << 20;
@@ -276,9 +267,9 @@ void makePacked(const Options &o) {
     pack::Encoded encoded = pack::encode(program.bytes, layout, parameters, workspace);
     std::vector<uint8_t> packed = way.write(program, parameters, encoded.payload, o.names);
     size_t overhead = way.overhead(parameters);
-    double began = secondsNow();
+    std::clock_t began = std::clock();
     bool same = way.decodeWithStub(packed) == program.bytes;
-    double seconds = secondsNow() - began; // as when it starts
+    double seconds = (double)(std::clock() - began) / CLOCKS_PER_SEC; // as when it starts
     if (!same || way.read(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 

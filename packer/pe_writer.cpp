@@ -115,13 +115,12 @@ PeTexts makeTexts(const Names &names) {
 // The names that the texts were made with, if the texts are whole; else perhaps others.
 Names namesIn(const PeTexts &texts) {
     // Of "use NAME instead" and "NAME is damaged"
-    auto between = [](const char(&text)[24], const char *before, const char *behind) {
-        std::string line(text, sizeof text - 1);
-        size_t from = std::strlen(before), to = line.find_first_of(behind, from);
+    auto between = [](const char(&text)[24], const std::string &before, const char *behind) {
+        std::string line(text, sizeof text);
+        size_t from = before.size(), to = line.find(behind, from);
         return line.compare(0, from, before) || to == line.npos ? "" : line.substr(from, to - from);
     };
-    Names names = {between(texts.damaged, "", " "), between(texts.mayNotRun, "use ", " \n")};
-    if (!std::memcmp(makeTexts({}).damaged, texts.damaged, sizeof texts.damaged)) names.program = "";
+    Names names = {between(texts.damaged, "", " is damaged"), between(texts.mayNotRun, "use ", " ")};
     try {
         checkNames(names);
     } catch (const Unsuitable &) {

@@ -1,6 +1,7 @@
 #include "texts.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstring>
 
 namespace pack {

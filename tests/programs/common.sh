@@ -73,6 +73,13 @@ refuses() {
     echo "exit $got, wanted $status; stderr: $(head -c 300 "$WORK/err")" >&2
     return 1
 }
+# transcript COMMAND...: what it prints, on both outputs, and its exit status
+transcript() {
+    {
+        timeout "$PATIENCE" "$@" 2>&1
+        echo "status $?"
+    } 2>/dev/null # where the shell tells of signals
+}
 # prints PATTERN COMMAND...: succeeds, and a line of its output matches
 prints() {
     local pattern=$1

@@ -4,20 +4,13 @@ skip_unless gcc
 pack=$BUILD/pack
 cd "$WORK" || exit 1
 
-# says COMMAND...: what it prints, on both outputs, and its exit status
-says() {
-    {
-        timeout "$PATIENCE" "$@" 2>&1
-        echo "status $?"
-    } 2>/dev/null # where the shell tells of signals
-}
 # same NAME: packs the program NAME, and both do the same with two arguments
 same() {
     "$pack" "$1" -o "$1.packed" >/dev/null || return 1
     mkdir -p before after
     ln -f "$1" before/run && ln -f "$1.packed" after/run # under one name, which they may print
-    (cd before && says ./run a 'b c') >wanted
-    (cd after && says ./run a 'b c') >got
+    (cd before && transcript ./run a 'b c') >wanted
+    (cd after && transcript ./run a 'b c') >got
     cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
 }
 
@@ -122,8 +115,8 @@ check "stub and headers take 3,200 bytes at most" is_small
 # Opened again
 check "tells that a packed one is whole" prints 'whole' "$pack" --test c.packed
 check "makes it plain" "$pack" -d c.packed -o plain
-says ./plain x >got
-says ./c x >wanted
+transcript ./plain x >got
+transcript ./c x >wanted
 check "... the same" cmp wanted got
 
 # What goes wrong is told by name, and nothing of the program runs
@@ -148,8 +141,8 @@ if can_be_unwritten; then
     check "... or that of another" refuses 1 "use hello-safe" "${UNWRITTEN[@]}" ./named
 fi
 check "with few contexts" "$pack" c -o c.fast --fast
-says ./c.fast x >got
-says ./c x >wanted
+transcript ./c.fast x >got
+transcript ./c x >wanted
 check "... the same" cmp wanted got
 
 # What is not packed

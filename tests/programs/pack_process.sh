@@ -57,8 +57,8 @@ check "packs it" "$pack" before -o after
 mkdir b a && mv before b/run && mv after a/run && ln -s ../lib b/lib && ln -s ../lib a/lib
 # both COMMAND: the same from both, run by the shell in their folders
 both() {
-    (cd b && timeout "$PATIENCE" bash -c "$1"; echo "status $?") >wanted 2>&1
-    (cd a && timeout "$PATIENCE" bash -c "$1"; echo "status $?") >got 2>&1
+    (cd b && transcript bash -c "$1") >wanted
+    (cd a && transcript bash -c "$1") >got
     [ "$(wc -l <got)" -gt 1 ] && diff wanted got
 }
 check "\$ORIGIN, /proc/self/exe, headers, vDSO" both 'exec ./run'

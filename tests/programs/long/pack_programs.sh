@@ -6,25 +6,19 @@ pack=$BUILD/pack programs=$SOURCE/tools/measure/bench/programs
 cd "$WORK" || exit 1
 : >table
 
-says() {
-    {
-        timeout "$PATIENCE" bash -c "$1" 2>&1
-        echo "status $?"
-    } 2>/dev/null
-}
 # same NAME PROGRAM COMMAND: the program is packed, stripped as it comes; COMMAND runs it as ./run, and prints the same
 same() {
     local name=$1 packed fast small began took
     mkdir -p before after quick
     cp -L "$2" before/run && strip -o stripped "$2" 2>/dev/null || cp -L "$2" stripped
     "$pack" stripped -o after/run >/dev/null && "$pack" stripped -o quick/run --fast >/dev/null || return 1
-    (cd before && says "$3") >wanted
+    (cd before && transcript bash -c "$3") >wanted
     began=${EPOCHREALTIME/[.,]/}
-    (cd after && says "$3") >got
+    (cd after && transcript bash -c "$3") >got
     took=$((${EPOCHREALTIME/[.,]/} - began))
     diff wanted got && [ "$(wc -l <got)" -gt 1 ] && grep -qx 'status [0-9]' got || return 1
     began=${EPOCHREALTIME/[.,]/}
-    (cd quick && says "$3") >got
+    (cd quick && transcript bash -c "$3") >got
     fast=$((${EPOCHREALTIME/[.,]/} - began))
     diff wanted got || return 1
     small=$(xz --x86 --lzma2=preset=9e --stdout -- stripped | wc -c) packed=$(stat -c %s after/run)
