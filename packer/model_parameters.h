@@ -17,7 +17,7 @@ namespace pack {
 
 const ModelParameters &defaultParameters();
 
-// Four contexts instead of 16: they decode more than twice as fast, and cost 8 to 13 % more bytes.
+// Four contexts instead of 16: they decode more than twice as fast, and cost 4 to 12 % more bytes.
 const ModelParameters &fastParameters();
 
 std::string printParameters(const ModelParameters &parameters);
