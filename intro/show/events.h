@@ -100,4 +100,7 @@ static_assert(inOrder(kEvents, &Event::id, kEventCount), "a row for every event,
 // The row of an event, for keys.
 consteval float rowOf(EventId event) { return kEvents[event].row; }
 
+// The rows of the big hits. The half beat before each is silent.
+inline constexpr EventId kHits[] = {kDirectLight, kBall1};
+
 } // namespace odraz

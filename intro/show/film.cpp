@@ -1,7 +1,7 @@
 // The shots. A bar is 16 rows; every cut falls on a bar.
 #include "base/maths.h"
 #include "show/length.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 #include <initializer_list>
 

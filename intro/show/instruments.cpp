@@ -1,5 +1,7 @@
 // The instruments of the score: sines first, then bands of noise.
-#include "show/score.h"
+#include "show/instruments.h"
+
+#include "base/float8.h"
 
 namespace odraz {
 

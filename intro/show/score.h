@@ -1,4 +1,5 @@
-// The film's music, as data: a tune, chords by the bar, parts that play them, and the sounds of events.
+// How music is written down: chords by the bar, parts that play them, and the sounds of events (music.h has
+// them).
 //
 // Bars and rows count from the start of a scene's story, so that music moves with its scene. A chord is five
 // tones of the scale, stacked in thirds on its root: A to G in D minor, d in D major. A is the dominant:
@@ -8,23 +9,10 @@
 #pragma once
 
 #include "show/events.h"
+#include "show/instruments.h"
 #include "sound/mixer.h"
 
 namespace odraz {
-
-// clang-format off
-enum InstrumentId : uint8_t {
-    kGlassDrop, kPiano, kPad, kBass, kWood, kPulse, kDrum, kVoice, kSub, // sines
-    kBrush, kBreath, kWind, kRiser, kImpact,                             // noise
-    kInstrumentCount
-};
-// clang-format on
-extern const Instrument kInstruments[kInstrumentCount];
-
-// The tune: eight bars, a tone a beat. It leaps a fifth and steps back, and then the octave, which it walks
-// down to the end: the scale that the strips of the door climb.
-inline constexpr char kTune[] = "D-aGa--GF-EDE---D-dcb--aGFECD---";
-inline constexpr int kAnswer = 16; // its second half: the beat at which it begins
 
 // A chord for every bar of every scene: a letter, as above.
 extern const char *const kChords[kSceneCount];
@@ -59,9 +47,6 @@ struct Heard {
         : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), articulation(articulation),
           tone(tone) {}
 };
-
-// The rows of the big hits. The half beat before each is silent.
-inline constexpr EventId kHits[] = {kDirectLight, kBall1};
 
 // Plays the notes that begin on a row of the film, from 0 on. It is a RowPlayer (mixer.h).
 void playRow(Mixer &mixer, int row);

@@ -7,8 +7,8 @@
 
 #include "show/events.h"
 #include "show/hall.h"
+#include "show/look.h"
 #include "timeline/shot.h"
-#include "trace/picture/development.h"
 #include "trace/rays/view.h"
 
 namespace odraz {
@@ -39,7 +39,6 @@ struct SceneEntry {
 
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
-inline constexpr CameraLook kFilmLook = {.glare = 0.06f, .vignette = 0.25f, .grain = 48};
 
 // What the film is shown with: a scene that is posed anew for every picture, and what all of them share.
 struct Film {
@@ -62,16 +61,5 @@ struct Posed {
 
 // Poses the film's scene at a time, ready to be traced. `camera` replaces the scripted one.
 Posed poseAt(const Film &film, double seconds, const CameraKey *camera = nullptr);
-
-// Each in a file of its own.
-void posePoint(const Cue &cue, Scene &scene);
-void poseTable(const Cue &cue, Scene &scene);
-void poseFlake(const Cue &cue, Scene &scene);
-void posePatches(const Cue &cue, Scene &scene);
-void letterPatches(const Cue &cue, const View &view, Frame &frame);
-void poseDay(const Cue &cue, Scene &scene);
-void poseOdraz(const Cue &cue, Scene &scene);
-void poseCredits(const Cue &cue, Scene &scene);
-void letterCredits(const Cue &cue, const View &, Frame &frame);
 
 } // namespace odraz

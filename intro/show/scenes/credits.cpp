@@ -3,7 +3,7 @@
 #include "base/text.h"
 #include "show/font.h"
 #include "show/materials.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

@@ -1,5 +1,5 @@
 // Scene 5. A day in the hall: dawn, noon, dusk; lanterns, night, the door of light.
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

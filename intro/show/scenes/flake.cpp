@@ -2,7 +2,7 @@
 // light travels with us. Source of the figure: the "balls" of Haines' Standard Procedural Databases.
 #include "base/maths.h"
 #include "show/materials.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

@@ -6,7 +6,7 @@
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/half_cube.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

@@ -4,7 +4,7 @@
 #include "base/maths.h"
 #include "show/font.h"
 #include "show/materials.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

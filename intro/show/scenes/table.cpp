@@ -2,7 +2,7 @@
 // that mirrors them, before a burning sky.
 #include "base/maths.h"
 #include "show/materials.h"
-#include "show/show.h"
+#include "show/scenes.h"
 
 namespace odraz {
 

@@ -2,6 +2,7 @@
 #include "show/score.h"
 
 #include "show/show.h"
+#include "show/tune.h"
 
 #include <cmath>
 #include <cstring>
@@ -94,7 +95,7 @@ TEST(Score, HasAChordForEveryBarOfEveryScene) {
         int bars = (int)std::strlen(kChords[scene]);
         EXPECT_GE(bars, barsOf(scene)) << kScenes[scene].name;
         EXPECT_TRUE(bars == barsOf(scene) || scene == kPatches)
-            << kScenes[scene].name << ": kDayBegins in score.cpp?";
+            << kScenes[scene].name << ": kDayBegins in music.h?";
     }
 }
 

@@ -1,0 +1,169 @@
+// The film's music: a tune, chords by the bar, parts that play them, and the sounds of events. score.cpp
+// plays it.
+#pragma once
+
+#include "show/score.h"
+#include "show/tune.h"
+
+namespace odraz {
+
+// clang-format off
+// Scenes 4 and 5 share bars 32 to 64; the day has those from kDayBegins on. Its music counts from its end, and from the
+// first strip of the door. (A test compares it with the film.)
+static constexpr uint8_t kDayBegins = 46, kLightless = kDayBegins - 32, kDay = 64 - kDayBegins,
+                         kLight = kEvents[kDirectLight].row / 16, kDoor = kEvents[kStrip1].row / 16;
+static consteval uint8_t left(int bars) { return (uint8_t)(kDay - bars); }
+
+constexpr const char *const kChords[] = {
+    [kPoint] = "DDDDDGAD",
+    [kTable] = "DFBADGADDGAB",
+    [kFlake] = "GGDDBBFFGGAA",
+    [kPatches] = "DDDDDDBFCADADA",
+    [kHall] = &"DCDDBFGCBGCADFBADGAA"[20 - kDay],
+    [kOdraz] = "DFBADGADBGAA",
+    [kCredits] = "ddddd",
+};
+static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
+
+// Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
+// at the end; line.
+static constexpr Part kParts[] = {
+    {kPoint, 0, 5, {kGlassDrop, 5, 1, 100}, 5, 64, 50, 60, "..D.aG"},
+    {kPoint, 0, 8, {kWind, 6, 1, 100}, 1, 32, 8, 16, "0"},
+    {kPoint, 5, 7, {kGlassDrop, 5, 1, 100}, 4, 16, 35, 60, "02140325"},
+    {kPoint, 5, 7, {kBrush, 7, 1, 100}, 4, 16, 15, 30, "a"},
+    {kPoint, 5, 8, {kPad, 3, 4, 100}, 1, 16, 30, 80, "0"},
+    {kPoint, 6, 8, {kRiser, 6, 1, 100}, 1, 32, 20, 20, "a"},
+
+    {kTable, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
+    {kTable, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
+    {kTable, 0, 12, {kPad, 3, 4, 100}, 1, 16, 40, 55, "0"},
+    {kTable, 0, 12, {kWind, 6, 1, 100}, 1, 32, 15, 25, "02"},
+    {kTable, 0, 12, {kBass, 2, 1, 100}, 1, 16, 60, 80, "0"},
+    {kTable, 0, 8, {kPiano, 4, 1, 100}, 1, 4, 90, 95, kTune},
+    {kTable, 8, 12, {kPiano, 5, 1, 100}, 1, 4, 90, 95, kTune + kAnswer},
+    {kTable, 1, 3, {kWood, 4, 1, 100}, 4, 16, 50, 60, "0.214.35"},
+    {kTable, 3, 12, {kWood, 4, 1, 100}, 3, 16, 40, 55, "02143"},
+    {kTable, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 20, 35, "..a..aa."},
+    {kTable, 8, 12, {kGlassDrop, 5, 1, 100}, 5, 32, 25, 50, "42.31"},
+
+    {kFlake, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 80, 80, "a"},
+    {kFlake, 0, 1, {kImpact, 2, 1, 150}, 1, 16, 40, 40, "D"},
+    {kFlake, 0, 12, {kBass, 2, 1, 100}, 2, 16, 60, 95, "0"},
+    {kFlake, 1, 12, {kPiano, 4, 1, 100}, 8, 16, 35, 60, "0214352614253"},
+    {kFlake, 2, 12, {kWood, 5, 1, 100}, 5, 16, 40, 70, "0314"},
+    {kFlake, 3, 12, {kGlassDrop, 6, 1, 100}, 7, 16, 20, 45, "46253"},
+    {kFlake, 4, 12, {kVoice, 4, 1, 100}, 1, 32, 60, 100, "bcde"},
+    {kFlake, 4, 12, {kBrush, 7, 1, 100}, 8, 16, 20, 50, "..a..aa."},
+    {kFlake, 6, 12, {kPad, 3, 4, 100}, 1, 16, 35, 80, "0"},
+    {kFlake, 8, 12, {kPulse, 5, 1, 100}, 16, 16, 10, 60, "02132"},
+    {kFlake, 10, 12, {kRiser, 6, 1, 100}, 1, 32, 70, 70, "a"},
+
+    {kPatches, 0, 1, {kDrum, 1, 1, 30}, 1, 16, 90, 90, "a"},
+    {kPatches, 0, 1, {kImpact, 2, 1, 50}, 1, 16, 60, 60, "D"},
+    {kPatches, 0, kLight, {kPulse, 4, 1, 20}, 5, 16, 50, 70, "0"},
+    {kPatches, 1, kLight, {kWood, 5, 1, 20}, 7, 16, 40, 60, "2"},
+    {kPatches, 1, kLight, {kBrush, 8, 1, 20}, 5, 20, 20, 40, "D.DD.D."},
+    {kPatches, 2, kLight, {kPulse, 5, 1, 20}, 7, 20, 30, 50, "20412"},
+    {kPatches, kLight - 2, kLight, {kBass, 2, 1, 50}, 1, 16, 50, 80, "0"},
+    {kPatches, kLight, kLightless, {kPad, 3, 4, 120}, 1, 16, 50, 70, "0"},
+    {kPatches, kLight, kLightless, {kWind, 6, 1, 100}, 1, 16, 25, 25, "0241"},
+    {kPatches, kLight, kLightless, {kBass, 2, 1, 100}, 1, 16, 60, 80, "0"},
+    {kPatches, kLight + 4, kLightless, {kPiano, 4, 1, 120}, 5, 16, 35, 60, "0243125"},
+
+    {kHall, 0, 1, {kDrum, 1, 1, 150}, 1, 16, 55, 55, "a"},
+    {kHall, 0, left(8), {kWind, 5, 1, 100}, 1, 16, 30, 40, "024135"},
+    {kHall, 0, left(4), {kPad, 3, 3, 120}, 1, 16, 40, 30, "0"},
+    {kHall, 2, kDay, {kBass, 2, 1, 100}, 1, 16, 35, 60, "0"},
+    {kHall, left(16), left(12), {kVoice, 4, 1, 100}, 1, 4, 80, 90, kTune},
+    {kHall, left(16), left(12), {kBreath, 5, 1, 100}, 1, 4, 40, 50, kTune},
+    {kHall, left(12), left(10), {kVoice, 4, 1, 100}, 1, 4, 90, 80, kTune + kAnswer},
+    {kHall, left(12), left(10), {kBreath, 5, 1, 100}, 1, 4, 50, 40, kTune + kAnswer},
+    {kHall, left(16), left(8), {kGlassDrop, 5, 1, 150}, 5, 32, 25, 35, "3142.50"},
+    {kHall, left(8), left(1), {kPiano, 4, 1, 120}, 1, 4, 75, 95, kTune},
+    {kHall, kDoor - 2, kDoor, {kRiser, 6, 1, 100}, 1, 32, 50, 50, "a"},
+    {kHall, kDoor, kDay, {kSub, 1, 1, 100}, 1, 16, 60, 100, "D"},
+    {kHall, left(4), kDay, {kVoice, 4, 1, 100}, 1, 4, 70, 100, "D-dcb--aGFECE-G-"},
+    {kHall, left(4), kDay, {kPad, 3, 4, 100}, 1, 16, 45, 70, "0"},
+    {kHall, left(4), kDay, {kPiano, 4, 1, 100}, 8, 16, 20, 55, "02143526143"},
+    {kHall, left(2), kDay, {kBrush, 7, 1, 100}, 16, 16, 5, 60, "a"},
+    {kHall, left(2), kDay, {kRiser, 6, 1, 100}, 1, 32, 90, 90, "a"},
+
+    {kOdraz, 0, 12, {kPad, 3, 4, 100}, 1, 16, 70, 40, "0"},
+    {kOdraz, 0, 10, {kBass, 2, 1, 100}, 2, 16, 70, 60, "0"},
+    {kOdraz, 0, 7, {kDrum, 1, 1, 60}, 2, 16, 95, 110, "G"},
+    {kOdraz, 0, 7, {kImpact, 4, 1, 100}, 2, 16, 36, 28, "D"},
+    {kOdraz, 0, 7, {kBrush, 7, 1, 100}, 8, 16, 60, 45, "..a..aa."},
+    {kOdraz, 0, 7, {kWood, 5, 1, 100}, 3, 8, 60, 60, "03142"},
+    {kOdraz, 0, 8, {kPiano, 4, 1, 100}, 8, 16, 50, 40, "0214352614253"},
+    {kOdraz, 1, 9, {kGlassDrop, 6, 1, 100}, 5, 16, 35, 25, "42531"},
+    {kOdraz, 0, 8, {kPiano, 5, 1, 120}, 1, 4, 110, 100, kTune},
+    {kOdraz, 0, 8, {kVoice, 4, 1, 100}, 1, 4, 100, 90, kTune},
+    {kOdraz, 8, 12, {kPiano, 4, 1, 120}, 1, 4, 75, 60, "D-dcb--aG-F-E-C-"},
+    {kOdraz, 8, 12, {kBreath, 5, 1, 120}, 1, 4, 40, 30, "D-dcb--aG-F-E-C-"},
+
+    {kCredits, 0, 1, {kPiano, 2, 2, 150}, 1, 16, 60, 60, "0"},
+    {kCredits, 0, 3, {kPad, 4, 5, 150}, 1, 48, 35, 35, "0"},
+    {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
+    {kCredits, 2, 3, {kGlassDrop, 5, 1, 120}, 4, 16, 60, 60, "Ge.."},
+};
+static_assert(
+    [] {
+        for (const Part &p : kParts) {
+            int bars = 0;
+            while (kChords[p.scene][bars]) ++bars;
+            if (p.from >= p.to || p.to > bars) return false;
+        }
+        return true;
+    }(),
+    "a part begins before it ends, within its scene's bars");
+
+// Event; instrument, octave, tones at once, room; velocity; tone.
+static constexpr Heard kHeard[] = {
+    {kLightIsBorn, {kGlassDrop, 6, 1, 120}, 60, '2'},
+    {kLightGrows, {kGlassDrop, 5, 1, 120}, 60, '0'},
+    {kCausticFalls, {kGlassDrop, 5, 2, 120}, 60, '2'},
+    {kWordComes, {kGlassDrop, 6, 1, 120}, 50, 'D'},
+    {kWordStands, {kPiano, 2, 1, 120}, 90, 'D'},
+    {kWordStands, {kDrum, 1, 1, 150}, 80, 'a'},
+    {kBallsSetOff, {kWood, 4, 2, 120}, 80, '0'},
+    {kGeneration1, {kPiano, 4, 3, 120}, 60, '0'},
+    {kGeneration2, {kGlassDrop, 5, 3, 120}, 70, '0'},
+    {kGeneration3, {kGlassDrop, 6, 4, 120}, 90, '0'},
+    {kPatchIsVisited, {kGlassDrop, 5, 1, 30}, 70, 'D'},
+    {kHalfCubeRises, {kGlassDrop, 4, 2, 40}, 60, '0'},
+    {kHalfCubeOpens, {kGlassDrop, 5, 3, 40}, 70, '0'},
+    {kPatchTakesColour, {kPiano, 4, 2, 60}, 70, '0'},
+    {kDirectLight, {kPiano, 3, 2, 80}, 100, '0'},
+    {kDirectLight, {kDrum, 1, 1, 150}, 100, 'a'},
+    {kDirectLight, {kImpact, 2, 1, 150}, 80, 'D'},
+    {kBounce1, {kPiano, 3, 3, 100}, 80, '0'},
+    {kBounce2, {kPiano, 3, 4, 120}, 80, '0'},
+    {kBounce3, {kPiano, 3, 5, 150}, 80, '0'},
+    {kLamp1, {kPiano, 5, 1, 150}, 70, 'a'},
+    {kLamp2, {kPiano, 5, 1, 150}, 65, 'c'},
+    {kLamp3, {kPiano, 5, 1, 150}, 60, 'd'},
+    {kStrip1, {kPiano, 5, 1, 120}, 70, 'D'},
+    {kStrip2, {kPiano, 5, 1, 120}, 72, 'E'},
+    {kStrip3, {kPiano, 5, 1, 120}, 74, 'F'},
+    {kStrip4, {kPiano, 5, 1, 120}, 78, 'G'},
+    {kStrip5, {kPiano, 5, 1, 120}, 82, 'a'},
+    {kStrip6, {kPiano, 5, 1, 120}, 86, 'b'},
+    {kStrip7, {kPiano, 5, 1, 120}, 90, 'c'},
+    {kStrip8, {kPiano, 5, 3, 120}, 100, 'd'},
+    {kLampLights, {kPiano, 4, 3, 150}, 70, '0'},
+    {kBall1, {kWood, 4, 2, 120}, 70, '0'},
+    {kBall2, {kGlassDrop, 6, 1, 120}, 90, '1'},
+    {kBall3, {kWood, 4, 1, 120}, 70, '2'},
+    {kBall4, {kWood, 4, 1, 120}, 70, '3'},
+    {kBall5, {kWood, 4, 1, 120}, 70, '4'},
+    {kDoorDies, {kGlassDrop, 5, 2, 120}, 70, '0'},
+    {kOuterLampsDie, {kGlassDrop, 5, 2, 120}, 60, '2'},
+    {kBall3Leaves, {kGlassDrop, 5, 1, 120}, 60, '1'},
+    {kBall1Leaves, {kGlassDrop, 6, 1, 120}, 60, '0'},
+    {kLine1, {kGlassDrop, 6, 1, 120}, 60, 'D'},
+    {kLine2, {kGlassDrop, 6, 1, 120}, 60, 'a'},
+};
+// clang-format on
+
+} // namespace odraz

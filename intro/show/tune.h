@@ -1,0 +1,11 @@
+// The tune that the music is made of.
+#pragma once
+
+namespace odraz {
+
+// The tune: eight bars, a tone a beat. It leaps a fifth and steps back, and then the octave, which it walks
+// down to the end: the scale that the strips of the door climb.
+inline constexpr char kTune[] = "D-aGa--GF-EDE---D-dcb--aGFECD---";
+inline constexpr int kAnswer = 16; // its second half: the beat at which it begins
+
+} // namespace odraz
