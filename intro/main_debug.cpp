@@ -6,6 +6,7 @@
 //   1 2 3        draft, play, film          ESC           leave
 #include "base/gl.h"
 #include "base/maths.h"
+#include "film.h"
 #include "host/clock.h"
 #include "host/cpu.h"
 #include "host/library.h"
@@ -117,11 +118,11 @@ void fly(GLFWwindow *window, Maker &m, float seconds) {
 }
 
 int fail(const char *line) {
-    std::fprintf(stderr, "odraz-debug: %s\n", line);
+    std::fprintf(stderr, FILM_NAME "-debug: %s\n", line);
     return 1;
 }
 
-// Takes "--shown FILE" out of the words, which odraz itself does not know; null: it is not there.
+// Takes "--shown FILE" out of the words, which the film itself does not know; null: it is not there.
 const char *takeShown(int &argc, char **argv) {
     for (int i = 1; i + 1 < argc; ++i) {
         if (std::string(argv[i]) != "--shown") continue;
@@ -145,10 +146,10 @@ int main(int argc, char **argv) {
     }
     if (o.help) {
         std::puts(
-            "usage: odraz-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
-            "       odraz-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
+            "usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
+            "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
             "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"
-            "--shown plays the film as odraz does, and writes which pictures were shown, and when, for\n"
+            "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
             "build/seen.");
         return 0;
     }
@@ -161,7 +162,7 @@ int main(int argc, char **argv) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    GLFWwindow *window = glfwCreateWindow(o.width, o.height, "odraz-debug", nullptr, nullptr);
+    GLFWwindow *window = glfwCreateWindow(o.width, o.height, FILM_NAME "-debug", nullptr, nullptr);
     if (!window) return fail("no OpenGL 3.3 on this display");
     glfwMakeContextCurrent(window);
     glfwSetKeyCallback(window, onKey);
@@ -214,7 +215,7 @@ int main(int argc, char **argv) {
         glfwSwapBuffers(window);
         // The overlay: where and how fast we are
         char title[160];
-        std::snprintf(title, sizeof title, "odraz-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
+        std::snprintf(title, sizeof title, FILM_NAME "-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
                       sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
                       m.time * kRowsPerSecond, kQualities[m.quality].name, m.paused ? "  paused" : "",
                       passed * 1e3);

@@ -1,6 +1,7 @@
 #include "options.h"
 
 #include "base/parallel.h"
+#include "film.h"
 #include "trace/picture/frame.h"
 
 namespace odraz {
@@ -119,10 +120,9 @@ constexpr Option kOptions[] = {
 bool isStdout(const char *path) { return same(path, "-"); }
 
 void writeHelp(AnyText &t) {
-    t << "usage: odraz [--window] [--mute]       watch the film; ESC leaves\n"
-         "       odraz --dump DIR|- [--fps N]    write its frames as binary PPM, as in\n"
-         "       odraz --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n"
-         "Two cores show 30 to 60 pictures a second (1280x720), sixteen 60 (1920x1080).\n\n";
+    t << "usage: " FILM_NAME " [--window] [--mute]       watch the film; ESC leaves\n"
+         "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM, as in\n"
+         "       " FILM_NAME " --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n" FILM_PACE "\n";
     for (const Option &o : kOptions) {
         int line = t.size;
         t << "  " << o.name;
@@ -139,7 +139,7 @@ bool parseOptions(int argc, const char *const *argv, double duration, Options &o
         for (const Option &known : kOptions)
             if (same(name, known.name)) option = &known;
         if (!option) {
-            wrong << "unknown option '" << name << "': odraz --help lists them";
+            wrong << "unknown option '" << name << "': " FILM_NAME " --help lists them";
             return false;
         }
         if (!option->read(value, o)) {

@@ -15,7 +15,7 @@ const char *jitForbidden();
 // Whether the process could address that many bytes more (ulimit -v).
 bool couldAddress(size_t bytes);
 
-// Writes "odraz: LINE" to standard error. Returns 1, the exit status of a failure. On Windows, a program with
+// Writes "NAME: LINE", with the film's name, to standard error. Returns 1, the exit status of a failure. On Windows, a program with
 // windows often has no standard descriptors: the line then appears in a message box.
 int complain(const char *line);
 

@@ -1,5 +1,6 @@
 #include "start/answers.h"
 
+#include "film.h"
 #include "host/process.h"
 #include "output/output.h"
 #include "show/length.h"
@@ -27,7 +28,7 @@ int tell(const Options &o) {
     if (o.help)
         writeHelp(t);
     else
-        t << "odraz " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
+        t << FILM_NAME " " ODRAZ_VERSION " " ODRAZ_COMMIT "\n";
     return writeOutput("-", t.data, (size_t)t.size);
 }
 

@@ -1,4 +1,5 @@
 // contact_sheet: the film on one page, a frame every few seconds, each with its time; or a poster of it.
+#include "film.h"
 #include "show/font.h"
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
@@ -9,15 +10,15 @@
 using namespace odraz;
 
 static constexpr char kUsage[] =
-    "usage: contact_sheet ODRAZ OUT.png [--every SECONDS=5] [--columns N=5] [--width PIXELS=384] [--quality "
+    "usage: contact_sheet FILM OUT.png [--every SECONDS=5] [--columns N=5] [--width PIXELS=384] [--quality "
     "NAME=play]\n"
-    "       contact_sheet ODRAZ OUT.png --poster [--width PIXELS=1600] [--quality NAME=film]\n"
-    "Lets the program ODRAZ dump a frame every so many seconds and lays them out, PIXELS wide each. A poster "
+    "       contact_sheet FILM OUT.png --poster [--width PIXELS=1600] [--quality NAME=film]\n"
+    "Lets the program FILM dump a frame every so many seconds and lays them out, PIXELS wide each. A poster "
     "is\n"
     "one moment PIXELS wide, under it two rows of three, and the title.\n";
 
 // The moments that a poster shows, in seconds into the film; the large picture comes first.
-static constexpr int kPosterMoments[] = {142, 15, 35, 52, 84, 104, 124};
+static constexpr int kPosterMoments[] = {FILM_POSTER};
 
 static std::string quoted(const std::string &s) {
     std::string q = "'";
@@ -110,8 +111,8 @@ static Picture poster(const std::string &program, int width, const std::string &
     }
     static constexpr uint8_t kCopper[3] = {236, 158, 92}, kGrey[3] = {170, 170, 176};
     Box title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
-    write(page, title, "odraz", (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
-    write(page, title, "a film about light   64 kilobytes   linux", (float)band * 0.19f, 0.1f, 2,
+    write(page, title, FILM_NAME, (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
+    write(page, title, FILM_ABOUT, (float)band * 0.19f, 0.1f, 2,
           Align::Right, kGrey, 1);
     return page;
 }

@@ -60,7 +60,7 @@ by_parallel() {
 }
 by_sbatch() {
     # Its number must be there while it waits, to be cancelled by
-    exec stdbuf -oL sbatch --wait --parsable "${sbatch[@]}" --job-name=odraz --array="1-$left${jobs:+%$jobs}" --chdir=/ \
+    exec stdbuf -oL sbatch --wait --parsable "${sbatch[@]}" --job-name=render --array="1-$left${jobs:+%$jobs}" --chdir=/ \
         --output="$parts/slurm-%a.log" "$parts/task" >"$parts/job"
 }
 
@@ -77,7 +77,7 @@ meet_hosts() {
         host=${BASH_REMATCH[2]}
         echo "${BASH_REMATCH[1]:-1/}$host" >>"$parts/hosts.part"
         [ "$host" != : ] && ! awk -v host="$host" '$1 == host { found = 1 } END { exit !found }' "$parts/hosts.film" || continue
-        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d /tmp/odraz-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
+        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d /tmp/render-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
             <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
             fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
         echo "$host $at" >>"$parts/hosts.film"

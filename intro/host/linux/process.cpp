@@ -1,5 +1,6 @@
 #include "host/process.h"
 
+#include "film.h"
 #include "host/linux/sys.h"
 
 namespace odraz {
@@ -28,8 +29,8 @@ const char *jitForbidden() {
 bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
 
 int complain(const char *line) {
-    char text[512] = "odraz: ";
-    int size = 7;
+    char text[512] = FILM_NAME ": ";
+    int size = sizeof FILM_NAME + 1;
     // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';

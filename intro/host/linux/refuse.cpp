@@ -1,3 +1,4 @@
+#include "film.h"
 #include "host/linux/sys.h"
 #include "host/linux/xlib.h"
 #include "host/process.h"
@@ -20,7 +21,7 @@ int refuse(const char *line) {
     Window window =
         x.XCreateWindow(display, RootWindow(display, screen), 40, 40, (unsigned)width, (unsigned)height, 0,
                         CopyFromParent, InputOutput, nullptr, CWBackPixel | CWEventMask, &attributes);
-    x.XStoreName(display, window, "odraz");
+    x.XStoreName(display, window, FILM_NAME);
     Atom close = x.XInternAtom(display, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(display, window, &close, 1);
     GC pen = x.XCreateGC(display, window, 0, nullptr);

@@ -1,6 +1,7 @@
 // The viewer's window, on X11 and GLX.
 #include "host/window.h"
 
+#include "film.h"
 #include "host/clock.h"
 #include "host/linux/sys.h"
 #include "host/linux/xlib.h"
@@ -122,7 +123,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     w.window = x.XCreateWindow(w.events, root, 0, 0, (unsigned)width, (unsigned)height, 0, visual->depth,
                                InputOutput, visual->visual,
                                CWColormap | CWBorderPixel | CWBackPixel | CWEventMask, &attributes);
-    x.XStoreName(w.events, w.window, "odraz");
+    x.XStoreName(w.events, w.window, FILM_NAME);
     w.closeRequest = x.XInternAtom(w.events, "WM_DELETE_WINDOW", False);
     x.XSetWMProtocols(w.events, w.window, &w.closeRequest, 1);
     if (fullScreen) {

@@ -1,5 +1,6 @@
 #include "host/windows/context.h"
 
+#include "film.h"
 #include "host/library.h"
 #include "host/threads.h"
 #include "host/windows/calls.h"
@@ -8,7 +9,7 @@ namespace odraz::windows {
 
 static void *listen(void *context) {
     Surface &s = *(Surface *)context;
-    s.window = CreateWindowExA(0, s.kind, "odraz", s.style, s.x, s.y, s.width, s.height, nullptr, nullptr,
+    s.window = CreateWindowExA(0, s.kind, FILM_NAME, s.style, s.x, s.y, s.width, s.height, nullptr, nullptr,
                                nullptr, nullptr);
     if (s.window) s.dc = GetDC(s.window);
     ReleaseSemaphore(s.opened, 1, nullptr);

@@ -1,4 +1,5 @@
 // Error messages: on standard error or, if nobody sees that, in a message box.
+#include "film.h"
 #include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
@@ -18,8 +19,8 @@ namespace {
 }
 
 int say(const char *line, bool box) {
-    char text[512] = "odraz: ";
-    uint32_t size = 7;
+    char text[512] = FILM_NAME ": ";
+    uint32_t size = sizeof FILM_NAME + 1;
     // Keep it to one line, even if it quotes control characters that a user gave
     for (; *line && size < 510; ++line) text[size++] = (uint8_t)*line < ' ' ? '?' : *line;
     text[size++] = '\n';

@@ -1,6 +1,7 @@
 // The viewer's window, on Windows's own window manager and WGL.
 #include "host/window.h"
 
+#include "film.h"
 #include "host/clock.h"
 #include "host/library.h"
 #include "host/process.h"
@@ -73,7 +74,7 @@ const char *openWindow(FilmWindow &window, bool fullScreen, int width, int heigh
     WindowClass kind = {};
     kind.style = 32; // CS_OWNDC
     kind.receive = (void *)receive;
-    kind.name = "odraz";
+    kind.name = FILM_NAME;
     RegisterClassA(&kind);
     constexpr uint32_t kVisible = 0x10000000, kPopUp = 0x80000000, kOverlapped = 0xcf0000;
     Surface &s = w.surface;

@@ -1,0 +1,21 @@
+# Reads intro/film.conf: every KEY of it becomes a variable. Writes generated/film.h: what the programs say of the film.
+set(CONF ${CMAKE_CURRENT_SOURCE_DIR}/intro/film.conf)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CONF})
+file(STRINGS ${CONF} lines REGEX "^[A-Z]")
+foreach(line ${lines})
+    if(NOT line MATCHES "^([A-Z_]+)=\"?([^\"\\\\;]*)\"?$")
+        message(FATAL_ERROR "intro/film.conf: cannot use the line ${line}")
+    endif()
+    set(${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
+endforeach()
+string(REPLACE " " ", " POSTER "${FILM_POSTER}")
+if(FILM_PACE)
+    string(APPEND FILM_PACE "\\n")
+endif()
+file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/generated/film.h CONTENT "// Made of intro/film.conf.
+#pragma once
+#define FILM_NAME \"@FILM@\"
+#define FILM_ABOUT \"@FILM_ABOUT@\"
+#define FILM_PACE \"@FILM_PACE@\"
+#define FILM_POSTER @POSTER@
+" @ONLY)
