@@ -1,51 +1,52 @@
 # Bad options and failing outputs: one helpful line, the right exit status, nothing half-written.
-#   commandline.sh BUILD odraz|odraz-safe
+#   commandline.sh BUILD packed|safe
 . "$(dirname "$0")/common.sh"
 skip_unless script
 unset DISPLAY
-odraz=$BUILD/${2:-odraz}
+film=$BUILD/$FILM
+[ "${2-}" != safe ] || film+=-safe
 
 # The commit is unknown only where there is no repository
 commit='[0-9a-f]{12}\+?'
 git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || commit=unknown
-check "--version" prints "^odraz [0-9]+\.[0-9]+\.[0-9]+ $commit\$" "$odraz" --version
+check "--version" prints "^$FILM [0-9]+\.[0-9]+\.[0-9]+ $commit\$" "$film" --version
 check "... in one line" test "$(wc -l <"$WORK/printed")" = 1
-check "--help" prints "^usage" "$odraz" --help
+check "--help" prints "^usage" "$film" --help
 for option in $(grep -oE '"--[a-z]+"' "$SOURCE/intro/options.cpp" | tr -d '"'); do
     check "... names $option" grep -qw -e "$option" "$WORK/printed"
 done
-check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$odraz" --nope
-check "it refuses a bad value" refuses 2 "--fps needs" "$odraz" --dump - --fps abc
-check "it refuses a missing value" refuses 2 "--size needs" "$odraz" --size
-check "it refuses a time beyond the film" refuses 2 "beyond the film's end" "$odraz" --to 999
-check "it repeats unprintable characters as ?, in one line" refuses 2 "not 'a?b?[31m'" "$odraz" --fps $'a\nb\e[31m'
-check "--help reports a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --help >/dev/full"
-check "--version reports a closed stdout" refuses 1 "closed" bash -c "exec '$odraz' --version >&-"
+check "it refuses an unknown option" refuses 2 "unknown option '--nope'" "$film" --nope
+check "it refuses a bad value" refuses 2 "--fps needs" "$film" --dump - --fps abc
+check "it refuses a missing value" refuses 2 "--size needs" "$film" --size
+check "it refuses a time beyond the film" refuses 2 "beyond the film's end" "$film" --to 999
+check "it repeats unprintable characters as ?, in one line" refuses 2 "not 'a?b?[31m'" "$film" --fps $'a\nb\e[31m'
+check "--help reports a full disk" refuses 1 "no space left" bash -c "exec '$film' --help >/dev/full"
+check "--version reports a closed stdout" refuses 1 "closed" bash -c "exec '$film' --version >&-"
 
-small=(--size 64x36 --from 20 --to 20.2 --quality draft)
-check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$odraz' --dump - ${small[*]} >/dev/full"
-check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$odraz' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
-check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$odraz' --dump - ${small[*]} >&-"
+small=(--size 64x36 --from 2 --to 2.2 --quality draft)
+check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$film' --dump - ${small[*]} >/dev/full"
+check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$film' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
+check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$film' --dump - ${small[*]} >&-"
 not_to_terminal() { # pictures must not go there either
-    script -qec "$odraz --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
+    script -qec "$film --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
 check "it does not dump to a terminal" not_to_terminal
-check "--dump refuses a folder's name that is a file" refuses 1 "not a directory" "$odraz" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
-check "... a folder below one that does not exist" refuses 1 "no such directory" "$odraz" --dump "$WORK/no/where" "${small[@]}"
-check "... a folder that it may not write to" refuses 1 "cannot write /proc/frame-000500.ppm" "$odraz" --dump /proc "${small[@]}"
+check "--dump refuses a folder's name that is a file" refuses 1 "not a directory" "$film" --dump "$BUILD/CMakeCache.txt" "${small[@]}"
+check "... a folder below one that does not exist" refuses 1 "no such directory" "$film" --dump "$WORK/no/where" "${small[@]}"
+check "... a folder that it may not write to" refuses 1 "cannot write /proc/frame-000050.ppm" "$film" --dump /proc "${small[@]}"
 
 # Closed standard descriptors must not be taken for files
 five() { # five pictures, whole, and nothing else
     local n
-    [ "$(ls -A "$WORK/frames")" = "$(printf 'frame-%06d.ppm\n' 500 501 502 503 504)" ] || return 1
-    for n in 500 501 502 503 504; do [ "$(stat -c %s "$WORK/frames/frame-000$n.ppm")" = $((64 * 36 * 3 + 13)) ] || return 1; done
+    [ "$(ls -A "$WORK/frames")" = "$(printf 'frame-%06d.ppm\n' 50 51 52 53 54)" ] || return 1
+    for n in 50 51 52 53 54; do [ "$(stat -c %s "$WORK/frames/frame-0000$n.ppm")" = $((64 * 36 * 3 + 13)) ] || return 1; done
 }
 for closed in '<&-' '>&-' '2>&-' '<&- >&- 2>&-'; do
     rm -rf "$WORK/frames"
-    check "it dumps with $closed" bash -c "exec '$odraz' --dump '$WORK/frames' ${small[*]} $closed"
+    check "it dumps with $closed" bash -c "exec '$film' --dump '$WORK/frames' ${small[*]} $closed"
     check "... five pictures" five
 done
-"$odraz" --dump - --from 3 --to 3 >"$WORK/none"
+"$film" --dump - --from 3 --to 3 >"$WORK/none"
 check "an empty interval makes no frames" test $? = 0 -a ! -s "$WORK/none"
 finish

@@ -5,6 +5,7 @@
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 [ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/
+. "$SOURCE/intro/film.conf"
 PATIENCE=${PATIENCE:-300}
 WORK=$(mktemp -d)
 PIDS=()

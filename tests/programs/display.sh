@@ -16,7 +16,7 @@ start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
 }
 
 # --- What is on the display ---
-seen() { window=$(xdotool search --onlyvisible --name '^odraz$' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+seen() { window=$(xdotool search --onlyvisible --name "^$FILM\$" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 focused() { [ "$(xdotool getwindowfocus -f)" = "$window" ]; }
 measures() { # measures WIDTH HEIGHT
     local told

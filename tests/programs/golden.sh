@@ -1,4 +1,5 @@
-# The film's pictures against those in tests/golden. (pictures.sh looks whether the packed film draws the same.)
+# The film's pictures and music against those in tests/golden.
 . "$(dirname "$0")/common.sh"
 check "golden pictures" "$SOURCE/tools/golden" compare "$BUILD"
+check "golden music" "$SOURCE/tools/golden" hear "$BUILD"
 finish

@@ -10,7 +10,8 @@ for program in odraz odraz-safe odraz-debug pack radiosity spectrogram contact_s
 long=${2-}
 PARTS=$SOURCE/tests/programs/pages
 HOUSE=$WORK/house
-PAGES=$(cd "$SOURCE" && git ls-files '*.md' | grep -v '^tools/measure/RESULTS\.md$') # which is figures alone
+# (RESULTS.md is figures alone; those of a new film are templates)
+PAGES=$(cd "$SOURCE" && git ls-files '*.md' | grep -vE '^tools/(measure/RESULTS\.md$|new_film/)')
 
 # --- A house to run them in ---
 mkdir -p "$HOUSE/build" "$WORK/bin"
@@ -44,7 +45,7 @@ cd "$HOUSE"
 # --- Every program tells how it is used ---
 mkdir "$WORK/help"
 PROGRAMS=$(cd "$HOUSE" && find -L build -maxdepth 1 -type f -perm -u+x ! -name '*.elf' ! -name '*.exe' ! -name '*.so' | sort
-    find tools -type f -perm -u+x ! -path 'tools/render_parts/*' ! -name '*.py' | sort)
+    find tools -type f -perm -u+x ! -path 'tools/render_parts/*' ! -path 'tools/new_film/*' ! -name '*.py' | sort)
 helps() { # helps PROGRAM
     local to=$WORK/help/${1//\//:}
     timeout "$PATIENCE" "$1" --help >"$to" 2>"$WORK/err" </dev/null && [ -s "$to" ] && [ ! -s "$WORK/err" ]

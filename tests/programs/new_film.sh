@@ -1,0 +1,33 @@
+# tools/new-film: what it refuses, in one line, leaving nothing behind. (long/new_film.sh makes a film and tests it.)
+. "$(dirname "$0")/common.sh"
+git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a new film is made from a repository"; exit 77; }
+new=$SOURCE/tools/new-film to=$WORK/made
+check "--help" prints '^usage: tools/new-film DIR NAME' "$new" --help
+check "nothing" refuses 2 "a folder and a name are needed" "$new"
+check "a folder alone" refuses 2 "a folder and a name are needed" "$new" "$to"
+check "a word too many" refuses 2 "a folder and a name are needed" "$new" "$to" mira film
+check "an unknown option" refuses 2 "cannot use '--nope'" "$new" "$to" mira --nope
+for name in "" "twelveletter" "a film" "a_b" "a.b" "a/b" "película" $'a\nb'; do
+    check "the name '${name//$'\n'/ }'" refuses 2 "a name has 1 to 11 letters, digits and -" "$new" "$to" "$name"
+done
+for name in odraz pack Tests film all compare; do check "the name $name" refuses 2 "the name $name is taken" "$new" "$to" $name; done
+check "a folder in a folder that is not there" refuses 2 "there is no folder $WORK/no" "$new" "$WORK/no/where" mira
+mkdir "$WORK/full"
+touch "$WORK/full/.file"
+check "a folder that is not empty" refuses 2 "is there already: choose a new or an empty folder" "$new" "$WORK/full" mira
+check "a file" refuses 2 "is there already" "$new" "$WORK/full/.file" mira
+check "a folder in this house" refuses 2 "lies in this house" "$new" "$SOURCE/tools/mira" mira
+check "... by another path" refuses 2 "lies in this house" bash -c "ln -s '$SOURCE' '$WORK/link' && cd '$WORK' && exec '$new' link/mira mira"
+[ "$(id -u)" = 0 ] || check "a folder that may not be written to" refuses 2 "cannot write into /" "$new" /mira mira
+check "nothing is left of all that" test "$(cd "$WORK" && echo *)" = "err full link out printed"
+
+# What is laid over the copy, and what is copied, is there
+listed() { # every line of the list names a file
+    local line missing=0
+    while read -r line; do
+        [ -n "$(git -C "$SOURCE" ls-files -- "${line#:!}" | head -n 1)" ] || { echo "    tools/new_film/files: no file $line" >&2; missing=1; }
+    done < <(grep -v '^#' "$SOURCE/tools/new_film/files")
+    return $missing
+}
+check "the list of what a film takes names files" listed
+finish

@@ -1,0 +1,11 @@
+// The film's scenes, as film.cpp lists them.
+#pragma once
+
+#include "show/show.h"
+
+namespace odraz {
+
+// Each in a file of its own.
+void poseStage(const Cue &cue, Scene &scene);
+
+} // namespace odraz

@@ -1,0 +1,63 @@
+// Balls of five materials on polished stone, in the evening sun. One falls, and lands on the beat; then a
+// word of light is written before them, and the floor mirrors it.
+#include "base/maths.h"
+#include "show/font.h"
+#include "show/materials.h"
+#include "show/scenes.h"
+
+namespace odraz {
+
+enum { kFloor, kSilver, kClear, kRed, kWood, kStone };
+static constexpr const Material *kMaterials[] = {
+    [kFloor] = &kHallFloor, [kSilver] = &kMirror, [kClear] = &kGlass,
+    [kRed] = &kCopper,      [kWood] = &kOak,      [kStone] = &kDarkMarble};
+
+static constexpr Shape kShapes[] = {
+    plane({0, 0, 0}, kFloor),
+    sphere({-0.75f, 0.8f, -0.5f}, 0.8f, kSilver),
+    sphere({0.2f, 0.38f, 0.75f}, 0.38f, kClear),
+    sphere({-1.75f, 0.34f, 0.55f}, 0.34f, kStone),
+    sphere({2.15f, 0.4f, 0.25f}, 0.4f, kWood),
+};
+
+// How high a ball is that falls, lands, and leaps twice, each time on a beat. Metres.
+static float height(float row) {
+    constexpr float kHalfGravity = 4.9f, kRowsASecond = (float)kRowsPerSecond;
+    constexpr float kLandings[] = {rowOf(kBallLands), rowOf(kBallLandsAgain), rowOf(kBallLandsAgain) + 4};
+    float before = 2 * kLandings[0] - kLandings[1]; // as if it had leapt once more
+    for (float landing : kLandings) {
+        if (row < landing) {
+            float up = (landing - row) / kRowsASecond, down = (row - before) / kRowsASecond;
+            return kHalfGravity * up * down;
+        }
+        before = landing;
+    }
+    return 0;
+}
+
+void poseStage(const Cue &cue, Scene &scene) {
+    scene.addAll(kMaterials);
+    scene.addAll(kShapes);
+    float row = (float)cue.row;
+    // It falls from where it began at rest; later it leaps
+    float falls = rowOf(kBallLands) - row, since = falls / (float)kRowsPerSecond;
+    float high = falls > 0 ? 4.9f * since * since : height(row);
+    scene.add(sphere({1.05f, 0.5f + high, -0.3f}, 0.5f, kRed));
+
+    // The word stands before them, the larger the shorter it is
+    const char *word = "@NAME@";
+    int letters = 0;
+    while (word[letters]) ++letters;
+    float unit = min(0.046f, 0.29f / (float)letters), written = row - rowOf(kWordComes);
+    int tube = scene.add(lamp({2.6f, 0.9f, 0.27f}));
+    standText(scene, word, {-5.6f * unit * (float)letters, 0.06f, 1.7f}, unit, 6 * written, tube);
+
+    scene.add(Light{kDuskSun, {620, 390, 210}, 0.6f}); // 1.2 m wide: shadows are soft
+    scene.ballsOcclude = true;
+    scene.ambientLow = {0.06f, 0.045f, 0.045f};
+    scene.ambientHigh = {0.09f, 0.12f, 0.19f};
+    scene.sky = duskSky(row);
+    scene.exposure = 1;
+}
+
+} // namespace odraz
