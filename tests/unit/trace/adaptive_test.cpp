@@ -1,4 +1,5 @@
 // Compares the adaptive picture with one traced in full; it depends on nothing but the scene.
+#include "show/scenes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_picture.h"
 #include "tools/measure/bench/peer_scenes.h"

@@ -4,6 +4,7 @@
 #include "host/process.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/read/upright.h"
+#include "tools/radiosity/view/glfw.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
@@ -20,6 +21,7 @@ static ViewWindow &of(GLFWwindow *window) { return *(ViewWindow *)glfwGetWindowU
 
 ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     Quiet libraries;
+    if (const char *missing = openGlfw()) throw std::runtime_error(missing);
     if (!glfwInit()) throw std::runtime_error("there is no display to open a window on: set DISPLAY");
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

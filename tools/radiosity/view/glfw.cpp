@@ -1,0 +1,34 @@
+#include "tools/radiosity/view/glfw.h"
+
+#include "host/library.h"
+
+// What the window calls. (<GLFW/glfw3.h>, which declares these functions with their parameters, is not
+// included here.)
+// clang-format off
+#define ODRAZ_GLFW(F) \
+    F(glfwCreateWindow) F(glfwDestroyWindow) F(glfwGetCursorPos) F(glfwGetFramebufferSize) \
+    F(glfwGetKey) F(glfwGetProcAddress) F(glfwGetTime) F(glfwGetWindowSize) F(glfwGetWindowUserPointer) \
+    F(glfwInit) F(glfwMakeContextCurrent) F(glfwPollEvents) F(glfwPostEmptyEvent) \
+    F(glfwSetCursorPosCallback) F(glfwSetInputMode) F(glfwSetKeyCallback) F(glfwSetMouseButtonCallback) \
+    F(glfwSetScrollCallback) F(glfwSetWindowRefreshCallback) F(glfwSetWindowShouldClose) \
+    F(glfwSetWindowTitle) F(glfwSetWindowUserPointer) F(glfwSwapBuffers) F(glfwSwapInterval) \
+    F(glfwTerminate) F(glfwWaitEventsTimeout) F(glfwWindowHint) F(glfwWindowShouldClose)
+// clang-format on
+
+// Each jumps, with whatever parameters, to where the library has it.
+#define ODRAZ_JUMP(name)                                                                                     \
+    extern "C" {                                                                                             \
+    void *odraz_##name;                                                                                      \
+    [[gnu::naked]] void name() { __asm__("jmp *odraz_" #name "(%rip)"); }                                    \
+    }
+ODRAZ_GLFW(ODRAZ_JUMP)
+
+const char *odraz::openGlfw() {
+#define ODRAZ_PLACE(name) &odraz_##name,
+    static void **const places[] = {ODRAZ_GLFW(ODRAZ_PLACE)};
+    void *found[sizeof places / sizeof *places];
+    if (loadFunctions("libglfw.so.3", ODRAZ_GLFW(ODRAZ_NAME), found))
+        return "a window needs GLFW: install libglfw3";
+    for (int i = 0; i < (int)(sizeof places / sizeof *places); ++i) *places[i] = found[i];
+    return nullptr;
+}
