@@ -2,16 +2,17 @@
 . "$(dirname "$0")/common.sh"
 skip_unless zip unzip tar gzip sha256sum
 git -C "$SOURCE" rev-parse HEAD >/dev/null 2>&1 || { echo "SKIPPED: a release is made of a commit, and here is no repository"; exit 77; }
+needs_built portable/radiosity
 export BUILD
 release=$SOURCE/tools/release
 made=("$release" --built --unclean --no-capture --poster "$SOURCE/intro/film.png")
 
 check "archives are made" prints ' .*/odraz-.*\.zip$' "${made[@]}" --to "$WORK/one"
-check "... two, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = 2
+check "... three, and nothing else" test "$(ls -A "$WORK/one" | wc -l)" = 3
 sleep 1.1 # another second
 check "... and again, by another umask and zone" bash -c 'umask 077; TZ=Asia/Tokyo; export TZ; exec "$@" >/dev/null' - "${made[@]}" --to "$WORK/two"
 check "... the same to the byte" diff -r "$WORK/one" "$WORK/two"
-tgz=$(echo "$WORK"/one/*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
+tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
 name=$(basename "$tgz" .tar.gz)
 check "the name tells the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
 
@@ -48,6 +49,32 @@ check "file_id.diz has 45 columns" test "$(columns file_id.diz)" -le 45
 check "... and 10 lines" test "$(wc -l <"$inside/file_id.diz")" -le 10
 for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt tells of $word" grep -qF -e "$word" "$inside/README.txt"; done
 
+# The tools: in an archive of their own, for older systems, too
+tools=odraz-tools-${name#odraz-}-linux-x86_64
+check "the tools unpack" tar -C "$WORK" -xzf "$WORK/one/$tools.tar.gz"
+cd "$WORK/$tools" || exit 1
+check "... whole" sha256sum -c --quiet --strict SHA256SUMS
+check "... all of them in the checksums" test "$(wc -l <SHA256SUMS)" = "$(find . -type f ! -name SHA256SUMS | wc -l)"
+check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc/radiosity/README.md -a -s doc/CI.md -a -s LICENSE.txt -a -s NOTICES.txt
+check "nothing is left to fill in" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
+check "their README has 80 columns" test "$(wc -L <README.txt)" -le 80
+for program in compare pack radiosity; do
+    check "$program may be run, and tells how it is used" prints '^usage: ' "./$program" --help
+    check "... README.txt tells of it" grep -q "^  $program  " README.txt
+    objdump -p $program >"$WORK/needs"
+    if [ $program = radiosity ]; then
+        check "... it needs glibc alone" test "$(sed -n 's/^ *NEEDED *//p' "$WORK/needs" | grep -cvE '^(libc|libm|libdl|libpthread|ld-linux-x86-64)\.so\.[0-9]$')" = 0
+        newest=$(grep -oE 'GLIBC_[0-9.]+' "$WORK/needs" | sort -uV | tail -n 1)
+        check "... of 2.31 or earlier ($newest)" test "$(printf '%s\n' GLIBC_2.31 "$newest" | sort -V | tail -n 1)" = GLIBC_2.31
+    else
+        check "... it needs no library" lacks 'NEEDED' "$WORK/needs"
+    fi
+done
+check "radiosity solves" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
+check "... what the one of build/ solves" bash -c '"$2" solve "$1/cube.obj" -o "$1/same.rad" >/dev/null 2>&1 && cmp "$1/cube.rad" "$1/same.rad"' - "$WORK" "$BUILD/radiosity"
+check "... and says what is wrong with a file" refuses 2 "cannot read" ./radiosity solve "$WORK/needs.obj" -o "$WORK/x"
+cd "$WORK" || exit 1
+
 # What is refused
 check "an unknown option" refuses 2 "cannot use '--nope'" "$release" --nope
 check "a span that is none" refuses 2 "--capture-span takes two times" "$release" --capture-span 7
@@ -57,7 +84,7 @@ check "programs that are not there" env BUILD="$WORK" bash -c '"$@" 2>&1 | grep 
 if command -v ffmpeg >/dev/null; then
     check "a capture of a moment, 1080p60" eval '"$release" --built --unclean --poster "$SOURCE/intro/film.png" --capture-span 20,20.1 --to "$WORK/capture" >/dev/null 2>&1'
     check "... is one, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/capture/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
-    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = 4
+    check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = 5
 fi
 refuses_unclean() { # a program that says that its tree differed
     mkdir "$WORK/other"

@@ -19,7 +19,7 @@ for file in "$film/build/$name" "$film/build/$name.exe" "$film/build/$name-safe"
     check "${file##*/} does not say odraz" lacks odraz "$WORK/strings"
 done
 check "(the film of this house would be found)" eval 'strings -n 4 "$BUILD/odraz-safe" | grep -q odraz'
-check "it names $name-safe where it may not run packed" grep -qa "use $name-safe instead" "$film/build/$name"
+check "it names $name-safe where it may not run packed" grep -qa "use $name-safe" "$film/build/$name"
 
 # The pictures: the scene is lit, the word is written, the end is dark
 "$film/build/$name-safe" --dump "$WORK/frames" --fps 1 --size 160x90 --quality draft
@@ -36,11 +36,11 @@ check "a budget that is too small stops the build" eval 'sed -i "s/^FILM_BUDGET=
 check "... which says by how much" grep -q 'over budget by [0-9]* bytes' "$WORK/said"
 
 # Interrupted it leaves nothing
-"$SOURCE/tools/new-film" "$WORK/stopped" stopped >/dev/null 2>&1 &
+setsid "$SOURCE/tools/new-film" "$WORK/stopped" stopped >/dev/null 2>&1 & # with all that it started, as by Ctrl-C
 pid=$!
 PIDS+=($pid)
 await eval 'ls -d "$WORK"/.new-film.*/build >/dev/null 2>&1'
-kill -TERM $pid
+kill -TERM -- -$pid
 ended $pid
 check "interrupted it leaves nothing" test -z "$(ls -d "$WORK"/stopped "$WORK"/.new-film.* 2>/dev/null)"
 finish

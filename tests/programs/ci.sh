@@ -1,0 +1,45 @@
+# The steps of tools/CI.md, as they stand there, in a project of another kind, with the tools as the archive has them.
+. "$(dirname "$0")/common.sh"
+skip_unless g++ tar
+for program in pack compare; do needs_built portable/$program; done
+page=$SOURCE/tools/CI.md
+block() { awk -v wanted="$1" '/^    / { if (!on) ++n; on = 1; if (n == wanted) print substr($0, 5); next } /^$/ && on && n == wanted { next } { on = 0 }' "$page"; }
+
+# A project: a program that draws a picture, and the picture that was kept
+tools=odraz-tools-$FILM_VERSION-linux-x86_64
+project=$WORK/project
+mkdir -p "$project/build" "$project/golden" "$WORK/tools/$tools"
+cp "$BUILD"/portable/{pack,compare} "$WORK/tools/$tools"
+tar -C "$WORK/tools" -czf "$project/$tools.tar.gz" $tools
+cat >"$WORK/game.cpp" <<'GAME'
+#include <cstdio>
+int main(int argc, char **argv) {
+    std::FILE *to = argc > 2 ? std::fopen(argv[2], "wb") : nullptr;
+    if (!to) return 1;
+    std::fprintf(to, "P6\n64 64\n255\n");
+    for (int i = 0; i < 64 * 64; ++i) std::fprintf(to, "%c%c%c", i % 64 * 4, i / 64 * 4, BLUE);
+    return std::fclose(to);
+}
+GAME
+built() { g++ -Os -DBLUE="$1" "$WORK/game.cpp" -o "$project/build/game"; }
+block 1 >"$project/check.sh"
+block 2 | sed -n '/script:/,/artifacts:/ s/^ *- //p' >"$WORK/script"
+check "the page has a step of four lines" test "$(wc -l <"$project/check.sh")" = 4
+check "... and two commands for it" test "$(wc -l <"$WORK/script")" = 2
+check "the archive of these is that of this version" grep -qF "$tools.tar.gz" "$WORK/script"
+step() { (cd "$project" && env -u BUILD bash -e "$WORK/script") >"$WORK/said" 2>&1; }
+said() { grep -qE -- "$1" "$WORK/said" || { cat "$WORK/said" >&2; return 1; }; }
+
+check "the program is built" built 99
+check "its picture is kept, by the page's command" eval '"$project/build/game" --screenshot "$project/build/frame.ppm" && cd "$project" && PATH=$WORK/tools/$tools:$PATH && eval "$(sed -n "s/.*\`\(compare --png .*\)\`.*/\1/p" "$page")"'
+check "the step passes" step
+check "... and tells what is left of the budget" said ' bytes left of 30000'
+check "... with a report" test -s "$project/build/game.json"
+check "it passes a picture that hardly differs" eval 'built 100 && step'
+check "another picture fails it" eval 'built 160 && ! step'
+check "... and is told" said 'largest difference 61, '
+check "... and shown" test -s "$project/build/difference.png"
+sed -i 's/--budget 30000/--budget 3000/' "$project/check.sh"
+check "a budget that is too small fails it" eval 'built 99 && ! step'
+check "... and is told" said 'over budget by [0-9]+ bytes'
+finish
