@@ -1,7 +1,7 @@
 # tools/new-film from its begin to its end: a film with a long name is made, built, packed and tested, and nothing in it
 # is called odraz.
 . "$(dirname "$0")/../common.sh"
-skip_unless git strings
+skip_unless git strings zip unzip
 name=wunderkmr film=$WORK/film # nine letters: with -safe as many as the packer's stub has room for
 check "a new film is made, packed and tested" prints "^build/$name: [0-9]+ bytes, [0-9]+ left of 65536" "$SOURCE/tools/new-film" "$film" $name
 check "... all of its tests pass" grep -q '^100% tests passed' "$WORK/printed"
@@ -20,6 +20,16 @@ for file in "$film/build/$name" "$film/build/$name.exe" "$film/build/$name-safe"
 done
 check "(the film of this house would be found)" eval 'strings -n 4 "$BUILD/odraz-safe" | grep -q odraz'
 check "it names $name-safe where it may not run packed" grep -qa "use $name-safe" "$film/build/$name"
+
+# Its archives have its own texts
+check "archives are made of it" eval '"$film/tools/release" --built --no-capture --poster "$film/tests/golden/film-006.png" >/dev/null'
+archive=$film/build/release/$name-0.1.0
+check "... of the film alone" test "$(ls "$film/build/release" | wc -l)" = 2
+check "... with an NFO" prints "/$name.nfo$" tar -tzf "$archive.tar.gz"
+tar -C "$WORK" -xzf "$archive.tar.gz"
+check "... which does not say odraz" lacks odraz "$WORK/$name-0.1.0/$name.nfo"
+check "... nor does README.txt" lacks odraz "$WORK/$name-0.1.0/README.txt"
+check "... and a licence of this year" grep -qx "Copyright (c) $(date +%Y) the $name team" "$WORK/$name-0.1.0/LICENSE.txt"
 
 # The pictures: the scene is lit, the word is written, the end is dark
 "$film/build/$name-safe" --dump "$WORK/frames" --fps 1 --size 160x90 --quality draft
