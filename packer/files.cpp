@@ -49,6 +49,17 @@ bool writeFile(const std::string &path, const void *bytes, size_t size, bool exe
     return !wrong;
 }
 
+bool canWrite(const std::string &path) {
+    struct stat s;
+    if (stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode)) {
+        if (S_ISDIR(s.st_mode)) errno = EISDIR;
+        return !S_ISDIR(s.st_mode) && !access(path.c_str(), W_OK);
+    }
+    size_t slash = path.rfind('/');
+    std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
+    return !access(folder.c_str(), W_OK | X_OK);
+}
+
 long fileSize(const char *path) {
     struct stat s;
     return stat(path, &s) == 0 ? (long)s.st_size : -1;

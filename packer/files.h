@@ -13,6 +13,9 @@ bool readFile(const char *path, std::vector<uint8_t> &bytes);
 // device is written to directly.
 bool writeFile(const std::string &path, const void *bytes, size_t size, bool executable);
 
+// Whether writeFile() can be expected to succeed: the folder is there and may be written.
+bool canWrite(const std::string &path);
+
 // In bytes; -1 if there is no such file.
 long fileSize(const char *path);
 

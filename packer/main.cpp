@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <optional>
 #include <sys/stat.h>
 #include <sys/xattr.h>
 #include <unistd.h>
@@ -46,13 +47,21 @@ constexpr char kUsage[] =
     "--map FILE                    print what each object file costs, by the linker's map in FILE\n"
     "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its "
     "object files\n"
-    "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n";
+    "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n"
+    "--text FILE                   write to FILE, for a comment on a change, the size and the ten largest "
+    "changes;\n"
+    "                              with - print that and nothing else\n"
+    "--than OLD.json               with --text, compare with an earlier --report\n"
+    "--rooms FILE                  with --map, group object files as FILE says, a line each: ROOM SHARE "
+    "OBJECT...,\n"
+    "                              the share in bytes or -; otherwise by their archives and folders\n";
 
 constexpr long kBudget = 65536; // of a program made for packing
 
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
-               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr;
+               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr, *text = nullptr,
+               *than = nullptr, *rooms = nullptr;
     bool pe = false, loader = false, plain = false, fast = false;
     pack::Names names;
     long budget = -1; // not given
@@ -100,7 +109,8 @@ bool takeFile(Options &o, const std::string &word, const char *file) {
     } options[] = {
         {"-o", &o.out, false},           {"--test", &o.test, false},           {"-d", &o.unpack, false},
         {"--model", &o.model, true},     {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
-        {"--symbols", &o.symbols, true}, {"--report", &o.report, true}};
+        {"--symbols", &o.symbols, true}, {"--report", &o.report, true},        {"--text", &o.text, true},
+        {"--than", &o.than, true},       {"--rooms", &o.rooms, true}};
     for (auto &option : options)
         if (word == option.name && file && !*option.value) {
             *option.value = file;
@@ -133,6 +143,8 @@ void checkModes(const Options &o) {
         throw Refusal{"it takes IN -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
     if (!o.in && o.onlyToPack)
         throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
+    if (o.than && !o.text) throw Refusal{"--than needs --text; see pack --help", 2};
+    if (o.rooms && !o.map) throw Refusal{"--rooms needs --map; see pack --help", 2};
 }
 
 Options parse(int argc, char **argv) {
@@ -243,6 +255,52 @@ void warn(const Options &o, const pack::Program &program, uint64_t appended, dou
                     seconds, o.fast || o.model ? "" : "; --fast is for that");
 }
 
+// What the reports need besides the program, read before the packing, which may take long.
+struct ForReports {
+    std::string map, symbols;
+    std::optional<pack::Rooms> rooms;
+    std::optional<pack::Report> before;
+
+    explicit ForReports(const Options &o) {
+        if (o.map) map = readText(o.map);
+        if (o.map && !pack::isMap(map))
+            throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
+        if (o.symbols) symbols = readText(o.symbols);
+        if (o.rooms) rooms = parsed(o.rooms, pack::readRooms);
+        if (o.than) before = parsed(o.than, pack::readJson);
+        for (const char *path : {o.report, o.text})
+            if (path && std::strcmp(path, "-") && !pack::canWrite(path))
+                throw Refusal{std::string("cannot write ") + path + ": " + std::strerror(errno), 2};
+    }
+
+private:
+    template <class T> static T parsed(const char *path, T (*parse)(const std::string &)) {
+        try {
+            return parse(readText(path));
+        } catch (const pack::Unsuitable &e) {
+            throw Refusal{std::string(path) + ": " + e.what(), 2};
+        }
+    }
+};
+
+std::string lastName(const char *path) {
+    std::string whole = path;
+    return whole.substr(whole.rfind('/') + 1);
+}
+
+// `before` gets the rooms of `report`.
+void writeReports(const Options &o, const pack::Report &report, long budget,
+                  std::optional<pack::Report> &before) {
+    if (before) pack::arrange(*before, report);
+    const pack::Report *old = before ? &*before : nullptr;
+    bool alone = o.text && !std::strcmp(o.text, "-");
+    std::string name = lastName(o.out);
+    std::string text = o.text ? pack::printMarkdown(name, report, old, budget) : "";
+    std::fputs((alone ? text : pack::printReport(report)).c_str(), stdout);
+    if (o.report) write(o.report, pack::printJson(report));
+    if (o.text && !alone) write(o.text, text);
+}
+
 void makePacked(const Options &o) {
     std::vector<uint8_t> file = read(o.in);
     checkCopy(o.in, file);
@@ -255,10 +313,7 @@ void makePacked(const Options &o) {
         std::vector<uint8_t> plain = way.plain(program);
         return write(o.out, plain.data(), plain.size(), true);
     }
-    std::string map = o.map ? readText(o.map) : "";
-    if (o.map && !pack::isMap(map))
-        throw Refusal{std::string(o.map) + ": not a map of GNU ld: link with -Wl,-Map=FILE", 2};
-    std::string symbols = o.symbols ? readText(o.symbols) : "";
+    ForReports given(o);
     pack::ModelParameters parameters = findParameters(o, program);
 
     // Encode, and prove that both decoders give the program back
@@ -273,19 +328,19 @@ void makePacked(const Options &o) {
     if (!same || way.read(packed).bytes != program.bytes)
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
-    pack::Report report =
-        pack::makeReport(file, map, symbols, program, encoded.bits, packed.size(), overhead);
-    std::fputs(pack::printReport(report).c_str(), stdout);
-    if (o.saveModel)
-        write(o.saveModel, "# contexts that suit " +
-                               std::string(o.in).substr(std::string(o.in).rfind('/') + 1) +
-                               ", found by pack --effort\n" + pack::printParameters(parameters));
-    if (o.report) write(o.report, pack::printJson(report));
     long size = (long)packed.size(), before = pack::fileSize(o.out);
     long budget = o.budget >= 0 || any ? o.budget : kBudget;
+    pack::Report report =
+        pack::makeReport(pack::attribute(file, given.map, given.symbols, program), encoded.bits,
+                         packed.size(), overhead, given.rooms ? &*given.rooms : nullptr);
+    writeReports(o, report, budget, given.before);
+    if (o.saveModel)
+        write(o.saveModel, "# contexts that suit " + lastName(o.in) + ", found by pack --effort\n" +
+                               pack::printParameters(parameters));
     if (budget >= 0 && size > budget)
         throw Refusal{"over budget by " + std::to_string(size - budget) + " bytes", 1};
     write(o.out, packed.data(), packed.size(), true);
+    if (o.text && !std::strcmp(o.text, "-")) return;
     std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out, size, overhead,
                 program.bytes.size());
     if (before >= 0) std::printf(", before %ld (%+ld)", before, size - before);

@@ -1,0 +1,203 @@
+#include "report.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+using namespace pack;
+
+namespace {
+
+std::string text(const std::vector<Claim> &claims) {
+    std::string all;
+    for (const Claim &c : claims) all += std::to_string(c.begin) + "-" + std::to_string(c.end) + c.name + " ";
+    return all;
+}
+
+// Bytes that cost so many bits each, in one section; two objects and three symbols.
+Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
+    std::vector<Stretch> stretches = {{0, 2, ".text", "a.o", "liba.a", "f(int)"},
+                                      {2, 1, ".text", "a.o", "liba.a", "(nothing named in .text)"},
+                                      {3, 1, ".data", "b.o", "src", "g"}};
+    double all = 0;
+    for (float b : bits) all += b;
+    return makeReport(stretches, bits, 100 + (size_t)(all / 8) + 2, 100, rooms);
+}
+
+double sum(const Costs &costs) {
+    double all = 0;
+    for (auto &[name, cost] : costs) all += cost.bits;
+    return all;
+}
+
+// Whether it reads the text, or refuses it.
+bool reads(const std::string &text) {
+    try {
+        readJson(text);
+        return true;
+    } catch (const Unsuitable &) {
+        return false;
+    }
+}
+
+} // namespace
+
+// --- To whom each byte belongs ---
+
+TEST(Attribution, GivesWhatOverlapsToOne) {
+    EXPECT_EQ(text(exclusive({})), "");
+    EXPECT_EQ(text(exclusive({{5, 9, "b"}, {0, 4, "a"}})), "0-4a 5-9b ");
+    EXPECT_EQ(text(exclusive({{0, 10, "out"}, {3, 5, "in"}})), "0-3out 3-5in 5-10out "); // nested
+    EXPECT_EQ(text(exclusive({{0, 6, "a"}, {4, 9, "b"}})), "0-4a 4-9b ");                // partly
+    EXPECT_EQ(text(exclusive({{0, 4, "z"}, {0, 4, "alias"}})), "0-4alias ");             // the same
+    EXPECT_EQ(text(exclusive({{0, 8, "long"}, {0, 3, "short"}})), "0-3short 3-8long ");
+    EXPECT_EQ(text(exclusive({{2, 4, "b"}, {0, 9, "a"}, {3, 6, "c"}})), "0-2a 2-3b 3-6c 6-9a ");
+}
+
+TEST(Attribution, GivesEveryAddressOnceWhateverIsClaimed) {
+    std::mt19937 random(1);
+    for (int round = 0; round < 200; ++round) {
+        std::vector<Claim> claims;
+        std::vector<int> claimed(64);
+        for (unsigned n = random() % 12; n--;) {
+            uint64_t begin = random() % 60, end = begin + 1 + random() % (63 - begin);
+            claims.push_back({begin, end, std::string(1, (char)('a' + random() % 5))});
+            for (uint64_t i = begin; i < end; ++i) claimed[i] = 1;
+        }
+        uint64_t last = 0;
+        for (const Claim &c : exclusive(claims)) {
+            ASSERT_LE(last, c.begin);
+            ASSERT_LT(c.begin, c.end);
+            last = c.end;
+            for (uint64_t i = c.begin; i < c.end; ++i) --claimed[i];
+        }
+        for (int c : claimed) ASSERT_EQ(c, 0);
+    }
+}
+
+TEST(Attribution, FindsObjectAndArchiveInPaths) {
+    auto both = [](const std::string &path) {
+        Home home = homeOf(path);
+        return home.object + " in " + home.room;
+    };
+    EXPECT_EQ(both("lib/x86/libc.a(printf.o)"), "printf.o in libc.a");
+    EXPECT_EQ(both("src/main.o"), "main.o in src");
+    EXPECT_EQ(both("main.o"), "main.o in .");
+    EXPECT_EQ(both("odd(name"), "odd(name in .");
+}
+
+// --- Costs ---
+
+TEST(Report, AddsUpToTheFile) {
+    std::mt19937 random(2);
+    std::uniform_real_distribution<float> bits(0, 20);
+    for (int round = 0; round < 50; ++round) {
+        Report r = example({bits(random), bits(random), bits(random), bits(random)});
+        for (const Costs &costs : {r.sections, r.objects, r.symbols, r.rooms})
+            EXPECT_EQ(sum(costs) + r.rest + 8.0 * (double)r.overhead, 8.0 * (double)r.fileSize);
+        // In whole bits, too
+        std::string json = printJson(r);
+        Report read = readJson(json);
+        for (const Costs &costs : {read.sections, read.objects, read.symbols})
+            EXPECT_EQ(sum(costs) + read.rest + 8.0 * (double)read.overhead, 8.0 * (double)read.fileSize);
+        EXPECT_EQ(printJson(read), json);
+    }
+}
+
+TEST(Report, KeepsRangesOfCheapBytesExact) {
+    std::vector<float> bits(16000, 0.01f); // each rounds to nothing, all together to 160 bits
+    Report r = makeReport({{0, 16000, ".text", "", "", "f"}}, bits, 21, 1);
+    EXPECT_NEAR(r.sections[".text"].bits, 160, 0.1);
+    EXPECT_TRUE(r.objects.empty() && r.rooms.empty());
+}
+
+TEST(Report, GroupsObjectsByRooms) {
+    Rooms rooms = readRooms("# a comment\n\nhall 10 a.o c.o\nstub - (stub)\n");
+    EXPECT_EQ(rooms.shares.at("hall"), 10);
+    EXPECT_EQ(rooms.shares.count("stub"), 0u);
+    Report r = example({8, 8, 8, 8}, &rooms);
+    EXPECT_EQ(r.rooms.at("hall").bits, 24);
+    EXPECT_EQ(r.rooms.at(kNothingNamed).bits, 8); // b.o
+    EXPECT_EQ(r.stubRoom, "stub");
+    EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // which earlier builds may have
+    for (const char *wrong : {"hall\n", "hall ten a.o\n", "hall -5 a.o\n", "hall 5x\n"})
+        EXPECT_THROW(readRooms(wrong), Unsuitable) << wrong;
+}
+
+// --- JSON ---
+
+TEST(Json, ReadsNamesWithAnySigns) {
+    Report r = makeReport({{0, 1, ".text", "a \"b\" \\ c\n.o", "ž", "operator<<(x, y)\x01"}}, {8}, 11, 10);
+    Report read = readJson(printJson(r));
+    EXPECT_EQ(read.objects.begin()->first, "a \"b\" \\ c\n.o");
+    EXPECT_EQ(read.roomOf.begin()->second, "ž");
+    EXPECT_EQ(read.symbols.begin()->first, "operator<<(x, y)\x01");
+}
+
+TEST(Json, ReadsEarlierReportsAndLaterOnes) {
+    // As a ledger keeps it, which has no symbols; and with what nobody knows yet
+    Report r = readJson("{\"file\": 20, \"overhead\": 10, \"later\": {\"x\": {\"y\": \"z\"}},\n"
+                        "\"sections\": {\".text\": {\"bytes\": 9, \"bits\": 80}}, \"objects\": {\n"
+                        "\"cc7sCLLD.ltrans0.ltrans.o\": {\"bytes\": 9, \"bits\": 80, \"more\": 1}}}");
+    EXPECT_EQ(r.fileSize, 20u);
+    EXPECT_EQ(r.objects.at("(optimised as a whole)").bits, 80);
+}
+
+TEST(Json, RefusesWhatIsNoReport) {
+    const std::string good = printJson(example({1, 2, 3, 4}));
+    EXPECT_TRUE(reads(good));
+    for (const std::string wrong :
+         {"", "{}", "[]", "text", "{\"file\": 5}", "{\"file\": nan, \"overhead\": 0}"})
+        EXPECT_FALSE(reads(wrong)) << wrong;
+    EXPECT_FALSE(reads(good + "x"));
+    EXPECT_FALSE(reads(good + std::string(1, 0)));
+    std::string deep;
+    for (int i = 0; i < 100000; ++i) deep += "{\"a\":";
+    EXPECT_FALSE(reads(deep));
+    for (size_t size = 0; size + 1 < good.size(); ++size) EXPECT_FALSE(reads(good.substr(0, size))) << size;
+    // Whatever is changed, it reads it or refuses it
+    std::mt19937 random(3);
+    for (int round = 0; round < 20000; ++round) {
+        std::string changed = good;
+        for (int n = 1 + (int)(random() % 3); n--;)
+            changed[random() % changed.size()] =
+                (char)(random() % 4 ? "{}\":,\\u0e-"[random() % 10] : random());
+        reads(changed);
+    }
+}
+
+// --- A comment on a change ---
+
+TEST(Markdown, TellsTotalBudgetAndLargestChanges) {
+    Report before = example({8, 8, 8, 8}), now = example({80, 8, 8, 8});
+    std::string text = printMarkdown("a|b", now, &before, 120);
+    EXPECT_NE(text.find("**`a/b`: 115 bytes**, +9 (+8.49 %), 5 left of 120\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("|       +9 |       11 |        2 | `f(int)` |\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("`g`"), std::string::npos) << text; // did not change
+    EXPECT_NE(printMarkdown("a", now, &before, 110).find("**over budget by 5** of 110"), std::string::npos);
+    EXPECT_NE(printMarkdown("a", now, &now, -1).find("No symbol changed by a byte."), std::string::npos);
+    EXPECT_NE(printMarkdown("a", now, nullptr, -1).find("|      100 | `(stub)` |"), std::string::npos);
+    // What is gone, and a report without symbols
+    before.symbols["old"].bits = 16000;
+    EXPECT_NE(printMarkdown("a", now, &before, -1).find("|   -2,000 |        0 |    2,000 | `old` |"),
+              std::string::npos);
+    before.symbols.clear();
+    EXPECT_NE(printMarkdown("a", now, &before, -1).find("| `a.o` |"), std::string::npos);
+    EXPECT_EQ(printMarkdown("a", now, &before, -1).find("f(int)"), std::string::npos);
+}
+
+TEST(Markdown, HasTenLinesAtMost) {
+    Report now = example({8, 8, 8, 8});
+    for (int i = 0; i < 30; ++i) now.symbols["s" + std::to_string(i)].bits = 8000;
+    std::string text = printMarkdown("a", now, nullptr, -1);
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 2 + 10);
+}
+
+TEST(Markdown, ComparesRoomsOfWhatIsGone) {
+    Report before = example({8, 8, 8, 8}), now = example({8, 8, 8, 8});
+    before.objects["gone.o"].bits = 80;
+    before.roomOf["gone.o"] = "attic";
+    before.roomOf["a.o"] = "elsewhere"; // it has moved
+    arrange(before, now);
+    EXPECT_EQ(before.rooms.at("attic").bits, 80);
+    EXPECT_EQ(before.rooms.at("liba.a").bits, 24);
+}
