@@ -6,7 +6,7 @@
 #include "loader_writer.h"
 #include "model_parameters.h"
 #include "pe_writer.h"
-#include "report.h"
+#include "report_html.h"
 #include "search.h"
 
 #include <algorithm>
@@ -48,10 +48,11 @@ constexpr char kUsage[] =
     "--symbols FILE                with --map, of a program linked with -flto: what `nm -A` prints of its "
     "object files\n"
     "--report FILE                 write to FILE, as JSON, what each section, object file and symbol costs\n"
+    "--html FILE                   write to FILE a page that shows it: every byte, treemap, tables, budget\n"
     "--text FILE                   write to FILE, for a comment on a change, the size and the ten largest "
     "changes;\n"
     "                              with - print that and nothing else\n"
-    "--than OLD.json               with --text, compare with an earlier --report\n"
+    "--than OLD.json               with --html or --text, compare with an earlier --report\n"
     "--rooms FILE                  with --map, group object files as FILE says, a line each: ROOM SHARE "
     "OBJECT...,\n"
     "                              the share in bytes or -; otherwise by their archives and folders\n";
@@ -60,8 +61,8 @@ constexpr long kBudget = 65536; // of a program made for packing
 
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
-               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr, *text = nullptr,
-               *than = nullptr, *rooms = nullptr;
+               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr, *html = nullptr,
+               *text = nullptr, *than = nullptr, *rooms = nullptr;
     bool pe = false, loader = false, plain = false, fast = false;
     pack::Names names;
     long budget = -1; // not given
@@ -106,11 +107,18 @@ bool takeFile(Options &o, const std::string &word, const char *file) {
     struct {
         const char *name, **value;
         bool onlyToPack;
-    } options[] = {
-        {"-o", &o.out, false},           {"--test", &o.test, false},           {"-d", &o.unpack, false},
-        {"--model", &o.model, true},     {"--save-model", &o.saveModel, true}, {"--map", &o.map, true},
-        {"--symbols", &o.symbols, true}, {"--report", &o.report, true},        {"--text", &o.text, true},
-        {"--than", &o.than, true},       {"--rooms", &o.rooms, true}};
+    } options[] = {{"-o", &o.out, false},
+                   {"--test", &o.test, false},
+                   {"-d", &o.unpack, false},
+                   {"--model", &o.model, true},
+                   {"--save-model", &o.saveModel, true},
+                   {"--map", &o.map, true},
+                   {"--symbols", &o.symbols, true},
+                   {"--report", &o.report, true},
+                   {"--html", &o.html, true},
+                   {"--text", &o.text, true},
+                   {"--than", &o.than, true},
+                   {"--rooms", &o.rooms, true}};
     for (auto &option : options)
         if (word == option.name && file && !*option.value) {
             *option.value = file;
@@ -143,7 +151,7 @@ void checkModes(const Options &o) {
         throw Refusal{"it takes IN -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
     if (!o.in && o.onlyToPack)
         throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
-    if (o.than && !o.text) throw Refusal{"--than needs --text; see pack --help", 2};
+    if (o.than && !o.html && !o.text) throw Refusal{"--than needs --html or --text; see pack --help", 2};
     if (o.rooms && !o.map) throw Refusal{"--rooms needs --map; see pack --help", 2};
 }
 
@@ -268,7 +276,7 @@ struct ForReports {
         if (o.symbols) symbols = readText(o.symbols);
         if (o.rooms) rooms = parsed(o.rooms, pack::readRooms);
         if (o.than) before = parsed(o.than, pack::readJson);
-        for (const char *path : {o.report, o.text})
+        for (const char *path : {o.report, o.html, o.text})
             if (path && std::strcmp(path, "-") && !pack::canWrite(path))
                 throw Refusal{std::string("cannot write ") + path + ": " + std::strerror(errno), 2};
     }
@@ -289,7 +297,7 @@ std::string lastName(const char *path) {
 }
 
 // `before` gets the rooms of `report`.
-void writeReports(const Options &o, const pack::Report &report, long budget,
+void writeReports(const Options &o, const pack::Report &report, const pack::Program &program, long budget,
                   std::optional<pack::Report> &before) {
     if (before) pack::arrange(*before, report);
     const pack::Report *old = before ? &*before : nullptr;
@@ -299,6 +307,9 @@ void writeReports(const Options &o, const pack::Report &report, long budget,
     std::fputs((alone ? text : pack::printReport(report)).c_str(), stdout);
     if (o.report) write(o.report, pack::printJson(report));
     if (o.text && !alone) write(o.text, text);
+    if (o.html)
+        write(o.html,
+              pack::printHtml({name, o.in, budget, old, o.than ? lastName(o.than) : ""}, report, program));
 }
 
 void makePacked(const Options &o) {
@@ -333,7 +344,7 @@ void makePacked(const Options &o) {
     pack::Report report =
         pack::makeReport(pack::attribute(file, given.map, given.symbols, program), encoded.bits,
                          packed.size(), overhead, given.rooms ? &*given.rooms : nullptr);
-    writeReports(o, report, budget, given.before);
+    writeReports(o, report, program, budget, given.before);
     if (o.saveModel)
         write(o.saveModel, "# contexts that suit " + lastName(o.in) + ", found by pack --effort\n" +
                                pack::printParameters(parameters));

@@ -1,0 +1,149 @@
+'use strict';
+// What the page knows. Costs are whole numbers of units, `report.unit` to a bit, so that sums are exact.
+let report;        // the tables, as report_html.cpp writes them
+let bytes, costs;  // of the program, one of each for each byte; empty if the program is too large to show
+let instructions;  // {at, form}: where each begins, and the number of its form
+
+const $ = id => document.getElementById(id);
+
+// An element of the page: <div class="name">text</div>
+function make(tag, text = '', className = '') {
+    const element = document.createElement(tag);
+    element.textContent = text;
+    if (className) element.className = className;
+    return element;
+}
+
+async function unpack(id) {
+    const packed = Uint8Array.from(atob($(id).textContent), c => c.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+}
+
+async function readData() {
+    report = JSON.parse(new TextDecoder().decode(await unpack('tables')));
+    for (const kind of ['rooms', 'objects', 'sections', 'symbols'])
+        report[kind] = report[kind].map(
+            ([name, bytes, units, was, share]) => ({kind, name, bytes, units, was, share, stretches: []}));
+    report.stretches = report.stretches.map(([begin, size, units, section, object, room, symbol]) => {
+        const stretch = {
+            begin,
+            size,
+            units,
+            section: report.sections[section],
+            object: report.objects[object],
+            room: report.rooms[room],
+            symbol: report.symbols[symbol]
+        };
+        for (const part of [stretch.section, stretch.object, stretch.room, stretch.symbol])
+            part?.stretches.push(stretch);
+        return stretch;
+    });
+    bytes = await unpack('bytes');
+    costs = Uint16Array.from(await unpack('costs'));
+    for (const [at, units] of report.high) costs[at] = units;
+    readInstructions(await unpack('code'));
+}
+
+// Form numbers come seven bits a byte, low ones first.
+function readInstructions(code) {
+    const at = new Uint32Array(report.instructions), form = new Uint32Array(report.instructions);
+    const sizes = report.forms.map(text => parseInt(text[0], 16));
+    let next = 0, from = 0;
+    for (let [begin, count] of report.runs)
+        for (; count--; ++next) {
+            for (let shift = 0;; shift += 7) {
+                form[next] |= (code[from] & 127) << shift;
+                if (code[from++] < 128) break;
+            }
+            at[next] = begin;
+            begin += sizes[form[next]];
+        }
+    instructions = {at, form, sizes};
+}
+
+// All must add up to the file.
+function wrongSums() {
+    const file = report.file * 8 * report.unit, sum = rows => rows.reduce((all, row) => all + row.units, 0);
+    const wrong =
+        ['rooms', 'objects', 'sections', 'symbols'].filter(kind => report[kind].length && sum(report[kind]) !== file);
+    const program = sum(report.stretches);
+    if (program + sum(report.sections.filter(row => !row.stretches.length)) !== file) wrong.push('stretches');
+    if (report.shown && costs.reduce((all, units) => all + units, 0) !== program) wrong.push('bytes');
+    return wrong;
+}
+
+const inBytes = units => units / 8 / report.unit;
+const bitsEach = part => part.bytes ? part.units / report.unit / part.bytes : NaN;
+const number = (value, digits = 0) => Number.isNaN(value) ?
+    '' :
+    value.toLocaleString('en', {minimumFractionDigits: digits, maximumFractionDigits: digits});
+const signed = (value, digits = 0) => {
+    const text = number(Math.abs(value), digits);
+    return (/[1-9]/.test(text) ? value > 0 ? '+' : '\u2212' : '') + text;
+};
+const hex = (value, digits = 0) => value.toString(16).padStart(digits, '0');
+const address = at => hex(report.base + at);
+
+// The stretch that holds a byte.
+function stretchAt(at) {
+    let low = 0, high = report.stretches.length - 1;
+    while (low < high) {
+        const middle = (low + high + 1) >> 1;
+        if (report.stretches[middle].begin <= at)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    return report.stretches[low];
+}
+// "name+0x12", of an offset in the program.
+function place(at, named = name => name) {
+    const stretch = stretchAt(at);
+    const first = stretch.symbol.stretches[0].begin;
+    return named(stretch.symbol.name) +
+        (at > first && !stretch.symbol.name.startsWith('(') ? '+0x' + hex(at - first) : '');
+}
+// The number of the instruction that begins there, or of the first one behind.
+function instructionFrom(at) {
+    let low = 0, high = instructions.at.length;
+    while (low < high) {
+        const middle = (low + high) >> 1;
+        if (instructions.at[middle] < at)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+// A name for where there is little room: without parameters and the namespace that most have.
+let commonSpace;
+function shortName(name) {
+    if (name.startsWith('(') && !name.startsWith('(anonymous')) return name;
+    if (commonSpace === undefined) {
+        const times = new Map();
+        for (const row of report.symbols) {
+            const space = /^\w+::/.exec(row.name)?.[0] ?? '';
+            times.set(space, (times.get(space) ?? 0) + 1);
+        }
+        commonSpace = [...times].sort((a, b) => b[1] - a[1])[0]?.[0] ?? '';
+    }
+    const plain = name.replace(/\(anonymous namespace\)::/g, '');
+    return (plain.startsWith(commonSpace) ? plain.slice(commonSpace.length) : plain).replace(/\(.*$/, '') || name;
+}
+
+// Colours for bits a byte: [bits, red, green, blue].
+const heatStops = [
+    [0, 24, 34, 48], [0.5, 26, 66, 98], [2, 32, 128, 128], [4, 168, 182, 62], [6, 242, 158, 46], [8, 232, 66, 42],
+    [12, 255, 196, 226], [1e9, 255, 255, 255]
+];
+function heat(bits) {
+    let i = 1;
+    while (heatStops[i][0] < bits) ++i;
+    const [from, ...a] = heatStops[i - 1], [to, ...b] = heatStops[i];
+    const part = Math.min(1, (bits - from) / (Math.min(to, 24) - from));
+    return a.map((value, channel) => Math.round(value + part * (b[channel] - value)));
+}
+const css = ([r, g, b]) => `rgb(${r},${g},${b})`;
+const inkOn = ([r, g, b]) => 0.3 * r + 0.59 * g + 0.11 * b > 110 ? '#10131a' : '#dfe3ea';

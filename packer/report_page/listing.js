@@ -1,0 +1,190 @@
+// Hex with what each byte costs, and the instructions beside it. Lines are made when they come into view.
+const lineHeight = 18, dataWidth = 16;
+// A line begins at lineAt; its kind: 0 data, 1 an instruction, 2 the name of what follows, 3 zeros
+let lineAt = [], lineKind = [], firstLine = 0;
+
+function buildLines() {
+    let i = 0, before = null;
+    let at = 0;
+    const push = (begin, kind) => {
+        lineAt.push(begin);
+        lineKind.push(kind);
+    };
+    for (const stretch of report.stretches) {
+        const end = stretch.begin + stretch.size;
+        if (at >= end) continue;
+        at = Math.max(at, stretch.begin);
+        if (!before || before.symbol !== stretch.symbol || before.object !== stretch.object) push(at, 2);
+        before = stretch;
+        while (at < end) {
+            while (i < instructions.at.length && instructions.at[i] < at) ++i;
+            if (instructions.at[i] === at) {
+                push(at, 1);
+                at += instructions.sizes[instructions.form[i]];
+                continue;
+            }
+            const stop = Math.min(end, instructions.at[i] ?? end);
+            let zeros = at;
+            while (zeros < stop && !bytes[zeros]) ++zeros;
+            if (zeros - at > 4 * dataWidth) {
+                push(at, 3);
+                at = zeros;
+            } else {
+                push(at, 0);
+                at = Math.min(stop, at + dataWidth - (report.base + at) % dataWidth);
+            }
+        }
+    }
+    lineAt = Uint32Array.from(lineAt);
+    lineKind = Uint8Array.from(lineKind);
+}
+
+const lineEnd = line => {
+    for (++line; line < lineAt.length && lineKind[line] === 2;) ++line;
+    return line < lineAt.length ? lineAt[line] : bytes.length;
+};
+const linesInView = () => Math.max(1, Math.floor($('listing').clientHeight / lineHeight));
+// From which byte to which the listing shows
+function listed() {
+    const last = Math.min(lineAt.length, firstLine + linesInView()) - 1;
+    return last < 0 ? [0, 0] : [lineAt[firstLine], lineEnd(last)];
+}
+// Browsers limit how tall an element may be, so a long listing scrolls faster than its lines are tall
+const listingHeight = () => Math.min(lineAt.length * lineHeight, 8e6);
+
+function scrollListingTo(at) {
+    let low = 0, high = lineAt.length - 1;
+    while (low < high) {
+        const middle = (low + high + 1) >> 1;
+        if (lineAt[middle] <= at)
+            low = middle;
+        else
+            high = middle - 1;
+    }
+    const wanted = Math.max(0, low - Math.floor(linesInView() / 3)),
+          most = Math.max(1, lineAt.length - linesInView());
+    $('listing').scrollTop = Math.ceil(Math.min(1, wanted / most) * (listingHeight() - $('listing').clientHeight));
+}
+
+// The text of an instruction, with the numbers that stand in its bytes; disassembly.h tells how.
+function textOf(number) {
+    const at = instructions.at[number], end = at + instructions.sizes[instructions.form[number]];
+    const view = new DataView(bytes.buffer, bytes.byteOffset);
+    const read = {
+        1: p => BigInt(view.getInt8(p)),
+        2: p => BigInt(view.getInt16(p, true)),
+        4: p => BigInt(view.getInt32(p, true)),
+        8: p => view.getBigInt64(p, true)
+    };
+    let target = null;
+    const text = report.forms[instructions.form[number]].slice(1).replace(
+        /([^ ,[]*)~(.)(.)(.)/g, (all, before, kind, width, where) => {
+            const value = read[width](at + parseInt(where, 16));
+            if (kind === 'j') {
+                target = end + Number(value);
+                return before;
+            }
+            if (kind === 's') {
+                if (before === 'rip') target = end + Number(value);
+                return `${before}${value < 0n ? '-' : '+'}0x${hex(value < 0n ? -value : value)}`;
+            }
+            return `${before}0x${hex(BigInt.asUintN({b: 8, w: 16, d: 32, q: 64}[kind], value))}`;
+        });
+    return {text, target};
+}
+
+function fillLine(line, div) {
+    const kind = lineKind[line], begin = lineAt[line], stretch = stretchAt(begin);
+    if (kind === 2) {
+        const all = stretch.symbol.stretches.filter(s => s.object === stretch.object);
+        const units = all.reduce((sum, s) => sum + s.units, 0), size = all.reduce((sum, s) => sum + s.size, 0);
+        div.className = 'name';
+        div.title = stretch.symbol.name;
+        const where = [stretch.object?.name, stretch.room?.name].filter(name => name && !name.startsWith('('));
+        div.append(
+            make('span', stretch.symbol.name), make('span', where.join(', '), 'soft'),
+            make('span', `${number(inBytes(units), 1)} bytes of ${number(size)}`, 'soft'));
+        return;
+    }
+    const end = lineEnd(line), hexes = make('span', '', 'hex');
+    let units = 0, letters = '';
+    for (let at = begin; at < end; ++at) {
+        units += costs[at];
+        if (kind === 3) continue;
+        const b = make('b', hex(bytes[at], 2)), colour = heatOf(costs[at]);
+        b.style.background = css(colour);
+        b.style.color = inkOn(colour);
+        b.at = at;
+        if (at === cursor) b.className = 'cursor';
+        hexes.append(b);
+        letters += bytes[at] > 31 && bytes[at] < 127 ? String.fromCharCode(bytes[at]) : '\u00b7';
+    }
+    if (cursor >= begin && cursor < end) div.className = 'here';
+    if (kind === 3) hexes.textContent = `00, ${number(end - begin)} times`;
+    const text = make('span', '', 'text');
+    if (kind === 1) {
+        const {text: words, target} = textOf(instructionFrom(begin));
+        text.append(words);
+        if (target !== null && target >= 0 && target < bytes.length) {
+            const link = make('a', `${words.includes('rip') ? '  ' : ''}${place(target, shortName)}`);
+            link.href = `#${address(target)}`;
+            link.title = `${address(target)}: ${place(target)}`;
+            text.append(link);
+        } else if (target !== null)
+            text.append(` ${hex(report.base + target)}`);
+    } else if (kind === 0)
+        text.textContent = letters;
+    div.append(make('span', address(begin), 'at'), make('span', number(units / report.unit, 1), 'bits'), hexes, text);
+}
+
+function showListing() {
+    if (!bytes.length) return;
+    const {scrollTop, clientHeight} = $('listing'), most = Math.max(0, lineAt.length - linesInView());
+    firstLine = Math.min(most, Math.round(scrollTop / Math.max(1, listingHeight() - clientHeight) * most));
+    const divs = [];
+    for (let line = firstLine; line < Math.min(lineAt.length, firstLine + linesInView()); ++line) {
+        const div = make('div');
+        fillLine(line, div);
+        divs.push(div);
+    }
+    $('lines').replaceChildren(...divs);
+}
+
+function startListing() {
+    $('code_note').textContent = instructions.at.length ?
+        `${number(instructions.at.length)} instructions; bits, bytes, objdump's text` :
+        'no instructions: objdump was not installed, or found none';
+    if (!bytes.length) return;
+    buildLines();
+    const spacer = make('div'), lines = make('div');
+    lines.id = 'lines';
+    spacer.append(lines);
+    spacer.style.height = `${listingHeight()}px`;
+    $('listing').append(spacer);
+    $('listing').onscroll = () => {
+        showListing();
+        drawHeat();
+    };
+    $('listing').onclick = event => {
+        if (event.target.at !== undefined) goTo(event.target.at, false);
+    };
+    $('listing').onmousemove = event =>
+        showTip(event, event.target.at === undefined ? '' : tipOfByte(event.target.at));
+    $('listing').onmouseleave = () => showTip();
+    let last = '', next = 0;
+    $('find').onkeydown = event => {
+        const text = $('find').value.trim();
+        if (event.key !== 'Enter' || !text) return;
+        const at = /^(0x)?[0-9a-f]+$/i.test(text) ? parseInt(text.replace(/^0x/i, ''), 16) - report.base : -1;
+        if (at >= 0 && at < bytes.length) return goTo(at);
+        // Again: the next name that has the text in it
+        next = text === last ? next + 1 : 0;
+        last = text;
+        const found =
+            report.symbols.filter(row => row.stretches.length && row.name.toLowerCase().includes(text.toLowerCase()));
+        if (found.length)
+            choose(found[next % found.length].name, found[next % found.length].stretches);
+        else
+            $('chosen').textContent = `There is no address or name ${text}.`;
+    };
+}

@@ -1,0 +1,198 @@
+// The treemap: rooms, in them files, in them functions; or sections and functions, if there was no map.
+let root, shownNode, byChange = false;
+
+function buildTree() {
+    const node = (name, part, up) => ({name, part, up, units: 0, bytes: 0, children: new Map(), stretches: []});
+    root = node(report.name, null, null);
+    for (const stretch of report.stretches) {
+        const levels =
+            stretch.object ? [stretch.room, stretch.object, stretch.symbol] : [stretch.section, stretch.symbol];
+        let at = root;
+        const add = () => {
+            at.units += stretch.units;
+            at.bytes += stretch.size;
+            at.stretches.push(stretch);
+        };
+        add();
+        for (const part of levels) {
+            if (!at.children.has(part)) at.children.set(part, node(part.name, part, at));
+            at = at.children.get(part);
+            add();
+        }
+    }
+    // Stub and the payload's end are no part of the program
+    for (const row of report.sections)
+        if (!row.stretches.length && row.units) {
+            const child = node(row.name, row, root);
+            child.units = row.units;
+            root.units += row.units;
+            root.children.set(row, child);
+        }
+    const sort = at => {
+        at.children = [...at.children.values()].sort((a, b) => b.units - a.units);
+        at.children.forEach(sort);
+        // A level that holds one thing without a name of its own says nothing
+        const [only, ...others] = at.children;
+        if (only && !others.length && (only.name === at.name || only.name.startsWith('(nothing named')))
+            at.children = only.children;
+    };
+    sort(root);
+}
+
+// Divides a rectangle among nodes, largest first, each as square as can be (Bruls, Huizing and van Wijk, "Squarified
+// treemaps", 2000). Calls draw(node, x, y, width, height).
+function squarify(nodes, x, y, width, height, draw) {
+    let left = nodes.reduce((all, n) => all + Math.max(0, n.units), 0);
+    for (let from = 0; from < nodes.length && left > 0 && width > 0 && height > 0;) {
+        const side = Math.min(width, height), scale = width * height / left;
+        const worst = (sum, n) => {
+            const row = sum * scale / side, box = n.units * scale / row;
+            return Math.max(row / box, box / row);
+        };
+        let to = from, sum = 0;
+        while (to < nodes.length && nodes[to].units > 0) {
+            const more = sum + nodes[to].units;
+            if (to > from &&
+                Math.max(worst(more, nodes[from]), worst(more, nodes[to])) >
+                    Math.max(worst(sum, nodes[from]), worst(sum, nodes[to - 1])))
+                break;
+            sum = more;
+            ++to;
+        }
+        if (to === from) break;
+        const row = sum * scale / side;
+        let along = 0;
+        for (const n of nodes.slice(from, to)) {
+            const length = n.units * scale / row;
+            if (width < height)
+                draw(n, x + along, y, length, row);
+            else
+                draw(n, x, y + along, row, length);
+            along += length;
+        }
+        if (width < height) {
+            y += row;
+            height -= row;
+        } else {
+            x += row;
+            width -= row;
+        }
+        left -= sum;
+        from = to;
+    }
+}
+
+function colourOf(node) {
+    if (!byChange) return node.bytes ? heat(node.units / report.unit / node.bytes) : [112, 120, 134];
+    const part = node.part, change = part.was === null ? 0 : part.units - part.was;
+    if (!change) return [58, 64, 74];
+    const much = Math.min(1, Math.abs(inBytes(change)) / 32);
+    return change > 0 ? [58 + 190 * much, 64 + 30 * much, 74 - 20 * much].map(Math.round) :
+                        [58 - 20 * much, 64 + 140 * much, 74 + 20 * much].map(Math.round);
+}
+
+function drawNode(node, x, y, width, height, depth) {
+    if (width * height < 12 || width < 2 || height < 2) return;
+    const box = make('div');
+    const label = width > 30 && height > 15 ? shortName(node.name) : '';
+    box.style.cssText = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
+    box.node = node;
+    if (depth === 1) {
+        box.tabIndex = 0;
+        box.setAttribute('role', 'button');
+        box.setAttribute('aria-label', `${node.name}, ${number(inBytes(node.units))} bytes`);
+    }
+    $('map').append(box);
+    if (node.children.length && width > 40 && height > 34) {
+        box.className = 'group';
+        box.textContent = label && width > 90 ? `${label}  ${number(inBytes(node.units))}` : label;
+        squarify(node.children, x + 1, y + 16, width - 2, height - 17, (n, ...r) => drawNode(n, ...r, depth + 1));
+    } else {
+        const colour = colourOf(node);
+        box.style.background = css(colour);
+        box.style.color = inkOn(colour);
+        box.textContent = label;
+    }
+}
+
+function showTree(node = shownNode) {
+    shownNode = node;
+    $('map').replaceChildren();
+    const {clientWidth, clientHeight} = $('map');
+    squarify(
+        node.children.length ? node.children : [node], 0, 0, clientWidth, clientHeight,
+        (n, ...r) => drawNode(n, ...r, 1));
+    const path = [];
+    for (let up = node; up; up = up.up) {
+        const button = make('button', up.name);
+        button.onclick = () => {
+            showTree(up);
+            chooseNode(up);
+        };
+        path.unshift(button, ' ');
+    }
+    const change =
+        node.part && node.part.was !== null ? `, ${signed(inBytes(node.part.units - node.part.was), 1)}` : '';
+    path.push(make('span', `${number(inBytes(node.units), 1)} bytes${change}`, 'soft'));
+    $('path').replaceChildren(...path);
+}
+
+function chooseNode(node) {
+    if (node === root)
+        choose();
+    else
+        choose(node.name, node.stretches);
+}
+
+// A group is shown larger, a part its bytes.
+function openNode(node) {
+    if (node.children.length) showTree(node);
+    chooseNode(node);
+}
+
+function tipOfNode(node) {
+    const lines = [
+        node.name,
+        `${number(inBytes(node.units), 1)} bytes, ${number(100 * inBytes(node.units) / report.file, 2)} % of the file`
+    ];
+    if (node.bytes)
+        lines.push(`${number(node.bytes)} unpacked, ${number(node.units / report.unit / node.bytes, 2)} bits a byte`);
+    if (node.part && node.part.was !== null)
+        lines.push(`${signed(inBytes(node.part.units - node.part.was), 1)} bytes`);
+    if (node.children.length) lines.push(`${node.children.length} parts: click to zoom`);
+    return lines.join('\n');
+}
+
+function startTree() {
+    buildTree();
+    const nodeOf = event => event.target.closest('#map div')?.node;
+    $('map').onclick = event => {
+        const node = nodeOf(event);
+        if (node) openNode(node);
+    };
+    $('map').onkeydown = event => {
+        if (event.key === 'Enter' || event.key === ' ')
+            openNode(nodeOf(event) ?? root);
+        else if ((event.key === 'Escape' || event.key === 'Backspace') && shownNode.up)
+            showTree(shownNode.up);
+        else
+            return;
+        event.preventDefault();
+        $('map').firstChild?.focus();
+    };
+    $('map').onmousemove = event => {
+        const node = nodeOf(event);
+        showTip(event, node ? tipOfNode(node) : '');
+    };
+    $('map').onmouseleave = () => showTip();
+    const colour = change => {
+        byChange = change;
+        $('byBits').setAttribute('aria-pressed', !change);
+        $('byChange').setAttribute('aria-pressed', change);
+        showTree();
+    };
+    $('byBits').onclick = () => colour(false);
+    $('byChange').onclick = () => colour(true);
+    if (!report.before) $('byBits').hidden = $('byChange').hidden = true;
+    showTree(root);
+}
