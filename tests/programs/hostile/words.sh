@@ -27,7 +27,8 @@ values() { # values OPTION: sets good to what it may be given
     odraz*--size) good=(16x9 1x1 64x36 7x13 7680x1 1x4320 0x0 7681x1 16x 16X9 16x9x3 x9 -16x9 99999999999x9) ;;
     odraz*--quality) good=(draft play film reference live Draft) ;;
     odraz*--threads) good=(1 2 64 65 0 1.5) ;;
-    pack-o | pack--report | pack--save-model) good=("${files[@]}") ;;
+    pack-o | pack--report | pack--html | pack--text | pack--save-model) good=("${files[@]}") ;;
+    pack--than | pack--rooms) good=(hello.json hello.json hello.json hello.rooms file fifo /dev/zero none . '') ;;
     pack--map | pack--model) good=(hello.model hello.model hello.model hello hello.elf file fifo /dev/zero none . '') ;;
     pack--test | pack-d) good=(hello hello hello.elf hello.model file fifo /dev/zero /dev/null none . '') ;;
     pack--budget) good=(65536 1e8 9999 1 0 1e9 1.5) ;;
@@ -103,7 +104,9 @@ mkfifo "$WORK/given/fifo"
 case $name in
 pack)
     bash "$SOURCE/packer/example/build.sh" "$program" "$WORK/given" >/dev/null
-    "$program" "$WORK/given/hello.elf" -o "$WORK/given/hello" --save-model "$WORK/given/hello.model" >/dev/null ;;
+    "$program" "$WORK/given/hello.elf" -o "$WORK/given/hello" --save-model "$WORK/given/hello.model" \
+        --report "$WORK/given/hello.json" >/dev/null
+    echo "room 9 a.o" >"$WORK/given/hello.rooms" ;;
 radiosity)
     printf 'newmtl l\nKe 5 5 5\n' >"$WORK/given/m.mtl"
     printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >"$WORK/given/m.obj"

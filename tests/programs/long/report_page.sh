@@ -1,0 +1,42 @@
+# The page of tools/ledger html in a browser: it opens, adds up, answers mouse and keys, shows what objdump says, and says
+# nothing on its console.
+. "$(dirname "$0")/../common.sh"
+skip_unless chromium objdump convert perl
+page=$WORK/film.html
+check "the film's page" env BUILD="$BUILD" "$SOURCE/tools/ledger" html "$page" >/dev/null
+check "... adds up" prints '^[0-9]+ bytes of [0-9]+, [0-9]+ stretches, [1-9][0-9]{4} instructions$' perl "$SOURCE/tests/programs/report/page.pl" "$page" sums
+check "... has at most 600 KB" test "$(stat -c %s "$page")" -le 614400
+perl -pe 'BEGIN { local $/; open F, "<", shift; $poke = <F> } s{</body>}{<script>$poke</script></body>}' "$SOURCE/tests/programs/report/poke.js" "$page" >"$WORK/poked.html"
+browse() { # browse OPTION... ADDRESS, without a network
+    timeout "$PATIENCE" chromium --headless --no-sandbox --disable-gpu --enable-logging=stderr --user-data-dir="$WORK/profile" \
+        --host-resolver-rules='MAP * ~NOTFOUND' --window-size=1400,1440 --virtual-time-budget=60000 "$@" 2>"$WORK/console"
+}
+silent() { ! grep -i ':CONSOLE' "$WORK/console" >&2; }
+check "it opens" eval 'browse --dump-dom "file://$page" >"$WORK/dom"'
+check "... complete" grep -q 'data-ready="yes"' "$WORK/dom"
+check "... and says nothing on the console" silent
+check "it is used" eval 'browse --dump-dom "file://$WORK/poked.html" >"$WORK/dom"'
+grep -o 'data-failed="[^"]*"' "$WORK/dom"
+check "... as it should be" grep -q 'data-failed=""' "$WORK/dom"
+check "... in many ways" grep -qE 'data-checked="[3-9][0-9]"' "$WORK/dom"
+check "... silently" silent
+# Instructions without objdump's symbols and comments; -0x10 is 0xfffffffffffffff0 to it behind rip
+objdump -d -w -z -M intel --no-show-raw-insn "$BUILD/odraz.elf" |
+    sed -nE 's/^ *([0-9a-f]+):\t/\1 /; t found; d; :found; s/ *[#<].*//; s/  +/ /g; s/ $//; p' |
+    perl -pe 's/rip\+0x(f{8}[0-9a-f]{8})/sprintf "rip-0x%x", ~hex($1) + 1/e' | sort >"$WORK/by_objdump"
+perl -0ne 'if (/<pre class="instructions">(.*?)<\/pre>/s) { print "$1\n" }' "$WORK/dom" | sed 's/ $//' | sort >"$WORK/by_page"
+check "objdump says something" test "$(wc -l <"$WORK/by_objdump")" -gt 20000
+check "... and the page the same" eval 'diff "$WORK/by_objdump" "$WORK/by_page" | head -5 >&2; cmp "$WORK/by_objdump" "$WORK/by_page"'
+check "a picture of it" browse --hide-scrollbars --screenshot="$WORK/page.png" "file://$page"
+check "... has many colours" test "$(convert "$WORK/page.png" -format %k info:)" -gt 500
+check "a narrow window" browse --hide-scrollbars --window-size=500,900 --screenshot="$WORK/narrow.png" "file://$page"
+check "... silently" silent
+# Damaged, it says so
+perl -pe 's{(id="tables">.{5000}).}{$1!}' "$page" >"$WORK/damaged.html"
+check "a damaged page" eval 'browse --dump-dom "file://$WORK/damaged.html" >"$WORK/dom"'
+check "... says so" grep -q 'This page cannot be shown' "$WORK/dom"
+
+# The comment on a change, of the film with itself
+check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" text --than "$BUILD/odraz.json"
+check "... which is as it was" grep -q '^No symbol changed by a byte\.$' "$WORK/printed"
+finish

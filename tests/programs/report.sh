@@ -1,0 +1,102 @@
+# What pack and tools/ledger report of sizes: pages, texts and JSON add up to the file, and earlier ones are compared.
+. "$(dirname "$0")/common.sh"
+skip_unless perl objdump gcc ar
+pack=$BUILD/pack page="$SOURCE/tests/programs/report/page.pl"
+cd "$WORK" || exit 1
+
+# A program of two files, one of them in an archive, with padding, constants without names, and two names for one thing
+mkdir folder
+cat >folder/main.c <<'END_C'
+#include <stdio.h>
+int twice(int);
+int again(int) __attribute__((alias("once")));
+int once(int i) { return i * 3 + 1; }
+int main(int words, char **word) { return printf("%d of %s\n", twice(once(words)) + again(2), word[0]) < 0; }
+END_C
+echo 'int twice(int i) { int all = 0; for (int n = 0; n < i; ++n) all += n % 3 ? 2 : i; return all; }' >twice.c
+gcc -O1 -c folder/main.c -o folder/main.o && gcc -O1 -c twice.c && ar rc libtwice.a twice.o &&
+    gcc folder/main.o libtwice.a -Wl,-Map=program.map -o program || exit 1
+packs=("$pack" program -o packed --map program.map)
+sums() { perl "$page" "$@" sums; }
+json_sums() { # of a report, in whole bits
+    perl -MJSON::PP -e 'local $/; my $r = decode_json(<>); my $n = 0;
+        for my $part (grep { ref $r->{$_} && %{$r->{$_}} } keys %$r) {
+            my $all = 8 * $r->{overhead} + $r->{rest}; $all += $_->{bits} for values %{$r->{$part}};
+            $all == 8 * $r->{file} or die "$part: $all bits\n"; ++$n }
+        exit($n < 2)' "$1"
+}
+check "a page, a report and a text" "${packs[@]}" --html a.html --report a.json --text a.md --budget 5000 >said
+check "the page adds up to the file" prints '^[0-9]+ bytes of [0-9]+, [0-9]{2} stretches, [1-9][0-9]+ instructions$' sums a.html
+check "... which is as large as the page says" grep -q " of $(stat -c %s packed), " printed
+check "the report adds up, too" json_sums a.json
+check "the text tells size and budget" grep -qx "\*\*\`packed\`: $(sed ':a; s/\B[0-9]\{3\}\>/,&/; ta' <<<"$(stat -c %s packed)") bytes\*\*, .* left of 5,000" a.md
+perl "$page" a.html tables >tables
+check "the page knows the archive's file, and the folder" eval 'grep -q "^\[\"libtwice.a\"," tables && grep -q "^\[\"folder\"," tables'
+check "what has two names is there once" test "$(grep -cE '^\["(once|again)",' tables)" = 1
+check "what has no name is there, too" grep -q '^\["(nothing named in .rodata)",' tables
+read -r address size <<<"$(readelf -SW program | sed -n 's/.* \.text *PROGBITS *\([0-9a-f]*\) [0-9a-f]* \([0-9a-f]*\) .*/\1 \2/p')"
+objcopy -O binary -j .text program code
+check "the page has the program's bytes" cmp code <(perl "$page" a.html bytes | tail -c +$((0x$address + 1)) | head -c $((0x$size)))
+check "it needs no network" eval '! grep -qE "https?://|src=|@import|url\(" a.html'
+check "the same again" "${packs[@]}" --html b.html >/dev/null
+check "... differs by nothing but the budget" test "$(cmp -l <(perl "$page" a.html tables | grep -v '"budget"') <(perl "$page" b.html tables | grep -v '"budget"') | wc -l)" = 0
+mkdir tools && ln -s "$(command -v gcc)" tools
+check "without objdump" env PATH="$WORK/tools" "$pack" program -o packed --html c.html >/dev/null
+check "... a page without instructions" prints ', 0 instructions$' sums c.html
+strip program -o stripped
+check "a program without symbols" "$pack" stripped -o packed --html d.html --text d.md >/dev/null
+check "... adds up" sums d.html >/dev/null
+check "... its text is about sections" grep -q '^|   packed | section |$' d.md
+check "a program made for packing" bash "$SOURCE/packer/example/build.sh" "$pack" . >/dev/null
+check "... for Linux" "$pack" hello.elf -o hello --html e.html --report e.json >/dev/null
+check "... adds up" eval 'sums e.html >/dev/null && json_sums e.json'
+check "... for Windows" bash "$SOURCE/packer/example/build.sh" "$pack" . --pe >/dev/null
+check "... with its zeros" "$pack" hello_windows.elf -o hello.exe --pe --html f.html --report f.json >/dev/null
+check "... adds up" eval 'sums f.html >/dev/null && json_sums f.json'
+
+# --- Two builds ---
+sed -i 's/i \* 3 + 1/i * 3 + 1 + (i > 5 ? i \/ 7 : i << 20 ^ 0x12345678)/' folder/main.c
+gcc -O1 -c folder/main.c -o folder/main.o && gcc folder/main.o libtwice.a -Wl,-Map=program.map -o program || exit 1
+echo "house 100 main.o twice.o
+stub 4000 (stub)" >rooms
+"${packs[@]}" --html g.html --report g.json --text - --than a.json --rooms rooms >text
+check "a comparison tells what grew, and nothing else is printed" test "$(grep -cE '^\| +\+[0-9]+ \| +[0-9]+ \| +[0-9]+ \| `(once|again)` \|$' text)/$(grep -c '^packed: ' text)" = 1/0
+check "... the page, too, and both add up" sums g.html >/dev/null
+perl "$page" g.html tables >tables
+check "... by rooms and their shares" grep -qE '^\["house",[0-9]+,[0-9]+,[0-9]+,100\]' tables
+check "... with the stub's" grep -qE '^\["stub",0,[0-9]+,[0-9]+,4000\]' tables
+check "nothing has changed since itself" prints '^No symbol changed by a byte\.$' "${packs[@]}" --text - --than g.json
+over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
+check "a page of what is over budget is written" over
+
+# --- What is refused, before anything is packed or written ---
+echo '{"file": 5}' >foreign
+echo 'house big main.o' >wrong
+rm packed
+for words in "--than none: cannot read none: No such file" "--than foreign: foreign: not a report of pack: --report FILE writes one" \
+    "--than program: program: not a report of pack" "--rooms wrong: wrong: line 1: a room's name, its share" "--rooms none: cannot read none" \
+    "--report none/x: cannot write none/x" "--text none/x: cannot write none/x" "--text folder: cannot write folder"; do
+    # shellcheck disable=SC2086
+    check "refused: ${words%%: *}" refuses 2 "${words#*: }" "${packs[@]}" --html x.html ${words%%: *}
+done
+check "refused: a page that cannot be written" refuses 2 "cannot write none/x" "${packs[@]}" --html none/x
+check "refused: nothing to compare in" refuses 2 "--than needs --html or --text" "${packs[@]}" --than a.json
+check "refused: rooms without a map" refuses 2 "--rooms needs --map" "$pack" program -o packed --rooms rooms
+check "refused: a page when not packing" refuses 2 "--html is for packing alone" "$pack" --test program --html x.html
+check "nothing is written then" eval '[ ! -e packed ] && [ ! -e x.html ] && ! ls | grep part'
+
+# --- tools/ledger, with this program instead of the film ---
+ledger=$SOURCE/tools/ledger
+mkdir -p film/generated && cp program film/odraz.elf && cp program.map film/odraz.map && ln -s "$pack" film/pack && : >film/generated/symbols
+check "the film's page" prints '^wrote film.html$' env BUILD=film "$ledger" html film.html
+check "... adds up" sums film.html >/dev/null
+perl "$page" film.html tables >tables
+check "... is compared with the ledger" grep -q '"before":{"name":"size_ledger.json"' tables
+check "... has the stub's share" grep -qE '^\["stub",0,[0-9]+,[0-9]+,[0-9]{4}\]' tables
+check "... and the room of main.cpp.o in the ledger" grep -qE '^\["intro",0,0,[1-9][0-9]+,[0-9]{4}\]' tables
+check "a comment, compared with another report" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+' env BUILD=film "$ledger" text --than a.json
+check "a page without a name" refuses 2 "html needs a file" "$ledger" html
+check "an unknown word" refuses 2 "cannot use '--before'" "$ledger" text --before x
+check "an earlier report that is none" refuses 2 "foreign: not a report of pack" env BUILD=film "$ledger" html x.html --than foreign
+check "a film that is not built" refuses 1 "build the film first" env BUILD=folder "$ledger" text
+finish

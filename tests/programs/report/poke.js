@@ -1,0 +1,104 @@
+// Uses the page as its readers do, and notes in <body data-checked data-failed> what came of it. Runs in the page.
+(async () => {
+    while (!document.body.dataset.ready) await new Promise(done => setTimeout(done, 10));
+    const failed = [];
+    let checked = 0;
+    const check = (what, there) => {
+        ++checked;
+        if (!there) failed.push(what);
+    };
+    const press = (element, key) => element.dispatchEvent(new KeyboardEvent('keydown', {key, bubbles: true}));
+    const tab = name => [...$('tabs').children].find(b => b.textContent === name);
+    const cells =
+        column => [...$('table').querySelectorAll(`tbody tr td:nth-child(${column})`)].map(c => c.textContent);
+
+    check('all adds up', document.body.dataset.ready === 'yes' && !$('problem').textContent);
+    check('the size is told', $('size').textContent === `${report.file.toLocaleString('en')} bytes`);
+    check('the change is told', /since size_ledger.json/.test($('change').textContent));
+    check('the budget has parts for rooms', $('budget').children.length > 10);
+
+    // Tables
+    check('rooms come first', tab('rooms').getAttribute('aria-selected') === 'true');
+    for (const name of ['files', 'symbols', 'sections', 'instructions', 'rooms']) {
+        tab(name).click();
+        check(
+            `${name}: the last line is the file`,
+            $('table').querySelector('tfoot').textContent.includes(`the file${report.file.toLocaleString('en')}.0`));
+    }
+    tab('symbols').click();
+    const packed = cells(2).map(text => parseFloat(text.replace(/,/g, '')));
+    check(
+        'symbols: the costliest first',
+        packed.length > 100 && packed.every((value, i) => !i || value <= packed[i - 1]));
+    $('table').querySelector('th button').click();
+    check('sorted by name', cells(1).every((name, i, all) => !i || all[i - 1].toLowerCase() <= name.toLowerCase()));
+    $('table').querySelector('th button').click();
+    check('... and the other way', cells(1)[0].toLowerCase() > cells(1)[1].toLowerCase());
+    $('filter').value = 'adaptive';
+    $('filter').oninput();
+    check('filtered', cells(1).length > 0 && cells(1).every(name => /adaptive/i.test(name)));
+    $('filter').value = '';
+    $('filter').oninput();
+
+    // Treemap
+    const boxes = $('map').children.length;
+    check('the map has many boxes', boxes > 100);
+    const room = [...$('map').children].find(box => box.node.name === 'trace');
+    press(room, 'Enter');
+    check('Enter zooms in', shownNode.name === 'trace' && $('chosen').textContent.startsWith('trace:'));
+    check('... to what fills the map', [...$('map').children].some(box => box.node.name === 'adaptive.cpp.o'));
+    press($('map').firstChild, 'Escape');
+    check('Escape zooms out', shownNode === root && $('map').children.length === boxes);
+    const leaf = [...$('map').children].find(box => !box.node.children.length && box.node.stretches.length);
+    leaf.click();
+    check(
+        'a click on a part shows its bytes',
+        $('chosen').textContent.startsWith(`${leaf.node.name}:`) && cursor === leaf.node.stretches[0].begin);
+    $('byChange').click();
+    check('colours by change', $('byChange').getAttribute('aria-pressed') === 'true');
+
+    // All bytes
+    $('heat').scrollTop = 0;
+    const box = $('heat').getBoundingClientRect(),
+          mouse = {clientX: box.left + gutter + 20.5 * cell, clientY: box.top + 10.5 * cell, bubbles: true};
+    $('heat').dispatchEvent(new MouseEvent('mousemove', mouse));
+    check('the mouse tells a byte', $('tip').textContent.startsWith(`${address(10 * columnCount + 20)}: `));
+    $('heat').dispatchEvent(new MouseEvent('click', mouse));
+    check(
+        'a click goes there', cursor === 10 * columnCount + 20 && $('lines').querySelector('.cursor')?.at === cursor);
+    press($('heat'), 'ArrowRight');
+    press($('heat'), 'ArrowDown');
+    check('arrow keys move', cursor === 11 * columnCount + 21);
+    press($('heat'), 'Escape');
+    check('Escape shows all', !chosen && $('nothing').hidden);
+    press($('heat'), 'End');
+    check(
+        'the last byte is in the listing',
+        cursor === bytes.length - 1 && $('lines').querySelector('.cursor')?.at === cursor);
+    const pixels = new Set(canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data);
+    check('the cells have colours', pixels.size > 50);
+
+    // Listing
+    $('find').value = 'odrazMain';
+    press($('find'), 'Enter');
+    check(
+        'a name is found',
+        $('lines').querySelector('.here') && place(cursor) === 'odrazMain(int, char**)' ||
+            place(cursor) === 'odrazMain');
+    location.hash = `#${address(instructions.at[1000])}`;
+    await new Promise(done => setTimeout(done, 50));
+    check('an address in the link is found', cursor === instructions.at[1000]);
+    const all = new Set(lineAt);
+    check('lines are in order', lineAt.every((at, i) => !i || at >= lineAt[i - 1]));
+    check('every instruction has its line', instructions.at.every(at => all.has(at)));
+    // For comparison with objdump
+    const texts = Array.from(instructions.at, (at, i) => {
+        const {text, target} = textOf(i);
+        return `${address(at)} ${text}${text.endsWith(' ') && target !== null ? address(target) : ''}`;
+    });
+    document.body.append(make('pre', texts.join('\n'), 'instructions'));
+    document.body.dataset.checked = checked;
+    document.body.dataset.failed = failed.join('; ');
+})().catch(error => {
+    document.body.dataset.failed = `${error}`;
+});
