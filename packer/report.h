@@ -42,7 +42,7 @@ inline constexpr char kStub[] = "(stub)";
 // Throws Unsuitable with the line that is wrong.
 Rooms readRooms(const std::string &text);
 
-// `bits`: the cost of each byte of `program`; `stretches`: what attribute() makes. With `rooms`, an object
+// `bits`: the cost of each byte of the program; `stretches`: what attribute() makes. With `rooms`, an object
 // that they do not name has none; without, its room is its archive or folder.
 Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits, size_t fileSize,
                   size_t overhead, const Rooms *rooms = nullptr);
