@@ -1,0 +1,85 @@
+// What the linker says, for people: one line with what to do.
+#include "linker.h"
+
+#include <set>
+#include <sstream>
+
+namespace pack::linking {
+
+namespace {
+
+// Where names that begin so are found.
+const char *libraryOf(const std::string &name) {
+    static const struct {
+        const char *begins, *advice;
+    } kKnown[] = {
+        {"_Z", "for C++, --cc g++ or the library's -l"},
+        {"__cxa_", "for C++, --cc g++"},
+        {"__gxx_", "for C++, --cc g++"},
+        {"Mix_", "-lSDL2_mixer"},
+        {"IMG_", "-lSDL2_image"},
+        {"TTF_", "-lSDL2_ttf"},
+        {"SDL_", "-lSDL2"},
+        {"glu", "-lGLU"},
+        {"glfw", "-lglfw"},
+        {"glew", "-lGLEW"},
+        {"gl", "-lGL"},
+        {"egl", "-lEGL"},
+        {"snd_", "-lasound"},
+        {"pa_", "-lpulse"},
+        {"X", "-lX11"},
+        {"pthread_", "-pthread"},
+        {"dl", "-ldl"},
+    };
+    static const std::set<std::string> kMaths = {
+        "sin",   "cos",  "tan",   "asin",   "acos",   "atan",    "atan2",  "exp",   "exp2",
+        "log",   "log2", "log10", "pow",    "sqrt",   "fmod",    "floor",  "ceil",  "round",
+        "sinf",  "cosf", "tanf",  "asinf",  "acosf",  "atanf",   "expf",   "exp2f", "logf",
+        "log2f", "powf", "sqrtf", "fmodf",  "floorf", "ceilf",   "roundf", "cbrt",  "hypot",
+        "sinh",  "cosh", "tanh",  "atan2f", "tanhf",  "sincosf", "sincos"};
+    if (kMaths.count(name)) return "-lm";
+    for (auto &known : kKnown)
+        if (name.rfind(known.begins, 0) == 0) return known.advice;
+    return "the -l of the library that has it";
+}
+
+// The text between two others, or "".
+std::string between(const std::string &line, const std::string &before, const std::string &after) {
+    size_t from = line.find(before);
+    if (from == std::string::npos) return "";
+    from += before.size();
+    size_t to = line.find(after, from);
+    return to == std::string::npos ? "" : line.substr(from, to - from);
+}
+
+std::string explainMissing(const std::string &name, size_t others) {
+    if (name == "main") return "no object has main(), which a program starts with";
+    std::string more = others ? ", nor " + std::to_string(others) + " more" : "";
+    return "no object or library has '" + name + "'" + more + ": add " + libraryOf(name);
+}
+
+} // namespace
+
+std::string explainLink(const std::string &said) {
+    std::set<std::string> missing;
+    std::string first, any;
+    std::istringstream lines(said);
+    for (std::string line; std::getline(lines, line);) {
+        std::string name = between(line, "undefined reference to `", "'"),
+                    library = between(line + "\n", "cannot find -l", "\n"),
+                    twice = between(line, "multiple definition of `", "'");
+        if (!library.empty())
+            return "there is no library for -l" + library.substr(0, library.find(':')) +
+                   ": install what programs need to link with it (its -dev package), or say where it is with "
+                   "-L";
+        if (twice == "_start") return "an object has _start: pack-link adds its own; begin with main()";
+        if (!twice.empty()) return "'" + twice + "' is defined twice: " + line;
+        if (!name.empty() && missing.insert(name).second && first.empty()) first = name;
+        if (any.empty() && (line.find("error") != std::string::npos || line.find(": ") != std::string::npos))
+            any = line;
+    }
+    if (!first.empty()) return explainMissing(first, missing.size() - 1);
+    return "it cannot be linked: " + (any.empty() ? said : any);
+}
+
+} // namespace pack::linking

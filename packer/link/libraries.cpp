@@ -1,0 +1,76 @@
+#include "libraries.h"
+
+#include "elf_file.h"
+#include "files.h"
+
+namespace pack::linking {
+
+namespace {
+
+constexpr char kCut[] = "a library is cut short: install it again";
+
+struct Reader {
+    ElfFile in;
+    DynamicFile &file;
+    std::vector<Elf64_Shdr> sections = in.sections();
+    std::vector<Elf64_Phdr> headers;
+
+    const Elf64_Shdr &linked(const Elf64_Shdr &s) const {
+        need(s.sh_link < sections.size(), kCut);
+        return sections[s.sh_link];
+    }
+    bool isConstant(uint64_t address) const {
+        bool written = false, relro = false;
+        for (const Elf64_Phdr &h : headers) {
+            if (!within(address, 1, h.p_vaddr, h.p_memsz)) continue;
+            written |= h.p_type == PT_LOAD && h.p_flags & PF_W;
+            relro |= h.p_type == PT_GNU_RELRO;
+        }
+        return !written || relro;
+    }
+    void readDynamicSection(const Elf64_Shdr &s) {
+        for (uint64_t at = 0; at + sizeof(Elf64_Dyn) <= s.sh_size; at += sizeof(Elf64_Dyn)) {
+            auto d = in.at<Elf64_Dyn>(s.sh_offset + at, kCut);
+            if (d.d_tag == DT_NEEDED) file.needed.push_back(in.text(linked(s), d.d_un.d_val));
+            if (d.d_tag == DT_SONAME) file.soname = in.text(linked(s), d.d_un.d_val);
+            // The compiler adds one of its own to every library
+            if (d.d_tag == DT_FINI_ARRAYSZ) file.destructors = d.d_un.d_val > sizeof(uint64_t);
+        }
+    }
+    bool isOld(uint64_t index) const {
+        for (const Elf64_Shdr &s : sections)
+            if (s.sh_type == SHT_GNU_versym) return in.at<uint16_t>(s.sh_offset + 2 * index, kCut) & 0x8000;
+        return false;
+    }
+    void readSymbols(const Elf64_Shdr &table) {
+        for (uint64_t i = 1; i < table.sh_size / sizeof(Elf64_Sym); ++i) {
+            auto s = in.at<Elf64_Sym>(table.sh_offset + i * sizeof(Elf64_Sym), kCut);
+            std::string name = in.text(linked(table), s.st_name);
+            bool defined = s.st_shndx != SHN_UNDEF;
+            if (defined && isOld(i)) continue;
+            int type = ELF64_ST_TYPE(s.st_info);
+            file.symbols[name] = {defined, type == STT_FUNC || type == STT_GNU_IFUNC || type == STT_NOTYPE,
+                                  type == STT_TLS, defined && isConstant(s.st_value), s.st_size};
+        }
+    }
+};
+
+} // namespace
+
+DynamicFile readDynamic(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    need(readFile(path.c_str(), bytes), path + " cannot be read");
+    DynamicFile file = {};
+    file.path = path;
+    Elf64_Ehdr header;
+    Reader reader = {{bytes}, file};
+    reader.headers = reader.in.programHeaders(header);
+    for (const Elf64_Shdr &s : reader.sections) {
+        if (s.sh_type == SHT_DYNAMIC) reader.readDynamicSection(s);
+        if (s.sh_type == SHT_DYNSYM) reader.readSymbols(s);
+    }
+    if (file.soname.empty()) file.soname = path.substr(path.rfind('/') + 1);
+    return file;
+}
+
+} // namespace pack::linking

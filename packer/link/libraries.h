@@ -1,0 +1,27 @@
+// Shared libraries and dynamic programs: what they need, define and import.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace pack::linking {
+
+struct DynamicSymbol {
+    bool defined, function, threadLocal;
+    bool constant; // it lies where nothing is written once the loader is done
+    uint64_t size;
+};
+
+struct DynamicFile {
+    std::string path, soname;
+    std::vector<std::string> needed;
+    std::map<std::string, DynamicSymbol> symbols; // without versions that only old programs get
+    bool destructors;                             // others than those that every library has
+};
+
+// Throws Unsuitable.
+DynamicFile readDynamic(const std::string &path);
+
+} // namespace pack::linking

@@ -1,0 +1,260 @@
+#include "linker.h"
+
+#include "files.h"
+#include "linker_map.h"
+#include "program.h"
+#include "start.h"
+#include "tools/common/arguments.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace pack::linking {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Nothing that a packed program does not need
+const Words kLean = {"-no-pie",
+                     "-Wl,--gc-sections,--as-needed,-O1,--build-id=none,--no-ld-generated-unwind-info",
+                     "-Wl,-z,norelro,-z,noseparate-code,-z,noexecstack"};
+
+void add(Words &to, const Words &more) { to.insert(to.end(), more.begin(), more.end()); }
+
+std::string readText(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    readFile(path.c_str(), bytes);
+    return {bytes.begin(), bytes.end()};
+}
+void save(const std::string &path, const void *bytes, size_t size) {
+    if (!writeFile(path, bytes, size, false)) throw std::runtime_error("cannot write " + path);
+}
+
+bool isInput(const std::string &word) { return word[0] != '-' && fs::exists(word); }
+
+// C++ needs its library, which the C compiler leaves out. What -flto keeps tells no names.
+std::string chooseCompiler(const Options &options) {
+    if (!options.compiler.empty()) return options.compiler;
+    for (const std::string &word : options.inputs) {
+        if (!isInput(word)) continue;
+        FileKind kind = kindOf(word);
+        if (kind == FileKind::kBitcode) return "clang++";
+        if (kind != FileKind::kObject && kind != FileKind::kArchive) continue;
+        for (const Object &object : readObjects(word)) {
+            if (object.intermediate) return "c++";
+            for (const Reference &r : object.references)
+                if (r.symbol.rfind("_Z", 0) == 0 || r.symbol.rfind("__cxa_", 0) == 0 ||
+                    r.symbol.rfind("__gxx_", 0) == 0)
+                    return "c++";
+        }
+    }
+    return "cc";
+}
+
+// In place of the first object of -flto stands what became of all.
+Words replaceIntermediate(const Words &inputs, const Words &intermediate, const Words &compiled) {
+    Words replaced;
+    bool done = false;
+    for (const std::string &word : inputs) {
+        if (std::find(intermediate.begin(), intermediate.end(), word) == intermediate.end())
+            replaced.push_back(word);
+        else if (!done) {
+            add(replaced, compiled);
+            done = true;
+        }
+    }
+    return replaced;
+}
+
+bool isAmong(const Taken &taken, const Object &object) {
+    return std::find(taken.members.begin(), taken.members.end(),
+                     std::make_pair(object.path, object.member)) != taken.members.end();
+}
+
+// Sorts what the link took into objects, archives and libraries.
+void takeFile(const std::string &path, const Taken &taken, bool optimised, Facts &facts) {
+    FileKind kind = kindOf(path);
+    if (kind == FileKind::kLibrary) facts.libraries.push_back(readDynamic(path));
+    if (kind == FileKind::kBitcode) facts.intermediate.push_back(path);
+    if (kind != FileKind::kObject && kind != FileKind::kArchive) return;
+    bool any = false;
+    for (Object &object : readObjects(path)) {
+        if (kind == FileKind::kArchive && !isAmong(taken, object)) continue;
+        any = true;
+        if (!object.intermediate || (!optimised && !object.defines.empty()))
+            facts.objects.push_back(std::move(object));
+        else if (kind == FileKind::kObject)
+            facts.intermediate.push_back(path);
+    }
+    if (any && kind == FileKind::kArchive) facts.archives.push_back(path);
+}
+
+// Only libraries that the program needs, in the order that ld.so looks into them.
+void orderLibraries(Facts &facts) {
+    std::vector<DynamicFile> needed;
+    for (const std::string &name : facts.program.needed)
+        for (const DynamicFile &library : facts.libraries)
+            if (library.soname == name) {
+                needed.push_back(library);
+                break;
+            }
+    facts.libraries = std::move(needed);
+}
+
+// glibc 2.34 runs a program's constructors without help from crt1; it was the first with dlopen in libc.
+bool canStart(const std::vector<DynamicFile> &libraries) {
+    return std::any_of(libraries.begin(), libraries.end(), [](const DynamicFile &library) {
+        return library.soname == "libc.so.6" && library.symbols.count("dlopen");
+    });
+}
+
+} // namespace
+
+Linker::Linker(const Options &options, const std::string &folder)
+    : options(options), folder(folder), compiler(chooseCompiler(options)) {}
+
+Words Linker::command(const Linked &to, const Words &flags) const {
+    Words words = {compiler, "-o", to.program, "-Wl,-Map=" + to.map};
+    add(words, kLean);
+    add(words, flags);
+    return words;
+}
+
+std::string Linker::assemble(const std::string &name, const std::string &source) const {
+    save(file(name + ".s"), source.data(), source.size());
+    Outcome outcome = runKept({compiler, "-c", file(name + ".s"), "-o", file(name + ".o")}, options.tell);
+    if (outcome.status) throw odraz::Refused("the compiler cannot assemble: " + explainLink(outcome.said));
+    return file(name + ".o");
+}
+
+Facts Linker::linkFirst() {
+    Linked to = linked("first");
+    // The code that -flto makes is kept, to be linked again
+    std::string optimised = file("program.ltrans.o"), start = assemble("start", startDynamic(true));
+    Words words = command(to, {"-nostartfiles", start});
+    bool bitcode = std::any_of(options.inputs.begin(), options.inputs.end(), [](const std::string &word) {
+        return isInput(word) && kindOf(word) == FileKind::kBitcode;
+    });
+    if (bitcode)
+        add(words, {"-flto", "-Wl,-plugin-opt,obj-path=" + optimised});
+    else
+        add(words, {"-flto-partition=one", "-save-temps"});
+    add(words, options.inputs);
+    Outcome outcome = runKept(words, options.tell);
+    if (outcome.status) throw odraz::Refused(explainLink(outcome.said));
+
+    Facts facts = {};
+    Taken taken = readLinkerMap(readText(to.map));
+    if (taken.files.empty())
+        throw odraz::Refused("the linker's map is not that of GNU ld: leave -fuse-ld out");
+    Words compiled;
+    for (const std::string &path : taken.files)
+        if (path.rfind(folder, 0) == 0 && path.find(".ltrans") != std::string::npos) compiled.push_back(path);
+    for (const std::string &path : taken.files)
+        if (path != start) takeFile(path, taken, !compiled.empty(), facts);
+    std::stable_partition(facts.objects.begin(), facts.objects.end(),
+                          [](const Object &o) { return o.member.empty(); });
+    facts.inputs = replaceIntermediate(options.inputs, facts.intermediate, compiled);
+    facts.program = readDynamic(to.program);
+    orderLibraries(facts);
+    facts.ownStart = canStart(facts.libraries);
+    facts.exceptions =
+        std::any_of(facts.objects.begin(), facts.objects.end(), [](auto &o) { return o.exceptions; });
+    return facts;
+}
+
+Linked Linker::linkDynamic(const Facts &facts, const std::string &name, const Words &flags) {
+    Linked to = linked(name);
+    Words words = command(to, flags);
+    if (!facts.exceptions) words.push_back("-Wl,--no-eh-frame-hdr");
+    if (facts.ownStart) {
+        bool whole = needsWholeStart(facts.program, facts.libraries) ||
+                     std::any_of(facts.objects.begin(), facts.objects.end(), [](const Object &o) {
+                         return o.constructors || o.destructors || o.oldConstructors;
+                     });
+        add(words, {"-nostartfiles", assemble(name, startDynamic(whole))});
+    }
+    add(words, facts.inputs);
+    Outcome outcome = runKept(words, options.tell);
+    need(!outcome.status, explainLink(outcome.said));
+    return to;
+}
+
+Linked Linker::linkStatic(const Facts &facts) {
+    Linked to = linked("static");
+    Words words = command(to, {"-static"});
+    add(words, facts.inputs);
+    Outcome outcome = runKept(words, options.tell);
+    need(!outcome.status, explainLink(outcome.said));
+    return to;
+}
+
+// Writes the program's objects again, with slots in place of entries of the GOT.
+void Linker::saveSlots(const Facts &facts, const Plan &plan) {
+    std::set<std::string> names;
+    for (const Import &import : plan.imports)
+        if (import.form == Import::kSlot) names.insert(import.name);
+    std::map<std::string, std::vector<uint8_t>> changed; // archives
+    slotted.clear();
+    for (Object object : facts.objects) {
+        bool any = makeSlots(object, names);
+        if (object.member.empty()) {
+            // Under its own name, by which the report calls it
+            std::string to = file("objects/" + std::to_string(slotted.size()));
+            fs::create_directories(to);
+            to += "/" + fs::path(object.path).filename().string();
+            save(to, object.bytes.data(), object.bytes.size());
+            slotted.push_back(to);
+        } else if (any) {
+            std::vector<uint8_t> &archive = changed[object.path];
+            if (archive.empty()) readFile(object.path.c_str(), archive);
+            std::copy(object.bytes.begin(), object.bytes.end(), archive.begin() + (long)object.offset);
+        }
+    }
+    slotted.push_back("-Wl,--start-group");
+    for (const std::string &path : facts.archives) {
+        std::string to = path;
+        if (changed.count(path)) {
+            to = file("objects/" + std::to_string(slotted.size()));
+            fs::create_directories(to);
+            to += "/" + fs::path(path).filename().string();
+            save(to, changed[path].data(), changed[path].size());
+        }
+        slotted.push_back(to);
+    }
+    slotted.push_back("-Wl,--end-group");
+}
+
+Linked Linker::linkImports(const Facts &facts, const Plan &plan, const std::string &name,
+                           const Words &flags) {
+    if (slotted.empty()) {
+        saveSlots(facts, plan);
+        save(file("imports.ld"), kImportsScript, std::char_traits<char>::length(kImportsScript));
+        assemble("imports", startImports(plan));
+        // What the linker sees of the library
+        assemble("libdl", ".globl dlopen, dlsym\n.type dlopen, @function\n.type dlsym, @function\ndlopen:\n"
+                          "dlsym: ret\n.section .note.GNU-stack, \"\", @progbits\n");
+        Outcome made = runKept({compiler, "-shared", "-nostdlib", "-Wl,-soname,libdl.so.2", file("libdl.o"),
+                                "-o", file("libdl.so")},
+                               options.tell);
+        need(!made.status, explainLink(made.said));
+    }
+    Linked to = linked(name);
+    Words words = command(to, flags);
+    add(words, {"-nostdlib", "-Wl,--hash-style=sysv,-z,nodynamic-undefined-weak,-T," + file("imports.ld"),
+                "-Wl,--no-eh-frame-hdr"});
+    for (const Import &import : plan.imports)
+        if (import.name == "dlopen" || import.name == "dlsym") words.push_back("-Wl,--wrap=" + import.name);
+    for (const std::string &word : facts.inputs)
+        if (word.rfind("-Wl,", 0) == 0 || word.rfind("-m", 0) == 0 || word.rfind("-f", 0) == 0)
+            words.push_back(word);
+    words.push_back(file("imports.o"));
+    add(words, slotted);
+    words.push_back(file("libdl.so"));
+    Outcome outcome = runKept(words, options.tell);
+    need(!outcome.status, explainLink(outcome.said));
+    return to;
+}
+
+} // namespace pack::linking

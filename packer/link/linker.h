@@ -1,0 +1,52 @@
+// Links a program in each of the ways, by the compiler.
+#pragma once
+
+#include "imports.h"
+#include "options.h"
+
+namespace pack::linking {
+
+// A program that was linked: the files it lies in.
+struct Linked {
+    std::string program, map;
+};
+
+// What is known of a program once it was linked dynamically.
+struct Facts {
+    Words inputs;                // as given, with machine code in place of what -flto kept
+    std::vector<Object> objects; // all that were taken, in their order; last those from archives
+    Words archives;              // those with objects that were taken
+    DynamicFile program;
+    std::vector<DynamicFile> libraries;
+    Words intermediate;        // objects of -flto
+    bool ownStart, exceptions; // it can start without crt1; it needs its tables for unwinding
+};
+
+class Linker {
+public:
+    Linker(const Options &options, const std::string &folder);
+
+    // The first link; throws odraz::Refused if it fails, with the reason in one line.
+    Facts linkFirst();
+
+    // These throw Unsuitable if it cannot be linked so. `name` names the files.
+    Linked linkDynamic(const Facts &facts, const std::string &name, const Words &flags);
+    Linked linkStatic(const Facts &facts);
+    Linked linkImports(const Facts &facts, const Plan &plan, const std::string &name, const Words &flags);
+
+private:
+    std::string file(const std::string &name) const { return folder + "/" + name; }
+    Words command(const Linked &to, const Words &flags) const;
+    std::string assemble(const std::string &name, const std::string &source) const;
+    Linked linked(const std::string &name) const { return {file(name + ".elf"), file(name + ".map")}; }
+    void saveSlots(const Facts &facts, const Plan &plan);
+
+    const Options &options;
+    std::string folder, compiler;
+    Words slotted; // what the way `imports` links: the objects of the program, with slots, and archives
+};
+
+// What a failed link said, as one line.
+std::string explainLink(const std::string &said);
+
+} // namespace pack::linking

@@ -1,0 +1,47 @@
+// pack-link: links a program for the packer, in the ways that are possible, and keeps the smallest.
+#include "options.h"
+#include "tries.h"
+
+#include "program.h"
+#include "tools/common/arguments.h"
+#include "tools/common/temporary_folder.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+
+namespace {
+
+namespace linking = pack::linking;
+
+std::string findPacker() {
+    std::string beside = linking::ownFolder() + "/pack";
+    if (std::filesystem::exists(beside)) return beside;
+    throw odraz::Refused("there is no " + beside + ": pack must lie beside pack-link");
+}
+
+int packLink(odraz::Arguments &arguments) {
+    setenv("LC_ALL", "C", 1); // what the linker says is read
+    linking::Options options = linking::parseOptions(arguments);
+    linking::catchSignals();
+    odraz::TemporaryFolder folder;
+    std::string path = folder / "";
+    path.pop_back();
+    try {
+        linking::Tries tries(options, path, findPacker());
+        tries.run();
+        std::fputs(tries.print().c_str(), stdout);
+        return tries.finish();
+    } catch (const pack::Unsuitable &e) {
+        throw odraz::Refused(e.what());
+    } catch (const std::filesystem::filesystem_error &e) {
+        throw odraz::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +
+                             e.code().message());
+    }
+}
+
+} // namespace
+
+int main(int argc, char **argv) {
+    return odraz::runProgram("pack-link", linking::kUsage, argc, argv, packLink);
+}

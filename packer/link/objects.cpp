@@ -1,0 +1,174 @@
+#include "objects.h"
+
+#include "elf_file.h"
+#include "files.h"
+
+#include <cstdlib>
+
+namespace pack::linking {
+
+namespace {
+
+constexpr char kCut[] = "an object file is cut short: compile it again";
+constexpr char kArchive[] = "!<arch>\n", kThin[] = "!<thin>\n";
+constexpr size_t kMagic = sizeof kArchive - 1, kMemberHeader = 60;
+
+// One object's tables.
+struct Reader {
+    ElfFile in;
+    Object &object;
+    std::vector<Elf64_Shdr> sections = in.sections();
+
+    std::string nameOf(const Elf64_Shdr &s) const {
+        return in.text(sections[in.at<Elf64_Ehdr>(0, kCut).e_shstrndx], s.sh_name);
+    }
+    Elf64_Sym symbol(const Elf64_Shdr &table, uint64_t index) const {
+        return in.at<Elf64_Sym>(table.sh_offset + index * sizeof(Elf64_Sym), kCut);
+    }
+    std::string nameOf(const Elf64_Shdr &table, const Elf64_Sym &symbol) const {
+        need(table.sh_link < sections.size(), kCut);
+        return in.text(sections[table.sh_link], symbol.st_name);
+    }
+
+    void readSection(const Elf64_Shdr &s) {
+        std::string name = nameOf(s);
+        if (name.rfind(".gnu.lto_", 0) == 0) object.intermediate = true;
+        if (!(s.sh_flags & SHF_ALLOC) || !s.sh_size) return;
+        object.threadLocal |= (s.sh_flags & SHF_TLS) != 0;
+        object.constructors |= s.sh_type == SHT_INIT_ARRAY || s.sh_type == SHT_PREINIT_ARRAY;
+        object.destructors |= s.sh_type == SHT_FINI_ARRAY;
+        object.oldConstructors |= name.rfind(".ctors", 0) == 0 || name.rfind(".dtors", 0) == 0;
+        object.exceptions |= name.rfind(".gcc_except_table", 0) == 0;
+    }
+    void readSymbols(const Elf64_Shdr &table) {
+        for (uint64_t i = table.sh_info; i < table.sh_size / sizeof(Elf64_Sym); ++i) {
+            Elf64_Sym s = symbol(table, i);
+            if (s.st_shndx != SHN_UNDEF)
+                object.defines.insert(nameOf(table, s));
+            else if (ELF64_ST_BIND(s.st_info) == STB_WEAK)
+                object.weak.insert(nameOf(table, s));
+            object.indirect |= ELF64_ST_TYPE(s.st_info) == STT_GNU_IFUNC;
+        }
+    }
+    void readRelocations(const Elf64_Shdr &table) {
+        need(table.sh_info < sections.size() && table.sh_link < sections.size(), kCut);
+        const Elf64_Shdr &target = sections[table.sh_info], &symbols = sections[table.sh_link];
+        if (!(target.sh_flags & SHF_ALLOC) || nameOf(target) == ".eh_frame") return;
+        for (uint64_t at = 0; at + sizeof(Elf64_Rela) <= table.sh_size; at += sizeof(Elf64_Rela)) {
+            auto r = in.at<Elf64_Rela>(table.sh_offset + at, kCut);
+            Elf64_Sym s = symbol(symbols, ELF64_R_SYM(r.r_info));
+            if (s.st_shndx != SHN_UNDEF || !s.st_name) continue;
+            object.references.push_back(
+                {nameOf(symbols, s), (uint32_t)ELF64_R_TYPE(r.r_info), table.sh_offset + at});
+        }
+    }
+    void read() {
+        for (const Elf64_Shdr &s : sections) {
+            readSection(s);
+            if (s.sh_type == SHT_SYMTAB) readSymbols(s);
+            if (s.sh_type == SHT_RELA) readRelocations(s);
+        }
+    }
+};
+
+bool isElf(const std::vector<uint8_t> &bytes) {
+    return bytes.size() >= sizeof(Elf64_Ehdr) && !std::memcmp(bytes.data(), ELFMAG, SELFMAG);
+}
+
+Object readObject(const std::string &path, const std::string &member, size_t offset,
+                  std::vector<uint8_t> bytes) {
+    Object object = {};
+    object.path = path;
+    object.member = member;
+    object.offset = offset;
+    object.bytes = std::move(bytes);
+    if (!isElf(object.bytes)) { // bitcode, or a text that an archive carries along
+        object.intermediate = true;
+        return object;
+    }
+    Elf64_Ehdr header = ElfFile{object.bytes}.at<Elf64_Ehdr>(0, kCut);
+    need(header.e_ident[EI_CLASS] == ELFCLASS64 && header.e_machine == EM_X86_64,
+         "not for x86-64: only that is packed");
+    Reader{{object.bytes}, object}.read();
+    return object;
+}
+
+std::vector<Object> readArchive(const std::string &path, const std::vector<uint8_t> &all) {
+    std::vector<Object> objects;
+    std::string longNames;
+    for (size_t at = kMagic; at + kMemberHeader <= all.size();) {
+        std::string header(all.begin() + (long)at, all.begin() + (long)(at + kMemberHeader));
+        size_t size = std::strtoull(header.substr(48, 10).c_str(), nullptr, 10);
+        at += kMemberHeader;
+        need(within(at, size, 0, all.size()), "an archive is cut short: make it again");
+        std::vector<uint8_t> bytes(all.begin() + (long)at, all.begin() + (long)(at + size));
+        std::string name = header.substr(0, 16);
+        name.erase(name.find_last_not_of(' ') + 1);
+        if (name == "//")
+            longNames.assign(bytes.begin(), bytes.end());
+        else if (name != "/" && name != "/SYM64/") {
+            if (name[0] == '/') {
+                size_t from = std::strtoull(name.c_str() + 1, nullptr, 10);
+                need(from < longNames.size(), "an archive's names are damaged: make it again");
+                name = longNames.substr(from, longNames.find('\n', from) - from);
+            }
+            if (!name.empty() && name.back() == '/') name.pop_back();
+            objects.push_back(readObject(path, name, at, std::move(bytes)));
+        }
+        at += size + (size & 1);
+    }
+    return objects;
+}
+
+std::vector<uint8_t> read(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    need(readFile(path.c_str(), bytes), "cannot be read");
+    return bytes;
+}
+
+} // namespace
+
+FileKind kindOf(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    if (!readFile(path.c_str(), bytes)) return FileKind::kMissing;
+    auto begins = [&](const char *magic, size_t size) {
+        return bytes.size() >= size && !std::memcmp(bytes.data(), magic, size);
+    };
+    if (begins(kArchive, kMagic)) return FileKind::kArchive;
+    if (begins(kThin, kMagic)) return FileKind::kThinArchive;
+    if (begins("BC\xC0\xDE", 4)) return FileKind::kBitcode;
+    if (!isElf(bytes)) return FileKind::kOther;
+    uint16_t type = ElfFile{bytes}.at<Elf64_Ehdr>(0, kCut).e_type;
+    if (type == ET_REL) return FileKind::kObject;
+    return type == ET_DYN ? FileKind::kLibrary : FileKind::kProgram;
+}
+
+std::vector<Object> readObjects(const std::string &path) {
+    try {
+        std::vector<uint8_t> bytes = read(path);
+        need(bytes.size() < kMagic || std::memcmp(bytes.data(), kThin, kMagic),
+             "a thin archive: make it with ar rcs, without T");
+        if (bytes.size() >= kMagic && !std::memcmp(bytes.data(), kArchive, kMagic))
+            return readArchive(path, bytes);
+        std::vector<Object> one;
+        one.push_back(readObject(path, "", 0, std::move(bytes)));
+        return one;
+    } catch (const Unsuitable &e) {
+        throw Unsuitable(path + ": " + e.what());
+    }
+}
+
+bool makeSlots(Object &object, const std::set<std::string> &symbols) {
+    bool any = false;
+    for (const Reference &r : object.references) {
+        if (!symbols.count(r.symbol) ||
+            (r.type != R_X86_64_GOTPCREL && r.type != R_X86_64_GOTPCRELX && r.type != R_X86_64_REX_GOTPCRELX))
+            continue;
+        uint32_t type = R_X86_64_PC32;
+        std::memcpy(object.bytes.data() + r.place + offsetof(Elf64_Rela, r_info), &type, sizeof type);
+        any = true;
+    }
+    return any;
+}
+
+} // namespace pack::linking

@@ -1,0 +1,41 @@
+// Object files, alone or in archives, as far as imports are concerned.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pack::linking {
+
+// A relocation that names a symbol which its object does not define.
+struct Reference {
+    std::string symbol;
+    uint32_t type; // R_X86_64_...
+    size_t place;  // of the relocation's entry in the object
+};
+
+struct Object {
+    std::string path, member; // member: in the archive `path`; empty if the file is the object
+    size_t offset;            // of its bytes in the file
+    std::vector<uint8_t> bytes;
+    std::vector<Reference> references;   // of what is loaded, .eh_frame apart
+    std::set<std::string> defines, weak; // global symbols; those that need not be found
+    bool constructors, destructors, exceptions, threadLocal;
+    bool indirect;        // functions that are chosen at the start
+    bool oldConstructors; // in .ctors or .dtors
+    bool intermediate;    // -flto: it holds no machine code, or code that will not be used
+    std::string name() const { return member.empty() ? path : path + "(" + member + ")"; }
+};
+
+enum class FileKind { kObject, kArchive, kThinArchive, kLibrary, kProgram, kBitcode, kOther, kMissing };
+FileKind kindOf(const std::string &path);
+
+// An object file, or the members of an archive. Throws Unsuitable if one cannot be read.
+std::vector<Object> readObjects(const std::string &path);
+
+// Makes references by way of the GOT to one of `symbols` plain: what has the symbol's name is the slot
+// itself. Returns whether there were any.
+bool makeSlots(Object &object, const std::set<std::string> &symbols);
+
+} // namespace pack::linking

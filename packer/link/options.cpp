@@ -1,0 +1,106 @@
+#include "options.h"
+
+#include "objects.h"
+#include "tools/common/arguments.h"
+
+namespace pack::linking {
+
+const char kUsage[] =
+    "usage: pack-link OBJECT... [-lLIBRARY...] [-o OUT] [OPTION...]\n"
+    "       links objects of C or C++ (.o, .a) in the ways that are possible, packs each, and keeps the\n"
+    "       smallest; say it instead of cc -o:\n"
+    "       pack-link main.o -lSDL2 -lGL -o intro\n"
+    "-o OUT                        the packed program; a.out\n"
+    "-l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread\n"
+    "                              as for the compiler\n"
+    "--way dynamic|imports|static  link in this way alone:\n"
+    "                              dynamic: as cc does, without what a packed program does not need\n"
+    "                              imports: made for the packer: it opens its libraries by itself\n"
+    "                              static: libraries become a part of it\n"
+    "--cc COMPILER                 link with this compiler; c++ for C++ and for -flto, else cc\n"
+    "--effort fast|normal|best|SECONDS\n"
+    "--model FILE, --save-model FILE, --budget BYTES, --report FILE\n"
+    "                              as for pack, for the way that was taken\n"
+    "--keep FOLDER                 keep the program as linked, the linker's map and the generated source\n"
+    "                              there\n"
+    "-v                            say the commands\n"
+    "Compile small: -Os -fno-asynchronous-unwind-tables -fno-stack-protector -fcf-protection=none\n"
+    "-ffunction-sections -fdata-sections; C++ also with -fno-exceptions -fno-rtti -fno-threadsafe-statics.\n";
+
+namespace {
+
+bool begins(const std::string &word, const char *with) { return word.rfind(with, 0) == 0; }
+
+// Words of the compiler that would make something else of the program.
+void refuseForeign(const std::string &word) {
+    for (const char *other : {"-static", "-static-pie", "-pie", "-no-pie", "-shared", "-r", "-c", "-nostdlib",
+                              "-nostartfiles", "-s", "-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"})
+        if (word == other)
+            throw odraz::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
+                                        "pack-link --help");
+}
+
+void takeFile(const std::string &word, Options &o) {
+    switch (kindOf(word)) {
+    case FileKind::kMissing:
+        throw odraz::Refused("there is no file " + word);
+    case FileKind::kProgram:
+        throw odraz::Refused(word + " is a program: give the object files that it was linked from");
+    case FileKind::kOther:
+        throw odraz::Refused(word +
+                             " is no object file: compile it first (cc -Os -c; more in pack-link --help)");
+    case FileKind::kThinArchive:
+        throw odraz::Refused(word + " is a thin archive: make it with ar rcs, without T");
+    default:
+        o.inputs.push_back(word);
+    }
+}
+
+void takePacking(const std::string &word, odraz::Arguments &arguments, Options &o) {
+    std::string value = arguments.value(word);
+    Words &to = word == "--model" ? o.model : o.packing;
+    to.insert(to.end(), {word, value});
+    o.budget |= word == "--budget";
+}
+
+} // namespace
+
+Options parseOptions(odraz::Arguments &arguments) {
+    Options o;
+    bool files = false;
+    while (const char *next = arguments.next()) {
+        std::string word = next;
+        refuseForeign(word);
+        if (word == "-o")
+            o.out = arguments.value(word);
+        else if (word == "-v")
+            o.tell = true;
+        else if (word == "--way") {
+            o.way = arguments.value(word);
+            if (o.way != "dynamic" && o.way != "imports" && o.way != "static")
+                throw odraz::Refused("--way is dynamic, imports or static, not '" + o.way + "'");
+        } else if (word == "--keep")
+            o.keep = arguments.value(word);
+        else if (word == "--cc")
+            o.compiler = arguments.value(word);
+        else if (word == "--effort" || word == "--model" || word == "--save-model" || word == "--budget" ||
+                 word == "--report")
+            takePacking(word, arguments, o);
+        else if (word == "-l" || word == "-L" || word == "-u" || word == "-Xlinker")
+            o.inputs.insert(o.inputs.end(), {word, arguments.value(word)});
+        else if (begins(word, "-l") || begins(word, "-L") || begins(word, "-Wl,") || begins(word, "-u") ||
+                 begins(word, "-f") || begins(word, "-m") || begins(word, "-O") || word == "-pthread" ||
+                 begins(word, "-B") || begins(word, "-g"))
+            o.inputs.push_back(word);
+        else if (word[0] == '-' || word.empty())
+            arguments.refuse(word);
+        else {
+            takeFile(word, o);
+            files = true;
+        }
+    }
+    if (!files) throw odraz::Refused("it takes object files to link; see pack-link --help");
+    return o;
+}
+
+} // namespace pack::linking

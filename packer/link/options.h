@@ -1,0 +1,25 @@
+// The command line of pack-link.
+#pragma once
+
+#include "process.h"
+
+namespace odraz {
+class Arguments;
+}
+
+namespace pack::linking {
+
+extern const char kUsage[];
+
+struct Options {
+    Words inputs; // for the compiler, in their order: files, -l, -L and other words for linking
+    std::string out = "a.out", way, keep, compiler; // empty if not given
+    Words model, packing;                           // for `pack`: with every try; with the last one alone
+    bool budget = false;                            // is one of `packing`
+    bool tell = false;                              // the commands
+};
+
+// Throws odraz::Refused.
+Options parseOptions(odraz::Arguments &arguments);
+
+} // namespace pack::linking

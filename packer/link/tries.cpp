@@ -1,0 +1,210 @@
+#include "tries.h"
+
+#include "elf_file.h"
+#include "files.h"
+#include "tools/common/arguments.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace pack::linking {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr uint64_t kVariants = 300'000; // bytes of a program that is packed in several variants: seconds each
+constexpr uint64_t kHopeless = 8;       // no way is that many times larger before and smaller after
+
+// Fills sections with zeros, which cost next to nothing.
+void wipe(const std::string &path, const std::vector<std::string> &names) {
+    std::vector<uint8_t> bytes;
+    readFile(path.c_str(), bytes);
+    ElfFile in = {bytes};
+    std::vector<Elf64_Shdr> sections = in.sections();
+    for (const Elf64_Shdr &s : sections)
+        for (const std::string &name : names)
+            if (in.text(sections[in.at<Elf64_Ehdr>(0, "cut short").e_shstrndx], s.sh_name) == name &&
+                s.sh_type != SHT_NOBITS && within(s.sh_offset, s.sh_size, 0, bytes.size()))
+                std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
+    if (!writeFile(path, bytes.data(), bytes.size(), true)) throw std::runtime_error("cannot write " + path);
+}
+
+// "12345" as "12,345".
+std::string grouped(uint64_t number) {
+    std::string text = std::to_string(number);
+    for (int at = (int)text.size() - 3; at > 0; at -= 3) text.insert((size_t)at, ",");
+    return text;
+}
+std::string padded(const std::string &text, size_t width) {
+    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
+}
+
+// The bytes that a program takes before it is packed.
+uint64_t sizeInFile(const std::string &path) {
+    std::vector<uint8_t> bytes;
+    readFile(path.c_str(), bytes);
+    Elf64_Ehdr header;
+    uint64_t size = 0;
+    for (const Elf64_Phdr &h : ElfFile{bytes}.programHeaders(header))
+        if (h.p_type == PT_LOAD) size += h.p_filesz;
+    return size;
+}
+
+} // namespace
+
+bool Tries::again(uint64_t before) const { return before <= kVariants; }
+
+void Tries::pack(Try &made) const {
+    std::string to = folder + "/try";
+    Words words = {packer, made.linked.program, "-o", to, "--budget", "100000000"};
+    if (made.way != "imports") words.push_back("--loader");
+    words.insert(words.end(), options.model.begin(), options.model.end());
+    Outcome outcome = runKept(words, options.tell);
+    // "FILE: 3332 bytes (3149 of them stub and headers) from 4416"
+    size_t last = outcome.said.rfind(to + ": ");
+    unsigned long packed, overhead, before;
+    if (outcome.status || last == std::string::npos ||
+        std::sscanf(outcome.said.c_str() + last + to.size(),
+                    ": %lu bytes (%lu of them stub and headers) from %lu", &packed, &overhead,
+                    &before) != 3) {
+        made.detail = outcome.said.substr(0, outcome.said.find('\n'));
+        size_t colon = made.detail.rfind(made.linked.program + ": ");
+        if (colon != std::string::npos) made.detail.erase(0, colon + made.linked.program.size() + 2);
+        return;
+    }
+    made.packed = packed;
+    made.overhead = overhead;
+    made.before = before;
+}
+
+void Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
+    Try made = {way, detail, linked};
+    pack(made);
+    tries.push_back(made);
+}
+void Tries::addFailed(const std::string &way, const std::string &why) {
+    Try failed;
+    failed.way = way;
+    failed.detail = why;
+    tries.push_back(failed);
+}
+
+void Tries::tryDynamic() {
+    try {
+        for (const char *hash : {"gnu", "sysv"}) {
+            std::string name = std::string("dynamic-") + hash;
+            Linked linked = linker.linkDynamic(facts, name, {"-Wl,--hash-style=" + std::string(hash)});
+            if (!facts.exceptions) wipe(linked.program, {".eh_frame", ".note.gnu.property", ".note.ABI-tag"});
+            add("dynamic", std::string("hash table of ") + hash, linked);
+            if (!again(tries.back().before)) return;
+        }
+    } catch (const Unsuitable &e) {
+        addFailed("dynamic", e.what());
+    }
+}
+
+void Tries::tryImports() {
+    try {
+        Plan plan = planImports(facts.objects, facts.program, facts.libraries);
+        std::string detail = std::to_string(plan.imports.size()) + " imports";
+        const struct {
+            const char *name, *says;
+            Words flags;
+        } kVariants[] = {
+            {"imports", "", {}},
+            {"imports-sorted", ", sections sorted by name", {"-Wl,--sort-section=name"}},
+            {"imports-aligned", ", sections sorted by alignment", {"-Wl,--sort-section=alignment"}}};
+        for (auto &variant : kVariants) {
+            Linked linked = linker.linkImports(facts, plan, variant.name, variant.flags);
+            wipe(linked.program, {".got.plt"}); // what a PLT needs, which there is none of
+            add("imports", detail + variant.says, linked);
+            if (!again(tries.back().before)) return;
+        }
+    } catch (const Unsuitable &e) {
+        addFailed("imports", e.what());
+    }
+}
+
+void Tries::tryStatic() {
+    try {
+        Linked linked = linker.linkStatic(facts);
+        uint64_t before = sizeInFile(linked.program), least = UINT64_MAX;
+        for (const Try &t : tries)
+            if (t.isPacked()) least = std::min(least, t.packed);
+        if (least != UINT64_MAX && before / kHopeless > least)
+            return addFailed("static", grouped(before) + " bytes before packing: far too large");
+        add("static", "with its libraries", linked);
+    } catch (const Unsuitable &e) {
+        addFailed("static", e.what());
+    }
+}
+
+void Tries::run() {
+    facts = linker.linkFirst();
+    if (asked("dynamic")) tryDynamic();
+    if (asked("imports")) tryImports();
+    if (asked("static")) tryStatic();
+    for (const Try &t : tries)
+        if (t.isPacked()) return;
+    throw odraz::Refused(tries.front().way + ": " + tries.front().detail);
+}
+
+const Try &Tries::best() const {
+    const Try *best = nullptr;
+    for (const Try &t : tries)
+        if (t.isPacked() && (!best || t.packed < best->packed)) best = &t;
+    return *best;
+}
+
+std::string Tries::print() const {
+    std::string text = "way         before   packed\n";
+    const Try &taken = best();
+    for (const Try &t : tries) {
+        text += t.way + std::string(9 - t.way.size(), ' ');
+        if (t.isPacked())
+            text += padded(grouped(t.before), 9) + padded(grouped(t.packed), 9) + "   " + t.detail +
+                    (&t == &taken ? "   <- taken" : "") + "\n";
+        else
+            text += padded("-", 9) + padded("-", 9) + "   " + t.detail + "\n";
+    }
+    return text;
+}
+
+int Tries::finish() const {
+    const Try &taken = best();
+    Words words = {packer, taken.linked.program, "-o", options.out, "--map", taken.linked.map};
+    if (taken.way != "imports")
+        words.push_back("--loader");
+    else if (!options.budget && taken.packed > 65536)
+        words.insert(words.end(), {"--budget", "100000000"});
+    if (!facts.intermediate.empty()) {
+        Words tool = {"gcc-nm", "-A"};
+        tool.insert(tool.end(), facts.intermediate.begin(), facts.intermediate.end());
+        try {
+            Outcome names = runKept(tool, options.tell);
+            std::string to = folder + "/names";
+            if (!names.status && writeFile(to, names.said.data(), names.said.size(), false))
+                words.insert(words.end(), {"--symbols", to});
+        } catch (const odraz::Refused &) { // it costs names in the report, no more
+        }
+    }
+    words.insert(words.end(), options.model.begin(), options.model.end());
+    words.insert(words.end(), options.packing.begin(), options.packing.end());
+    if (!options.keep.empty()) {
+        fs::create_directories(options.keep);
+        auto keep = [&](const std::string &from, const std::string &to) {
+            if (fs::exists(from))
+                fs::copy_file(from, options.keep + "/" + to, fs::copy_options::overwrite_existing);
+        };
+        keep(taken.linked.program, "program.elf");
+        keep(taken.linked.map, "program.map");
+        keep(folder + (taken.way == "imports" ? "/imports.s"
+                                              : fs::path(taken.linked.program).stem().string() + ".s"),
+             "start.s");
+        if (taken.way == "imports") keep(folder + "/imports.ld", "program.ld");
+    }
+    return runShown(words, options.tell).status;
+}
+
+} // namespace pack::linking

@@ -1,0 +1,49 @@
+// Links and packs a program in all ways that are possible, to see which file is the smallest.
+#pragma once
+
+#include "linker.h"
+
+namespace pack::linking {
+
+// One way to link, and what came of it.
+struct Try {
+    std::string way, detail; // detail: how it was linked; or, if it was not packed, why not
+    Linked linked;
+    uint64_t before = 0, packed = 0,
+             overhead = 0; // bytes: of memory, of the file, and of stub and headers there
+    bool isPacked() const { return packed > 0; }
+};
+
+class Tries {
+public:
+    Tries(const Options &options, const std::string &folder, const std::string &packer)
+        : options(options), packer(packer), folder(folder), linker(options, folder) {}
+
+    // Throws odraz::Refused if the program cannot be linked at all, or not in the way that was asked for.
+    void run();
+    // The smallest; one at least is packed.
+    const Try &best() const;
+    // A line for each way.
+    std::string print() const;
+    // Packs the best one again, to `options.out`, with what the user asks for; tells what it costs. Returns
+    // pack's exit status.
+    int finish() const;
+
+private:
+    void tryDynamic();
+    void tryImports();
+    void tryStatic();
+    bool asked(const char *way) const { return options.way.empty() || options.way == way; }
+    bool again(uint64_t before) const;
+    void pack(Try &made) const;
+    void add(const std::string &way, const std::string &detail, const Linked &linked);
+    void addFailed(const std::string &way, const std::string &why);
+
+    const Options &options;
+    std::string packer, folder;
+    Linker linker;
+    Facts facts;
+    std::vector<Try> tries;
+};
+
+} // namespace pack::linking
