@@ -13,7 +13,7 @@ struct Reader {
     ElfFile in;
     DynamicFile &file;
     std::vector<Elf64_Shdr> sections = in.sections();
-    std::vector<Elf64_Phdr> headers;
+    std::vector<Elf64_Phdr> headers = {};
 
     const Elf64_Shdr &linked(const Elf64_Shdr &s) const {
         need(s.sh_link < sections.size(), kCut);

@@ -33,23 +33,32 @@ void save(const std::string &path, const void *bytes, size_t size) {
 
 bool isInput(const std::string &word) { return word[0] != '-' && fs::exists(word); }
 
-// C++ needs its library, which the C compiler leaves out. What -flto keeps tells no names.
-std::string chooseCompiler(const Options &options) {
-    if (!options.compiler.empty()) return options.compiler;
-    for (const std::string &word : options.inputs) {
-        if (!isInput(word)) continue;
-        FileKind kind = kindOf(word);
-        if (kind == FileKind::kBitcode) return "clang++";
-        if (kind != FileKind::kObject && kind != FileKind::kArchive) continue;
+bool holdsObjects(const std::string &path) {
+    FileKind kind = kindOf(path);
+    return kind == FileKind::kObject || kind == FileKind::kArchive || kind == FileKind::kBitcode;
+}
+
+// What is given, read ahead of the first link to choose the compiler.
+struct Given {
+    Code code = Code::kMachine;
+    bool cpp = false; // -flto tells no names, so it is taken for C++
+};
+Given lookAhead(const Words &inputs) {
+    Given given;
+    for (const std::string &word : inputs) {
+        if (!isInput(word) || !holdsObjects(word)) continue;
         for (const Object &object : readObjects(word)) {
-            if (object.intermediate) return "c++";
+            if (object.code == Code::kGcc || object.code == Code::kClang) given.code = object.code;
             for (const Reference &r : object.references)
-                if (r.symbol.rfind("_Z", 0) == 0 || r.symbol.rfind("__cxa_", 0) == 0 ||
-                    r.symbol.rfind("__gxx_", 0) == 0)
-                    return "c++";
+                given.cpp |= r.symbol.rfind("_Z", 0) == 0 || r.symbol.rfind("__cxa_", 0) == 0 ||
+                             r.symbol.rfind("__gxx_", 0) == 0;
         }
     }
-    return "cc";
+    return given;
+}
+std::string compilerFor(const Given &given) {
+    if (given.code == Code::kClang) return "clang++";
+    return given.cpp || given.code == Code::kGcc ? "c++" : "cc";
 }
 
 // In place of the first object of -flto stands what became of all.
@@ -76,15 +85,15 @@ bool isAmong(const Taken &taken, const Object &object) {
 void takeFile(const std::string &path, const Taken &taken, bool optimised, Facts &facts) {
     FileKind kind = kindOf(path);
     if (kind == FileKind::kLibrary) facts.libraries.push_back(readDynamic(path));
-    if (kind == FileKind::kBitcode) facts.intermediate.push_back(path);
-    if (kind != FileKind::kObject && kind != FileKind::kArchive) return;
+    if (!holdsObjects(path)) return;
     bool any = false;
     for (Object &object : readObjects(path)) {
         if (kind == FileKind::kArchive && !isAmong(taken, object)) continue;
         any = true;
-        if (!object.intermediate || (!optimised && !object.defines.empty()))
+        bool machine = object.code == Code::kMachine || (object.code == Code::kGcc && !optimised);
+        if (machine)
             facts.objects.push_back(std::move(object));
-        else if (kind == FileKind::kObject)
+        else if (kind != FileKind::kArchive)
             facts.intermediate.push_back(path);
     }
     if (any && kind == FileKind::kArchive) facts.archives.push_back(path);
@@ -111,8 +120,11 @@ bool canStart(const std::vector<DynamicFile> &libraries) {
 
 } // namespace
 
-Linker::Linker(const Options &options, const std::string &folder)
-    : options(options), folder(folder), compiler(chooseCompiler(options)) {}
+Linker::Linker(const Options &options, const std::string &folder) : options(options), folder(folder) {
+    Given given = lookAhead(options.inputs);
+    code = given.code;
+    compiler = options.compiler.empty() ? compilerFor(given) : options.compiler;
+}
 
 Words Linker::command(const Linked &to, const Words &flags) const {
     Words words = {compiler, "-o", to.program, "-Wl,-Map=" + to.map};
@@ -133,13 +145,8 @@ Facts Linker::linkFirst() {
     // The code that -flto makes is kept, to be linked again
     std::string optimised = file("program.ltrans.o"), start = assemble("start", startDynamic(true));
     Words words = command(to, {"-nostartfiles", start});
-    bool bitcode = std::any_of(options.inputs.begin(), options.inputs.end(), [](const std::string &word) {
-        return isInput(word) && kindOf(word) == FileKind::kBitcode;
-    });
-    if (bitcode)
-        add(words, {"-flto", "-Wl,-plugin-opt,obj-path=" + optimised});
-    else
-        add(words, {"-flto-partition=one", "-save-temps"});
+    if (code == Code::kClang) add(words, {"-flto", "-Wl,-plugin-opt,obj-path=" + optimised});
+    if (code == Code::kGcc) add(words, {"-flto-partition=one", "-save-temps"});
     add(words, options.inputs);
     Outcome outcome = runKept(words, options.tell);
     if (outcome.status) throw odraz::Refused(explainLink(outcome.said));

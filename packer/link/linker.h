@@ -43,6 +43,7 @@ private:
 
     const Options &options;
     std::string folder, compiler;
+    Code code;     // what is optimised when it is linked, or kMachine if nothing is
     Words slotted; // what the way `imports` links: the objects of the program, with slots, and archives
 };
 

@@ -32,7 +32,7 @@ struct Reader {
 
     void readSection(const Elf64_Shdr &s) {
         std::string name = nameOf(s);
-        if (name.rfind(".gnu.lto_", 0) == 0) object.intermediate = true;
+        if (name.rfind(".gnu.lto_", 0) == 0) object.code = Code::kGcc;
         if (!(s.sh_flags & SHF_ALLOC) || !s.sh_size) return;
         object.threadLocal |= (s.sh_flags & SHF_TLS) != 0;
         object.constructors |= s.sh_type == SHT_INIT_ARRAY || s.sh_type == SHT_PREINIT_ARRAY;
@@ -75,6 +75,10 @@ bool isElf(const std::vector<uint8_t> &bytes) {
     return bytes.size() >= sizeof(Elf64_Ehdr) && !std::memcmp(bytes.data(), ELFMAG, SELFMAG);
 }
 
+bool isBitcode(const std::vector<uint8_t> &bytes) {
+    return bytes.size() >= 4 && !std::memcmp(bytes.data(), "BC\xC0\xDE", 4);
+}
+
 Object readObject(const std::string &path, const std::string &member, size_t offset,
                   std::vector<uint8_t> bytes) {
     Object object = {};
@@ -82,8 +86,8 @@ Object readObject(const std::string &path, const std::string &member, size_t off
     object.member = member;
     object.offset = offset;
     object.bytes = std::move(bytes);
-    if (!isElf(object.bytes)) { // bitcode, or a text that an archive carries along
-        object.intermediate = true;
+    if (!isElf(object.bytes)) { // an archive may carry texts along
+        object.code = isBitcode(object.bytes) ? Code::kClang : Code::kNone;
         return object;
     }
     Elf64_Ehdr header = ElfFile{object.bytes}.at<Elf64_Ehdr>(0, kCut);
@@ -126,6 +130,18 @@ std::vector<uint8_t> read(const std::string &path) {
     return bytes;
 }
 
+// Whether a file of the type of libraries is a program.
+bool isPie(const std::vector<uint8_t> &bytes) {
+    ElfFile in = {bytes};
+    for (const Elf64_Shdr &s : in.sections())
+        for (uint64_t at = 0; s.sh_type == SHT_DYNAMIC && at + sizeof(Elf64_Dyn) <= s.sh_size;
+             at += sizeof(Elf64_Dyn)) {
+            auto d = in.at<Elf64_Dyn>(s.sh_offset + at, kCut);
+            if (d.d_tag == DT_FLAGS_1 && d.d_un.d_val & DF_1_PIE) return true;
+        }
+    return false;
+}
+
 } // namespace
 
 FileKind kindOf(const std::string &path) {
@@ -136,11 +152,11 @@ FileKind kindOf(const std::string &path) {
     };
     if (begins(kArchive, kMagic)) return FileKind::kArchive;
     if (begins(kThin, kMagic)) return FileKind::kThinArchive;
-    if (begins("BC\xC0\xDE", 4)) return FileKind::kBitcode;
+    if (isBitcode(bytes)) return FileKind::kBitcode;
     if (!isElf(bytes)) return FileKind::kOther;
     uint16_t type = ElfFile{bytes}.at<Elf64_Ehdr>(0, kCut).e_type;
     if (type == ET_REL) return FileKind::kObject;
-    return type == ET_DYN ? FileKind::kLibrary : FileKind::kProgram;
+    return type == ET_DYN && !isPie(bytes) ? FileKind::kLibrary : FileKind::kProgram;
 }
 
 std::vector<Object> readObjects(const std::string &path) {

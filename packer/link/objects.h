@@ -15,6 +15,9 @@ struct Reference {
     size_t place;  // of the relocation's entry in the object
 };
 
+// What an object holds: machine code, or what -flto of gcc or of clang keeps instead, or neither.
+enum class Code { kMachine, kGcc, kClang, kNone };
+
 struct Object {
     std::string path, member; // member: in the archive `path`; empty if the file is the object
     size_t offset;            // of its bytes in the file
@@ -24,7 +27,7 @@ struct Object {
     bool constructors, destructors, exceptions, threadLocal;
     bool indirect;        // functions that are chosen at the start
     bool oldConstructors; // in .ctors or .dtors
-    bool intermediate;    // -flto: it holds no machine code, or code that will not be used
+    Code code;
     std::string name() const { return member.empty() ? path : path + "(" + member + ")"; }
 };
 

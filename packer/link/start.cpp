@@ -6,10 +6,13 @@ namespace {
 
 constexpr char kNoStack[] = ".section .note.GNU-stack, \"\", @progbits\n";
 
-// Static destructors are registered for this object: for no library, so that exit() calls them.
+// Destructors are registered for the object that has this address, and atexit() for the one with this value.
+// It is a variable of crtbegin.o; exit() calls what is registered for any.
 constexpr char kObject[] = ".globl __dso_handle\n"
                            ".hidden __dso_handle\n"
-                           "__dso_handle = 0\n";
+                           ".bss\n"
+                           ".balign 8\n"
+                           "__dso_handle: .skip 8\n";
 
 // ld.so and the packer's stub leave rsp as the kernel made it: aligned to 16, argc on top. rdx is ld.so's
 // function for exit.
