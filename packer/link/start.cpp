@@ -214,25 +214,17 @@ std::string startImports(const Plan &plan) {
 
 const char kImportsScript[] = R"(ENTRY(_start)
 PHDRS {
-    headers PT_PHDR PHDRS;
     interpreter PT_INTERP;
-    code PT_LOAD FILEHDR PHDRS FLAGS(5);
+    code PT_LOAD FLAGS(5);
     data PT_LOAD FLAGS(6);
     dynamic PT_DYNAMIC;
     stack PT_GNU_STACK FLAGS(6);
 }
 SECTIONS {
-    . = 0x400000 + SIZEOF_HEADERS;
-    .interp : { *(.interp) } :code :interpreter
-    .hash : { *(.hash) } :code
-    .dynsym : { *(.dynsym) }
-    .dynstr : { *(.dynstr) }
-    .rela.dyn : { *(.rela.*) }
-    .rodata : { *(.rodata .rodata.*) }
-    .text : { KEEP(*(.text.start)) *(.text .text.*) }
+    . = 0x400000;
+    .rodata : { *(.rodata .rodata.*) } :code
+    .text : { KEEP(*(.text.start)) *(.text .text.*) } :code
     . = ALIGN(0x1000);
-    .dynamic : { *(.dynamic) } :data :dynamic
-    .got : { *(.got) *(.got.plt) } :data
     .data : {
         __init_array_start = .;
         KEEP(*(.preinit_array))
@@ -244,8 +236,17 @@ SECTIONS {
         KEEP(*(.fini_array))
         __fini_array_end = .;
         *(.data .data.*)
-    }
-    .bss : { *(.bss .bss.*) *(COMMON) }
+    } :data
+    .bss : { *(.bss .bss.*) *(COMMON) } :data
+    /* pack reads these and leaves zeros, which take no space at the end */
+    .got : { *(.got) } :data
+    .got.plt : { *(.got.plt) } :data
+    .interp : { *(.interp) } :data :interpreter
+    .hash : { *(.hash) } :data
+    .dynsym : { *(.dynsym) } :data
+    .dynstr : { *(.dynstr) } :data
+    .rela.dyn : { *(.rela.*) } :data
+    .dynamic : { *(.dynamic) } :data :dynamic
     /DISCARD/ : { *(.eh_frame) *(.comment) *(.note*) }
 }
 )";

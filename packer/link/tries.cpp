@@ -2,6 +2,7 @@
 
 #include "elf_file.h"
 #include "files.h"
+#include "small_model.h"
 #include "tools/common/arguments.h"
 
 #include <cstdio>
@@ -14,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr uint64_t kVariants = 300'000; // bytes of a program that is packed in several variants: seconds each
+constexpr uint64_t kSmall = 100'000;    // ... that may do with fewer contexts
 constexpr uint64_t kHopeless = 8;       // no way is that many times larger before and smaller after
 
 // Fills sections with zeros, which cost next to nothing.
@@ -59,7 +61,7 @@ void Tries::pack(Try &made) const {
     std::string to = folder + "/try";
     Words words = {packer, made.linked.program, "-o", to, "--budget", "100000000"};
     if (made.way != "imports") words.push_back("--loader");
-    words.insert(words.end(), options.model.begin(), options.model.end());
+    words.insert(words.end(), made.model.begin(), made.model.end());
     Outcome outcome = runKept(words, options.tell);
     // "FILE: 3332 bytes (3149 of them stub and headers) from 4416"
     size_t last = outcome.said.rfind(to + ": ");
@@ -79,8 +81,22 @@ void Tries::pack(Try &made) const {
 }
 
 void Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
-    Try made = {way, detail, linked};
+    Try made;
+    made.way = way;
+    made.detail = detail;
+    made.linked = linked;
+    made.model = options.model;
     pack(made);
+    if (options.model.empty() && made.isPacked() && made.before <= kSmall) {
+        std::string model = folder + "/small.model";
+        if (!writeFile(model, kSmallModel, sizeof kSmallModel - 1, false))
+            throw std::runtime_error("cannot write " + model);
+        Try small = made;
+        small.model = {"--model", model};
+        small.detail += ", four contexts";
+        pack(small);
+        if (small.isPacked() && small.packed < made.packed) made = small;
+    }
     tries.push_back(made);
 }
 void Tries::addFailed(const std::string &way, const std::string &why) {
@@ -189,7 +205,7 @@ int Tries::finish() const {
         } catch (const odraz::Refused &) { // it costs names in the report, no more
         }
     }
-    words.insert(words.end(), options.model.begin(), options.model.end());
+    words.insert(words.end(), taken.model.begin(), taken.model.end());
     words.insert(words.end(), options.packing.begin(), options.packing.end());
     if (!options.keep.empty()) {
         fs::create_directories(options.keep);

@@ -9,6 +9,7 @@ namespace pack::linking {
 struct Try {
     std::string way, detail; // detail: how it was linked; or, if it was not packed, why not
     Linked linked;
+    Words model; // the contexts that it is packed with, as words for pack
     uint64_t before = 0, packed = 0,
              overhead = 0; // bytes: of memory, of the file, and of stub and headers there
     bool isPacked() const { return packed > 0; }
