@@ -124,6 +124,7 @@ bool needsWholeStart(const DynamicFile &program, const Libraries &libraries) {
 Plan planImports(const std::vector<Object> &objects, const DynamicFile &program, const Libraries &libraries) {
     need(std::any_of(libraries.begin(), libraries.end(), [](auto &l) { return l.soname == "libc.so.6"; }),
          "it is not linked with glibc");
+    need(!program.ownFolders, "it looks for libraries in folders of its own (-rpath)");
     checkObjects(objects);
     checkExports(objects, program);
     Plan made = {};

@@ -33,6 +33,7 @@ struct Reader {
             auto d = in.at<Elf64_Dyn>(s.sh_offset + at, kCut);
             if (d.d_tag == DT_NEEDED) file.needed.push_back(in.text(linked(s), d.d_un.d_val));
             if (d.d_tag == DT_SONAME) file.soname = in.text(linked(s), d.d_un.d_val);
+            file.ownFolders |= d.d_tag == DT_RPATH || d.d_tag == DT_RUNPATH;
             // The compiler adds one of its own to every library
             if (d.d_tag == DT_FINI_ARRAYSZ) file.destructors = d.d_un.d_val > sizeof(uint64_t);
         }

@@ -18,6 +18,7 @@ struct DynamicFile {
     std::string path, soname;
     std::vector<std::string> needed;
     std::map<std::string, DynamicSymbol> symbols; // without versions that only old programs get
+    bool ownFolders;                              // it has a list of folders to find libraries in
     bool destructors;                             // others than those that every library has
 };
 

@@ -22,12 +22,12 @@ std::string findPacker() {
 
 int packLink(odraz::Arguments &arguments) {
     setenv("LC_ALL", "C", 1); // what the linker says is read
-    linking::Options options = linking::parseOptions(arguments);
-    linking::catchSignals();
-    odraz::TemporaryFolder folder;
-    std::string path = folder / "";
-    path.pop_back();
     try {
+        linking::Options options = linking::parseOptions(arguments);
+        linking::catchSignals();
+        odraz::TemporaryFolder folder;
+        std::string path = folder / "";
+        path.pop_back();
         linking::Tries tries(options, path, findPacker());
         tries.run();
         std::fputs(tries.print().c_str(), stdout);

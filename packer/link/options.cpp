@@ -24,8 +24,7 @@ const char kUsage[] =
     "--keep FOLDER                 keep the program as linked, the linker's map and the generated source\n"
     "                              there\n"
     "-v                            say the commands\n"
-    "Compile small: -Os -fno-asynchronous-unwind-tables -fno-stack-protector -fcf-protection=none\n"
-    "-ffunction-sections -fdata-sections; C++ also with -fno-exceptions -fno-rtti -fno-threadsafe-statics.\n";
+    "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.\n";
 
 namespace {
 
@@ -38,6 +37,14 @@ void refuseForeign(const std::string &word) {
         if (word == other)
             throw odraz::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
                                         "pack-link --help");
+}
+
+// Words for linking that the compiler is to have.
+bool isForCompiler(const std::string &word) {
+    if (begins(word, "-fsanitize")) throw odraz::Refused("a program with " + word + " cannot be packed");
+    for (const char *with : {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"})
+        if (begins(word, with)) return true;
+    return word == "-pthread";
 }
 
 void takeFile(const std::string &word, Options &o) {
@@ -54,6 +61,11 @@ void takeFile(const std::string &word, Options &o) {
     default:
         o.inputs.push_back(word);
     }
+}
+
+std::string wayOf(const std::string &word) {
+    if (word == "dynamic" || word == "imports" || word == "static") return word;
+    throw odraz::Refused("--way is dynamic, imports or static, not '" + word + "'");
 }
 
 void takePacking(const std::string &word, odraz::Arguments &arguments, Options &o) {
@@ -75,11 +87,9 @@ Options parseOptions(odraz::Arguments &arguments) {
             o.out = arguments.value(word);
         else if (word == "-v")
             o.tell = true;
-        else if (word == "--way") {
-            o.way = arguments.value(word);
-            if (o.way != "dynamic" && o.way != "imports" && o.way != "static")
-                throw odraz::Refused("--way is dynamic, imports or static, not '" + o.way + "'");
-        } else if (word == "--keep")
+        else if (word == "--way")
+            o.way = wayOf(arguments.value(word));
+        else if (word == "--keep")
             o.keep = arguments.value(word);
         else if (word == "--cc")
             o.compiler = arguments.value(word);
@@ -88,9 +98,7 @@ Options parseOptions(odraz::Arguments &arguments) {
             takePacking(word, arguments, o);
         else if (word == "-l" || word == "-L" || word == "-u" || word == "-Xlinker")
             o.inputs.insert(o.inputs.end(), {word, arguments.value(word)});
-        else if (begins(word, "-l") || begins(word, "-L") || begins(word, "-Wl,") || begins(word, "-u") ||
-                 begins(word, "-f") || begins(word, "-m") || begins(word, "-O") || word == "-pthread" ||
-                 begins(word, "-B") || begins(word, "-g"))
+        else if (isForCompiler(word))
             o.inputs.push_back(word);
         else if (word[0] == '-' || word.empty())
             arguments.refuse(word);

@@ -41,7 +41,9 @@ pid_t start(const Words &command, int output) {
     pid_t child;
     int wrong = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (wrong) throw odraz::Refused("cannot run " + command[0] + ": " + std::strerror(wrong));
+    if (wrong)
+        throw odraz::Refused("cannot run " + command[0] + " (" + std::strerror(wrong) +
+                             "): install gcc or clang, or name a compiler with --cc");
     return child;
 }
 

@@ -44,6 +44,7 @@ cat >c.c <<'END'
 #include <string.h>
 #include <unistd.h>
 static int made;
+void absent(void) __attribute__((weak)); // which nobody has
 static void *(*const allocate)(size_t) = malloc;
 __attribute__((constructor(201))) static void second(void) { made = made * 10 + 2; }
 __attribute__((constructor(101))) static void first(int count, char **words, char **environment) {
@@ -60,6 +61,7 @@ int main(int count, char **words, char **environment) {
     qsort(numbers, 3, sizeof numbers[0], compare);
     char *text = allocate(100);
     strcpy(text, words[count - 1]);
+    if (absent) absent();
     errno = 0;
     int wrong = close(-1);
     printf("%d %d%d%d %s %s %d %d %d %s %d\n", made, numbers[0], numbers[1], numbers[2], text, getenv("SAID"), wrong, errno == EBADF,
@@ -70,7 +72,7 @@ int main(int count, char **words, char **environment) {
 }
 END
 export SAID=words
-for options in "-Os" "-Os -fno-pic" "-Os -fPIC" "-O2 -fno-plt -ffunction-sections" "-O0 -g" "-Os -fno-asynchronous-unwind-tables -fno-stack-protector -fcf-protection=none -fno-pic"; do
+for options in "-Os -fno-pic" "-O0 -g -fPIC" "-Os -fno-plt -ffunction-sections" "-O2 -fcf-protection=none -fno-stack-protector"; do
     gcc $options -c c.c -o c.o
     check "C with $options: by dynamic and by imports" ways c.o
 done
@@ -247,7 +249,9 @@ cat >errno.c <<'END'
 extern char **environ;
 int main(void) { return environ == 0; }
 END
-gcc -Os -fno-builtin -c missing.c && gcc -Os -fPIE -c errno.c && gcc -c numbers.c
+echo '#include <stdlib.h>
+void *malloc(size_t n) { static char heap[9]; return n < 9 ? heap : 0; } int main(void) { return malloc(1) == calloc(1, 1); }' >malloc.c
+gcc -Os -fno-builtin -c missing.c malloc.c && gcc -Os -fPIE -c errno.c && gcc -c numbers.c
 check "a missing library is named" fresh refuses 2 "has 'SDL_Quit'" "$link" missing.o -lm -o made
 check "... with the word to add" fresh refuses 2 "add -lSDL2" "$link" missing.o -lm -o made
 check "... there is none of that name" fresh refuses 2 "no library for -lnothing" "$link" c.o -lnothing -o made
@@ -261,6 +265,8 @@ check "an unknown way" fresh refuses 2 "--way is" "$link" c.o --way there -o mad
 check "what it decides itself" fresh refuses 2 "-static is not for pack-link" "$link" c.o -static -o made
 check "no such compiler" fresh refuses 2 "cannot run nocc" "$link" c.o --cc nocc -o made
 check "data of libc that changes, named directly" fresh refuses 2 "errno.o reads 'environ' of libc.so.6 directly: compile it with -fPIC" "$link" errno.o --way imports -o made
+check "a function that libc looks for in the program" fresh refuses 2 "looks for 'malloc' in the program" "$link" malloc.o --way imports -o made
+check "libraries in folders of its own" fresh refuses 2 "(-rpath)" "$link" c.o -Wl,-rpath,/tmp --way imports -o made
 check "over a budget" fresh eval '"$link" c.o -o made --budget 100 >told 2>err; [ $? = 1 ] && grep -q "over budget" err'
 check "nowhere to write" refuses 2 "cannot write" bash -c "'$link' c.o -o /nowhere/out 2>&1 >/dev/null | tail -n 1 >&2; exit \${PIPESTATUS[0]}"
 cp c.o cut.o && truncate -s 900 cut.o
@@ -269,5 +275,12 @@ check "an object that is cut short" fresh refuses 2 "cut.o" "$link" cut.o -o mad
 check "a search, a report, and what it linked" eval '"$link" c.o -o made --effort 1 --report report.json --keep kept -v >told 2>err'
 check "... are there" eval '[ -s report.json ] && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
+ended_early() { # by a signal, while it searches: nothing stays
+    "$link" c.o -o made --effort 100 -v >told 2>err &
+    PIDS+=($!)
+    await grep -q -e '--effort' err && kill "$1" $! && ended $!
+    [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null
+}
+check "ended by a signal it leaves nothing" fresh ended_early -TERM
 check "--help" prints '^usage: pack-link' "$link" --help
 finish
