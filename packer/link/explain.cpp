@@ -75,8 +75,8 @@ std::string explainLink(const std::string &said) {
         if (twice == "_start") return "an object has _start: pack-link adds its own; begin with main()";
         if (!twice.empty()) return "'" + twice + "' is defined twice: " + line;
         if (!name.empty() && missing.insert(name).second && first.empty()) first = name;
-        if (any.empty() && (line.find("error") != std::string::npos || line.find(": ") != std::string::npos))
-            any = line;
+        bool warns = line.find("warning: ") != std::string::npos;
+        if (any.empty() && !warns && line.find(": ") != std::string::npos) any = line;
     }
     if (!first.empty()) return explainMissing(first, missing.size() - 1);
     return "it cannot be linked: " + (any.empty() ? said : any);

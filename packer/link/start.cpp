@@ -31,8 +31,9 @@ std::string callWhole(const std::string &function, const std::string &main) {
            function + "(%rip)\n";
 }
 std::string callMain(const std::string &exit, const std::string &main) {
-    return "    mov (%rsp), %edi\n"
-           "    lea 8(%rsp), %rsi\n"
+    return "    pop %rdi\n"
+           "    mov %rsp, %rsi\n"
+           "    push %rax\n"
            "    lea 8(%rsi, %rdi, 8), %rdx\n"
            "    call " +
            main +

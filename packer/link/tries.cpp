@@ -14,9 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t kVariants = 300'000; // bytes of a program that is packed in several variants: seconds each
-constexpr uint64_t kSmall = 100'000;    // ... that may do with fewer contexts
-constexpr uint64_t kHopeless = 8;       // no way is that many times larger before and smaller after
+constexpr uint64_t kLarge = 300'000; // bytes of a program that takes seconds to pack: no variants
+constexpr uint64_t kSmall = 100'000; // ... that may do with fewer contexts
+constexpr uint64_t kHopeless = 8;    // no way is that many times larger before and smaller after
 
 // Fills sections with zeros, which cost next to nothing.
 void wipe(const std::string &path, const std::vector<std::string> &names) {
@@ -30,6 +30,11 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
                 s.sh_type != SHT_NOBITS && within(s.sh_offset, s.sh_size, 0, bytes.size()))
                 std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
     if (!writeFile(path, bytes.data(), bytes.size(), true)) throw std::runtime_error("cannot write " + path);
+}
+
+bool sameBytes(const std::string &a, const std::string &b) {
+    std::vector<uint8_t> left, right;
+    return readFile(a.c_str(), left) && readFile(b.c_str(), right) && left == right;
 }
 
 // "12345" as "12,345".
@@ -55,7 +60,7 @@ uint64_t sizeInFile(const std::string &path) {
 
 } // namespace
 
-bool Tries::again(uint64_t before) const { return before <= kVariants; }
+bool Tries::again(uint64_t before) const { return before <= kLarge; }
 
 void Tries::pack(Try &made) const {
     std::string to = folder + "/try";
@@ -81,13 +86,15 @@ void Tries::pack(Try &made) const {
 }
 
 void Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
+    for (const Try &t : tries) // where there is nothing to sort, say
+        if (t.isPacked() && sameBytes(t.linked.program, linked.program)) return;
     Try made;
     made.way = way;
     made.detail = detail;
     made.linked = linked;
     made.model = options.model;
     pack(made);
-    if (options.model.empty() && made.isPacked() && made.before <= kSmall) {
+    if (way == "imports" && options.model.empty() && made.isPacked() && made.before <= kSmall) {
         std::string model = folder + "/small.model";
         if (!writeFile(model, kSmallModel, sizeof kSmallModel - 1, false))
             throw std::runtime_error("cannot write " + model);
