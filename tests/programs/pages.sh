@@ -6,7 +6,7 @@
 # odraz-safe, since the packed film decodes for seconds at each start; with `long` it is the packed one.
 . "$(dirname "$0")/display.sh"
 skip_unless perl ffmpeg git ninja
-for program in odraz odraz-safe odraz-debug pack radiosity spectrogram contact_sheet tradeoff; do needs_built $program; done
+for program in odraz odraz-safe odraz-debug pack pack-link radiosity spectrogram contact_sheet tradeoff; do needs_built $program; done
 long=${2-}
 PARTS=$SOURCE/tests/programs/pages
 HOUSE=$WORK/house
