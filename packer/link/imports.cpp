@@ -34,7 +34,7 @@ void checkObjects(const std::vector<Object> &objects) {
     for (const Object &o : objects) {
         need(!o.exceptions, o.name() + " has tables of exceptions: compile with -fno-exceptions");
         need(!o.threadLocal, o.name() + " has thread-local storage");
-        need(!o.oldConstructors, o.name() + " has constructors of an old kind (.ctors)");
+        need(!o.oldConstructors, o.name() + " has constructors of an old kind (.ctors or .init)");
         need(!o.indirect, o.name() + " has functions that are chosen at the start (ifunc)");
     }
 }

@@ -37,7 +37,8 @@ struct Reader {
         object.threadLocal |= (s.sh_flags & SHF_TLS) != 0;
         object.constructors |= s.sh_type == SHT_INIT_ARRAY || s.sh_type == SHT_PREINIT_ARRAY;
         object.destructors |= s.sh_type == SHT_FINI_ARRAY;
-        object.oldConstructors |= name.rfind(".ctors", 0) == 0 || name.rfind(".dtors", 0) == 0;
+        object.oldConstructors |= name.rfind(".ctors", 0) == 0 || name.rfind(".dtors", 0) == 0 ||
+                                  name == ".init" || name == ".fini";
         object.exceptions |= name.rfind(".gcc_except_table", 0) == 0;
     }
     void readSymbols(const Elf64_Shdr &table) {

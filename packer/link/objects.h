@@ -26,7 +26,7 @@ struct Object {
     std::set<std::string> defines, weak; // global symbols; those that need not be found
     bool constructors, destructors, exceptions, threadLocal;
     bool indirect;        // functions that are chosen at the start
-    bool oldConstructors; // in .ctors or .dtors
+    bool oldConstructors; // in .ctors, .dtors, .init or .fini
     Code code;
     std::string name() const { return member.empty() ? path : path + "(" + member + ")"; }
 };

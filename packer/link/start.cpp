@@ -54,7 +54,7 @@ std::string lookup(const std::string &open, const std::string &find) {
            "@GOTPCREL(%rip)\n"
            "    test %rax, %rax\n"
            "    jnz 2f\n"
-           "    mov $0x102, %esi\n" // RTLD_NOW | RTLD_GLOBAL
+           "    mov $0x101, %esi\n" // RTLD_LAZY | RTLD_GLOBAL, as ld.so does
            "    mov %ebx, %edi\n"
            "    call *" +
            open +

@@ -14,9 +14,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t kLarge = 300'000; // bytes of a program that takes seconds to pack: no variants
-constexpr uint64_t kSmall = 100'000; // ... that may do with fewer contexts
-constexpr uint64_t kHopeless = 8;    // no way is that many times larger before and smaller after
+constexpr uint64_t kLarge = 300'000;   // bytes of a program that takes seconds to pack: no variants
+constexpr uint64_t kSmall = 100'000;   // ... that may do with fewer contexts
+constexpr uint64_t kMadeForIt = 65536; // what pack allows for programs that were made for it
+constexpr char kAnySize[] = "100000000";
+constexpr uint64_t kHopeless = 8; // no way is that many times larger before and smaller after
 
 // Fills sections with zeros, which cost next to nothing.
 void wipe(const std::string &path, const std::vector<std::string> &names) {
@@ -64,7 +66,7 @@ bool Tries::again(uint64_t before) const { return before <= kLarge; }
 
 void Tries::pack(Try &made) const {
     std::string to = folder + "/try";
-    Words words = {packer, made.linked.program, "-o", to, "--budget", "100000000"};
+    Words words = {packer, made.linked.program, "-o", to, "--budget", kAnySize};
     if (made.way != "imports") words.push_back("--loader");
     words.insert(words.end(), made.model.begin(), made.model.end());
     Outcome outcome = runKept(words, options.tell);
@@ -194,39 +196,46 @@ std::string Tries::print() const {
     return text;
 }
 
+// What pack's report needs to tell which file a function comes from that -flto made: words for pack, none if
+// there is no such program as gcc-nm.
+Words Tries::namesOfIntermediate() const {
+    if (facts.intermediate.empty()) return {};
+    Words tool = {"gcc-nm", "-A"};
+    tool.insert(tool.end(), facts.intermediate.begin(), facts.intermediate.end());
+    try {
+        Outcome names = runKept(tool, options.tell);
+        std::string to = folder + "/names";
+        if (!names.status && writeFile(to, names.said.data(), names.said.size(), false))
+            return {"--symbols", to};
+    } catch (const odraz::Refused &) {
+    }
+    return {};
+}
+
+void Tries::keepFiles(const Try &taken) const {
+    fs::create_directories(options.keep);
+    auto keep = [&](const std::string &from, const std::string &to) {
+        if (fs::exists(from))
+            fs::copy_file(from, options.keep + "/" + to, fs::copy_options::overwrite_existing);
+    };
+    bool imports = taken.way == "imports";
+    std::string name = imports ? "imports" : fs::path(taken.linked.program).stem().string();
+    keep(taken.linked.program, "program.elf");
+    keep(taken.linked.map, "program.map");
+    keep(folder + "/" + name + ".s", "start.s");
+    if (imports) keep(folder + "/imports.ld", "program.ld");
+}
+
 int Tries::finish() const {
     const Try &taken = best();
+    if (!options.keep.empty()) keepFiles(taken);
     Words words = {packer, taken.linked.program, "-o", options.out, "--map", taken.linked.map};
     if (taken.way != "imports")
         words.push_back("--loader");
-    else if (!options.budget && taken.packed > 65536)
-        words.insert(words.end(), {"--budget", "100000000"});
-    if (!facts.intermediate.empty()) {
-        Words tool = {"gcc-nm", "-A"};
-        tool.insert(tool.end(), facts.intermediate.begin(), facts.intermediate.end());
-        try {
-            Outcome names = runKept(tool, options.tell);
-            std::string to = folder + "/names";
-            if (!names.status && writeFile(to, names.said.data(), names.said.size(), false))
-                words.insert(words.end(), {"--symbols", to});
-        } catch (const odraz::Refused &) { // it costs names in the report, no more
-        }
-    }
-    words.insert(words.end(), taken.model.begin(), taken.model.end());
-    words.insert(words.end(), options.packing.begin(), options.packing.end());
-    if (!options.keep.empty()) {
-        fs::create_directories(options.keep);
-        auto keep = [&](const std::string &from, const std::string &to) {
-            if (fs::exists(from))
-                fs::copy_file(from, options.keep + "/" + to, fs::copy_options::overwrite_existing);
-        };
-        keep(taken.linked.program, "program.elf");
-        keep(taken.linked.map, "program.map");
-        keep(folder + (taken.way == "imports" ? "/imports.s"
-                                              : fs::path(taken.linked.program).stem().string() + ".s"),
-             "start.s");
-        if (taken.way == "imports") keep(folder + "/imports.ld", "program.ld");
-    }
+    else if (!options.budget && taken.packed > kMadeForIt)
+        words.insert(words.end(), {"--budget", kAnySize});
+    for (const Words &more : {namesOfIntermediate(), taken.model, options.packing})
+        words.insert(words.end(), more.begin(), more.end());
     return runShown(words, options.tell).status;
 }
 

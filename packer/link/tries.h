@@ -37,6 +37,8 @@ private:
     bool asked(const char *way) const { return options.way.empty() || options.way == way; }
     bool again(uint64_t before) const;
     void pack(Try &made) const;
+    Words namesOfIntermediate() const;
+    void keepFiles(const Try &taken) const;
     void add(const std::string &way, const std::string &detail, const Linked &linked);
     void addFailed(const std::string &way, const std::string &why);
 

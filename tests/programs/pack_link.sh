@@ -44,6 +44,8 @@ cat >c.c <<'END'
 #include <string.h>
 #include <unistd.h>
 static int made;
+static const int some[2] __attribute__((section("parts"), used)) = {20, 3}; // which others may add to
+extern const int __start_parts[], __stop_parts[];
 void absent(void) __attribute__((weak)); // which nobody has
 static void *(*const allocate)(size_t) = malloc;
 __attribute__((constructor(201))) static void second(void) { made = made * 10 + 2; }
@@ -66,13 +68,13 @@ int main(int count, char **words, char **environment) {
     int wrong = close(-1);
     printf("%d %d%d%d %s %s %d %d %d %s %d\n", made, numbers[0], numbers[1], numbers[2], text, getenv("SAID"), wrong, errno == EBADF,
            handlers, strerror(EBADF), environment[0] != 0);
-    fputs("to stderr\n", stderr);
+    fprintf(stderr, "to stderr: %d\n", __start_parts[0] + __stop_parts[-1]);
     fputs("left in the buffer", stdout);
     return 7;
 }
 END
 export SAID=words
-for options in "-Os -fno-pic" "-O0 -g -fPIC" "-Os -fno-plt -ffunction-sections" "-O2 -fcf-protection=none -fno-stack-protector"; do
+for options in "-O2 -fno-pic -fcf-protection=none" "-O0 -g -fPIC" "-Os -fno-plt -ffunction-sections"; do
     gcc $options -c c.c -o c.o
     check "C with $options: by dynamic and by imports" ways c.o
 done
@@ -138,10 +140,13 @@ ar rcs libmine.a added.o numbers.o unused.o
 check "threads, maths, dlsym, and of an archive what is needed" ways libraries.o -L. -lmine -lm -pthread
 check "... by imports" takes imports libraries.o libmine.a -lm
 check "... which exports nothing but what it opens libraries with" eval '! grep -qa pthread_create packed/run'
-gcc -shared -fPIC added.c numbers.c -Wl,-soname,libown.so.1 -o libown.so.1 && ln -sf libown.so.1 libown.so
+echo 'int puts(const char *); __attribute__((destructor)) static void own(void) { puts("gone"); }' >own.c
+gcc -shared -fPIC added.c numbers.c own.c -Wl,-soname,libown.so.1 -o libown.so.1 && ln -sf libown.so.1 libown.so
 gcc -Os -fPIC -c libraries.c
 export LD_LIBRARY_PATH=$WORK
 check "... of a library of one's own, with its data" ways libraries.o -L. -lown -lm
+echo 'int added(int); int main(void) { return added(1); }' >own.c && gcc -Os -c own.c
+check "... and its destructors" eval 'ways own.o -L. -lown && grep -q gone got'
 rm libown.so.1
 check "a library that is missing is named when the program starts" refuses 127 libown.so.1 packed/run
 unset LD_LIBRARY_PATH
@@ -274,11 +279,12 @@ check "an object that is cut short" fresh refuses 2 "cut.o" "$link" cut.o -o mad
 
 check "a search, a report, and what it linked" eval '"$link" c.o -o made --effort 1 --report report.json --keep kept -v >told 2>err'
 check "... are there" eval '[ -s report.json ] && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
+check "... by another way, too" eval '"$link" c.o -o made --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
 ended_early() { # by a signal, while it searches: nothing stays
     "$link" c.o -o made --effort 100 -v >told 2>err &
     PIDS+=($!)
-    await grep -q -e '--effort' err && kill "$1" $! && ended $!
+    await eval "grep -q -e --effort err || gone $!" && kill "$1" $! && ended $!
     [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null
 }
 check "ended by a signal it leaves nothing" fresh ended_early -TERM
