@@ -239,9 +239,10 @@ TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
 // the edge must be one even line, not dashes.
 TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
     Chart charts[2] = {};
-    charts[0] = {.corner = {-8, 0, 0}, .u = {1, 0, 0}, .v = {0, -1, 0}, .n = {0, 0, 1}};
-    charts[1] = {.corner = {-8, 0, 0}, .u = {1, 0, 0}, .v = {0, 0, -1}, .n = {0, 1, 0}};
+    charts[0].v = {0, -1, 0}, charts[0].n = {0, 0, 1};
+    charts[1].v = {0, 0, -1}, charts[1].n = {0, 1, 0};
     for (Chart &c : charts) {
+        c.corner = {-8, 0, 0}, c.u = {1, 0, 0};
         c.width = c.height = 16;
         c.across = c.down = 1;
         c.patchesAcross = c.patchesDown = 1;
