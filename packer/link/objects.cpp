@@ -44,10 +44,7 @@ struct Reader {
     void readSymbols(const Elf64_Shdr &table) {
         for (uint64_t i = table.sh_info; i < table.sh_size / sizeof(Elf64_Sym); ++i) {
             Elf64_Sym s = symbol(table, i);
-            if (s.st_shndx != SHN_UNDEF)
-                object.defines.insert(nameOf(table, s));
-            else if (ELF64_ST_BIND(s.st_info) == STB_WEAK)
-                object.weak.insert(nameOf(table, s));
+            if (s.st_shndx != SHN_UNDEF) object.defines.insert(nameOf(table, s));
             object.indirect |= ELF64_ST_TYPE(s.st_info) == STT_GNU_IFUNC;
         }
     }

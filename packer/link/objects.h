@@ -22,8 +22,8 @@ struct Object {
     std::string path, member; // member: in the archive `path`; empty if the file is the object
     size_t offset;            // of its bytes in the file
     std::vector<uint8_t> bytes;
-    std::vector<Reference> references;   // of what is loaded, .eh_frame apart
-    std::set<std::string> defines, weak; // global symbols; those that need not be found
+    std::vector<Reference> references; // of what is loaded, .eh_frame apart
+    std::set<std::string> defines;     // global symbols
     bool constructors, destructors, exceptions, threadLocal;
     bool indirect;        // functions that are chosen at the start
     bool oldConstructors; // in .ctors, .dtors, .init or .fini

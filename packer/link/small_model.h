@@ -3,7 +3,7 @@
 
 namespace pack::linking {
 
-// In the form of model_parameters.h; found by pack --effort 40 --model packer/quick.model with an intro of 4
+// In the form of model_parameters.h; found by a search from those of pack --fast, with an intro of 4
 // KB that uses SDL2 and OpenGL.
 inline constexpr char kSmallModel[] = R"(slots 21
 code byte1

@@ -247,9 +247,12 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
         c.across = c.down = 1;
         c.patchesAcross = c.patchesDown = 1;
     }
-    const Cell cell = {.corner = {0, 1, 2, 3}};
+    Cell cell = {};
+    for (int i = 0; i < 4; ++i) cell.corner[i] = i;
     const float light[4] = {1, 1, 1, 1};
-    Lightmap map = {.charts = charts, .cells = &cell, .plane = {light, light, light}};
+    Lightmap map = {};
+    map.charts = charts, map.cells = &cell;
+    for (auto &plane : map.plane) plane = light;
 
     auto s = std::make_unique<Scene>();
     s->clear();
@@ -259,7 +262,9 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
         dark.texture.palette[0] = {grey, grey, grey};
         s->add(dark);
     }
-    Shape side = {.kind = ShapeKind::Rect, .centre = {0, -8, 0}, .half = {8, 0, 8}}, top = side;
+    Shape side = {};
+    side.kind = ShapeKind::Rect, side.centre = {0, -8, 0}, side.half = {8, 0, 8};
+    Shape top = side;
     side.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
     side.chart = 0;
     top.centre = {0, 0, -8};

@@ -3,17 +3,13 @@ name=$FILM-tools-$version${unclean:+-unclean}-linux-x86_64
 linux=$work/tools/$name programs=
 mkdir -p "$linux/doc/pack" "$linux/doc/radiosity"
 for program in compare pack pack-link radiosity; do
-    [ -x "$BUILD/portable/$program" ] || continue
+    [ -x "$BUILD/portable/$program" ] || fail "$BUILD/portable/$program is not built: leave out --built, or build the target portable"
     cp "$BUILD/portable/$program" "$linux"
     programs+="./$program "
 done
-for program in compare pack radiosity; do
-    [ -x "$linux/$program" ] || fail "$BUILD/portable/$program is not built: leave out --built, or build the target portable"
-done
 TEXTS=$TEXTS/tools text README.txt
-if [ -x "$linux/pack-link" ]; then sed -i 's/^@pack-link@//' "$linux/README.txt"; else sed -i '/^@pack-link@/d' "$linux/README.txt"; fi
 cp "$TEXTS/LICENSE.txt" "$TEXTS/tools/NOTICES.txt" "$linux"
-cp "$ODRAZ/packer/README.md" "$linux/doc/pack"
+cp "$ODRAZ/packer/README.md" "$ODRAZ/packer/report.png" "$linux/doc/pack"
 cp "$ODRAZ/tools/radiosity/README.md" "$linux/doc/radiosity"
 cp "$ODRAZ/tools/CI.md" "$linux/doc"
 (cd "$linux" && find . -type f -printf '%P\n' | sort | xargs sha256sum >"$work/sums" && mv "$work/sums" SHA256SUMS)
