@@ -19,7 +19,8 @@ const char kUsage[] =
     "                              static: libraries become a part of it\n"
     "--cc COMPILER                 link with this compiler; c++ for C++ and for -flto, else cc\n"
     "--effort fast|normal|best|SECONDS\n"
-    "--model FILE, --save-model FILE, --budget BYTES, --report FILE\n"
+    "--model FILE, --save-model FILE, --budget BYTES, --name NAME, --safe-name NAME\n"
+    "--report FILE, --html FILE, --text FILE, --than OLD.json\n"
     "                              as for pack, for the way that was taken\n"
     "--keep FOLDER                 keep the program as linked, the linker's map and the generated source\n"
     "                              there\n"
@@ -45,6 +46,13 @@ bool isForCompiler(const std::string &word) {
     for (const char *with : {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"})
         if (begins(word, with)) return true;
     return word == "-pthread";
+}
+
+bool isForPacker(const std::string &word) {
+    for (const char *option : {"--effort", "--model", "--save-model", "--budget", "--name", "--safe-name",
+                               "--report", "--html", "--text", "--than"})
+        if (word == option) return true;
+    return false;
 }
 
 void takeFile(const std::string &word, Options &o) {
@@ -93,8 +101,7 @@ Options parseOptions(odraz::Arguments &arguments) {
             o.keep = arguments.value(word);
         else if (word == "--cc")
             o.compiler = arguments.value(word);
-        else if (word == "--effort" || word == "--model" || word == "--save-model" || word == "--budget" ||
-                 word == "--report")
+        else if (isForPacker(word))
             takePacking(word, arguments, o);
         else if (word == "-l" || word == "-L" || word == "-u" || word == "-Xlinker")
             o.inputs.insert(o.inputs.end(), {word, arguments.value(word)});

@@ -277,8 +277,8 @@ check "nowhere to write" refuses 2 "cannot write" bash -c "'$link' c.o -o /nowhe
 cp c.o cut.o && truncate -s 900 cut.o
 check "an object that is cut short" fresh refuses 2 "cut.o" "$link" cut.o -o made
 
-check "a search, a report, and what it linked" eval '"$link" c.o -o made --effort 1 --report report.json --keep kept -v >told 2>err'
-check "... are there" eval '[ -s report.json ] && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
+check "a search, a report, and what it linked" eval '"$link" c.o -o made --effort 1 --report report.json --html report.html --text report.md --name mine --keep kept -v >told 2>err'
+check "... are there" eval '[ -s report.json ] && [ -s report.html ] && [ -s report.md ] && grep -q mine: made && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
 check "... by another way, too" eval '"$link" c.o -o made --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
 ended_early() { # by a signal, while it searches: nothing stays
