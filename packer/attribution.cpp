@@ -17,6 +17,7 @@ constexpr char kMapBegins[] = "Linker script and memory map";
 constexpr uint64_t kMostSymbolBytes = 1ull << 40; // more is no program's
 
 std::string demangle(const std::string &name) {
+    if (name.rfind("_Z", 0) != 0) return name; // a function i of C is no int
     int status;
     std::unique_ptr<char, void (*)(void *)> plain(
         abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), std::free);

@@ -96,17 +96,17 @@ bool isPacked(const std::vector<uint8_t> &file) {
 }
 
 Packed openPacked(const std::vector<uint8_t> &file) {
-    need(isPacked(file), "not packed by this version of pack");
+    need(isPacked(file), "not packed by this version of pack, or damaged at its beginning");
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
     uint64_t span = f.segments[2].p_memsz;
     Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, span);
     Program &program = packed.program;
-    need(program.base > kBelow, "damaged: get it again");
+    need(program.base > kBelow, "damaged: get it afresh");
     for (int i = 0; i < 2; ++i) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
         need(program.slots[i] >= program.base && program.slots[i] - program.base + 8 <= span,
-             "damaged: get it again");
+             "damaged: get it afresh");
     }
     return packed;
 }

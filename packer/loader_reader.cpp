@@ -146,7 +146,9 @@ uint64_t appendedBytes(const std::vector<uint8_t> &file) {
     end = std::max(end, header.e_shoff + header.e_shnum * sizeof(Elf64_Shdr));
     for (const Elf64_Shdr &s : in.sections())
         if (s.sh_type != SHT_NOBITS) end = std::max(end, s.sh_offset + s.sh_size);
-    return end < file.size() ? file.size() - end : 0;
+    bool padding = std::all_of(file.begin() + (long)std::min<uint64_t>(end, file.size()), file.end(),
+                               [](uint8_t byte) { return byte == 0; });
+    return padding ? 0 : file.size() - end;
 }
 
 } // namespace pack

@@ -75,7 +75,7 @@ bool isPackedLoader(const std::vector<uint8_t> &file) {
 }
 
 Program readPackedLoader(const std::vector<uint8_t> &file) {
-    need(isPackedLoader(file), "not packed by this version of pack");
+    need(isPackedLoader(file), "not packed by this version of pack, or damaged at its beginning");
     LoaderFront f;
     std::memcpy(&f, file.data(), sizeof f);
     Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, f.program.p_memsz);

@@ -24,6 +24,8 @@
 
 namespace {
 
+using pack::kNoBudget;
+using pack::kUsualBudget;
 using pack::Options;
 using pack::Refusal;
 
@@ -128,7 +130,7 @@ struct ForReports {
         if (o.symbols) symbols = readText(o.symbols);
         if (o.rooms) rooms = parsed(o.rooms, pack::readRooms);
         if (o.than) before = parsed(o.than, pack::readJson);
-        for (const char *path : {o.report, o.html, o.text})
+        for (const char *path : {o.out, o.report, o.html, o.text, o.saveModel})
             if (path && std::strcmp(path, "-") && !pack::canWrite(path))
                 throw Refusal{std::string("cannot write ") + path + ": " + std::strerror(errno), 2};
     }
@@ -192,7 +194,7 @@ void makePacked(const Options &o) {
         throw Refusal{"the packed bytes do not decode to the program; nothing was written", 3};
 
     long size = (long)packed.size(), before = pack::fileSize(o.out);
-    long budget = o.budget >= 0 || any ? o.budget : kBudget;
+    long budget = o.budget != kUsualBudget ? o.budget : any ? kNoBudget : kBudget;
     pack::Report report =
         pack::makeReport(pack::attribute(file, given.map, given.symbols, program), encoded.bits,
                          packed.size(), overhead, given.rooms ? &*given.rooms : nullptr);

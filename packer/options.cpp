@@ -2,6 +2,9 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <iterator>
 
 namespace pack {
 namespace {
@@ -15,8 +18,8 @@ constexpr char kUsage[] =
     "--loader                      pack as any program, even if IN was made for packing\n"
     "--pe                          write OUT for Windows; IN must be linked for it\n"
     "--plain                       do not pack: write OUT with the program as it lies in memory\n"
-    "--budget BYTES                write OUT only if it has at most so many bytes; 65536 for a program\n"
-    "                              made for packing, else any number\n"
+    "--budget BYTES|none           write OUT only if it has at most so many bytes; 65536 for a program\n"
+    "                              made for packing, else none\n"
     "--fast                        use few contexts: 10 % larger, starts in less than half the time\n"
     "--effort fast|normal|best|SECONDS\n"
     "                              search so long for contexts that suit the program: not at all, 30 s,\n"
@@ -74,8 +77,9 @@ bool takeFile(Options &o, const std::string &word, const char *file) {
 
 long budgetOf(const char *text) {
     double number;
+    if (!std::strcmp(text, "none")) return kNoBudget;
     if (!parseNumber(text, number) || number != (long)number)
-        throw Refusal{std::string("--budget needs a number of bytes, not '") + text + "'", 2};
+        throw Refusal{std::string("--budget needs a number of bytes, or none, not '") + text + "'", 2};
     return (long)number;
 }
 
@@ -88,6 +92,28 @@ double secondsOf(const std::string &effort) {
     return number;
 }
 
+// Nothing is written over what is read, or over what is written, too; but a model may be replaced by the one
+// that was found, and a report by the new one.
+void checkPaths(const Options &o) {
+    const char *outputs[] = {o.out, o.report, o.html, o.text, o.saveModel},
+               *inputs[] = {o.in, o.unpack, o.map, o.symbols, o.rooms};
+    auto same = [](const char *a, const char *b) {
+        std::error_code ignored;
+        return a && b && std::strcmp(a, "-") &&
+               std::filesystem::weakly_canonical(a, ignored) ==
+                   std::filesystem::weakly_canonical(b, ignored) &&
+               !std::filesystem::is_character_file(a, ignored);
+    };
+    for (size_t i = 0; i < std::size(outputs); ++i) {
+        for (const char *input : inputs)
+            if (same(outputs[i], input))
+                throw Refusal{std::string(input) + " would be written over: give another name", 2};
+        for (size_t k = 0; k < i; ++k)
+            if (same(outputs[i], outputs[k]))
+                throw Refusal{std::string(outputs[i]) + " is to be two files: give another name", 2};
+    }
+}
+
 // One and only one of the three things that pack does must be asked for.
 void checkModes(const Options &o) {
     int modes = (o.in != nullptr) + (o.test != nullptr) + (o.unpack != nullptr);
@@ -95,7 +121,9 @@ void checkModes(const Options &o) {
         throw Refusal{"it takes IN -o OUT, or --test FILE, or -d FILE -o OUT; see pack --help", 2};
     if (!o.in && o.onlyToPack)
         throw Refusal{std::string(o.onlyToPack) + " is for packing alone; see pack --help", 2};
+    checkPaths(o);
     if (o.than && !o.html && !o.text) throw Refusal{"--than needs --html or --text; see pack --help", 2};
+    if (o.symbols && !o.map) throw Refusal{"--symbols needs --map; see pack --help", 2};
     if (o.rooms && !o.map) throw Refusal{"--rooms needs --map; see pack --help", 2};
 }
 

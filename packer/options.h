@@ -13,13 +13,16 @@ struct Refusal {
     int status;
 };
 
+inline constexpr long kNoBudget = -1;
+inline constexpr long kUsualBudget = -2; // by the kind of program
+
 struct Options {
     const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
                *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr, *html = nullptr,
                *text = nullptr, *than = nullptr, *rooms = nullptr;
     bool pe = false, loader = false, plain = false, fast = false;
     Names names;
-    long budget = -1; // not given
+    long budget = kUsualBudget; // bytes
     double seconds = 0;
     const char *onlyToPack = nullptr; // an option given that has no meaning otherwise
 };

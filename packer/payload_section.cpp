@@ -50,7 +50,7 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     PayloadHeader p;
     const uint8_t *at = file.data() + from + sizeof p, *end = file.data() + file.size();
     std::memcpy(&p, file.data() + from, sizeof p);
-    constexpr char kDamaged[] = "damaged: get it again";
+    constexpr char kDamaged[] = "damaged: get it afresh";
     need((uint64_t)p.words * 4 <= file.size() - checkedFrom &&
              checksum(file.data() + checkedFrom, p.words) == 0,
          kDamaged);

@@ -172,7 +172,8 @@ std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
 bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
 
 Program readPackedPe(const std::vector<uint8_t> &file) {
-    constexpr char kForeign[] = "not packed by this version of pack", kDamaged[] = "damaged: get it again";
+    constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning",
+                   kDamaged[] = "damaged: get it afresh";
     need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
     need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
     PeFront f;

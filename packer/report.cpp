@@ -37,6 +37,7 @@ bool hasNames(const Costs &costs) {
 }
 
 Rooms readRooms(const std::string &text) {
+    constexpr long kMostBytes = 1L << 40;
     Rooms rooms;
     std::istringstream lines(text);
     int number = 0;
@@ -48,11 +49,12 @@ Rooms readRooms(const std::string &text) {
         words >> share;
         char *end;
         long bytes = std::strtol(share.c_str(), &end, 10);
-        need(share == "-" || (!share.empty() && !*end && bytes >= 0),
+        need(share == "-" || (!share.empty() && !*end && bytes >= 0 && bytes <= kMostBytes),
              "line " + std::to_string(number) + ": a room's name, its share of bytes or -, and object files");
         if (share != "-") rooms.shares[room] = bytes;
         while (words >> object) rooms.of[object] = room;
     }
+    need(!rooms.of.empty(), "no room has an object file: ROOM SHARE OBJECT...");
     return rooms;
 }
 

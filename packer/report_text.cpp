@@ -9,6 +9,7 @@ namespace pack {
 namespace {
 
 constexpr size_t kMost = 10;
+constexpr double kLeastChange = 4; // bytes
 
 // 64916 as 64,916
 std::string thousands(double value) {
@@ -83,8 +84,10 @@ std::string printMarkdown(const std::string &name, const Report &report, const R
     now[kStub].bits = 8.0 * (double)report.overhead;
     if (before) was[kStub].bits = 8.0 * (double)before->overhead;
     std::vector<Change> changes = compare(now, was);
-    std::erase_if(changes, [](const Change &c) { return std::round(c.now - c.was) == 0; });
-    if (changes.empty()) return text + "No " + kind.name + " changed by a byte.\n";
+    // A changed byte moves the costs of others by a fraction each: smaller changes tell nothing
+    double least = before ? kLeastChange : 0.5;
+    std::erase_if(changes, [&](const Change &c) { return std::abs(c.now - c.was) < least; });
+    if (changes.empty()) return text + "No " + kind.name + " changed by four bytes or more.\n";
     if (changes.size() > kMost) changes.resize(kMost);
     text += before ? "|   change |      now |      was | " : "|   packed | ";
     text += kind.name;

@@ -8,6 +8,10 @@ namespace pack {
 
 namespace {
 
+constexpr size_t kMostOfName = 10, kMostOfSafeName = 14;
+constexpr char kTooLong[] =
+    "a name is too long for what the packed program says: --name takes up to 10 letters, "
+    "--safe-name up to 14";
 constexpr uint8_t kNoName[] = {0x31, 0xf6, 0x66, 0x90}; // xor esi, esi; two bytes that do nothing
 
 // The lines that may stand in place of the usual one, the best first.
@@ -49,12 +53,12 @@ std::string withNames(const Text &text, const Names &names) {
             line.insert(line.size() - 1, room - line.size(), ' ');
         return line;
     }
-    throw Unsuitable("a name is too long for what the packed program says: --name takes up to 10 letters, "
-                     "--safe-name up to 14");
+    throw Unsuitable(kTooLong);
 }
 
 void checkNames(const Names &names) {
     need(isName(names.program) && isName(names.safe), "names consist of letters, digits and . _ + -");
+    need(names.program.size() <= kMostOfName && names.safe.size() <= kMostOfSafeName, kTooLong);
     for (const Text &text : kTexts) withNames(text, names);
     for (const Text &text : kLoaderTexts) withNames(text, names);
 }

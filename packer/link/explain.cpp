@@ -60,7 +60,7 @@ std::string explainMissing(const std::string &name, size_t others) {
 
 } // namespace
 
-std::string explainLink(const std::string &said) {
+std::string explainLink(const std::string &said, bool isStatic) {
     std::set<std::string> missing;
     std::string first, any;
     std::istringstream lines(said);
@@ -69,9 +69,11 @@ std::string explainLink(const std::string &said) {
                     library = between(line + "\n", "cannot find -l", "\n"),
                     twice = between(line, "multiple definition of `", "'");
         if (!library.empty())
-            return "there is no library for -l" + library.substr(0, library.find(':')) +
-                   ": install what programs need to link with it (its -dev package), or say where it is with "
-                   "-L";
+            return "there is no library for -l" + library.substr(0, library.find(':')) + " that " +
+                   (isStatic
+                        ? "can be linked statically (.a)"
+                        : "can be linked: install what programs need for that (its -dev package), or say "
+                          "where it is with -L");
         if (twice == "_start") return "an object has _start: pack-link adds its own; begin with main()";
         if (!twice.empty()) return "'" + twice + "' is defined twice: " + line;
         if (!name.empty() && missing.insert(name).second && first.empty()) first = name;

@@ -193,7 +193,7 @@ Linked Linker::linkStatic(const Facts &facts) {
     Words words = command(to, {"-static"});
     add(words, facts.inputs);
     Outcome outcome = runKept(words, options.tell);
-    need(!outcome.status, explainLink(outcome.said));
+    need(!outcome.status, explainLink(outcome.said, true));
     return to;
 }
 

@@ -47,7 +47,7 @@ private:
     Words slotted; // what the way `imports` links: the objects of the program, with slots, and archives
 };
 
-// What a failed link said, as one line.
-std::string explainLink(const std::string &said);
+// What a failed link said, as one line. `isStatic`: of static libraries.
+std::string explainLink(const std::string &said, bool isStatic = false);
 
 } // namespace pack::linking

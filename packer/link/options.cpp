@@ -3,6 +3,8 @@
 #include "objects.h"
 #include "tools/common/arguments.h"
 
+#include <filesystem>
+
 namespace pack::linking {
 
 const char kUsage[] =
@@ -11,12 +13,12 @@ const char kUsage[] =
     "       smallest; say it instead of cc -o:\n"
     "       pack-link main.o -lSDL2 -lGL -o intro\n"
     "-o OUT                        the packed program; a.out\n"
-    "-l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread\n"
-    "                              as for the compiler\n"
+    "-l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc\n"
+    "                              as for the compiler; -W..., -std=, -I, -D, -s and -no-pie change nothing\n"
     "--way dynamic|imports|static  link in this way alone:\n"
     "                              dynamic: as cc does, without what a packed program does not need\n"
     "                              imports: made for the packer: it opens its libraries by itself\n"
-    "                              static: libraries become a part of it\n"
+    "                              static: libraries become a part of it (-static)\n"
     "--cc COMPILER                 link with this compiler; c++ for C++ and for -flto, else cc\n"
     "--effort fast|normal|best|SECONDS\n"
     "--model FILE, --save-model FILE, --budget BYTES, --name NAME, --safe-name NAME\n"
@@ -33,11 +35,22 @@ bool begins(const std::string &word, const char *with) { return word.rfind(with,
 
 // Words of the compiler that would make something else of the program.
 void refuseForeign(const std::string &word) {
-    for (const char *other : {"-static", "-static-pie", "-pie", "-no-pie", "-shared", "-r", "-c", "-nostdlib",
-                              "-nostartfiles", "-s", "-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"})
+    for (const char *other : {"-static-pie", "-pie", "-shared", "-r", "-c", "-nostdlib", "-nostartfiles"})
         if (word == other)
             throw odraz::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
                                         "pack-link --help");
+    for (const char *other : {"-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"})
+        if (word == other)
+            throw odraz::Refused(word +
+                                 ": nothing can import from what pack-link makes; link such a program with "
+                                 "cc, and pack that");
+}
+
+// Words that stand in many a line with cc -o and change nothing here.
+bool isIgnored(const std::string &word) {
+    for (const char *with : {"-W", "-std=", "-I", "-D", "-U"})
+        if (begins(word, with)) return word.size() > 2 && !begins(word, "-Wl,");
+    return word == "-s" || word == "-no-pie" || word == "-pipe";
 }
 
 // Words for linking that the compiler is to have.
@@ -45,7 +58,7 @@ bool isForCompiler(const std::string &word) {
     if (begins(word, "-fsanitize")) throw odraz::Refused("a program with " + word + " cannot be packed");
     for (const char *with : {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"})
         if (begins(word, with)) return true;
-    return word == "-pthread";
+    return word == "-pthread" || word == "-static-libgcc" || word == "-static-libstdc++";
 }
 
 bool isForPacker(const std::string &word) {
@@ -58,6 +71,7 @@ bool isForPacker(const std::string &word) {
 void takeFile(const std::string &word, Options &o) {
     switch (kindOf(word)) {
     case FileKind::kMissing:
+        if (std::filesystem::is_directory(word)) throw odraz::Refused(word + " is a folder");
         throw odraz::Refused("there is no file " + word);
     case FileKind::kProgram:
         throw odraz::Refused(word + " is a program: give the object files that it was linked from");
@@ -105,6 +119,10 @@ Options parseOptions(odraz::Arguments &arguments) {
             takePacking(word, arguments, o);
         else if (word == "-l" || word == "-L" || word == "-u" || word == "-Xlinker")
             o.inputs.insert(o.inputs.end(), {word, arguments.value(word)});
+        else if (word == "-static")
+            o.way = "static";
+        else if (isIgnored(word))
+            continue;
         else if (isForCompiler(word))
             o.inputs.push_back(word);
         else if (word[0] == '-' || word.empty())
@@ -113,6 +131,11 @@ Options parseOptions(odraz::Arguments &arguments) {
             takeFile(word, o);
             files = true;
         }
+    }
+    for (const std::string &input : o.inputs) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(input, o.out, ignored))
+            throw odraz::Refused(input + " would be written over: give another name with -o");
     }
     if (!files) throw odraz::Refused("it takes object files to link; see pack-link --help");
     return o;

@@ -14,11 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t kLarge = 300'000;   // bytes of a program that takes seconds to pack: no variants
-constexpr uint64_t kSmall = 100'000;   // ... that may do with fewer contexts
-constexpr uint64_t kMadeForIt = 65536; // what pack allows for programs that were made for it
-constexpr char kAnySize[] = "100000000";
-constexpr uint64_t kHopeless = 8; // no way is that many times larger before and smaller after
+constexpr uint64_t kLarge = 300'000; // bytes of a program that takes seconds to pack: no variants
+constexpr uint64_t kSmall = 100'000; // ... that may do with fewer contexts
+constexpr uint64_t kHopeless = 8;    // no way is that many times larger before and smaller after
 
 // Fills sections with zeros, which cost next to nothing.
 void wipe(const std::string &path, const std::vector<std::string> &names) {
@@ -66,7 +64,7 @@ bool Tries::again(uint64_t before) const { return before <= kLarge; }
 
 void Tries::pack(Try &made) const {
     std::string to = folder + "/try";
-    Words words = {packer, made.linked.program, "-o", to, "--budget", kAnySize};
+    Words words = {packer, made.linked.program, "-o", to, "--budget", "none"};
     if (made.way != "imports") words.push_back("--loader");
     words.insert(words.end(), made.model.begin(), made.model.end());
     Outcome outcome = runKept(words, options.tell);
@@ -230,10 +228,8 @@ int Tries::finish() const {
     const Try &taken = best();
     if (!options.keep.empty()) keepFiles(taken);
     Words words = {packer, taken.linked.program, "-o", options.out, "--map", taken.linked.map};
-    if (taken.way != "imports")
-        words.push_back("--loader");
-    else if (!options.budget && taken.packed > kMadeForIt)
-        words.insert(words.end(), {"--budget", kAnySize});
+    if (taken.way != "imports") words.push_back("--loader");
+    if (!options.budget) words.insert(words.end(), {"--budget", "none"});
     for (const Words &more : {namesOfIntermediate(), taken.model, options.packing})
         words.insert(words.end(), more.begin(), more.end());
     return runShown(words, options.tell).status;

@@ -34,7 +34,7 @@ const columns = {
         title: 'counted',
         value: row => row.counted,
         show: row => number(row.counted),
-        tip: 'packed, with its part of what no room names'
+        tip: 'packed bytes, with its part of what no room names: what its share is for'
     },
     share: {
         title: 'share',
@@ -52,7 +52,7 @@ const columns = {
 };
 const tables = {
     rooms:
-        {title: 'rooms', rows: () => report.rooms, columns: 'name packed bytes bits part change counted share left'},
+        {title: 'rooms', rows: () => report.rooms, columns: 'name counted share left change packed bytes bits part'},
     objects: {title: 'files', rows: () => report.objects, columns: 'name packed bytes bits part change'},
     symbols: {title: 'symbols', rows: () => report.symbols, columns: 'name packed bytes bits part change'},
     sections: {title: 'sections', rows: () => report.sections, columns: 'name packed bytes bits part change'},

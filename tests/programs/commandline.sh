@@ -20,15 +20,15 @@ check "it refuses a bad value" refuses 2 "--fps needs" "$film" --dump - --fps ab
 check "it refuses a missing value" refuses 2 "--size needs" "$film" --size
 check "it refuses a time beyond the film" refuses 2 "beyond the film's end" "$film" --to 999
 check "it repeats unprintable characters as ?, in one line" refuses 2 "not 'a?b?[31m'" "$film" --fps $'a\nb\e[31m'
-check "--help reports a full disk" refuses 1 "no space left" bash -c "exec '$film' --help >/dev/full"
-check "--version reports a closed stdout" refuses 1 "closed" bash -c "exec '$film' --version >&-"
+check "--help reports a full disk" refuses 1 "no space left" bash -c 'exec "$0" --help >/dev/full' "$film"
+check "--version reports a closed stdout" refuses 1 "closed" bash -c 'exec "$0" --version >&-' "$film"
 
 small=(--size 64x36 --from 2 --to 2.2 --quality draft)
-check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c "exec '$film' --dump - ${small[*]} >/dev/full"
-check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c "set -o pipefail; '$film' --dump - --size 320x180 --quality draft | head -c 99 >/dev/null"
-check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c "exec '$film' --dump - ${small[*]} >&-"
+check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c 'exec "$0" --dump - "$@" >/dev/full' "$film" "${small[@]}"
+check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c 'set -o pipefail; "$0" --dump - --size 320x180 --quality draft | head -c 99 >/dev/null' "$film"
+check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c 'exec "$0" --dump - "$@" >&-' "$film" "${small[@]}"
 not_to_terminal() { # pictures must not go there either
-    script -qec "$film --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
+    script -qec "${film@Q} --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }
 check "it does not dump to a terminal" not_to_terminal
@@ -44,7 +44,7 @@ five() { # five pictures, whole, and nothing else
 }
 for closed in '<&-' '>&-' '2>&-' '<&- >&- 2>&-'; do
     rm -rf "$WORK/frames"
-    check "it dumps with $closed" bash -c "exec '$film' --dump '$WORK/frames' ${small[*]} $closed"
+    check "it dumps with $closed" bash -c 'exec "$0" --dump "$@" '"$closed" "$film" "$WORK/frames" "${small[@]}"
     check "... five pictures" five
 done
 "$film" --dump - --from 3 --to 3 >"$WORK/none"

@@ -267,7 +267,8 @@ check "a source" fresh refuses 2 "c.c is no object file: compile it" "$link" c.c
 check "a program" fresh refuses 2 "is a program" "$link" "$(type -P true)" -o made
 check "an unknown option" fresh refuses 2 "cannot use '--nope'" "$link" --nope c.o -o made
 check "an unknown way" fresh refuses 2 "--way is" "$link" c.o --way there -o made
-check "what it decides itself" fresh refuses 2 "-static is not for pack-link" "$link" c.o -static -o made
+check "what it decides itself" fresh refuses 2 "-shared is not for pack-link" "$link" c.o -shared -o made
+check "its own objects stay" refuses 2 "c.o would be written over" "$link" c.o -o ./c.o
 check "no such compiler" fresh refuses 2 "cannot run nocc" "$link" c.o --cc nocc -o made
 check "data of libc that changes, named directly" fresh refuses 2 "errno.o reads 'environ' of libc.so.6 directly: compile it with -fPIC" "$link" errno.o --way imports -o made
 check "a function that libc looks for in the program" fresh refuses 2 "looks for 'malloc' in the program" "$link" malloc.o --way imports -o made

@@ -65,16 +65,17 @@ check "... the page, too, and both add up" sums g.html >/dev/null
 perl "$page" g.html tables >tables
 check "... by rooms and their shares" grep -qE '^\["house",[0-9]+,[0-9]+,[0-9]+,100\]' tables
 check "... with the stub's" grep -qE '^\["stub",0,[0-9]+,[0-9]+,4000\]' tables
-check "nothing has changed since itself" prints '^No symbol changed by a byte\.$' "${packs[@]}" --text - --than g.json
+check "nothing has changed since itself" prints '^No symbol changed by four bytes or more\.$' "${packs[@]}" --text - --than g.json
 over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
 check "a page of what is over budget is written" over
 
 # --- What is refused, before anything is packed or written ---
 echo '{"file": 5}' >foreign
 echo 'house big main.o' >wrong
+echo 'house 12' >shares
 rm packed
 for words in "--than none: cannot read none: No such file" "--than foreign: foreign: not a report of pack: --report FILE writes one" \
-    "--than program: program: not a report of pack" "--rooms wrong: wrong: line 1: a room's name, its share" "--rooms none: cannot read none" \
+    "--than program: program: not a report of pack" "--rooms wrong: wrong: line 1: a room's name, its share" "--rooms none: cannot read none" "--rooms shares: shares: no room has an object file" \
     "--report none/x: cannot write none/x" "--text none/x: cannot write none/x" "--text folder: cannot write folder"; do
     # shellcheck disable=SC2086
     check "refused: ${words%%: *}" refuses 2 "${words#*: }" "${packs[@]}" --html x.html ${words%%: *}

@@ -9,9 +9,11 @@
 namespace odraz {
 
 TemporaryFolder::TemporaryFolder() {
-    char name[] = "/tmp/odraz-XXXXXX";
-    if (!mkdtemp(name))
-        throw std::runtime_error(std::string("cannot make a folder in /tmp: ") + std::strerror(errno));
+    std::error_code none;
+    std::filesystem::path in = std::filesystem::temp_directory_path(none); // TMPDIR, or /tmp
+    std::string name = (none ? "/tmp" : in) / "odraz-XXXXXX";
+    if (!mkdtemp(name.data()))
+        throw std::runtime_error("cannot make a folder in " + in.string() + ": " + std::strerror(errno));
     path = name;
 }
 

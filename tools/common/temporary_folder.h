@@ -1,4 +1,4 @@
-// A folder of its own in /tmp. It is removed, with all its files, when the object goes.
+// A folder of its own below TMPDIR, or in /tmp. It is removed, with all its files, when the object goes.
 #pragma once
 
 #include <string>

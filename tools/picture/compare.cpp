@@ -18,7 +18,7 @@ static constexpr char kUsage[] =
     "pixels\n"
     "that differ. Exit 1 when the largest difference is over --max and the PSNR is under --psnr (if given); "
     "--diff\n"
-    "writes the differences, eight times enlarged. --seen tells how B differs from A to the eye: mean FLIP "
+    "writes the differences, times eight. --seen tells how B differs from A to the eye: mean FLIP "
     "at 67\n"
     "pixels per degree, PSNR in linear light and in sRGB. --png writes the picture IN as PNG; --linear does "
     "so with\n"

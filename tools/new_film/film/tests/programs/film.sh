@@ -7,7 +7,7 @@ for file in "$packed" "$packed.exe"; do
 done
 check "--version tells the film's name" prints "^$FILM $FILM_VERSION " "$packed" --version
 check "... the same as $FILM-safe" test "$("$packed" --version)" = "$("$safe" --version)"
-check "messages begin with its name" prints "^$FILM: unknown option '--nope'" bash -c "! '$packed' --nope 2>&1"
+check "messages begin with its name" prints "^$FILM: unknown option '--nope'" bash -c '! "$0" --nope 2>&1' "$packed"
 
 # Dumps of scenes without a hall need no OpenGL
 small=(--size 64x36 --from 2 --to 2.2 --quality draft)
