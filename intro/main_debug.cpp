@@ -13,6 +13,8 @@
 #include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
+#include "maker/rebuilder.h"
+#include "maker/stage.h"
 #include "options.h"
 #include "play/music.h"
 #include "record.h"
@@ -25,6 +27,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 using namespace odraz;
@@ -136,90 +139,168 @@ const char *takeShown(int &argc, char **argv) {
 
 } // namespace
 
+namespace {
+
+// The window, and a picture in it.
+struct Screen {
+    GLFWwindow *window, *hidden; // the latter's context is for what is loaded in the background
+    Gl gl;
+    int width, height;
+    GLuint texture, framebuffer;
+};
+
+const char *open(Screen &s, int width, int height) {
+    if (!glfwInit()) return "no display: set DISPLAY";
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    s.window = glfwCreateWindow(width, height, FILM_NAME "-debug", nullptr, nullptr);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    s.hidden = s.window ? glfwCreateWindow(16, 16, "", nullptr, nullptr) : nullptr;
+    if (!s.hidden) return "no OpenGL 3.3 on this display";
+    glfwMakeContextCurrent(s.window);
+    glfwSetKeyCallback(s.window, onKey);
+    s.width = width;
+    s.height = height;
+    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
+        return "no OpenGL 3.3 on this display";
+    return nullptr;
+}
+
+void prepare(Screen &s) {
+    s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    s.gl.glGenTextures(1, &s.texture);
+    s.gl.glBindTexture(GL_TEXTURE_2D, s.texture);
+    s.gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, s.width, s.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    s.gl.glGenFramebuffers(1, &s.framebuffer);
+    s.gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
+    s.gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, s.texture, 0);
+}
+
+void show(Screen &s, const Picture &p) {
+    int w, h;
+    glfwGetFramebufferSize(s.window, &w, &h);
+    s.gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);
+    s.gl.glBlitFramebuffer(0, 0, s.width, s.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glfwSwapBuffers(s.window);
+}
+
+// When paused or sought, the clock follows us; otherwise we follow it.
+void keepTime(Maker &m) {
+    int64_t moment = nanoseconds();
+    FilmClock &clock = theMusic.clock;
+    clock.watch(moment, processorNanoseconds());
+    theMusic.playback.pause(m.paused);
+    m.time = std::fmin(m.time, duration()); // which may have changed
+    if (m.paused || m.sought)
+        clock.start(m.time, moment);
+    else
+        m.time = std::fmin(clock.at(moment), duration());
+    m.sought = false;
+}
+
+// Where and how fast we are.
+void tell(const Screen &s, const Maker &m, double passed, const std::string &more) {
+    char title[200];
+    std::snprintf(title, sizeof title, FILM_NAME "-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms  %s",
+                  sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
+                  m.time * kRowsPerSecond, kQualities[m.quality].name, m.paused ? "  paused" : "",
+                  passed * 1e3, more.c_str());
+    glfwSetWindowTitle(s.window, title);
+}
+
+// Follows the sources: what was saved is built, and what was built is shown.
+struct Follower {
+    Rebuilder rebuilder;
+    Stage &stage;
+    std::string news; // for the title
+    bool failed = false;
+
+    void follow(Screen &screen) {
+        Rebuilder::News what = rebuilder.poll(glfwGetTime());
+        bool built = what == Rebuilder::News::Built;
+        if (what == Rebuilder::News::Building) news = "building";
+        failed = what == Rebuilder::News::Failed || (failed && !built);
+        if (what == Rebuilder::News::Failed) say("does not compile", rebuilder.error());
+        if (built) {
+            stage.change(screen.gl, rebuilder.hallHash(), theMusic.block,
+                         [&] { glfwMakeContextCurrent(screen.hidden); });
+            if (!stage.told().empty()) say("loading", stage.told());
+        }
+        if (stage.poll(theMusic.block) || (built && stage.told().empty())) {
+            char line[80];
+            std::snprintf(line, sizeof line, "new since %.1f s after it was saved",
+                          glfwGetTime() - rebuilder.saved());
+            say(line, line);
+        }
+    }
+    void say(const char *inTitle, const std::string &line) {
+        news = inTitle;
+        fail(line.c_str());
+    }
+    // What there is to tell, over the picture. `limit`: a constant that is too small, or null.
+    void write(const Picture &p, const char *limit) const {
+        std::string line = failed ? rebuilder.error() : stage.told();
+        if (line.empty() && limit)
+            line = std::string("this scene outgrew a limit; raise in scene.h: ") + limit;
+        if (!line.empty()) liveInUse()->write(p, line.c_str());
+    }
+    // The compiler needs the processors: until it is done, few pictures are made.
+    void wait() const {
+        if (rebuilder.building()) glfwWaitEventsTimeout(0.2);
+    }
+};
+
+} // namespace
+
 int main(int argc, char **argv) {
     const char *shown = takeShown(argc, argv);
+    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path();
     Options o;
     Message wrong;
+    Stage stage(build + "/live/live.so");
+    if (!stage.problem().empty()) return fail((stage.problem() + ": build it anew").c_str());
     if (!parseOptions(argc, argv, duration(), o, wrong)) {
         fail(wrong.data);
         return 2;
     }
     if (o.help) {
-        std::puts(
-            "usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
-            "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
-            "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"
-            "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
-            "build/seen.");
+        std::puts("usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
+                  "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
+                  "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"
+                  "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
+                  "with it stands in the picture.\n"
+                  "--shown plays the film as " FILM_NAME
+                  " does, and writes which pictures were shown, and when, for\n"
+                  "build/seen.");
         return 0;
     }
     if (shown) return recordShown(o, shown);
     static const int never = 0;
-    Workers workers;
-    if (const char *missing = startWorkers(workers, o.threads ? o.threads : cpuCount(), &never))
-        return fail(missing);
-    if (!glfwInit()) return fail("no display: set DISPLAY");
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    GLFWwindow *window = glfwCreateWindow(o.width, o.height, FILM_NAME "-debug", nullptr, nullptr);
-    if (!window) return fail("no OpenGL 3.3 on this display");
-    glfwMakeContextCurrent(window);
-    glfwSetKeyCallback(window, onKey);
-    Gl gl;
-    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, gl))
-        return fail("no OpenGL 3.3 on this display");
-    IntroSettings settings = {o.width, o.height};
-    size_t bytes = memoryNeeded(settings, workers.count, true) + soundMemory();
-    Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    Intro *intro;
-    if (!arena.base) return fail("not enough memory: try a smaller --size");
-    if (const char *problem = load(intro, settings, arena, workers, &gl)) return fail(problem);
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    GLuint texture, framebuffer;
-    gl.glGenTextures(1, &texture);
-    gl.glBindTexture(GL_TEXTURE_2D, texture);
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, o.width, o.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    gl.glGenFramebuffers(1, &framebuffer);
-    gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-    gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+    Screen screen = {};
+    if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
+    Follower follower = {Rebuilder(build), stage, "", false};
+    if (!follower.rebuilder.problem().empty()) fail(follower.rebuilder.problem().c_str());
+    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
+    if (const char *problem = stage.loadFirst(screen.gl, follower.rebuilder.hallHash())) return fail(problem);
+    prepare(screen);
 
     Maker &m = theMaker;
     m.time = seconds(o.from);
-    startMusic(theMusic, o.mute ? nullptr : loadSound(arena), m.time, &never);
-    glfwGetCursorPos(window, &m.mouseX, &m.mouseY);
-    for (double last = glfwGetTime(); !glfwWindowShouldClose(window);) {
+    startMusic(theMusic, stage.sound(), m.time, &never);
+    glfwGetCursorPos(screen.window, &m.mouseX, &m.mouseY);
+    for (double last = glfwGetTime(); !glfwWindowShouldClose(screen.window);) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
-        // When paused or sought, the clock follows us; otherwise we follow it
-        int64_t moment = nanoseconds();
-        FilmClock &clock = theMusic.clock;
-        clock.watch(moment, processorNanoseconds());
-        theMusic.playback.pause(m.paused);
-        if (m.paused || m.sought)
-            clock.start(m.time, moment);
-        else
-            m.time = std::fmin(clock.at(moment), duration());
-        m.sought = false;
-        fly(window, m, (float)passed);
-        Picture p = picture(*intro, 0, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
-        if (const char *limit = outgrown(*intro))
-            return fail(
-                (std::string(sceneName(sceneAt(m.time))) + " outgrew a limit; raise in scene.h: " + limit)
-                    .c_str());
-        int w, h;
-        glfwGetFramebufferSize(window, &w, &h);
-        gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, o.width, o.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);
-        gl.glBlitFramebuffer(0, 0, o.width, o.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-        glfwSwapBuffers(window);
-        // The overlay: where and how fast we are
-        char title[160];
-        std::snprintf(title, sizeof title, FILM_NAME "-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms",
-                      sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
-                      m.time * kRowsPerSecond, kQualities[m.quality].name, m.paused ? "  paused" : "",
-                      passed * 1e3);
-        glfwSetWindowTitle(window, title);
+        follower.follow(screen);
+        keepTime(m);
+        fly(screen.window, m, (float)passed);
+        Picture p = picture(stage.intro(), 0, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
+        follower.write(p, outgrown(stage.intro()));
+        show(screen, p);
+        follower.wait();
+        tell(screen, m, passed, follower.news);
     }
     endMusic(theMusic);
     glfwTerminate();

@@ -1,0 +1,36 @@
+// The film as odraz-debug calls it: the functions of intro.h, in a shared object that is built and loaded
+// anew while the film plays.
+#pragma once
+
+#include "intro.h"
+
+namespace odraz {
+
+struct Live {
+    bool (*needsHall)(double from, double to);
+    size_t (*memoryNeeded)(const IntroSettings &settings, int workers, bool hall);
+    const char *(*load)(Intro *&intro, const IntroSettings &settings, Arena &arena, Workers &workers,
+                        const Gl *gl, const Progress &progress);
+    double (*duration)();
+    int (*sceneAt)(double seconds);
+    const char *(*sceneName)(int scene);
+    Pace (*paceOf)(int scene);
+    CameraKey (*cameraAt)(double seconds);
+    Picture (*picture)(Intro &intro, int slot, double seconds, const Quality &quality,
+                       const CameraKey *camera, TracedSize traced);
+    Picture (*between)(Intro &intro, int earlier, int later);
+    int64_t (*samplesTaken)(const Intro &intro);
+    const char *(*outgrown)(const Intro &intro);
+    size_t (*soundMemory)();
+    Sound *(*loadSound)(Arena &arena);
+    void (*seekSound)(Sound &sound, int block);
+    void (*soundBlock)(Sound &sound, float *stereo);
+    // Writes text over a picture, on a dark ground, at its lower edge, in as many lines as it takes
+    void (*write)(const Picture &picture, const char *text);
+    size_t sizes[4]; // of what load() and loadSound() make: where they differ, these must be called again
+};
+
+using GetLive = const Live *();
+inline constexpr char kGetLive[] = "odrazLive"; // the one function that the shared object shows
+
+} // namespace odraz

@@ -1,0 +1,145 @@
+#include "maker/rebuilder.h"
+
+#include "tools/common/temporary_folder.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+using namespace odraz;
+using News = Rebuilder::News;
+
+namespace {
+
+// A project whose target "live" copies a source to the shared object, unless it says what is wrong.
+class Project {
+public:
+    Project() {
+        std::filesystem::create_directories(folder / "intro/show");
+        write("CMakeLists.txt", "cmake_minimum_required(VERSION 3.20)\nproject(p NONE)\n"
+                                "add_custom_target(live COMMAND sh ${CMAKE_SOURCE_DIR}/make "
+                                "${CMAKE_SOURCE_DIR} ${CMAKE_BINARY_DIR})\n");
+        write(
+            "make",
+            "if grep -q oops $1/intro/show/a.cpp; then\n"
+            "echo building; echo $1/intro/show/a.cpp:3:1: error: oops; echo b.cpp: error: later; exit 1; fi\n"
+            "cp $1/intro/show/a.cpp $2/live/live.so\n");
+        write("intro/show/a.cpp", "one");
+        std::string command = "cmake -S " + (folder / "") + " -B " + build() + " >/dev/null";
+        EXPECT_EQ(std::system(command.c_str()), 0);
+    }
+    void write(const std::string &name, const std::string &text) const {
+        std::ofstream(folder / name) << text;
+    }
+    std::string read(const std::string &name) const {
+        std::ifstream in(folder / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    std::string build() const { return folder / "build"; }
+    TemporaryFolder folder;
+};
+
+// The next news other than that a build has begun, waiting for a minute at most.
+News next(Rebuilder &r, double &now) {
+    for (int i = 0; i < 6000; ++i) {
+        News what = r.poll(now += 0.01);
+        if (what == News::Built || what == News::Failed) return what;
+        usleep(10000);
+    }
+    return News::None;
+}
+// Polls for some time in which nothing may happen.
+bool quiet(Rebuilder &r, double &now) {
+    for (int i = 0; i < 20; ++i, usleep(5000))
+        if (r.poll(now += 0.01) != News::None) return false;
+    return true;
+}
+
+} // namespace
+
+TEST(Rebuilder, BuildsWhatIsSaved) {
+    Project p;
+    Rebuilder r(p.build());
+    double now = 0;
+    ASSERT_EQ(r.problem(), "");
+    EXPECT_TRUE(quiet(r, now));
+    EXPECT_EQ(r.object(), p.build() + "/live/live.so");
+    p.write("intro/show/a.cpp", "two");
+    ASSERT_EQ(next(r, now), News::Built);
+    EXPECT_FALSE(r.building());
+    EXPECT_EQ(p.read("build/live/live.so"), "two");
+    EXPECT_GT(r.saved(), 0);
+    // Editors that write beside the file and rename, as most do
+    p.write("intro/show/.a.cpp.swp", "three");
+    EXPECT_TRUE(quiet(r, now)); // no source
+    std::filesystem::rename(p.folder / "intro/show/.a.cpp.swp", p.folder / "intro/show/a.cpp");
+    ASSERT_EQ(next(r, now), News::Built);
+    EXPECT_EQ(p.read("build/live/live.so"), "three");
+}
+
+TEST(Rebuilder, TellsTheFirstError) {
+    Project p;
+    Rebuilder r(p.build());
+    double now = 0;
+    p.write("intro/show/a.cpp", "oops");
+    ASSERT_EQ(next(r, now), News::Failed);
+    EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: error: oops");
+    EXPECT_TRUE(quiet(r, now));
+    p.write("intro/show/a.cpp", "well");
+    ASSERT_EQ(next(r, now), News::Built);
+    EXPECT_EQ(p.read("build/live/live.so"), "well");
+}
+
+TEST(Rebuilder, BuildsAgainWhatWasSavedMeanwhile) {
+    Project p;
+    p.write("make", "sleep 0.5; cp $1/intro/show/a.cpp $2/live/live.so\n");
+    Rebuilder r(p.build());
+    double now = 0;
+    p.write("intro/show/a.cpp", "two");
+    for (int i = 0; i < 1000 && !r.building(); ++i, usleep(1000)) r.poll(now += 0.01);
+    ASSERT_TRUE(r.building());
+    usleep(600000); // it has copied
+    p.write("intro/show/a.cpp", "three");
+    ASSERT_EQ(next(r, now), News::Built);
+    EXPECT_EQ(p.read("build/live/live.so"), "three");
+    EXPECT_TRUE(quiet(r, now));
+}
+
+TEST(Rebuilder, WatchesNewFolders) {
+    Project p;
+    Rebuilder r(p.build());
+    double now = 0;
+    std::filesystem::create_directory(p.folder / "intro/show/scenes");
+    EXPECT_TRUE(quiet(r, now));
+    p.write("intro/show/scenes/new.cpp", "new");
+    EXPECT_EQ(next(r, now), News::Built);
+}
+
+TEST(Rebuilder, SaysWhatItCannotWatch) {
+    TemporaryFolder empty;
+    Rebuilder r(empty / "");
+    double now = 0;
+    EXPECT_NE(r.problem().find("no folder of a build"), std::string::npos);
+    EXPECT_TRUE(quiet(r, now));
+}
+
+TEST(Rebuilder, HashesWhatMakesTheHallsLight) {
+    Project p;
+    std::string objects = "build/intro/maker/CMakeFiles/live.dir/__/";
+    std::filesystem::create_directories(p.folder / (objects + "show"));
+    std::filesystem::create_directories(p.folder / (objects + "radiosity"));
+    p.write(objects + "show/hall.cpp.o", "1");
+    p.write(objects + "show/film.cpp.o", "1");
+    p.write(objects + "radiosity/solve.cpp.o", "1");
+    Rebuilder r(p.build());
+    uint64_t before = r.hallHash();
+    p.write(objects + "show/film.cpp.o", "2");
+    EXPECT_EQ(r.hallHash(), before);
+    p.write(objects + "radiosity/solve.cpp.o", "2");
+    uint64_t solved = r.hallHash();
+    EXPECT_NE(solved, before);
+    p.write(objects + "show/hall.cpp.o", "2");
+    EXPECT_NE(r.hallHash(), solved);
+}
