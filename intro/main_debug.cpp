@@ -223,8 +223,8 @@ struct Follower {
         failed = what == Rebuilder::News::Failed || (failed && !built);
         if (what == Rebuilder::News::Failed) say("does not compile", rebuilder.error());
         if (built) {
-            stage.change(screen.gl, rebuilder.hallHash(), theMusic.block,
-                         [&] { glfwMakeContextCurrent(screen.hidden); });
+            stage.change(screen.gl, rebuilder.solverHash(), theMusic.block,
+                         [&](bool on) { glfwMakeContextCurrent(on ? screen.hidden : nullptr); });
             if (!stage.told().empty()) say("loading", stage.told());
         }
         if (stage.poll(theMusic.block) || (built && stage.told().empty())) {
@@ -243,7 +243,7 @@ struct Follower {
         std::string line = failed ? rebuilder.error() : stage.told();
         if (line.empty() && limit)
             line = std::string("this scene outgrew a limit; raise in scene.h: ") + limit;
-        if (!line.empty()) liveInUse()->write(p, line.c_str());
+        if (!line.empty()) liveInUse()->write(p, line.c_str(), stage.loaded());
     }
     // The compiler needs the processors: until it is done, few pictures are made.
     void wait() const {
@@ -282,7 +282,8 @@ int main(int argc, char **argv) {
     Follower follower = {Rebuilder(build), stage, "", false};
     if (!follower.rebuilder.problem().empty()) fail(follower.rebuilder.problem().c_str());
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
-    if (const char *problem = stage.loadFirst(screen.gl, follower.rebuilder.hallHash())) return fail(problem);
+    if (const char *problem = stage.loadFirst(screen.gl, follower.rebuilder.solverHash()))
+        return fail(problem);
     prepare(screen);
 
     Maker &m = theMaker;
@@ -303,6 +304,7 @@ int main(int argc, char **argv) {
         tell(screen, m, passed, follower.news);
     }
     endMusic(theMusic);
+    stage.giveUp();
     glfwTerminate();
     return 0;
 }

@@ -25,8 +25,13 @@ struct Live {
     Sound *(*loadSound)(Arena &arena);
     void (*seekSound)(Sound &sound, int block);
     void (*soundBlock)(Sound &sound, float *stereo);
-    // Writes text over a picture, on a dark ground, at its lower edge, in as many lines as it takes
-    void (*write)(const Picture &picture, const char *text);
+    // A hash of what the hall's light is solved from: its shape, what it reflects, its lights and settings.
+    // Takes hallHashMemory bytes of the arena
+    uint64_t (*hallHash)(Arena &arena);
+    size_t hallHashMemory;
+    // Writes text over a picture, on a dark ground, at its lower edge, in as many lines as it takes; and
+    // below it a bar that is filled up to `done` (0 .. 1) of the width, if there is something to wait for
+    void (*write)(const Picture &picture, const char *text, float done);
     size_t sizes[4]; // of what load() and loadSound() make: where they differ, these must be called again
 };
 

@@ -7,7 +7,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kMostWide = 4096, kLineHeight = 26, kSize = 12, kIndent = 12; // pixels
+constexpr int kMostWide = 4096, kLineHeight = 26, kSize = 12, kIndent = 12, kBarHeight = 4; // pixels
 constexpr int kMostLetters = 400;
 constexpr float kWidest = 17.5f / 12 * kSize; // of a letter, with what is behind it
 float theStrip[3][kMostWide * kLineHeight];   // one line of text
@@ -28,7 +28,15 @@ void writeLine(const Picture &p, int top, const char *text) {
         }
 }
 
-void write(const Picture &p, const char *text) {
+void fillBar(const Picture &p, float done) {
+    for (int y = p.height - kBarHeight; y < p.height; ++y)
+        for (int x = 0; x < (int)((float)p.width * done); ++x) {
+            uint8_t *pixel = p.rgba + ((ptrdiff_t)y * p.width + x) * 4;
+            pixel[0] = 0xd9, pixel[1] = 0x7a, pixel[2] = 0x3c; // copper
+        }
+}
+
+void write(const Picture &p, const char *text, float done) {
     int each = (int)((float)(p.width - 2 * kIndent) / kWidest * 1.6f), length = (int)__builtin_strlen(text);
     if (p.width > kMostWide || each < 1) return;
     each = min(each, kMostLetters);
@@ -38,15 +46,48 @@ void write(const Picture &p, const char *text) {
         __builtin_memcpy(line, text + i * each, (size_t)min(each, length - i * each));
         if (top >= 0) writeLine(p, top, line);
     }
+    fillBar(p, done);
+}
+
+// FNV-1a
+struct Hash {
+    uint64_t value = 0xcbf29ce484222325;
+    template <class T> void add(const T *data, int count = 1) {
+        for (size_t i = 0; i < sizeof(T) * (size_t)count; ++i)
+            value = (value ^ ((const uint8_t *)data)[i]) * 0x100000001b3;
+    }
+};
+
+// Only of what is used, and of no addresses: they differ from object to object
+uint64_t hallHash(Arena &arena) {
+    Hall *hall = arena.take<Hall>(1);
+    Scene *scene = arena.take<Scene>(1);
+    Hash hash;
+    if (arena.full) return 0;
+    prepareHall(*hall, *scene);
+    hash.add(hall->model.charts, hall->model.chartCount);
+    hash.add(hall->model.facets, hall->model.facetCount);
+    hash.add(scene->mean, scene->materialCount);
+    const LightBases &bases = hall->radiosity.bases;
+    hash.add((const BasisOrder *)&bases);
+    hash.add(bases.suns, bases.sunCount);
+    hash.add(bases.lamps, bases.lampCount);
+    RoomSettings settings = hallSettings(*hall);
+    hash.add(&settings);
+    return hash.value;
 }
 
 const Live kLive = {
-    needsHall,   memoryNeeded, load,
-    duration,    sceneAt,      sceneName,
-    paceOf,      cameraAt,     picture,
-    between,     samplesTaken, outgrown,
-    soundMemory, loadSound,    seekSound,
-    soundBlock,  write,        {sizeof(Intro), sizeof(Scene), sizeof(Hall), sizeof(Sound)},
+    needsHall,    memoryNeeded,
+    load,         duration,
+    sceneAt,      sceneName,
+    paceOf,       cameraAt,
+    picture,      between,
+    samplesTaken, outgrown,
+    soundMemory,  loadSound,
+    seekSound,    soundBlock,
+    hallHash,     sizeof(Hall) + sizeof(Scene) + 4096,
+    write,        {sizeof(Intro), sizeof(Scene), sizeof(Hall), sizeof(Sound)},
 };
 
 } // namespace

@@ -1,13 +1,8 @@
 #include "maker/live_film.h"
 
 #include <atomic>
-#include <cerrno>
-#include <cstring>
 #include <dlfcn.h>
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <sys/sendfile.h>
-#include <sys/stat.h>
+#include <filesystem>
 #include <unistd.h>
 
 namespace odraz {
@@ -26,22 +21,16 @@ const Live &live() { return *theUse.load()->live; }
 
 const Live *openLive(const std::string &file, std::string &wrong) {
     // The loader takes two files of one name for the same: give it a copy that has a name of its own
-    int from = open(file.c_str(), O_RDONLY | O_CLOEXEC), copy = memfd_create("film", MFD_CLOEXEC);
-    struct stat s = {};
-    bool copied = from >= 0 && copy >= 0 && fstat(from, &s) == 0;
-    while (copied && s.st_size > 0) {
-        ssize_t sent = sendfile(copy, from, nullptr, (size_t)s.st_size);
-        copied = sent > 0;
-        s.st_size -= sent;
-    }
-    if (!copied) wrong = "cannot read " + file + ": " + std::strerror(errno);
-    if (from >= 0) close(from);
-    if (!copied) return close(copy), nullptr;
-    // The descriptor stays open: its number is the name
-    void *object = dlopen(("/proc/self/fd/" + std::to_string(copy)).c_str(), RTLD_NOW | RTLD_LOCAL);
+    static int copies = 0;
+    std::string copy = file + "." + std::to_string(getpid()) + "." + std::to_string(++copies);
+    std::error_code error;
+    if (!std::filesystem::copy_file(file, copy, std::filesystem::copy_options::overwrite_existing, error))
+        return wrong = "cannot copy " + file + ": " + error.message(), nullptr;
+    void *object = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
     auto get = object ? (GetLive *)dlsym(object, kGetLive) : nullptr;
-    if (!get) return wrong = dlerror(), nullptr;
-    return get();
+    if (!get) wrong = dlerror();
+    std::filesystem::remove(copy, error); // it stays in memory
+    return get ? get() : nullptr;
 }
 
 void useLive(const Live *next, Sound *sound) { theUse = new InUse{next, sound}; } // the former may be in use

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
@@ -18,9 +19,9 @@ namespace odraz {
 
 namespace {
 
+constexpr uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE;
 constexpr double kSettled = 0.03; // seconds without a change: editors write in several steps
-// What makes the hall's light, beside the numbers that scenes give it
-constexpr const char *kHallObjects[] = {"radiosity", "transfer", "show/hall.cpp.o", "show/hall_model.cpp.o"};
+constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
 bool isSource(const std::string &name) {
     for (const char *end : {".cpp", ".h", "CMakeLists.txt"})
@@ -41,10 +42,14 @@ uint64_t hashOf(const std::filesystem::path &file, uint64_t hash) {
 
 Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
     std::ifstream cache(build + "/CMakeCache.txt");
-    constexpr char kKey[] = "CMAKE_HOME_DIRECTORY:INTERNAL=";
-    for (std::string line; std::getline(cache, line);)
-        if (!line.compare(0, sizeof kKey - 1, kKey)) source = line.substr(sizeof kKey - 1);
-    if (source.empty()) {
+    auto take = [](const std::string &line, const std::string &key, std::string &to) {
+        if (!line.compare(0, key.size(), key)) to = line.substr(key.size());
+    };
+    for (std::string line; std::getline(cache, line);) {
+        take(line, "CMAKE_HOME_DIRECTORY:INTERNAL=", source);
+        take(line, "CMAKE_MAKE_PROGRAM:FILEPATH=", maker);
+    }
+    if (source.empty() || maker.empty()) {
         wrong = build + " is no folder of a build: sources are not watched";
         return;
     }
@@ -57,17 +62,14 @@ Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
 }
 
 Rebuilder::~Rebuilder() {
-    if (compiling > 0) {
-        kill(compiling, SIGTERM);
-        waitpid(compiling, nullptr, 0);
-    }
+    stop();
+    if (compiling > 0) waitpid(compiling, nullptr, 0);
     if (notify >= 0) close(notify);
 }
 
 // The folder and all in it.
 void Rebuilder::watch(const std::string &folder) {
-    int number =
-        inotify_add_watch(notify, folder.c_str(), IN_CLOSE_WRITE | IN_MOVED_TO | IN_CREATE | IN_ONLYDIR);
+    int number = inotify_add_watch(notify, folder.c_str(), kEvents | IN_ONLYDIR);
     if (number < 0) {
         wrong = "cannot watch " + folder + ": " + std::strerror(errno);
         return;
@@ -87,9 +89,10 @@ bool Rebuilder::sawChange() {
             auto *event = (inotify_event *)at;
             at += sizeof *event + event->len;
             if (!event->len) continue;
-            if (event->mask & IN_ISDIR && (size_t)event->wd < watched.size())
+            bool folder = event->mask & IN_ISDIR, appears = event->mask & (IN_CREATE | IN_MOVED_TO);
+            if (folder && appears && (size_t)event->wd < watched.size())
                 watch(watched[(size_t)event->wd] + "/" + event->name);
-            else if (!(event->mask & IN_CREATE) && isSource(event->name))
+            else if (!folder && !(event->mask & IN_CREATE) && isSource(event->name))
                 saw = true;
         }
     return saw;
@@ -102,14 +105,35 @@ void Rebuilder::start() {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_adddup2(&actions, 1, 2);
-    const char *words[] = {"env",         "LC_ALL=C", "cmake", "--build",
-                           build.c_str(), "--target", "live",  nullptr}; // with quotes that our font has
-    int error = posix_spawnp(&compiling, words[0], &actions, nullptr, (char *const *)words, environ);
+    // A group of its own, to be ended as one
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    // In English, with quotes that our font has. Not by cmake, which would end before those it has started
+    const char *words[] = {"env", "LC_ALL=C", maker.c_str(), "-C", build.c_str(), "live", nullptr};
+    // Between what was saved before and what is saved from now on: files' times are late by some milliseconds
+    began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(15);
+    int error = posix_spawnp(&compiling, words[0], &actions, &attributes, (char *const *)words, environ);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     if (error) {
         compiling = -1;
-        firstError = std::string("cannot start cmake: ") + std::strerror(error);
+        firstError = std::string("cannot start " + maker + ": ") + std::strerror(error);
     }
+}
+
+// Ends what compiles, with what it has started.
+void Rebuilder::stop() {
+    if (compiling > 0) kill(-compiling, SIGTERM);
+}
+
+// Objects get the time at which their build began: what is saved while they are compiled is then newer than
+// they are. (Ninja before 1.12 does not look at that.)
+void Rebuilder::backdate() {
+    std::error_code ignored;
+    for (const std::string &file : objects())
+        if (std::filesystem::last_write_time(file, ignored) > began)
+            std::filesystem::last_write_time(file, began, ignored);
 }
 
 void Rebuilder::readError() {
@@ -133,36 +157,41 @@ Rebuilder::News Rebuilder::poll(double now) {
         changedAt = now;
     }
     if (compiling > 0) {
+        if (dirty && !stopped) stop(); // what is built is not what there is now
+        stopped = dirty;
         int status;
         pid_t ended = waitpid(compiling, &status, WNOHANG);
         if (ended == 0) return News::None;
         compiling = -1;
-        if (dirty) return News::None; // what was built is not what there is now
+        backdate();
+        if (dirty) return News::None;
         if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return News::Built;
         readError();
         return News::Failed;
     }
     if (!dirty || now < changedAt + kSettled) return News::None;
-    dirty = false;
+    dirty = stopped = false;
     savedAt = changedAt;
     start();
     return compiling > 0 ? News::Building : News::Failed;
 }
 
-uint64_t Rebuilder::hallHash() const {
-    uint64_t hash = 0xcbf29ce484222325;
-    std::vector<std::filesystem::path> files;
+// Of the target: they lie in a folder of its own, under the paths of their sources.
+std::vector<std::string> Rebuilder::objects() const {
+    std::vector<std::string> files;
     std::error_code ignored;
-    // The generator keeps objects in a folder of the target, under the paths of their sources
-    for (auto &entry : std::filesystem::recursive_directory_iterator(build + "/intro/maker", ignored)) {
-        std::string path = entry.path();
-        bool ofHall = std::any_of(std::begin(kHallObjects), std::end(kHallObjects), [&](const char *part) {
-            return path.find(std::string("/") + part) != path.npos;
-        });
-        if (ofHall && entry.path().extension() == ".o") files.push_back(entry.path());
-    }
+    for (auto &entry : std::filesystem::recursive_directory_iterator(build + "/intro/maker", ignored))
+        if (entry.path().extension() == ".o") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    for (auto &file : files) hash = hashOf(file, hash);
+    return files;
+}
+
+uint64_t Rebuilder::solverHash() const {
+    uint64_t hash = 0xcbf29ce484222325;
+    for (const std::string &file : objects())
+        if (std::any_of(std::begin(kSolvers), std::end(kSolvers),
+                        [&](const char *part) { return file.find(part) != file.npos; }))
+            hash = hashOf(file, hash);
     return hash;
 }
 

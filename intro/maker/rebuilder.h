@@ -1,6 +1,7 @@
 // Watches the film's sources, and builds the shared object anew whenever one is saved.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -30,21 +31,25 @@ public:
     // The compiler's first error, or what else was wrong, as one line with paths from the source folder on.
     const std::string &error() const { return firstError; }
     std::string object() const { return build + "/live/live.so"; }
-    // A hash of the code that the hall's light is made by. Where it changes, the hall must be solved anew.
-    uint64_t hallHash() const;
+    // A hash of the code that solves the hall. Where it changes, the hall must be solved anew.
+    uint64_t solverHash() const;
     double saved() const { return savedAt; } // when the last change came that was built
 
 private:
     void watch(const std::string &folder);
     bool sawChange();
     void start();
+    void stop();
+    void backdate();
     void readError();
+    std::vector<std::string> objects() const;
 
-    std::string build, source, wrong, firstError;
+    std::string build, source, maker, wrong, firstError;
     int notify = -1;
     std::vector<std::string> watched; // by inotify's numbers
     pid_t compiling = -1;
-    bool dirty = false;
+    std::filesystem::file_time_type began = {};
+    bool dirty = false, stopped = false; // saved since the build began; it was told to end
     double changedAt = 0, savedAt = 0;
 };
 

@@ -1,7 +1,5 @@
 #include "maker/stage.h"
 
-#include "host/threads.h"
-
 #include <cstdio>
 #include <cstring>
 #include <sys/mman.h>
@@ -10,8 +8,6 @@ namespace odraz {
 
 namespace {
 
-const int kNever = 0;
-
 Arena takeArena(size_t bytes) {
     void *memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     return {memory == MAP_FAILED ? nullptr : (unsigned char *)memory, bytes, 0};
@@ -19,6 +15,13 @@ Arena takeArena(size_t bytes) {
 void giveBack(Arena &arena) {
     if (arena.base) munmap(arena.base, arena.size);
     arena = {};
+}
+
+uint64_t hallHash(const Live &live) {
+    Arena arena = takeArena(live.hallHashMemory);
+    uint64_t hash = arena.base ? live.hallHash(arena) : 0;
+    giveBack(arena);
+    return hash;
 }
 
 } // namespace
@@ -33,18 +36,19 @@ void Stage::settle(int w, int h, int count, bool silent) {
     threads = count;
     mute = silent;
 }
-Stage::~Stage() {
-    if (loading.joinable()) loading.join();
+
+// Gets ready to load, on the thread that shows pictures.
+void Stage::start(Loaded &to) {
+    giveBack(to.arena);
+    to.pool = std::make_unique<Pool>(threads);
 }
 
-const char *Stage::load(Loaded &to, const Gl &gl, Workers &by, const Progress &report) {
-    if (!by.count)
-        if (const char *problem = startWorkers(by, threads, &kNever)) return problem;
+const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     IntroSettings settings = {width, height};
-    giveBack(to.arena);
-    to.arena = takeArena(to.live->memoryNeeded(settings, by.count, true));
+    Workers &workers = to.pool->workers();
+    to.arena = takeArena(to.live->memoryNeeded(settings, workers.count, true));
     if (!to.arena.base) return "not enough memory: try a smaller --size";
-    return to.live->load(to.intro, settings, to.arena, by, &gl, report);
+    return to.live->load(to.intro, settings, to.arena, workers, &gl, report);
 }
 
 // The music of its score, ready at a block. The former one may still be in use: its memory stays.
@@ -56,31 +60,44 @@ Sound *Stage::newSound(Loaded &to, int block) {
     return to.sound;
 }
 
-const char *Stage::loadFirst(const Gl &gl, uint64_t hall) {
-    now.hall = hall;
-    if (const char *problem = load(now, gl, workers[shown], {})) return problem;
+const char *Stage::loadFirst(const Gl &gl, uint64_t solvers) {
+    now.solvers = solvers;
+    now.hall = hallHash(*now.live);
+    start(now);
+    if (const char *problem = load(now, gl, {})) return problem;
     useLive(now.live, newSound(now, 0));
     return nullptr;
 }
 
-void Stage::change(const Gl &gl, uint64_t hall, int block, const std::function<void()> &enter) {
-    if (loading.joinable()) loading.join(); // what it loads is stale
+void Stage::giveUp() {
+    if (!loading.joinable()) return;
+    next.pool->abort();
+    loading.join();
     done = false;
+}
+
+void Stage::change(const Gl &gl, uint64_t solvers, int block, const std::function<void(bool)> &current) {
+    giveUp(); // what it loads is stale
     wrong.clear();
     const Live *live = openLive(object, wrong);
     if (!live) return;
-    if (hall == now.hall && !std::memcmp(live->sizes, now.live->sizes, sizeof live->sizes)) {
+    uint64_t hall = hallHash(*live);
+    if (solvers == now.solvers && hall == now.hall &&
+        !std::memcmp(live->sizes, now.live->sizes, sizeof live->sizes)) {
         now.live = live;
         useLive(live, newSound(now, block));
         return;
     }
     next.live = live;
+    next.solvers = solvers;
     next.hall = hall;
     progress = 0;
-    loading = std::thread([this, &gl, enter] {
-        enter();
+    start(next);
+    loading = std::thread([this, &gl, current] {
+        current(true);
         Progress report = {[](float part, void *to) { *(std::atomic<float> *)to = part; }, &progress};
-        missing = load(next, gl, workers[1 - shown], report);
+        missing = load(next, gl, report);
+        current(false);
         done = true;
     });
 }
@@ -90,14 +107,12 @@ bool Stage::poll(int block) {
     loading.join();
     if (missing) return wrong = missing, false;
     std::swap(now, next);
-    shown = 1 - shown;
     useLive(now.live, newSound(now, block));
     return true;
 }
 
 std::string Stage::told() const {
-    if (!wrong.empty()) return wrong;
-    if (!loading.joinable()) return "";
+    if (!wrong.empty() || !loads()) return wrong;
     char line[80];
     std::snprintf(line, sizeof line, "the hall is solved anew: %.0f of 100", (double)progress * 100);
     return line;

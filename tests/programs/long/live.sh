@@ -1,52 +1,135 @@
 # Live editing: a copy of the house is built, its odraz-debug started, and its sources changed while it plays.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tests/programs/display.sh"
-skip_unless git cmake openbox
+skip_unless git cmake openbox convert
 house=$WORK/house
 mkdir "$house"
 (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$house") || exit 1
-(cd "$house" && git init -q) # its version is looked up at every build
+(cd "$house" && git init -q && cp -r intro "$WORK/kept") # its version is looked up at every build
 check "configures a copy" cmake -S "$house" -B "$house/build" -G Ninja >/dev/null
-check "builds its odraz-debug" cmake --build "$house/build" --target "$FILM-debug" >/dev/null
+check "builds its $FILM-debug" cmake --build "$house/build" --target "$FILM-debug" >/dev/null
 start_display 800x500
 openbox >/dev/null 2>&1 &
 PIDS+=($!)
+export ALSA_CONFIG_PATH=$WORK/alsa.conf
+unset PULSE_SERVER
+cat >"$ALSA_CONFIG_PATH" <<END
+pcm.!default { type file slave.pcm "nothing" file "$WORK/played" format "raw" }
+pcm.nothing { type null }
+END
 
+# --- The program, and what it tells ---
 seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug " 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
-begin "$house/build/$FILM-debug" --mute --from 20 --size 320x180
-check "it plays" test -n "$window"
-xdotool windowfocus --sync "$window" key space
-paused() { xdotool getwindowname "$window" | grep -q paused; }
-check "... and pauses" await paused
-kept() { shot && cp "$WORK/shot.png" "$WORK/$1.png"; }
-sleep 1
-kept before
-news() { grep -c 'new since' "$WORK/err"; }
-# changes FILE SED: saves it, and waits until it is shown
-changes() {
-    local before=$(news)
-    sed -i "$2" "$house/intro/$1"
-    await eval "[ \"\$(news)\" -gt $before ]" && sleep 1
+starts() { # starts SECONDS OPTION...
+    begin "$house/build/$FILM-debug" --size 320x180 --from "$@"
+    [ -n "$window" ] && xdotool windowfocus --sync "$window"
 }
-scene=show/scenes/table.cpp
-cp "$house/intro/$scene" "$WORK/kept.cpp"
-check "a scene that is changed is shown" changes $scene 's/sphere({0, 0.8f, 0}, 0.8f, kSilver)/sphere({0, 0.8f, 0}, 0.8f, kRed)/'
-kept after
-check "... which is another picture" eval '! cmp -s "$WORK/before.png" "$WORK/after.png"'
-echo "this is no C++" >>"$house/intro/$scene"
-check "what does not compile is told" await grep -q "intro/$scene:[0-9:]* error: " "$WORK/err"
+press() { xdotool key --window "$window" "$1"; }
+titled() { xdotool getwindowname "$window" | grep -q "$1"; }
+leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone before the key is up)
+# comes WHAT...: waits for it, unless the program is gone
+comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
+news() { grep -c 'new since' "$WORK/err"; }
+told() { grep -q "$1" <(tail -n +$((heard + 1)) "$WORK/err"); }
+listen() { heard=$(wc -l <"$WORK/err"); }
+edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
+restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
+# shows COMMAND...: does it, and waits until the picture is that of the new sources
+shows() { listen && "$@" && comes 'told "new since"' && sleep 1; }
+changes() { # changes NAME FILE SED: another picture comes
+    shows edit "$2" "$3" && kept changed && cp "$WORK/changed.png" "$WORK/$1.png" && ! cmp -s "$WORK/before.png" "$WORK/changed.png"
+}
+goes_back() { shows restore "$1" && kept again && cmp "$WORK/before.png" "$WORK/again.png"; }
+kept() { shot && cp "$WORK/shot.png" "$WORK/$1.png"; }
+pauses() { press space && comes 'titled paused' && sleep 1 && kept before; }
+
+# --- Sound ---
+loud() { [ "$(tail -c 40000 "$WORK/played" | od -An -v -td2 -w2 | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = "$1" ]; }
+check "it plays" starts 20
+[ -n "$window" ] || finish
+check "... with sound" comes 'loud 1'
+edit show/score.cpp 's/^void playRow(.*{$/& return;/'
+check "a score without notes is heard" comes 'loud 0'
+restore show/score.cpp
+check "... and one with notes again" comes 'loud 1'
+
+# --- Pictures ---
+table=show/scenes/table.cpp
+check "it pauses" pauses
+check "a scene that is changed is shown" changes red "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
+listen
+echo "this is no C++" >>"$house/intro/$table"
+check "what does not compile is told" comes 'told "intro/$table:[0-9:]* error: "'
 sleep 1
 kept wrong
 upper() { convert "$WORK/$1.png" -crop 320x100+0+0 +repage "rgb:$WORK/$1.rgb"; }
-check "... over the picture, which stays" eval 'upper after && upper wrong && cmp "$WORK/after.rgb" "$WORK/wrong.rgb" && ! cmp -s "$WORK/after.png" "$WORK/wrong.png"'
-back() { local before=$(news); cp "$WORK/kept.cpp" "$house/intro/$scene"; await eval "[ \"\$(news)\" -gt $before ]" && sleep 1 && kept again; }
-check "what is changed back" back
-check "... is the same picture as before" cmp "$WORK/before.png" "$WORK/again.png"
-check "new music" changes show/score.cpp 's/\[kTable\] = "\([A-G]\)/[kTable] = "C/'
-check "another hall is solved in the background" changes show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
-check "... which is told" grep -q 'the hall is solved anew' "$WORK/err"
-check "it is still there" kill -0 $pid
+stands() { upper red && upper wrong && cmp "$WORK/red.rgb" "$WORK/wrong.rgb" && ! cmp -s "$WORK/red.png" "$WORK/wrong.png"; }
+check "... over the picture, which stays" stands
+check "what is mended is the same picture as at first" goes_back "$table"
+twice() { edit "$table" 's/0.8f, kSilver)/0.8f, kClear)/' && sleep 0.3 && restore "$table" && edit "$table" 's/0.8f, kSilver)/0.8f, kRed)/'; }
+check "a file saved twice" shows twice
+same() { kept again && cmp -s "$WORK/$1.png" "$WORK/again.png"; }
+check "... is shown as saved last" comes 'same red'
+check "... and back" goes_back "$table"
+listen
+rm "$house/intro/$table"
+check "a file that is deleted is told" comes "told '$(basename "$table").*missing'"
+check "... and restored" goes_back "$table"
+check "a material" changes material show/materials.cpp 's/kCloud, .diffuse = 0.35f/kCloud, .diffuse = 0.9f/'
+check "... and back" goes_back show/materials.cpp
+check "a camera" changes camera show/film.cpp 's/{32, {2, 1.32f, 5.56f}/{32, {2, 2.32f, 5.56f}/'
+check "... and back" goes_back show/film.cpp
+check "an event" changes event show/events.h 's/{kBallsSetOff, *kTable, *16,/{kBallsSetOff, kTable, 4,/'
+check "... and back" goes_back show/events.h
+ring() { # a new file, and one that uses it
+    cat >"$house/intro/show/scenes/ring.cpp" <<'END'
+#include "show/show.h"
+namespace odraz {
+void addRing(Scene &scene, int material) {
+    for (int i = 0; i < 6; ++i) scene.add(sphere({(float)i - 2.5f, 2, 0}, 0.3f, material));
+}
+} // namespace odraz
+END
+    edit show/CMakeLists.txt 's| scenes/table.cpp| & scenes/ring.cpp|'
+    edit "$table" 's/^void poseTable/void addRing(Scene \&scene, int material);\n&/; s/^    scene.add(kFill);/& addRing(scene, kRed);/'
+}
+check "a new file" shows ring
+check "... is shown" comes '! same before'
+restore show/CMakeLists.txt
+rm "$house/intro/show/scenes/ring.cpp"
+check "... and gone" goes_back "$table"
+check "it leaves" leaves
+check "... and says nothing else" lacks 'rror: \|$' <(grep -v 'new since\|does not compile\|error: \|missing' "$WORK/err"; echo)
+
+# --- The hall ---
+check "it plays in the hall" starts 95 --mute
+check "it pauses" pauses
+listen
+edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
+check "another hall is solved" comes 'told "the hall is solved anew"'
+sleep 0.5
+kept solving
+check "... over the picture, with a bar" eval '! cmp -s "$WORK/before.png" "$WORK/solving.png"'
+check "... shown when it is done" comes 'told "new since"'
+check "a material of the hall" changes plaster show/materials.cpp 's/kPlaster = {.texture = plain({[^}]*}/kPlaster = {.texture = plain({0.7f, 0.1f, 0.1f}/'
+check "... is solved, too" told "the hall is solved anew"
+again() {
+    restore show/materials.cpp && comes 'told "the hall is solved anew"' && listen &&
+        restore show/hall_model.cpp && comes 'told "the hall is solved anew"'
+}
+check "a hall that is changed again while it is solved" shows again
+check "... is the same picture as at first" comes 'same before'
+check "what changes only its picture" changes dust show/hall.cpp 's/kDust = 0.017f/kDust = 0.17f/'
+check "... needs no solving" eval '! told "solved anew"'
 sed -n 's/.*: new since/    shown:/p' "$WORK/err"
-xdotool key --window "$window" Escape
-check "it leaves" eval 'ended $pid'
+check "... and back" goes_back show/hall.cpp
+listen
+edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
+check "it is solved" comes 'told "the hall is solved anew"'
+check "it leaves while it solves" leaves
+check "it plays again" starts 95 --mute
+restore show/hall_model.cpp
+check "it compiles" comes 'titled building'
+check "it leaves while it compiles" leaves
+check "... with its compilers" await eval "! pgrep -f '^[^ ]*(ninja|cc1plus|cmake) .*$house' >/dev/null"
 finish

@@ -125,21 +125,22 @@ TEST(Rebuilder, SaysWhatItCannotWatch) {
     EXPECT_TRUE(quiet(r, now));
 }
 
-TEST(Rebuilder, HashesWhatMakesTheHallsLight) {
+TEST(Rebuilder, HashesTheSolvers) {
     Project p;
     std::string objects = "build/intro/maker/CMakeFiles/live.dir/__/";
     std::filesystem::create_directories(p.folder / (objects + "show"));
     std::filesystem::create_directories(p.folder / (objects + "radiosity"));
-    p.write(objects + "show/hall.cpp.o", "1");
+    std::filesystem::create_directories(p.folder / (objects + "transfer"));
     p.write(objects + "show/film.cpp.o", "1");
+    p.write(objects + "transfer/room.cpp.o", "1");
     p.write(objects + "radiosity/solve.cpp.o", "1");
     Rebuilder r(p.build());
-    uint64_t before = r.hallHash();
+    uint64_t before = r.solverHash();
     p.write(objects + "show/film.cpp.o", "2");
-    EXPECT_EQ(r.hallHash(), before);
+    EXPECT_EQ(r.solverHash(), before);
     p.write(objects + "radiosity/solve.cpp.o", "2");
-    uint64_t solved = r.hallHash();
+    uint64_t solved = r.solverHash();
     EXPECT_NE(solved, before);
-    p.write(objects + "show/hall.cpp.o", "2");
-    EXPECT_NE(r.hallHash(), solved);
+    p.write(objects + "transfer/room.cpp.o", "2");
+    EXPECT_NE(r.solverHash(), solved);
 }

@@ -1,0 +1,39 @@
+// Workers on threads that end with it. The host's (host/threads.h) are one set for a process; here a film is
+// shown while another is loaded, and each needs a set of its own.
+#pragma once
+
+#include "base/parallel.h"
+#include "host/work.h"
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace odraz {
+
+class Pool {
+public:
+    explicit Pool(int count); // threads, with the caller's; 1 .. kMaxWorkers
+    ~Pool();
+    Pool(const Pool &) = delete;
+
+    Workers &workers() { return all; }
+    // What is being done becomes useless, and ends soon.
+    void abort() { __atomic_store_n(&leave, 1, __ATOMIC_RELAXED); }
+
+private:
+    void work();
+    void run(int count, int size, void (*body)(const void *, int, int, int), const void *context);
+
+    int leave = 0;
+    Workers all;
+    Work job = {};
+    std::mutex mutex;
+    std::condition_variable begins, ends;
+    int round = 0;
+    bool over = false;
+    std::vector<std::thread> threads;
+};
+
+} // namespace odraz
