@@ -36,15 +36,26 @@ void fillBar(const Picture &p, float done) {
         }
 }
 
+// How many letters of the text fit on a line of `most`, which ends at a blank if there is one.
+int lineLength(const char *text, int most) {
+    int length = 0;
+    while (length < most && text[length]) ++length;
+    if (!text[length]) return length;
+    for (int i = length; i > most / 2; --i)
+        if (text[i - 1] == ' ') return i;
+    return length;
+}
+
 void write(const Picture &p, const char *text, float done) {
-    int each = (int)((float)(p.width - 2 * kIndent) / kWidest * 1.6f), length = (int)__builtin_strlen(text);
-    if (p.width > kMostWide || each < 1) return;
-    each = min(each, kMostLetters);
-    int lines = (length + each - 1) / each, top = p.height - lines * kLineHeight;
-    for (int i = 0; i < lines; ++i, top += kLineHeight) {
+    int most = min((int)((float)(p.width - 2 * kIndent) / kWidest * 1.6f), kMostLetters), lines = 0;
+    if (p.width > kMostWide || most < 1) return;
+    for (const char *at = text; *at; at += lineLength(at, most)) ++lines;
+    for (int top = p.height - kBarHeight - lines * kLineHeight; *text; top += kLineHeight) {
         char line[kMostLetters + 1] = {};
-        __builtin_memcpy(line, text + i * each, (size_t)min(each, length - i * each));
+        int length = lineLength(text, most);
+        __builtin_memcpy(line, text, (size_t)length);
         if (top >= 0) writeLine(p, top, line);
+        text += length;
     }
     fillBar(p, done);
 }
