@@ -3,6 +3,8 @@
 #include "maker/live.h"
 #include "show/font.h"
 
+#include <initializer_list>
+
 namespace odraz {
 
 namespace {
@@ -69,22 +71,28 @@ struct Hash {
     }
 };
 
-// Only of what is used, and of no addresses: they differ from object to object
+// Only of what is used, and of no addresses: they differ from object to object. A film may have a hall that
+// is no room, with nothing to solve
+template <class AnyHall> void add(Hash &hash, const AnyHall &hall, const Scene &scene) {
+    if constexpr (requires { hall.radiosity.bases; }) {
+        hash.add(hall.model.charts, hall.model.chartCount);
+        hash.add(hall.model.facets, hall.model.facetCount);
+        hash.add(scene.mean, scene.materialCount);
+        const auto &bases = hall.radiosity.bases;
+        for (int count : {bases.skyCount, bases.sunCount, bases.lampCount}) hash.add(&count);
+        hash.add(bases.suns, bases.sunCount);
+        hash.add(bases.lamps, bases.lampCount);
+        auto settings = hallSettings(hall);
+        hash.add(&settings);
+    }
+}
 uint64_t hallHash(Arena &arena) {
     Hall *hall = arena.take<Hall>(1);
     Scene *scene = arena.take<Scene>(1);
-    Hash hash;
     if (arena.full) return 0;
     prepareHall(*hall, *scene);
-    hash.add(hall->model.charts, hall->model.chartCount);
-    hash.add(hall->model.facets, hall->model.facetCount);
-    hash.add(scene->mean, scene->materialCount);
-    const LightBases &bases = hall->radiosity.bases;
-    hash.add((const BasisOrder *)&bases);
-    hash.add(bases.suns, bases.sunCount);
-    hash.add(bases.lamps, bases.lampCount);
-    RoomSettings settings = hallSettings(*hall);
-    hash.add(&settings);
+    Hash hash;
+    add(hash, *hall, *scene);
     return hash.value;
 }
 
