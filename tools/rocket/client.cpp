@@ -1,0 +1,196 @@
+#include "client.h"
+
+#include <bit>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fcntl.h>
+#include <netdb.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+namespace odraz::rocket {
+
+namespace {
+
+constexpr char kGreeting[] = "hello, synctracker!", kAnswer[] = "hello, demo!";
+constexpr double kAgain = 1; // seconds between two tries to connect
+constexpr size_t kMostUnsent = 1 << 20;
+
+enum : uint8_t { kSetKey, kDeleteKey, kGetTrack, kSetRow, kPause, kSaveTracks };
+// How long the editor's messages are, with the byte that tells their kind; 0: it sends none of this kind.
+constexpr size_t kSizes[] = {14, 9, 0, 5, 2, 1};
+
+void put(std::string &to, uint32_t number) {
+    for (int shift = 24; shift >= 0; shift -= 8) to += (char)(number >> shift);
+}
+uint32_t take(const std::string &from, size_t at) {
+    uint32_t number = 0;
+    for (size_t i = 0; i < 4; ++i) number = number << 8 | (uint8_t)from[at + i];
+    return number;
+}
+
+} // namespace
+
+Client::Client(std::string host, int port, std::vector<std::string> tracks)
+    : host(std::move(host)), port(port), names(std::move(tracks)), keys(names.size()) {}
+Client::~Client() {
+    if (socket >= 0) close(socket);
+}
+
+void Client::update(double now) {
+    if (state == State::Apart && now >= tried + kAgain) {
+        tried = now;
+        connect();
+    }
+    if (state == State::Connecting) {
+        pollfd p = {socket, POLLOUT, 0};
+        if (poll(&p, 1, 0) <= 0) {
+            if (now >= tried + 5 * kAgain) drop("does not answer");
+            return;
+        }
+        int error = 0;
+        socklen_t size = sizeof error;
+        getsockopt(socket, SOL_SOCKET, SO_ERROR, &error, &size);
+        if (error) return drop(std::strerror(error));
+        out = kGreeting;
+        state = State::Greeting;
+    }
+    if (state != State::Apart) write();
+    if (state != State::Apart) read();
+    if (state == State::Greeting && now >= tried + 5 * kAgain)
+        drop("does not greet: it is no editor of GNU Rocket");
+    if (state == State::Talking) write();
+}
+
+void Client::connect() {
+    addrinfo hints = {}, *all = nullptr;
+    hints.ai_socktype = SOCK_STREAM;
+    if (int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &all))
+        return drop(gai_strerror(error));
+    std::string why = "has no address";
+    for (addrinfo *a = all; a && state == State::Apart; a = a->ai_next) {
+        socket = ::socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
+        if (socket < 0) continue;
+        if (::connect(socket, a->ai_addr, a->ai_addrlen) == 0 || errno == EINPROGRESS) {
+            int on = 1; // a row is worth a packet of its own
+            setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+            state = State::Connecting;
+        } else {
+            why = std::strerror(errno);
+            close(socket);
+            socket = -1;
+        }
+    }
+    freeaddrinfo(all);
+    if (state == State::Apart) drop(why);
+}
+
+void Client::drop(const std::string &why) {
+    wrong = "no editor of GNU Rocket at " + host + ":" + std::to_string(port) + ": " + why;
+    if (socket >= 0) close(socket);
+    socket = -1;
+    state = State::Apart;
+    in.clear();
+    out.clear();
+    knownRow = {};
+}
+
+void Client::write() {
+    while (!out.empty()) {
+        ssize_t sent = send(socket, out.data(), out.size(), MSG_NOSIGNAL);
+        if (sent < 0 && errno == EINTR) continue;
+        if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
+            if (out.size() > kMostUnsent) drop("takes nothing any more");
+            return;
+        }
+        if (sent < 0) return drop(std::strerror(errno));
+        out.erase(0, (size_t)sent);
+    }
+}
+
+void Client::read() {
+    char block[4096];
+    for (;;) {
+        ssize_t got = recv(socket, block, sizeof block, 0);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
+        if (got < 0) return drop(std::strerror(errno));
+        if (got == 0) return drop("closed the connection");
+        in.append(block, (size_t)got);
+        if (state == State::Greeting && !greet()) return;
+        while (state == State::Talking && takeMessage()) {
+        }
+        if (state == State::Apart) return;
+    }
+}
+
+// False: there is nothing to talk about yet, or no longer.
+bool Client::greet() {
+    size_t size = std::min(in.size(), sizeof kAnswer - 1);
+    if (in.compare(0, size, kAnswer, size))
+        return drop("says something else: it is no editor of GNU Rocket"), false;
+    if (size < sizeof kAnswer - 1) return true;
+    in.erase(0, size);
+    state = State::Talking;
+    wrong.clear();
+    // It sends all keys anew
+    for (Track &t : keys) t.clear();
+    ++changes;
+    for (const std::string &name : names) {
+        out += (char)kGetTrack;
+        put(out, (uint32_t)name.size());
+        out += name;
+    }
+    return true;
+}
+
+// False: there is no whole message, or the connection was dropped.
+bool Client::takeMessage() {
+    if (in.empty()) return false;
+    constexpr char kGarbage[] = "says what is not in the protocol";
+    uint8_t kind = (uint8_t)in[0];
+    if (kind >= sizeof kSizes / sizeof *kSizes || !kSizes[kind]) return drop(kGarbage), false;
+    if (in.size() < kSizes[kind]) return false;
+    uint32_t track = kind <= kDeleteKey ? take(in, 1) : 0, row = kind <= kDeleteKey ? take(in, 5) : 0;
+    if (kind == kSetRow) row = take(in, 1);
+    if ((kind <= kDeleteKey && track >= keys.size()) || row > kMostRow) return drop(kGarbage), false;
+    switch (kind) {
+    case kSetKey: {
+        float value = std::bit_cast<float>(take(in, 9));
+        uint8_t interpolation = (uint8_t)in[13];
+        if (!std::isfinite(value) || interpolation > (uint8_t)Interpolation::Ramp)
+            return drop(kGarbage), false;
+        keys[track][row] = {value, (Interpolation)interpolation};
+        ++changes;
+        break;
+    }
+    case kDeleteKey:
+        keys[track].erase(row);
+        ++changes;
+        break;
+    case kSetRow:
+        toldRow = knownRow = row;
+        break;
+    case kPause:
+        toldPause = in[1] != 0;
+        break;
+    case kSaveTracks:
+        toldSave = true;
+        break;
+    }
+    in.erase(0, kSizes[kind]);
+    return true;
+}
+
+void Client::sendRow(uint32_t row) {
+    if (state != State::Talking || knownRow == row) return;
+    knownRow = row;
+    out += (char)kSetRow;
+    put(out, row);
+    write();
+}
+
+} // namespace odraz::rocket
