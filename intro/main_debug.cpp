@@ -3,25 +3,24 @@
 //   space        pause and go on            left, right   seek a beat (with shift: a bar)
 //   W A S D      fly; Q and E down and up   mouse         look around, with the left button held
 //   R            back to the scripted camera   C          print the camera as a line for the show's tables
+//   K            set a key of the camera's path here (with shift: remove it)
+//   X            write the tracks for an editor of GNU Rocket
 //   1 2 3        draft, play, film          ESC           leave
-#include "base/gl.h"
 #include "base/maths.h"
 #include "film.h"
 #include "host/clock.h"
 #include "host/cpu.h"
-#include "host/library.h"
 #include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
-#include "maker/rebuilder.h"
-#include "maker/stage.h"
+#include "maker/follower.h"
+#include "maker/remote.h"
+#include "maker/screen.h"
+#include "maker/words.h"
 #include "options.h"
 #include "play/music.h"
 #include "record.h"
 #include "timeline/track.h"
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +36,7 @@ namespace {
 struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
+    bool sets = false, removes = false, writes = false; // keys of the camera, the tracks: asked for
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
@@ -84,6 +84,12 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
     case GLFW_KEY_C:
         printCamera(m);
         break;
+    case GLFW_KEY_K:
+        (mods & GLFW_MOD_SHIFT ? m.removes : m.sets) = true;
+        break;
+    case GLFW_KEY_X:
+        m.writes = true;
+        break;
     case GLFW_KEY_1:
     case GLFW_KEY_2:
     case GLFW_KEY_3:
@@ -125,66 +131,6 @@ int fail(const char *line) {
     return 1;
 }
 
-// Takes "--shown FILE" out of the words, which the film itself does not know; null: it is not there.
-const char *takeShown(int &argc, char **argv) {
-    for (int i = 1; i + 1 < argc; ++i) {
-        if (std::string(argv[i]) != "--shown") continue;
-        const char *file = argv[i + 1];
-        argc -= 2;
-        std::copy(argv + i + 2, argv + argc + 2, argv + i);
-        return file;
-    }
-    return nullptr;
-}
-
-} // namespace
-
-namespace {
-
-// The window, and a picture in it.
-struct Screen {
-    GLFWwindow *window, *hidden; // the latter's context is for what is loaded in the background
-    Gl gl;
-    int width, height;
-    GLuint texture, framebuffer;
-};
-
-const char *open(Screen &s, int width, int height) {
-    if (!glfwInit()) return "no display: set DISPLAY";
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    s.window = glfwCreateWindow(width, height, FILM_NAME "-debug", nullptr, nullptr);
-    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-    s.hidden = s.window ? glfwCreateWindow(16, 16, "", nullptr, nullptr) : nullptr;
-    if (!s.hidden) return "no OpenGL 3.3 on this display";
-    glfwMakeContextCurrent(s.window);
-    glfwSetKeyCallback(s.window, onKey);
-    s.width = width;
-    s.height = height;
-    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
-        return "no OpenGL 3.3 on this display";
-    return nullptr;
-}
-
-void prepare(Screen &s) {
-    s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    s.gl.glGenTextures(1, &s.texture);
-    s.gl.glBindTexture(GL_TEXTURE_2D, s.texture);
-    s.gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, s.width, s.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    s.gl.glGenFramebuffers(1, &s.framebuffer);
-    s.gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
-    s.gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, s.texture, 0);
-}
-
-void show(Screen &s, const Picture &p) {
-    int w, h;
-    glfwGetFramebufferSize(s.window, &w, &h);
-    s.gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);
-    s.gl.glBlitFramebuffer(0, 0, s.width, s.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
-    glfwSwapBuffers(s.window);
-}
-
 // When paused or sought, the clock follows us; otherwise we follow it.
 void keepTime(Maker &m) {
     int64_t moment = nanoseconds();
@@ -209,81 +155,82 @@ void tell(const Screen &s, const Maker &m, double passed, const std::string &mor
     glfwSetWindowTitle(s.window, title);
 }
 
-// Follows the sources: what was saved is built, and what was built is shown.
-struct Follower {
-    Rebuilder rebuilder;
-    Stage &stage;
-    std::string news; // for the title
-    bool failed = false;
+// Writes the tracks where the maker's editor will look for them, but not over what somebody else has written.
+void writeTracks(Remote &remote, const Stage &stage, std::string &news) {
+    static bool ours = false;
+    const std::string file = FILM_NAME ".rocket";
+    std::string wrong = file + " is there already: move it away";
+    if (ours || !std::filesystem::exists(file)) wrong = remote.writeDocument(stage, file);
+    ours |= wrong.empty();
+    news = wrong.empty() ? "written: " + file : wrong;
+    fail(news.c_str());
+}
 
-    void follow(Screen &screen) {
-        Rebuilder::News what = rebuilder.poll(glfwGetTime());
-        bool built = what == Rebuilder::News::Built;
-        if (what == Rebuilder::News::Building) news = "building";
-        failed = what == Rebuilder::News::Failed || (failed && !built);
-        if (what == Rebuilder::News::Failed) say("does not compile", rebuilder.error());
-        if (built) {
-            stage.change(screen.gl, rebuilder.solverHash(), theMusic.block,
-                         [&](bool on) { glfwMakeContextCurrent(on ? screen.hidden : nullptr); });
-            if (!stage.told().empty()) say("loading", stage.told());
-        }
-        if (stage.poll(theMusic.block) || (built && stage.told().empty())) {
-            char line[80];
-            std::snprintf(line, sizeof line, "new since %.1f s after it was saved",
-                          glfwGetTime() - rebuilder.saved());
-            say(line, line);
-        }
+// What was asked for by keys and by the editor.
+void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
+    Remote::Told told = remote.update(stage, glfwGetTime(), m.time * kRowsPerSecond);
+    if (!told.news.empty()) fail(told.news.c_str());
+    if (told.pause) m.paused = *told.pause;
+    if (told.row) {
+        m.time = *told.row / kRowsPerSecond;
+        m.sought = true;
     }
-    void say(const char *inTitle, const std::string &line) {
-        news = inTitle;
-        fail(line.c_str());
+    if (m.sets || m.removes) {
+        double row = m.time * kRowsPerSecond;
+        CameraKey view = m.flying ? m.camera : cameraAt(m.time);
+        uint32_t at = m.sets ? remote.setView(stage, row, view) : remote.removeView(stage, row);
+        m.time = at / kRowsPerSecond;
+        m.sought = true;
+        m.flying = false;
+        news = (m.sets ? "key set on row " : "no key on row ") + std::to_string(at);
     }
-    // What there is to tell, over the picture. `limit`: a constant that is too small, or null.
-    void write(const Picture &p, const char *limit) const {
-        std::string line = failed ? rebuilder.error() : stage.told();
-        if (line.empty() && limit)
-            line = std::string("this scene outgrew a limit; raise in scene.h: ") + limit;
-        if (!line.empty()) liveInUse()->write(p, line.c_str(), stage.loaded());
-    }
-    // The compiler needs the processors: until it is done, few pictures are made.
-    void wait() const {
-        if (rebuilder.building()) glfwWaitEventsTimeout(0.2);
-    }
-};
+    if (m.writes || told.save) writeTracks(remote, stage, news);
+    m.sets = m.removes = m.writes = false;
+}
+
+void help() {
+    std::puts(
+        "usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute] [--rocket [HOST[:PORT]]]\n"
+        "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
+        "       " FILM_NAME "-debug --tracks FILE\n"
+        "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, 1 2 3, ESC\n"
+        "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
+        "with it stands in the picture.\n"
+        "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if not told.\n"
+        "--tracks writes them as a document that such an editor opens, and ends.\n"
+        "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
+        "build/seen.");
+}
 
 } // namespace
 
 int main(int argc, char **argv) {
-    const char *shown = takeShown(argc, argv);
-    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path(), news;
     Options o;
+    Words words;
     Message wrong;
     Stage stage(build + "/live/live.so");
     if (!stage.problem().empty()) return fail((stage.problem() + ": build it anew").c_str());
-    if (!parseOptions(argc, argv, duration(), o, wrong)) {
-        fail(wrong.data);
-        return 2;
-    }
-    if (o.help) {
-        std::puts("usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute]\n"
-                  "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
-                  "keys: space, arrows, W A S D Q E, mouse, R, C, 1 2 3, ESC\n"
-                  "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
-                  "with it stands in the picture.\n"
-                  "--shown plays the film as " FILM_NAME
-                  " does, and writes which pictures were shown, and when, for\n"
-                  "build/seen.");
-        return 0;
-    }
-    if (shown) return recordShown(o, shown);
+    if (std::string line = takeWords(argc, argv, words); !line.empty()) return fail(line.c_str()), 2;
+    if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
+    if (o.help) return help(), 0;
+    if (words.shown) return recordShown(o, words.shown);
     static const int never = 0;
     Screen screen = {};
-    if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
-    Follower follower = {Rebuilder(build), stage, "", false};
-    if (!follower.rebuilder.problem().empty()) fail(follower.rebuilder.problem().c_str());
-    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
-    if (const char *problem = stage.loadFirst(screen.gl, follower.rebuilder.solverHash()))
-        return fail(problem);
+    if (const char *missing = open(screen, o.width, o.height, !words.tracks)) return fail(missing);
+    glfwSetKeyCallback(screen.window, onKey);
+    Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
+        news = word;
+        if (!line.empty()) fail(line.c_str());
+    });
+    Remote remote(words.host, words.port);
+    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || words.tracks);
+    if (const char *problem = stage.loadFirst(screen.gl, follower.solverHash())) return fail(problem);
+    if (words.tracks) {
+        std::string problem = remote.writeDocument(stage, words.tracks);
+        glfwTerminate();
+        return problem.empty() ? 0 : fail(problem.c_str());
+    }
     prepare(screen);
 
     Maker &m = theMaker;
@@ -294,14 +241,15 @@ int main(int argc, char **argv) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
-        follower.follow(screen);
+        if (follower.follow(screen, theMusic.block)) remote.renew();
+        edit(m, remote, stage, news);
         keepTime(m);
         fly(screen.window, m, (float)passed);
         Picture p = picture(stage.intro(), 0, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
         follower.write(p, outgrown(stage.intro()));
         show(screen, p);
         follower.wait();
-        tell(screen, m, passed, follower.news);
+        tell(screen, m, passed, news);
     }
     endMusic(theMusic);
     stage.giveUp();

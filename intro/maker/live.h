@@ -3,6 +3,7 @@
 #pragma once
 
 #include "intro.h"
+#include "maker/live_tables.h"
 
 namespace odraz {
 
@@ -32,6 +33,10 @@ struct Live {
     // Writes text over a picture, on a dark ground, at its lower edge, in as many lines as it takes; and
     // below it a bar that is filled up to `done` (0 .. 1) of the width, if there is something to wait for
     void (*write)(const Picture &picture, const char *text, float done);
+    // See live_tables.h
+    int (*findTables)(Intro &intro, Table *to, int most);
+    const CameraKey *(*pathAt)(double seconds); // the table of the camera's path that is shown
+    void (*replaceTables)(const Replaced *all, int count);
     size_t sizes[4]; // of what load() and loadSound() make: where they differ, these must be called again
 };
 

@@ -19,7 +19,7 @@ const Live &live() { return *theUse.load()->live; }
 
 } // namespace
 
-const Live *openLive(const std::string &file, std::string &wrong) {
+const Live *openLive(const std::string &file, std::string &wrong, std::vector<Symbol> *symbols) {
     // The loader takes two files of one name for the same: give it a copy that has a name of its own
     static int copies = 0;
     std::string copy = file + "." + std::to_string(getpid()) + "." + std::to_string(++copies);
@@ -29,6 +29,7 @@ const Live *openLive(const std::string &file, std::string &wrong) {
     void *object = dlopen(copy.c_str(), RTLD_NOW | RTLD_LOCAL);
     auto get = object ? (GetLive *)dlsym(object, kGetLive) : nullptr;
     if (!get) wrong = dlerror();
+    if (get && symbols) *symbols = readSymbols(copy, kGetLive, (void *)get);
     std::filesystem::remove(copy, error); // it stays in memory
     return get ? get() : nullptr;
 }

@@ -27,7 +27,7 @@ uint64_t hallHash(const Live &live) {
 } // namespace
 
 Stage::Stage(std::string file) : object(std::move(file)) {
-    now.live = openLive(object, wrong);
+    now.live = openLive(object, wrong, &now.symbols);
     if (now.live) useLive(now.live, nullptr);
 }
 void Stage::settle(int w, int h, int count, bool silent) {
@@ -79,16 +79,19 @@ void Stage::giveUp() {
 void Stage::change(const Gl &gl, uint64_t solvers, int block, const std::function<void(bool)> &current) {
     giveUp(); // what it loads is stale
     wrong.clear();
-    const Live *live = openLive(object, wrong);
+    std::vector<Symbol> symbols;
+    const Live *live = openLive(object, wrong, &symbols);
     if (!live) return;
     uint64_t hall = hallHash(*live);
     if (solvers == now.solvers && hall == now.hall &&
         !std::memcmp(live->sizes, now.live->sizes, sizeof live->sizes)) {
         now.live = live;
+        now.symbols = std::move(symbols);
         useLive(live, newSound(now, block));
         return;
     }
     next.live = live;
+    next.symbols = std::move(symbols);
     next.solvers = solvers;
     next.hall = hall;
     progress = 0;

@@ -37,6 +37,8 @@ public:
 
     Intro &intro() const { return *now.intro; }
     Sound *sound() const { return now.sound; }
+    const Live &live() const { return *now.live; }
+    const std::vector<Symbol> &symbols() const { return now.symbols; } // of its tables
     // What goes on in the background, or what went wrong, as one line; empty if there is nothing to tell.
     std::string told() const;
     bool loads() const { return loading.joinable(); }
@@ -45,6 +47,7 @@ public:
 private:
     struct Loaded {
         const Live *live = nullptr;
+        std::vector<Symbol> symbols;
         Intro *intro = nullptr;
         Sound *sound = nullptr;
         Arena arena = {}, soundArena = {};

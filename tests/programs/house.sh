@@ -35,8 +35,9 @@ doctor.cpp      base host start output doctor.h
 main.cpp        base host start intro.h options.h output play doctor.h
 record.h        base trace/quality.h options.h
 record.cpp      base host intro.h options.h output play record.h
-maker           base host intro.h
+maker           base host timeline intro.h film.h
 maker/live_content.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
+maker/live_tables.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
 main_debug.cpp  base host timeline intro.h options.h play record.h film.h maker
 END
 # ... and of the system's headers

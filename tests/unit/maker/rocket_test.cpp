@@ -1,4 +1,4 @@
-#include "tools/rocket/client.h"
+#include "maker/rocket/client.h"
 
 #include <arpa/inet.h>
 #include <bit>

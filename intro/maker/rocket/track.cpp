@@ -1,4 +1,4 @@
-#include "track.h"
+#include "maker/rocket/track.h"
 
 #include <algorithm>
 #include <iterator>

@@ -15,7 +15,7 @@
 // SET_KEY: there is no way to give them a key.
 #pragma once
 
-#include "track.h"
+#include "maker/rocket/track.h"
 
 #include <optional>
 #include <string>

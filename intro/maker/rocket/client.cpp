@@ -1,4 +1,4 @@
-#include "client.h"
+#include "maker/rocket/client.h"
 
 #include <bit>
 #include <cerrno>

@@ -1,0 +1,90 @@
+#include "maker/remote.h"
+
+#include "maker/rocket/document.h"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+namespace odraz {
+
+namespace {
+
+constexpr double kGreets = 0.3; // seconds in which an editor sends the keys that it has
+constexpr int kView = 6;        // eye and target: the first of a camera's tracks
+
+} // namespace
+
+Remote::Remote(std::string name, int number) : host(std::move(name)), port(number) {}
+
+void Remote::find(const Stage &stage) {
+    if (found) return;
+    found = true;
+    std::vector<std::string> before = tracks.names();
+    tracks.find(stage.live(), stage.intro(), stage.symbols());
+    if (host.empty() || (client && tracks.names() == before)) return;
+    client =
+        std::make_unique<rocket::Client>(host, port, tracks.names()); // other tracks, another conversation
+    version = 0;
+}
+
+Remote::Told Remote::update(const Stage &stage, double now, double row) {
+    Told told;
+    if (host.empty() && tracks.names().empty()) return told; // nothing was ever edited
+    find(stage);
+    if (!client) return told;
+    client->update(now);
+    if (client->connected() != connected) {
+        connected = client->connected();
+        since = now;
+        if (connected) told.news = "an editor of GNU Rocket is there";
+    }
+    if (!connected && client->problem() != problem) told.news = client->problem();
+    problem = client->problem();
+    // At first it has none, and sends what it has at once: until then the film stays as it is
+    if (connected && now >= since + kGreets && client->version() != version) {
+        version = client->version();
+        for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, client->track(i));
+        tracks.show();
+    }
+    if (auto to = client->takeRow()) told.row = *to;
+    told.pause = client->takePause();
+    told.save = client->takeSave();
+    if (!told.row) client->sendRow((uint32_t)std::fmax(std::floor(row), 0));
+    return told;
+}
+
+uint32_t Remote::edit(const Stage &stage, double row, const CameraKey *camera) {
+    find(stage);
+    auto at = (uint32_t)std::fmax(std::round(row), 0);
+    int first = tracks.cameraAt(at);
+    for (int i = 0; i < kView && first >= 0; ++i)
+        tracks.set((size_t)(first + i), at, camera ? std::optional((&camera->eye.x)[i]) : std::nullopt);
+    tracks.show();
+    return at;
+}
+uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera) {
+    return edit(stage, row, &camera);
+}
+uint32_t Remote::removeView(const Stage &stage, double row) { return edit(stage, row, nullptr); }
+
+std::string Remote::writeDocument(const Stage &stage, const std::string &file) {
+    find(stage);
+    std::vector<rocket::Track> all;
+    for (size_t i = 0; i < tracks.names().size(); ++i) all.push_back(tracks.track(i));
+    int rows = (int)std::ceil(stage.live().duration() * kRowsPerSecond);
+    std::string text = rocket::document(tracks.names(), all, rows + 1), beside = file + ".new";
+    std::ofstream out(beside, std::ios::binary);
+    out << text;
+    out.close();
+    std::error_code error;
+    if (out) std::filesystem::rename(beside, file, error);
+    if (out && !error) return "";
+    std::string why = error ? error.message() : std::strerror(errno);
+    std::filesystem::remove(beside, error);
+    return "cannot write " + file + ": " + why;
+}
+
+} // namespace odraz

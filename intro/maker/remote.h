@@ -1,0 +1,53 @@
+// Edits the film's tracks: from an editor of GNU Rocket, and by hand.
+#pragma once
+
+#include "maker/rocket/client.h"
+#include "maker/stage.h"
+#include "maker/tracks.h"
+
+#include <memory>
+
+namespace odraz {
+
+class Remote {
+public:
+    // Without a host there is no editor, and tracks are edited by hand alone.
+    explicit Remote(std::string host = "", int port = rocket::kPort);
+
+    // There is a new film: its tracks are found when they are needed.
+    void renew() { found = false; }
+
+    struct Told {
+        std::optional<double> row; // where the editor is now
+        std::optional<bool> pause;
+        bool save = false;
+        std::string news; // that it came or went, as a line; else empty
+    };
+    // Once a picture, at a row of the film: tells the editor, and does what it told. `now`: seconds of any
+    // clock.
+    Told update(const Stage &stage, double now, double row);
+
+    // Sets keys for the eye and the target of a view, on the row next to one of the film; or removes them.
+    // Returns that row.
+    uint32_t setView(const Stage &stage, double row, const CameraKey &camera);
+    uint32_t removeView(const Stage &stage, double row);
+
+    // Writes all tracks for an editor to open. Returns what went wrong, or nothing.
+    std::string writeDocument(const Stage &stage, const std::string &file);
+
+private:
+    void find(const Stage &stage);
+    uint32_t edit(const Stage &stage, double row, const CameraKey *camera);
+
+    std::string host;
+    int port;
+    Tracks tracks;
+    bool found = false;
+    std::unique_ptr<rocket::Client> client;
+    bool connected = false;
+    double since = 0; // when it connected
+    std::string problem;
+    uint64_t version = 0;
+};
+
+} // namespace odraz

@@ -1,0 +1,44 @@
+#include "maker/screen.h"
+
+#include "film.h"
+#include "host/library.h"
+
+namespace odraz {
+
+const char *open(Screen &s, int width, int height, bool visible) {
+    if (!glfwInit()) return "no display: set DISPLAY";
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+    s.window = glfwCreateWindow(width, height, FILM_NAME "-debug", nullptr, nullptr);
+    glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+    s.hidden = s.window ? glfwCreateWindow(16, 16, "", nullptr, nullptr) : nullptr;
+    if (!s.hidden) return "no OpenGL 3.3 on this display";
+    glfwMakeContextCurrent(s.window);
+    s.width = width;
+    s.height = height;
+    if (findGl([](const char *name) { return (void *)glfwGetProcAddress(name); }, s.gl))
+        return "no OpenGL 3.3 on this display";
+    return nullptr;
+}
+
+void prepare(Screen &s) {
+    s.gl.glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    s.gl.glGenTextures(1, &s.texture);
+    s.gl.glBindTexture(GL_TEXTURE_2D, s.texture);
+    s.gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, s.width, s.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    s.gl.glGenFramebuffers(1, &s.framebuffer);
+    s.gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, s.framebuffer);
+    s.gl.glFramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, s.texture, 0);
+}
+
+void show(Screen &s, const Picture &p) {
+    int w, h;
+    glfwGetFramebufferSize(s.window, &w, &h);
+    s.gl.glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, s.width, s.height, GL_RGBA, GL_UNSIGNED_BYTE, p.rgba);
+    s.gl.glBlitFramebuffer(0, 0, s.width, s.height, 0, h, w, 0, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+    glfwSwapBuffers(s.window);
+}
+
+} // namespace odraz

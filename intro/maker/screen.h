@@ -1,0 +1,26 @@
+// The window of odraz-debug, and a picture in it.
+#pragma once
+
+#include "base/gl.h"
+#include "intro.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace odraz {
+
+struct Screen {
+    GLFWwindow *window, *hidden; // the latter's context is for what is loaded in the background
+    Gl gl;
+    int width, height;
+    GLuint texture, framebuffer;
+};
+
+// Opens it and makes its context current. Returns null, or what is missing. `visible`: whether it is shown.
+const char *open(Screen &s, int width, int height, bool visible);
+
+// Makes what show() needs: after the film was loaded, which uses OpenGL, too.
+void prepare(Screen &s);
+void show(Screen &s, const Picture &p);
+
+} // namespace odraz

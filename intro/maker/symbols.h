@@ -1,0 +1,20 @@
+// What the tables of a shared object are called in its source.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+struct Symbol {
+    const char *at; // in this process
+    size_t size;
+    std::string name; // without its namespaces, as in "kDoor"
+};
+
+// The objects in a file of which one function, called `known`, was loaded to `address`. None if the file is
+// not of that kind, or was stripped.
+std::vector<Symbol> readSymbols(const std::string &file, const std::string &known, const void *address);
+
+} // namespace odraz
