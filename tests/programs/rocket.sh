@@ -1,0 +1,109 @@
+# odraz-debug and an editor of GNU Rocket that does as it is told (rocket/editor.cpp).
+. "$(dirname "$0")/display.sh"
+needs_built "$FILM-debug"
+editor=$BUILD/tests/rocket_editor
+needs_built tests/rocket_editor
+skip_unless openbox xmllint
+debug=$BUILD/$FILM-debug
+start_display 640x400
+openbox >/dev/null 2>&1 &
+PIDS+=($!)
+cd "$WORK" || exit 1
+
+# --- The document ---
+document=$WORK/film.rocket
+check "writes the tracks" "$debug" --tracks "$document"
+check "... which are a document" xmllint --noout "$document"
+has() { grep -qF "$1" "$document"; }
+check "... with every number of a camera" eval 'for n in {eye,target}.{x,y,z} roll lens; do has "<track name=\"table.camera.tableWide:$n\">" || exit 1; done'
+check "... and a scene's own tracks" has '<track name="hall:exposure">'
+check "... keys are on the film's rows" eval 'sed -n "/tableWide:eye.y/,/<.track>/p" "$document" | grep -qF "row=\"160\" value=\"1.3203125\" interpolation=\"2\""'
+check "... in whose names no two are alike" test -z "$(grep '<track ' "$document" | sort | uniq -d)"
+check "no folder" refuses 1 "cannot write $WORK/none/tracks" "$debug" --tracks "$WORK/none/tracks"
+check "no file" refuses 2 "--tracks needs a file" "$debug" --tracks
+for host in localhost:0 localhost:65536 localhost:x :1338 '[::1' '[::1]x'; do
+    check "the host $host" refuses 2 "cannot use '--rocket $host'" "$debug" --rocket "$host"
+done
+check "--rocket and --shown" refuses 2 "one at a time" "$debug" --rocket --shown list
+
+# --- An editor ---
+mkfifo "$WORK/orders"
+"$editor" <"$WORK/orders" >"$WORK/heard" &
+PIDS+=($!)
+exec 7>"$WORK/orders"
+order() { echo "$*" >&7; }
+await grep -q port "$WORK/heard"
+port=$(sed -n 's/port //p' "$WORK/heard")
+seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug " 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+begin "$debug" --mute --size 160x90 --from 20 --quality draft --rocket "127.0.0.1:$port"
+[ -n "$window" ] && xdotool windowfocus --sync "$window"
+comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
+heard() { grep -qxF "$1" "$WORK/heard"; }
+titled() { xdotool getwindowname "$window" | grep -qF "$1"; }
+check "the film comes, and greets" comes 'heard film'
+check "... offers its tracks" comes "heard 'track credits:page'"
+check "... as many as are in the document" test "$(grep -c '^track ' "$WORK/heard")" = "$(grep -c '<track ' "$document")"
+check "... and tells its row while it plays" comes '[ "$(grep -c "^row " "$WORK/heard")" -ge 3 ]'
+order pause 1
+check "the editor pauses" comes 'titled paused'
+order row 160
+check "... and seeks" comes 'titled "row 160.0 "'
+kept() { shot && convert "$WORK/shot.png" "rgb:$WORK/$1.rgb"; }
+is() { kept now && cmp -s "$WORK/now.rgb" "$WORK/$1.rgb"; }
+sleep 0.5
+kept before
+order open "$document"
+order key table.camera.tableWide:eye.y 160 2.3 2
+check "a key of the editor is seen" comes '! is before'
+order key table.camera.tableWide:eye.y 160 1.3203125 2
+check "... and the picture is the same to the bit when all keys are the film's" comes 'is before'
+order delete table.camera.tableWide:eye.y 160
+check "a key is deleted" comes '! is before'
+order key table.camera.tableWide:eye.y 160 1.3203125 2
+check "... and set again" comes 'is before'
+order row 168
+check "it seeks again" comes 'titled "row 168.0 "'
+
+# --- By hand ---
+press() { xdotool key --window "$window" "$@"; }
+press Right
+check "the film seeks, too" comes 'titled "row 172.0 "'
+check "... and tells the editor" comes "heard 'row 172'"
+sleep 0.5
+kept film
+xdotool keydown --window "$window" w
+check "flies" comes '! is film'
+sleep 0.3
+xdotool keyup --window "$window" w
+sleep 0.3
+kept flown
+press r
+check "the script's view again" comes 'is film'
+xdotool keydown --window "$window" d
+sleep 0.5
+xdotool keyup --window "$window" d
+sleep 0.3
+kept flown
+press k
+check "a key is set" comes 'titled "key set on row 172"'
+check "... which keeps the view" comes 'is flown'
+press r
+check "... of the script" comes 'is flown'
+press x
+check "writes the document" comes '[ -s "$FILM.rocket" ]'
+check "... with that key, for eye and target" test "$(grep -A6 'tableWide:\(eye\|target\)' "$FILM.rocket" | grep -c 'row="172"')" = 6
+press shift+k
+check "the key is removed" comes 'is film'
+
+# --- Editors come and go ---
+order hang-up
+check "an editor that goes is told" comes 'grep -q "closed the connection" "$WORK/err"'
+check "the film comes again" comes '[ "$(grep -cx film "$WORK/heard")" = 2 ]'
+order garbage
+check "an editor that talks nonsense is left" comes 'grep -q "not in the protocol" "$WORK/err"'
+check "... and tried again" comes '[ "$(grep -cx film "$WORK/heard")" = 3 ]'
+check "the picture is the film's own" comes 'is film'
+check "nothing it heard was nonsense" eval '! grep -q "nonsense\|stranger" "$WORK/heard"'
+xdotool key --window "$window" Escape 2>/dev/null
+check "it leaves" ended "$pid"
+finish
