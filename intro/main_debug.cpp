@@ -160,9 +160,9 @@ void writeTracks(Remote &remote, const Stage &stage, std::string &news) {
     static bool ours = false;
     const std::string file = FILM_NAME ".rocket";
     std::string wrong = file + " is there already: move it away";
-    if (ours || !std::filesystem::exists(file)) wrong = remote.writeDocument(stage, file);
+    if (ours || !std::filesystem::exists(file)) wrong = remote.writeDocument(stage, file, news);
     ours |= wrong.empty();
-    news = wrong.empty() ? "written: " + file : wrong;
+    if (!wrong.empty()) news = wrong;
     fail(news.c_str());
 }
 
@@ -227,7 +227,8 @@ int main(int argc, char **argv) {
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || words.tracks);
     if (const char *problem = stage.loadFirst(screen.gl, follower.solverHash())) return fail(problem);
     if (words.tracks) {
-        std::string problem = remote.writeDocument(stage, words.tracks);
+        std::string problem = remote.writeDocument(stage, words.tracks, news);
+        if (problem.empty()) std::puts(news.c_str());
         glfwTerminate();
         return problem.empty() ? 0 : fail(problem.c_str());
     }

@@ -70,7 +70,7 @@ uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera
 }
 uint32_t Remote::removeView(const Stage &stage, double row) { return edit(stage, row, nullptr); }
 
-std::string Remote::writeDocument(const Stage &stage, const std::string &file) {
+std::string Remote::writeDocument(const Stage &stage, const std::string &file, std::string &news) {
     find(stage);
     std::vector<rocket::Track> all;
     for (size_t i = 0; i < tracks.names().size(); ++i) all.push_back(tracks.track(i));
@@ -81,6 +81,11 @@ std::string Remote::writeDocument(const Stage &stage, const std::string &file) {
     out.close();
     std::error_code error;
     if (out) std::filesystem::rename(beside, file, error);
+    news = std::to_string(all.size()) + " tracks in " + file;
+    if (int off = tracks.offRows())
+        news += "; " + std::to_string(off) +
+                " keys of the film are between rows, before row 0 or two on a row: "
+                "they are on the nearest one, or left out";
     if (out && !error) return "";
     std::string why = error ? error.message() : std::strerror(errno);
     std::filesystem::remove(beside, error);

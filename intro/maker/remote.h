@@ -32,8 +32,9 @@ public:
     uint32_t setView(const Stage &stage, double row, const CameraKey &camera);
     uint32_t removeView(const Stage &stage, double row);
 
-    // Writes all tracks for an editor to open. Returns what went wrong, or nothing.
-    std::string writeDocument(const Stage &stage, const std::string &file);
+    // Writes all tracks for an editor to open. Returns what went wrong, or nothing; `news` is what was
+    // written.
+    std::string writeDocument(const Stage &stage, const std::string &file, std::string &news);
 
 private:
     void find(const Stage &stage);

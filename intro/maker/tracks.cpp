@@ -119,6 +119,19 @@ rocket::Track Tracks::track(size_t i) const {
     return result;
 }
 
+int Tracks::offRows() const {
+    int count = 0;
+    for (const One &one : all) {
+        double last = -1; // two keys on a row are a jump, which Rocket has not, either
+        for (const Key &k : own(one)) {
+            double row = filmRow(tables[one.table], k.row);
+            count += row < 0 || row != std::round(row) || row == last;
+            last = row;
+        }
+    }
+    return count;
+}
+
 void Tracks::takeFromEditor(size_t i, const rocket::Track &now) {
     Edit &edit = edits[allNames[i]];
     auto changed = [&](uint32_t row) {

@@ -29,6 +29,9 @@ public:
     // What is shown, as Rocket can say it.
     rocket::Track track(size_t i) const;
 
+    // How many keys of the film Rocket has no row for: see above.
+    int offRows() const;
+
     // What an editor has of a track; without keys it is the film's own that is shown.
     void takeFromEditor(size_t i, const rocket::Track &keys);
     // By hand: sets a key, or removes the one on that row. It is in force until an editor changes that key.

@@ -1,0 +1,164 @@
+#include "maker/tracks.h"
+
+#include "maker/rocket/document.h"
+
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+// A film of two scenes: a camera's path and a track in the first, in the second one table that is read twice.
+constexpr CameraKey kPath[] = {{-8, {1, 2, 3}, {4, 5, 6}, 7, 40}, {16, {2, 3, 4}, {5, 6, 7}, 8, 50}};
+constexpr Key kLamp[] = {
+    {0, 1, Interpolation::Linear}, {2.5f, 2, Interpolation::Smooth}, {8, 3, Interpolation::Linear}};
+constexpr Key kGrow[2][2] = {{{0, 0, Interpolation::Linear}, {4, 1, Interpolation::Linear}},
+                             {{4, 0, Interpolation::Linear}, {8, 1, Interpolation::Linear}}};
+
+const Table kTables[] = {{kPath, 2, 0, true, 0},
+                         {kLamp, 3, 0, false, 0},
+                         {kGrow[0], 2, 1, false, 100},
+                         {kGrow[1], 2, 1, false, 100}};
+const Replaced *theReplaced;
+int theCount;
+
+int findTables(Intro &, Table *to, int) {
+    for (const Table &t : kTables) *to++ = t;
+    return 4;
+}
+const char *sceneName(int scene) { return scene ? "end" : "start"; }
+const CameraKey *pathAt(double) { return kPath; }
+void replaceTables(const Replaced *all, int count) {
+    theReplaced = all;
+    theCount = count;
+}
+
+struct Fixture : testing::Test {
+    Fixture() {
+        live.findTables = findTables;
+        live.sceneName = sceneName;
+        live.pathAt = pathAt;
+        live.replaceTables = replaceTables;
+        find();
+    }
+    void find() {
+        tracks.find(live, *(Intro *)&live, // which none of these functions reads
+                    {{(const char *)kPath, sizeof kPath, "kPath"},
+                     {(const char *)kLamp, sizeof kLamp, "kLamp"},
+                     {(const char *)kGrow, sizeof kGrow, "kGrow"}});
+    }
+    Live live = {};
+    Tracks tracks;
+};
+
+// What the film reads instead of a table.
+const Replaced *instead(const void *keys) {
+    for (int i = 0; i < theCount; ++i)
+        if (theReplaced[i].keys == keys) return theReplaced + i;
+    return nullptr;
+}
+enum { kEyeX, kEyeY, kLens = 7, kTheLamp, kGrow0, kGrow1 };
+using rocket::Interpolation::Ramp, rocket::Interpolation::Step;
+constexpr auto kLinear = rocket::Interpolation::Linear, kSmooth = rocket::Interpolation::Smooth;
+
+} // namespace
+
+TEST_F(Fixture, NamesThemAfterTheSource) {
+    EXPECT_EQ(tracks.names(),
+              (std::vector<std::string>{"start.camera.path:eye.x", "start.camera.path:eye.y",
+                                        "start.camera.path:eye.z", "start.camera.path:target.x",
+                                        "start.camera.path:target.y", "start.camera.path:target.z",
+                                        "start.camera.path:roll", "start.camera.path:lens", "start:lamp",
+                                        "end:grow0", "end:grow1"}));
+}
+
+TEST_F(Fixture, NamesThemWithoutSymbolsToo) {
+    tracks.find(live, *(Intro *)&live, {});
+    EXPECT_EQ(tracks.names()[0], "start.camera.track:eye.x");
+    EXPECT_EQ(tracks.names()[kGrow0], "end:track");
+    EXPECT_EQ(tracks.names()[kGrow1], "end:track-2");
+}
+
+TEST_F(Fixture, SaysThemAsRocketDoes) {
+    EXPECT_EQ(tracks.track(kLens), (rocket::Track{{16, {50, kSmooth}}})); // row -8 is none
+    EXPECT_EQ(tracks.track(kTheLamp),
+              (rocket::Track{{0, {1, kLinear}}, {3, {2, kSmooth}}, {8, {3, kLinear}}}));
+    EXPECT_EQ(tracks.track(kGrow1), (rocket::Track{{104, {0, kLinear}}, {108, {1, kLinear}}}));
+    EXPECT_EQ(tracks.offRows(), 8 + 1);
+    EXPECT_EQ(theCount, 0); // nothing was edited
+}
+
+TEST_F(Fixture, TakesWhatAnEditorHas) {
+    tracks.takeFromEditor(kTheLamp, {{1, {5, Step}}, {3, {6, Ramp}}, {9, {7, kSmooth}}});
+    tracks.takeFromEditor(kEyeY, {{4, {9, kLinear}}});
+    tracks.show();
+    ASSERT_EQ(theCount, 2);
+    const Track &lamp = instead(kLamp)->track;
+    ASSERT_EQ(lamp.count, 3);
+    EXPECT_EQ(lamp.keys[0].interpolation, kStep);
+    EXPECT_EQ(lamp.keys[1].row, 2.5f); // where the film's own key is
+    EXPECT_EQ(lamp.keys[1].interpolation, kRamp);
+    EXPECT_EQ(lamp.keys[2].row, 9);
+    EXPECT_EQ(lamp.keys[2].value, 7);
+    const CameraPath *channels = instead(kPath)->channels;
+    EXPECT_EQ(channels[kEyeX].count, 0);
+    ASSERT_EQ(channels[kEyeY].count, 2); // the key on row -8 stays
+    EXPECT_EQ(channels[kEyeY].keys[0].row, -8);
+    EXPECT_EQ(channels[kEyeY].keys[0].eye.y, 2);
+    EXPECT_EQ(channels[kEyeY].keys[1].row, 4);
+    EXPECT_EQ(channels[kEyeY].keys[1].eye.y, 9);
+    // It lets go of them
+    tracks.takeFromEditor(kTheLamp, {});
+    tracks.takeFromEditor(kEyeY, {});
+    tracks.show();
+    EXPECT_EQ(theCount, 0);
+}
+
+TEST_F(Fixture, CountsRowsOfTheFilm) {
+    tracks.takeFromEditor(kGrow1, {{102, {1, kLinear}}});
+    tracks.show();
+    ASSERT_TRUE(instead(kGrow[1]));
+    EXPECT_FALSE(instead(kGrow[0]));
+    EXPECT_EQ(instead(kGrow[1])->track.keys[0].row, 2);
+}
+
+TEST_F(Fixture, HasKeysSetByHand) {
+    EXPECT_EQ(tracks.cameraAt(0), kEyeX);
+    tracks.set(kEyeX, 4, 8.f);
+    tracks.set(kEyeX, 16, std::nullopt);
+    tracks.set(kTheLamp, 3, 4.f);
+    tracks.show();
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}}));
+    EXPECT_EQ(tracks.track(kTheLamp)[3], (rocket::Key{4, kSmooth})); // as the one that was there
+    // An editor that changes a key of these has the last word; others stay
+    tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
+    // A film that is loaded anew keeps all that
+    find();
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
+    EXPECT_EQ(theCount, 2);
+}
+
+TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
+    for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, tracks.track(i));
+    tracks.show();
+    ASSERT_EQ(theCount, 4);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(instead(kLamp)->track.keys[i].row, kLamp[i].row);
+        EXPECT_EQ(instead(kLamp)->track.keys[i].value, kLamp[i].value);
+        EXPECT_EQ(instead(kLamp)->track.keys[i].interpolation, kLamp[i].interpolation);
+    }
+    const CameraPath &lens = instead(kPath)->channels[kLens];
+    ASSERT_EQ(lens.count, 2);
+    EXPECT_EQ(lens.keys[0].row, -8);
+    EXPECT_EQ(lens.keys[0].fov, 40);
+    EXPECT_EQ(lens.keys[1].fov, 50);
+}
+
+TEST_F(Fixture, WritesADocument) {
+    EXPECT_EQ(rocket::document({"a:b"}, {{{3, {0.1f, Ramp}}, {4, {-2, Step}}}}, 17),
+              "<sync rows=\"17\">\n\t<tracks startRow=\"0\" endRow=\"16\">\n\t\t<track name=\"a:b\">\n"
+              "\t\t\t<key row=\"3\" value=\"0.100000001\" interpolation=\"3\"/>\n"
+              "\t\t\t<key row=\"4\" value=\"-2\" interpolation=\"0\"/>\n"
+              "\t\t</track>\n\t</tracks>\n\t<bookmarks/>\n</sync>\n");
+}

@@ -1,0 +1,51 @@
+#include "maker/words.h"
+
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+struct Taken {
+    explicit Taken(std::vector<std::string> line) {
+        line.insert(line.begin(), "odraz-debug");
+        std::vector<char *> argv;
+        for (std::string &word : line) argv.push_back(word.data());
+        argv.push_back(nullptr);
+        int argc = (int)line.size();
+        wrong = takeWords(argc, argv.data(), words);
+        for (int i = 1; wrong.empty() && i < argc; ++i) left += std::string(argv[(size_t)i]) + " ";
+        shown = words.shown ? words.shown : "";
+    }
+    Words words;
+    std::string wrong, left, shown;
+};
+
+} // namespace
+
+TEST(Words, TakesItsOwn) {
+    Taken t({"--from", "3", "--shown", "list", "--mute"});
+    EXPECT_EQ(t.shown, "list");
+    EXPECT_EQ(t.left, "--from 3 --mute ");
+    EXPECT_NE(Taken({"--shown"}).wrong.find("needs a file"), std::string::npos);
+    EXPECT_NE(Taken({"--tracks", "a", "--rocket"}).wrong.find("one at a time"), std::string::npos);
+}
+
+TEST(Words, KnowsHosts) {
+    auto at = [](const char *host) {
+        Taken t({"--rocket", host});
+        return t.wrong.empty() ? t.words.host + " " + std::to_string(t.words.port) : "";
+    };
+    EXPECT_EQ(at("desk"), "desk 1338");
+    EXPECT_EQ(at("desk:7"), "desk 7");
+    EXPECT_EQ(at("::1"), "::1 1338");
+    EXPECT_EQ(at("[::1]"), "::1 1338");
+    EXPECT_EQ(at("[::1]:65535"), "::1 65535");
+    for (const char *bad :
+         {"desk:", "desk:0", "desk:65536", "desk:7x", "desk:-7", ":7", "[]", "[::1", "[::1]7"})
+        EXPECT_EQ(at(bad), "") << bad;
+    Taken none({"--rocket", "--mute"});
+    EXPECT_EQ(none.words.host, "localhost");
+    EXPECT_EQ(none.left, "--mute ");
+}
