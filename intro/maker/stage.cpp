@@ -51,11 +51,14 @@ const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     return to.live->load(to.intro, settings, to.arena, workers, &gl, report);
 }
 
-// The music of its score, ready at a block. The former one may still be in use: its memory stays.
+// The music of its score, ready at a block. The former one may still make a block: its memory stays until
+// this one was replaced, too.
 Sound *Stage::newSound(Loaded &to, int block) {
     if (mute) return to.sound = nullptr;
-    to.soundArena = takeArena(to.live->soundMemory());
-    to.sound = to.soundArena.base ? to.live->loadSound(to.soundArena) : nullptr;
+    giveBack(sounds[0]);
+    sounds[0] = sounds[1];
+    sounds[1] = takeArena(to.live->soundMemory());
+    to.sound = sounds[1].base ? to.live->loadSound(sounds[1]) : nullptr;
     if (to.sound) to.live->seekSound(*to.sound, block);
     return to.sound;
 }

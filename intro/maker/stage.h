@@ -50,7 +50,7 @@ private:
         std::vector<Symbol> symbols;
         Intro *intro = nullptr;
         Sound *sound = nullptr;
-        Arena arena = {}, soundArena = {};
+        Arena arena = {};
         uint64_t solvers = 0, hall = 0; // hashes of what the hall's light is made by, and from
         std::unique_ptr<Pool> pool;
     };
@@ -62,6 +62,7 @@ private:
     int width = 0, height = 0, threads = 1;
     bool mute = false;
     Loaded now, next;
+    Arena sounds[2] = {}; // of the music before this, and of this
     std::thread loading;
     std::atomic<bool> done = false;
     std::atomic<float> progress = 0;
