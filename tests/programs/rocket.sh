@@ -61,6 +61,20 @@ order delete table.camera.tableWide:eye.y 160
 check "a key is deleted" comes '! is before'
 order key table.camera.tableWide:eye.y 160 1.3203125 2
 check "... and set again" comes 'is before'
+# Interpolations that the film has not
+order row 2
+check "it seeks to the light" comes 'titled "row 2.0 "'
+sleep 0.5
+kept light
+order key point:keyLight 0 0 0
+check "a step" comes '! is light'
+sleep 0.3
+kept step
+order key point:keyLight 0 0 3
+check "a ramp" comes '! is step'
+check "... is another picture than a smooth track" eval '! is light'
+order key point:keyLight 0 0 2
+check "... which is the film's" comes 'is light'
 order row 168
 check "it seeks again" comes 'titled "row 168.0 "'
 
@@ -89,11 +103,20 @@ check "a key is set" comes 'titled "key set on row 172"'
 check "... which keeps the view" comes 'is flown'
 press r
 check "... of the script" comes 'is flown'
+echo "somebody's work" >"$FILM.rocket"
+press x
+check "what others wrote is not written over" comes 'titled "$FILM.rocket is there already"'
+check "... and is as it was" grep -qx "somebody's work" "$FILM.rocket"
+rm "$FILM.rocket"
 press x
 check "writes the document" comes '[ -s "$FILM.rocket" ]'
 check "... with that key, for eye and target" test "$(grep -A6 'tableWide:\(eye\|target\)' "$FILM.rocket" | grep -c 'row="172"')" = 6
 press shift+k
 check "the key is removed" comes 'is film'
+
+rm "$FILM.rocket"
+order save
+check "writes it when the editor says so, too" comes '[ -s "$FILM.rocket" ]'
 
 # --- Editors come and go ---
 order hang-up
