@@ -10,7 +10,7 @@ check "an unknown option" refuses 2 "cannot use '--nope'" "$new" "$to" mira --no
 for name in "" "twelveletter" "a film" "a_b" "a.b" "a/b" "película" $'a\nb'; do
     check "the name '${name//$'\n'/ }'" refuses 2 "a name has 1 to 11 letters, digits and -" "$new" "$to" "$name"
 done
-for name in odraz pack Tests film all compare; do check "the name $name" refuses 2 "the name $name is taken" "$new" "$to" $name; done
+for name in odraz pack Tests film all compare live; do check "the name $name" refuses 2 "the name $name is taken" "$new" "$to" $name; done
 check "a folder in a folder that is not there" refuses 2 "there is no folder $WORK/no" "$new" "$WORK/no/where" mira
 mkdir "$WORK/full"
 touch "$WORK/full/.file"

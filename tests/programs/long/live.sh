@@ -98,6 +98,16 @@ check "... is shown" comes '! same before'
 restore show/CMakeLists.txt
 rm "$house/intro/show/scenes/ring.cpp"
 check "... and gone" goes_back "$table"
+xdotool keydown --window "$window" d
+sleep 1
+xdotool keyup --window "$window" d
+press k
+check "a key is set" comes 'titled "key set on row"'
+sleep 1
+check "... which is another view" eval '! same before'
+kept before
+check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
+check "... and back" goes_back "$table"
 check "it leaves" leaves
 check "... and says nothing else" eval '! grep -v " new since \| error: " "$WORK/err"'
 
