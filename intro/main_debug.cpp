@@ -6,6 +6,7 @@
 //   K            set a key of the camera's path here (with shift: remove it)
 //   X            write the tracks for an editor of GNU Rocket
 //   1 2 3        draft, play, film          ESC           leave
+//   TAB          the panel, H: its keys (maker/panel/keys.h)
 #include "base/maths.h"
 #include "film.h"
 #include "host/clock.h"
@@ -14,6 +15,7 @@
 #include "host/threads.h"
 #include "intro.h"
 #include "maker/follower.h"
+#include "maker/panel/input.h"
 #include "maker/remote.h"
 #include "maker/screen.h"
 #include "maker/words.h"
@@ -98,7 +100,7 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
     }
 }
 
-void fly(GLFWwindow *window, Maker &m, float seconds) {
+void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
     float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
@@ -107,7 +109,8 @@ void fly(GLFWwindow *window, Maker &m, float seconds) {
     float dx = (float)(x - m.mouseX), dy = (float)(y - m.mouseY);
     m.mouseX = x;
     m.mouseY = y;
-    bool looking = glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && (dx != 0 || dy != 0);
+    bool looking =
+        mayLook && glfwGetMouseButton(window, GLFW_MOUSE_BUTTON_LEFT) == GLFW_PRESS && (dx != 0 || dy != 0);
     if (ahead == 0 && aside == 0 && up == 0 && !looking) return;
     takeOver(m);
 
@@ -193,7 +196,7 @@ void help() {
         "usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute] [--rocket [HOST[:PORT]]]\n"
         "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
         "       " FILM_NAME "-debug --tracks FILE\n"
-        "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, 1 2 3, ESC\n"
+        "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, 1 2 3, ESC; TAB shows the panel, H all keys\n"
         "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
         "with it stands in the picture.\n"
         "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if not told.\n"
@@ -233,6 +236,8 @@ int main(int argc, char **argv) {
         return problem.empty() ? 0 : fail(problem.c_str());
     }
     prepare(screen);
+    Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
+    listen(panel, screen.window);
 
     Maker &m = theMaker;
     m.time = seconds(o.from);
@@ -242,11 +247,17 @@ int main(int argc, char **argv) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
-        if (follower.follow(screen, theMusic.block)) remote.renew();
+        if (follower.follow(screen, theMusic.block)) {
+            remote.renew();
+            panel.forget();
+            panel.learn();
+        }
+        panel.steer(m.time, m.paused, m.sought);
         edit(m, remote, stage, news);
         keepTime(m);
-        fly(screen.window, m, (float)passed);
-        Picture p = picture(stage.intro(), 0, m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr);
+        fly(screen.window, m, (float)passed, !panel.grabs());
+        Picture p =
+            panel.picture(stage.intro(), {m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr});
         follower.write(p, outgrown(stage.intro()));
         show(screen, p);
         follower.wait();

@@ -4,6 +4,7 @@
 
 #include "intro.h"
 #include "maker/live_tables.h"
+#include "maker/panel/backstage.h"
 
 namespace odraz {
 
@@ -37,6 +38,7 @@ struct Live {
     int (*findTables)(Intro &intro, Table *to, int most);
     const CameraKey *(*pathAt)(double seconds); // the table of the camera's path that is shown
     void (*replaceTables)(const Replaced *all, int count);
+    const Backstage &(*backstage)();
     size_t sizes[4]; // of what load() and loadSound() make: where they differ, these must be called again
 };
 

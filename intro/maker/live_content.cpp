@@ -119,6 +119,7 @@ const Live kLive = {
     findTables,
     pathAt,
     replaceTables,
+    backstage,
     {sizeof(Intro), sizeof(Scene), sizeof(Hall), sizeof(Sound)},
 };
 

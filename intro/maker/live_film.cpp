@@ -36,6 +36,7 @@ const Live *openLive(const std::string &file, std::string &wrong, std::vector<Sy
 
 void useLive(const Live *next, Sound *sound) { theUse = new InUse{next, sound}; } // the former may be in use
 const Live *liveInUse() { return &live(); }
+const Backstage &backstage() { return live().backstage(); }
 
 bool needsHall(double from, double to) { return live().needsHall(from, to); }
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {

@@ -52,6 +52,8 @@ foreach(name ${without_clip_control})
     set_tests_properties(${name}_without_clip_control PROPERTIES
         ENVIRONMENT MESA_EXTENSION_OVERRIDE=-GL_ARB_clip_control)
 endforeach()
+odraz_test(maker panel_parts_test 1 panel backstage)
+odraz_test(maker panel_test 5 panel backstage)
 odraz_test(intro between_test 25 engine host)
 odraz_test(intro traced_size_test 1 engine)
 odraz_test(packer pe_test 1 packing)

@@ -1,0 +1,119 @@
+#include "maker/panel/canvas.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <vector>
+
+namespace odraz {
+
+namespace {
+
+constexpr float kWeight = 0.125f, kTracking = 0.6f;
+
+// A line of text, as how much of each pixel it covers. The baseline is `above` rows from the top.
+struct Lettering {
+    int width = 0, height = 0, above = 0;
+    std::vector<float> cover;
+};
+
+// A letter is at most 12 units wide, with 3.5 behind it; a twelfth of `size` is one
+Lettering letter(const std::string &text, float size) {
+    Lettering l;
+    int stride = ((int)((float)text.size() * (15.5f + kTracking) / 12 * size) + 4 + 15) & ~7;
+    l.above = (int)std::ceil(size * 1.1f) + 1;
+    l.height = l.above + (int)std::ceil(size * 0.4f) + 1;
+    std::vector<float> planes[3];
+    for (auto &plane : planes) plane.assign((size_t)stride * (size_t)l.height, 0.f);
+    Frame frame = {stride,  l.height, stride, {planes[0].data(), planes[1].data(), planes[2].data()},
+                   nullptr, nullptr};
+    drawText(frame, text.c_str(), 2, (float)l.above, size, kWeight, kTracking, Align::Left, {1, 1, 1}, 1);
+    for (int y = 0; y < l.height; ++y)
+        for (int x = 0; x < stride; ++x)
+            if (planes[0][(size_t)(y * stride + x)] > 0) l.width = std::max(l.width, x + 1);
+    for (int y = 0; y < l.height; ++y) {
+        auto row = planes[0].begin() + y * stride;
+        l.cover.insert(l.cover.end(), row, row + l.width);
+    }
+    return l;
+}
+
+// What was drawn lately: most texts are the same in the next picture
+const Lettering &lettering(const std::string &text, float size) {
+    static std::map<std::pair<std::string, float>, Lettering> known;
+    if (known.size() > 400) known.clear();
+    auto [at, fresh] = known.try_emplace({text, size});
+    if (fresh) at->second = letter(text, size);
+    return at->second;
+}
+
+} // namespace
+
+void Canvas::mix(int x, int y, Colour colour, float opacity) {
+    uint8_t *pixel = at(x, y);
+    const uint8_t to[3] = {colour.r, colour.g, colour.b};
+    for (int c = 0; c < 3; ++c)
+        pixel[c] = (uint8_t)((float)pixel[c] + ((float)to[c] - (float)pixel[c]) * opacity + 0.5f);
+}
+
+void Canvas::fill(Rect r, Colour colour, float opacity) {
+    int x0 = std::max(r.x, 0), x1 = std::min(r.right(), width()), y0 = std::max(r.y, 0),
+        y1 = std::min(r.bottom(), height());
+    for (int y = y0; y < y1; ++y)
+        for (int x = x0; x < x1; ++x) mix(x, y, colour, opacity);
+}
+
+void Canvas::line(float x0, float y0, float x1, float y1, float wide, Colour colour, float opacity) {
+    if (!std::isfinite(x0 + y0 + x1 + y1)) return;
+    float margin = wide * 0.5f + 1, dx = x1 - x0, dy = y1 - y0, square = dx * dx + dy * dy;
+    auto within = [](float v, int limit) { return (int)std::clamp(v, 0.f, (float)limit); };
+    int top = within(std::min(y0, y1) - margin, height()),
+        bottom = within(std::max(y0, y1) + margin + 1, height());
+    for (int y = top; y < bottom; ++y) {
+        // Only where the line comes near this row
+        float from = std::min(x0, x1), to = std::max(x0, x1), py = (float)y + 0.5f;
+        if (std::abs(dy) > 1) {
+            float a = x0 + (py - margin - y0) / dy * dx, b = x0 + (py + margin - y0) / dy * dx;
+            from = std::max(from, std::min(a, b)), to = std::min(to, std::max(a, b));
+        }
+        int left = within(from - margin, width()), right = within(to + margin + 1, width());
+        for (int x = left; x < right; ++x) {
+            float px = (float)x + 0.5f,
+                  along = square > 0 ? std::clamp(((px - x0) * dx + (py - y0) * dy) / square, 0.f, 1.f) : 0;
+            float away = std::hypot(px - x0 - along * dx, py - y0 - along * dy);
+            float cover = std::clamp(wide * 0.5f + 0.5f - away, 0.f, 1.f) * opacity;
+            if (cover > 0) mix(x, y, colour, cover);
+        }
+    }
+}
+
+void Canvas::dot(float x, float y, float radius, Colour colour, float opacity) {
+    line(x, y, x, y, radius * 2, colour, opacity);
+}
+
+void Canvas::text(const std::string &text, float x, float y, float size, Colour colour, Align align) {
+    if (text.empty()) return;
+    const Lettering &l = lettering(text, size);
+    x -= align == Align::Centre ? (float)l.width * 0.5f : align == Align::Right ? (float)l.width : 0;
+    int left = (int)std::lround(x), top = (int)std::lround(y) - l.above;
+    for (int j = std::max(-top, 0); j < std::min(l.height, height() - top); ++j)
+        for (int i = std::max(-left, 0); i < std::min(l.width, width() - left); ++i)
+            if (float cover = l.cover[(size_t)(j * l.width + i)]; cover > 0)
+                mix(left + i, top + j, colour, cover);
+}
+
+void Canvas::put(int left, int top, const uint8_t *rgba, int wide, int tall) {
+    for (int y = std::max(-top, 0); y < std::min(tall, height() - top); ++y) {
+        int from = std::max(-left, 0), to = std::min(wide, width() - left);
+        if (from < to)
+            std::copy_n(rgba + ((ptrdiff_t)y * wide + from) * 4, (to - from) * 4, at(left + from, top + y));
+    }
+}
+
+float textSize(int height) { return std::clamp((float)height / 72, 6.f, 24.f); }
+
+float widthOf(const std::string &text, float size) {
+    return text.empty() ? 0 : (float)lettering(text, size).width;
+}
+
+} // namespace odraz

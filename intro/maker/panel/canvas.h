@@ -1,0 +1,58 @@
+// Draws on a developed picture: rectangles, lines, dots, other pictures, and text in the film's own font.
+#pragma once
+
+#include "intro.h"
+#include "show/font.h"
+
+#include <string>
+
+namespace odraz {
+
+struct Colour {
+    uint8_t r, g, b; // sRGB
+};
+inline constexpr Colour kInk = {236, 232, 224}, kFaint = {150, 146, 140}, kGround = {14, 14, 17},
+                        kWarm = {222, 130, 70}, kCold = {110, 160, 220};
+
+struct Rect {
+    int x, y, width, height; // pixels, from the top left
+
+    bool holds(double px, double py) const { return px >= x && py >= y && px < x + width && py < y + height; }
+    int right() const { return x + width; }
+    int bottom() const { return y + height; }
+};
+
+// What lies outside of the picture is left out.
+class Canvas {
+public:
+    explicit Canvas(const Picture &picture) : picture(picture) {}
+    int width() const { return picture.width; }
+    int height() const { return picture.height; }
+    Rect whole() const { return {0, 0, width(), height()}; }
+
+    // Opacity 0 .. 1 mixes with what is there.
+    void fill(Rect where, Colour colour, float opacity = 1);
+    void line(float x0, float y0, float x1, float y1, float width, Colour colour, float opacity = 1);
+    void dot(float x, float y, float radius, Colour colour, float opacity = 1);
+    // One line of text with its baseline at y; `size` is the height of a figure. The font has letters,
+    // figures and . , : - + / alone.
+    void text(const std::string &text, float x, float y, float size, Colour colour,
+              Align align = Align::Left);
+    // A picture of four bytes a pixel, as large as it is, its top left corner at (x, y).
+    void put(int x, int y, const uint8_t *rgba, int width, int height);
+
+    // One pixel; it must be in the picture.
+    uint8_t *at(int x, int y) const { return picture.rgba + ((ptrdiff_t)y * picture.width + x) * 4; }
+    void mix(int x, int y, Colour colour, float opacity);
+
+private:
+    Picture picture;
+};
+
+// The size of the panel's text in a picture of this height.
+float textSize(int height);
+
+// How wide a line of text is, in pixels.
+float widthOf(const std::string &text, float size);
+
+} // namespace odraz

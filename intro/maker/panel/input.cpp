@@ -1,0 +1,72 @@
+#include "maker/panel/input.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace odraz {
+
+namespace {
+
+// GLFW's callbacks reach them
+Panel *thePanel;
+GLFWkeyfun theKeys;
+int theWidth, theHeight; // of the picture
+double theX, theY; // where the mouse was last told to be: when a button's turn comes it may be elsewhere
+
+void place(GLFWwindow *window, double &x, double &y) {
+    int w, h;
+    glfwGetWindowSize(window, &w, &h);
+    x *= (double)theWidth / (w > 0 ? w : 1), y *= (double)theHeight / (h > 0 ? h : 1);
+}
+
+int keyOf(int key) {
+    switch (key) {
+    case GLFW_KEY_TAB:
+        return code(KeyName::Tab);
+    case GLFW_KEY_PAGE_UP:
+        return code(KeyName::PageUp);
+    case GLFW_KEY_PAGE_DOWN:
+        return code(KeyName::PageDown);
+    }
+    return key; // printable keys have the codes of their signs
+}
+
+bool repeats(Action action) { return action >= Action::PictureBack && action <= Action::EventOn; }
+
+void onKey(GLFWwindow *window, int key, int scancode, int action, int mods) {
+    Action wanted = actionOf(keyOf(key), mods & GLFW_MOD_SHIFT);
+    if (wanted == Action::Count) {
+        if (theKeys) theKeys(window, key, scancode, action, mods);
+    } else if (action == GLFW_PRESS || (action == GLFW_REPEAT && repeats(wanted))) {
+        thePanel->act(wanted);
+    }
+}
+
+void onButton(GLFWwindow *, int button, int action, int mods) {
+    if (action == GLFW_RELEASE) return thePanel->release();
+    bool right = button == GLFW_MOUSE_BUTTON_RIGHT || (mods & GLFW_MOD_SHIFT);
+    thePanel->press(theX, theY, right ? Panel::Button::Right : Panel::Button::Left);
+}
+
+void onMove(GLFWwindow *window, double x, double y) {
+    place(window, x, y);
+    theX = x, theY = y;
+    thePanel->move(x, y);
+}
+
+void onWheel(GLFWwindow *, double, double turns) { thePanel->wheel(theX, theY, turns); }
+
+} // namespace
+
+void listen(Panel &panel, GLFWwindow *window) {
+    thePanel = &panel;
+    theWidth = panel.pictureWidth(), theHeight = panel.pictureHeight();
+    glfwGetCursorPos(window, &theX, &theY);
+    place(window, theX, theY);
+    theKeys = glfwSetKeyCallback(window, onKey);
+    glfwSetMouseButtonCallback(window, onButton);
+    glfwSetCursorPosCallback(window, onMove);
+    glfwSetScrollCallback(window, onWheel);
+}
+
+} // namespace odraz

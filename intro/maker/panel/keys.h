@@ -1,0 +1,64 @@
+// What the panel can be told to do, and by which keys: H shows this table.
+#pragma once
+
+#include "maker/panel/canvas.h"
+
+namespace odraz {
+
+// clang-format off
+enum class Action {
+    Panel, Help, Ghost, Heat, Materials, Costs, Split, Difference, LoopShot,
+    PictureBack, PictureOn, BarBack, BarOn, EventBack, EventOn,
+    OtherDraft, OtherPlay, OtherFilm, OtherReference,
+    Count
+};
+// clang-format on
+
+// A key as GLFW names it: the code of its letter in the American layout, or what input.cpp translates.
+enum class KeyName { Tab = 1, PageUp, PageDown };
+struct KeyRow {
+    Action action; // Count: a key of the host, only to be told
+    int key;       // a letter, a figure, a sign, or a KeyName
+    bool shift;
+    const char *shown, *what; // what H says; "" where the row above says it
+};
+
+inline constexpr int code(KeyName name) { return (int)name; }
+inline constexpr KeyRow kKeys[] = {
+    {Action::Count, 0, false, "space", "pause and go on"},
+    {Action::Count, 0, false, "left, right", "a beat, with shift a bar"},
+    {Action::PictureBack, ',', false, "comma, dot", "a picture back, on"},
+    {Action::PictureOn, '.', false, "", ""},
+    {Action::BarBack, code(KeyName::PageUp), false, "page up, down", "to the bar before, after"},
+    {Action::BarOn, code(KeyName::PageDown), false, "", ""},
+    {Action::EventBack, 'B', false, "B, N", "to the event before, after"},
+    {Action::EventOn, 'N', false, "", ""},
+    {Action::LoopShot, 'L', false, "L", "loop this shot, or no loop"},
+    {Action::Count, 0, false, "W A S D Q E", "fly, mouse: look around"},
+    {Action::Count, 0, false, "R", "back to the scripted camera"},
+    {Action::Count, 0, false, "C", "print the camera as a key"},
+    {Action::Count, 0, false, "1 2 3", "draft, play, film"},
+    {Action::Panel, code(KeyName::Tab), false, "tab", "the panel"},
+    {Action::Ghost, 'G', false, "G", "the camera from outside"},
+    {Action::Costs, 'T', false, "T", "what the picture costs"},
+    {Action::Heat, 'P', false, "P", "where its samples are"},
+    {Action::Materials, 'M', false, "M", "materials of the scene"},
+    {Action::Split, 'V', false, "V", "two qualities side by side"},
+    {Action::OtherDraft, '1', true, "shift 1 2 3 4", "the other one: draft to reference"},
+    {Action::OtherPlay, '2', true, "", ""},
+    {Action::OtherFilm, '3', true, "", ""},
+    {Action::OtherReference, '4', true, "", ""},
+    {Action::Difference, 'F', false, "F", "the difference that is seen: flip"},
+    {Action::Count, 0, false, "mouse", "on the time line: go there"},
+    {Action::Count, 0, false, "right mouse", "on the time line: a loop"},
+    {Action::Count, 0, false, "wheel", "stretches the time line"},
+    {Action::Help, 'H', false, "H", "these lines"},
+    {Action::Count, 0, false, "esc", "leave"},
+};
+
+// The action of a key, with or without shift; Count: none.
+Action actionOf(int key, bool shift);
+
+void drawHelp(Canvas &canvas);
+
+} // namespace odraz

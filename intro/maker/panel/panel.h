@@ -1,0 +1,116 @@
+// The makers' panel over the picture: a time line, the camera from outside, what the picture costs, the
+// scene's materials, two qualities side by side. Hidden it costs nothing.
+//
+// The host calls steer() before a picture, and picture() instead of that of intro.h; keys and the mouse come
+// from input.h, or from a test.
+#pragma once
+
+#include "maker/panel/compare.h"
+#include "maker/panel/costs.h"
+#include "maker/panel/envelope.h"
+#include "maker/panel/ghost.h"
+#include "maker/panel/keys.h"
+#include "maker/panel/meter.h"
+#include "maker/panel/strip.h"
+#include "maker/panel/swatches.h"
+
+namespace odraz {
+
+// What is to be shown. `camera`: null: the film's own.
+struct Moment {
+    double time; // seconds
+    const Quality &quality;
+    const CameraKey *camera;
+};
+
+class Panel {
+public:
+    // For pictures of this size; `rate`: pictures a second, by which steps go; `clock`: nanoseconds.
+    Panel(int width, int height, double rate, int64_t (*clock)());
+
+    // --- From input ---
+    void act(Action action);
+    enum class Button { Left, Right };
+    void press(double x, double y, Button button); // pixels of the picture
+    void move(double x, double y);
+    void release();
+    void wheel(double x, double y, double turns);
+    bool grabs() const { return grabbed != Grab::None; } // the mouse, so that the host must not use it
+
+    // --- To the picture ---
+    // Puts what was asked for since the last call into the host's time; `sought` becomes true where it leaps.
+    void steer(double &time, bool &paused, bool &sought);
+    Picture picture(Intro &intro, const Moment &moment);
+
+    // The film's code is about to be replaced; and it has been.
+    void forget() { envelope.stop(); }
+    void learn();
+
+    int pictureWidth() const { return width; }
+    int pictureHeight() const { return height; }
+    bool visible() const { return shown; }
+    const Strip &timeLine() const { return strip; }
+    const Loop &loop() const { return stretch; }
+    int othersTraced() const { return others; } // how often the other quality was
+    const Costs &lastCosts() const { return costs; }
+    const std::vector<uint32_t> &samples() const { return heat; }
+    Rect inset() const; // of the view from outside
+
+private:
+    enum class Grab { None, Scrub, LoopEnd, Orbit, Divider };
+    Picture makePicture(Intro &intro, const Moment &moment);
+    void makeGhost(Intro &intro, const Moment &moment);
+    bool makeOther(Intro &intro, const Moment &moment);
+    void watchForChanges(const Picture &picture, const Moment &moment);
+    void makeDifference(const Picture &picture, const Moment &moment);
+    void draw(const Picture &picture, const Moment &moment);
+    void drawComparison(Canvas &canvas, const Moment &moment);
+    void drawInset(Canvas &canvas, const Moment &moment);
+    void seek(double to);
+
+    const Backstage *stage; // of the film's code that is in use
+    int width, height;
+    double rate;
+    int64_t (*clock)();
+    Content content;
+    Strip strip;
+    Envelope envelope;
+    Meter meter;
+    Swatches swatches;
+    GhostPlace place;
+    Costs costs;
+    Loop stretch;
+    Probe probe;
+
+    // What is shown
+    bool shown = false, help = false, ghost = false, heated = false, materials = false, costly = true,
+         split = false, differs = false;
+    QualityName other = QualityName::Film;
+    double divider = 0.5; // of the width
+    Kept ghostPicture, otherPicture, lastPicture;
+    int others = 0;
+    Difference difference;
+    std::vector<uint32_t> heat;
+
+    // What a kept picture is of
+    struct Key {
+        double time = -1;
+        QualityName quality = QualityName::Count, other = QualityName::Count;
+        bool flown = false;
+        CameraKey camera = {};
+        bool operator==(const Key &) const;
+    };
+    Key keyOf(const Moment &moment) const;
+    Key otherKey, differenceKey, lastKey, lastPictureKey;
+
+    // What the mouse does, and where it was
+    Grab grabbed = Grab::None;
+    double mouseX = -1, mouseY = -1, loopFrom = 0;
+
+    // Asked for since the last steer()
+    double now = 0, wanted = -1, heardTo = 0;
+    bool stop = false, waits = false; // waits: for the other picture to be traced
+    int64_t last = 0;
+};
+
+} // namespace odraz

@@ -1,0 +1,97 @@
+#include "maker/panel/probe.h"
+
+#include "show/show.h"
+#include "trace/picture/development.h"
+#include "trace/picture/enlarge.h"
+#include "trace/picture/tracer.h"
+#include "trace/shade/whitted.h"
+
+namespace odraz {
+
+namespace {
+
+Probe *theProbe; // the wrapped functions have no other way to it
+
+// Adds the time until its end to a part.
+struct Timed {
+    Probe *probe = theProbe;
+    int64_t begin = probe ? probe->clock() : 0;
+    Cost part;
+    explicit Timed(Cost part) : part(part) {}
+    ~Timed() {
+        if (probe) probe->spent[(int)part] += probe->clock() - begin;
+    }
+};
+
+} // namespace
+
+void watchPictures(Probe *probe) { theProbe = probe; }
+
+// Of every wrapped function there are two names: the one that calls lead to, and the function itself. The
+// linker names the former __wrap_, the latter __real_ and what the compiler calls it.
+// clang-format off
+#define ODRAZ_WRAPPED(type, name, mangled, ...) \
+    type name##Itself(__VA_ARGS__) asm("__real_" mangled); \
+    type name##Watched(__VA_ARGS__) asm("__wrap_" mangled); \
+    [[gnu::used]] type name##Watched(__VA_ARGS__)
+// clang-format on
+
+ODRAZ_WRAPPED(Posed, poseAt, "_ZN5odraz6poseAtERKNS_4FilmEdPKNS_9CameraKeyE", const Film &film,
+              double seconds, const CameraKey *camera) {
+    Timed timed(Cost::Posing);
+    return poseAtItself(film, seconds, camera);
+}
+
+ODRAZ_WRAPPED(
+    void, traceFrame,
+    "_ZN5odraz10traceFrameERNS_6TracerERNS_7WorkersERKNS_5SceneERKNS_4ViewERKNS_7QualityERNS_5FrameE",
+    Tracer &tracer, Workers &workers, const Scene &scene, const View &view, const Quality &quality,
+    Frame &frame) {
+    Timed timed(Cost::Tracing);
+    traceFrameItself(tracer, workers, scene, view, quality, frame);
+}
+
+ODRAZ_WRAPPED(void, spreadGlare, "_ZN5odraz11spreadGlareERNS_5GlareERKNS_5FrameERNS_7WorkersE", Glare &glare,
+              const Frame &frame, Workers &workers) {
+    Timed timed(Cost::Glare);
+    spreadGlareItself(glare, frame, workers);
+}
+
+ODRAZ_WRAPPED(void, develop,
+              "_ZN5odraz7developERKNS_5CurveERNS_5FrameERNS_7WorkersEfjPKNS_5GlareERKNS_10CameraLookE",
+              const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+              const Glare *glare, const CameraLook &look) {
+    Timed timed(Cost::Development);
+    developItself(curve, frame, workers, exposure, seed, glare, look);
+}
+
+ODRAZ_WRAPPED(void, enlarge, "_ZN5odraz7enlargeEPKhiiPhiiRNS_7WorkersE", const uint8_t *from, int width,
+              int height, uint8_t *to, int toWidth, int toHeight, Workers &workers) {
+    Timed timed(Cost::Enlarging);
+    enlargeItself(from, width, height, to, toWidth, toHeight, workers);
+}
+
+// Adds samples to the map. Squares at the right and the lower edge may have corners outside: these count for
+// the pixel at the edge. With a grid in every pixel there are none, but a row is filled up to a multiple of
+// eight: those beyond the edge are no samples.
+static void count(Probe &p, bool grid, int count, const float *x, const float *y) {
+    for (int i = 0; i < count; ++i) {
+        if (grid && x[i] > (float)p.width) continue;
+        int column = min((int)x[i], p.width - 1), row = min((int)y[i], p.height - 1);
+        __atomic_fetch_add(p.samples + (ptrdiff_t)row * p.width + column, 1, __ATOMIC_RELAXED);
+    }
+}
+
+ODRAZ_WRAPPED(void, traceSamples,
+              "_ZN5odraz12traceSamplesERKNS_5SceneERKNS_4ViewERKNS_7QualityERNS_12TraceScratchERKNS_"
+              "10CandidatesEfiPKfSF_PKjRKNS_7SamplesE",
+              const Scene &scene, const View &view, const Quality &quality, TraceScratch &scratch,
+              const Candidates &among, float size, int samples, const float *x, const float *y,
+              const uint32_t *index, const Samples &to) {
+    if (Probe *p = theProbe;
+        p && p->samples && view.width == (float)p->width && view.height == (float)p->height)
+        count(*p, quality.grid > 0, samples, x, y);
+    traceSamplesItself(scene, view, quality, scratch, among, size, samples, x, y, index, to);
+}
+
+} // namespace odraz

@@ -1,0 +1,176 @@
+#include "maker/panel/strip.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace odraz {
+
+// --- Where things are ---
+
+const ShotSeen &Content::shotAt(double time) const {
+    auto next = std::upper_bound(shots.begin() + 1, shots.end(), time,
+                                 [](double t, const ShotSeen &s) { return t < s.from; });
+    return *(next - 1);
+}
+
+std::vector<double> Content::eventTimes() const {
+    std::vector<double> times;
+    for (const EventSeen &e : events) times.push_back(e.at);
+    return times;
+}
+
+Content contentOf(const Backstage &backstage) {
+    Content c;
+    c.shots.resize(1024), c.events.resize(1024);
+    c.shots.resize((size_t)backstage.shots(c.shots.data(), 1024));
+    c.events.resize((size_t)backstage.events(c.events.data(), 1024));
+    c.end = c.shots.back().to;
+    return c;
+}
+
+double Strip::timeAt(double x) const {
+    return std::clamp(from + (x - area.x) / area.width * (to - from), 0., end);
+}
+double Strip::xOf(double time) const { return area.x + (time - from) / (to - from) * area.width; }
+
+void Strip::zoom(double x, double factor) {
+    constexpr double kShortest = 2;
+    double length = std::clamp((to - from) * factor, std::min(kShortest, end), end), at = timeAt(x);
+    from = std::clamp(at - (at - from) / (to - from) * length, 0., end - length);
+    to = from + length;
+}
+
+void Strip::follow(double time) {
+    double length = to - from;
+    if (time >= from && time <= to) return;
+    from = std::clamp(time - length * 0.1, 0., end - length);
+    to = from + length;
+}
+
+// From top to bottom, in heights of its text: names, events, keys, envelope
+static constexpr float kNames = 2.1f, kEvents = 1.1f, kKeys = 0.9f, kSound = 3.4f;
+
+Strip stripOf(int width, int height, double end) {
+    int tall = (int)std::lround(textSize(height) * (kNames + kEvents + kKeys + kSound));
+    if (width < 240 || height < tall * 2) return {{0, height, width, 0}, end, 0, end};
+    return {{0, height - tall, width, tall}, end, 0, end};
+}
+
+const EventSeen *eventNear(const Strip &strip, const Content &content, double x) {
+    const EventSeen *nearest = nullptr;
+    double least = 6; // pixels
+    for (const EventSeen &e : content.events)
+        if (double off = std::abs(strip.xOf(e.at) - x); off < least) least = off, nearest = &e;
+    return nearest;
+}
+
+// --- Drawing ---
+
+namespace {
+
+struct Drawing {
+    Canvas &canvas;
+    const Strip &strip;
+    const Content &content;
+    float size = textSize(canvas.height());
+    int names = strip.area.y, events = names + (int)(kNames * size), keys = events + (int)(kEvents * size),
+        sound = keys + (int)(kKeys * size);
+
+    float x(double time) const { return (float)strip.xOf(time); }
+    Rect between(double from, double to, int top, int bottom) const {
+        int left = (int)std::clamp(std::lround(strip.xOf(from)), 0L, (long)canvas.width()),
+            right = (int)std::clamp(std::lround(strip.xOf(to)), 0L, (long)canvas.width());
+        return {left, top, right - left, bottom - top};
+    }
+    void upright(double time, int top, int bottom, Colour colour, float opacity) const {
+        canvas.fill({(int)std::lround(strip.xOf(time)), top, 1, bottom - top}, colour, opacity);
+    }
+
+    void drawScenes() const {
+        const auto &shots = content.shots;
+        for (size_t i = 0, next; i < shots.size(); i = next) {
+            for (next = i + 1; next < shots.size() && shots[next].scene == shots[i].scene; ++next)
+                upright(shots[next].from, names + (int)(size * 1.2f), events, kInk, 0.35f);
+            Rect r = between(shots[i].from, shots[next - 1].to, names, events - 1);
+            canvas.fill(r, shots[i].scene % 2 ? Colour{52, 52, 60} : Colour{38, 38, 45}, 0.9f);
+            std::string name = sceneName(shots[i].scene);
+            if (widthOf(name, size * 0.85f) + 8 < (float)r.width)
+                canvas.text(name, (float)r.x + 5, (float)names + size * 1.35f, size * 0.85f, kInk);
+        }
+    }
+    void drawBars() const {
+        double bar = kRowsPerBar / kRowsPerSecond, wide = x(bar) - x(0);
+        if (wide < 4) return;
+        for (double t = 0; t <= content.end; t += wide > 60 ? kBeat : bar) {
+            bool whole = std::fmod(t + 1e-6, bar) < 1e-3, four = std::fmod(t + 1e-6, bar * 4) < 1e-3;
+            upright(t, events, strip.area.bottom(), kInk, four ? 0.22f : whole ? 0.11f : 0.05f);
+        }
+    }
+    void drawEvents() const {
+        float middle = (float)events + kEvents * size * 0.5f;
+        for (const EventSeen &e : content.events)
+            canvas.dot(x(e.at), middle, e.heard ? size * 0.28f : size * 0.18f, e.heard ? kWarm : kFaint);
+    }
+    void drawKeys() const {
+        float middle = (float)keys + kKeys * size * 0.5f, arm = std::max(size * 0.22f, 1.5f);
+        for (const ShotSeen &s : content.shots)
+            for (int i = 0; i < s.path.count; ++i) {
+                double t = timeOf(s, s.path.keys[i]);
+                if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // keys beyond the cuts
+                canvas.line(x(t), middle - arm, x(t), middle + arm, 1.6f, kCold);
+            }
+    }
+    void drawSound(const Envelope &envelope) const {
+        int bottom = strip.area.bottom() - 2, tall = bottom - sound;
+        for (int column = strip.area.x; column < strip.area.right(); ++column) {
+            double from = strip.timeAt(column), to = strip.timeAt(column + 1);
+            if (from >= envelope.known()) break;
+            Level level = envelope.most(from, to);
+            float loud = std::min(std::max(level.left, level.right), 1.f);
+            int high = (int)std::lround(loud * (float)tall);
+            canvas.fill({column, bottom - high, 1, high}, kCold, 0.55f);
+        }
+    }
+    void drawLoop(const Loop &loop) const {
+        if (!loop.on()) return;
+        canvas.fill(between(loop.from, loop.to, names, strip.area.bottom()), kWarm, 0.22f);
+        for (double t : {loop.from, loop.to})
+            canvas.fill({(int)std::lround(strip.xOf(t)) - 1, names, 2, strip.area.height}, kWarm, 0.9f);
+    }
+    // The time at the pointer, and the event that is near it
+    void drawPointer(double px) const {
+        if (px < 0) return;
+        double t = strip.timeAt(px);
+        upright(t, names, strip.area.bottom(), kInk, 0.5f);
+        char text[96];
+        const EventSeen *event = eventNear(strip, content, px);
+        std::snprintf(text, sizeof text, "%d:%05.2f  bar %d  row %.1f%s%s", (int)t / 60, std::fmod(t, 60),
+                      (int)(t * kRowsPerSecond / kRowsPerBar) + 1, t * kRowsPerSecond, event ? "  " : "",
+                      event ? event->name : "");
+        float wide = widthOf(text, size) + size,
+              left = std::clamp((float)px - wide * 0.5f, 0.f, std::max((float)canvas.width() - wide, 0.f));
+        canvas.fill({(int)left, names - (int)(size * 2.2f), (int)wide, (int)(size * 2)}, kGround, 0.85f);
+        canvas.text(text, left + size * 0.5f, (float)names - size * 0.9f, size, kInk);
+    }
+};
+
+} // namespace
+
+void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Envelope &envelope,
+               const Loop &loop, double time, double pointer) {
+    if (!strip.area.height) return;
+    Drawing d = {canvas, strip, content};
+    canvas.fill(strip.area, kGround, 0.82f);
+    d.drawScenes();
+    d.drawSound(envelope);
+    d.drawBars();
+    d.drawEvents();
+    d.drawKeys();
+    d.drawLoop(loop);
+    float x = d.x(time);
+    canvas.line(x, (float)strip.area.y, x, (float)strip.area.bottom(), 1.8f, {255, 255, 255});
+    d.drawPointer(pointer);
+}
+
+} // namespace odraz

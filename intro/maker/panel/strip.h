@@ -1,0 +1,55 @@
+// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras and the
+// sound's envelope, and in it the loop and the time that is shown. Times are seconds of the film.
+#pragma once
+
+#include "maker/panel/backstage.h"
+#include "maker/panel/canvas.h"
+#include "maker/panel/envelope.h"
+#include "maker/panel/steps.h"
+
+#include <vector>
+
+namespace odraz {
+
+// What the strip shows of the film.
+struct Content {
+    double end = 0;
+    std::vector<ShotSeen> shots;
+    std::vector<EventSeen> events;
+
+    const ShotSeen &shotAt(double time) const; // there is at least one
+    std::vector<double> eventTimes() const;
+};
+Content contentOf(const Backstage &backstage);
+
+// The film's time of a key of a shot's camera.
+inline double timeOf(const ShotSeen &shot, const CameraKey &key) {
+    return shot.story + key.row / kRowsPerSecond;
+}
+
+// Where the strip lies, and what stretch of the film it shows.
+struct Strip {
+    Rect area = {};
+    double end = 1;          // of the film
+    double from = 0, to = 1; // shown, within [0, end]
+
+    double timeAt(double x) const; // of a pixel; within [0, end]
+    double xOf(double time) const; // may lie outside of the area
+    // Shows a stretch `factor` times as long, so that the time at x stays at x.
+    void zoom(double x, double factor);
+    // Moves on, a page, if a time is not shown.
+    void follow(double time);
+};
+
+// The strip of a picture's size, for a film that ends at `end`. Its height is none if the picture is too
+// small for it.
+Strip stripOf(int width, int height, double end);
+
+// The event at a pixel of the strip, or null.
+const EventSeen *eventNear(const Strip &strip, const Content &content, double x);
+
+// `pointer`: the pixel column that the mouse is over, or below 0.
+void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Envelope &envelope,
+               const Loop &loop, double time, double pointer);
+
+} // namespace odraz

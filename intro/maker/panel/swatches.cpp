@@ -1,0 +1,46 @@
+#include "maker/panel/swatches.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+namespace odraz {
+
+void Swatches::look(const Backstage &backstage, Intro &intro, int wide) {
+    MaterialSeen now[kMostMaterials];
+    int n = backstage.materials(intro, now);
+    bool same = side == wide && n == count() &&
+                std::equal(now, now + n, known.begin(), [](auto &a, auto &b) { return a.hash == b.hash; });
+    known.assign(now, now + n);
+    side = wide;
+    if (same) return;
+    ++times;
+    size_t bytes = backstage.swatchMemory(kAcross, side);
+    std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
+                                                            std::free);
+    rgba.assign((size_t)(kAcross * side * std::max(rows(), 1) * side * 4), 0);
+    if (!memory) return;
+    Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
+    backstage.swatches(intro, arena, kAcross, side, rgba.data());
+}
+
+Rect Swatches::draw(Canvas &canvas, int x, int y) const {
+    float size = textSize(canvas.height());
+    int label = (int)(size * 1.5f), gap = 3, across = std::min(std::max(count(), 1), kAcross);
+    Rect r = {x, y, across * (side + gap) + gap, rows() * (side + label + gap) + gap};
+    canvas.fill(r, kGround, 0.78f);
+    for (int i = 0; i < count(); ++i) {
+        int left = x + gap + i % kAcross * (side + gap), top = y + gap + i / kAcross * (side + label + gap);
+        for (int row = 0; row < side; ++row) {
+            int from = ((i / kAcross * side + row) * kAcross + i % kAcross) * side;
+            canvas.put(left, top + row, rgba.data() + (size_t)from * 4, side, 1);
+        }
+        // What no shape has is faint
+        canvas.text(std::to_string(i), (float)left + (float)side * 0.5f, (float)(top + side) + size * 1.15f,
+                    size * 0.8f, known[(size_t)i].shapes ? kInk : kFaint, Align::Centre);
+        if (!known[(size_t)i].shapes) canvas.fill({left, top, side, side}, kGround, 0.6f);
+    }
+    return r;
+}
+
+} // namespace odraz

@@ -1,0 +1,31 @@
+// The scene's materials: each as a ball that the film's own tracer shows, with its number.
+#pragma once
+
+#include "maker/panel/backstage.h"
+#include "maker/panel/canvas.h"
+
+#include <vector>
+
+namespace odraz {
+
+class Swatches {
+public:
+    // Looks at the materials of the last picture, and traces those balls again if a material has changed.
+    void look(const Backstage &backstage, Intro &intro, int side);
+    int count() const { return (int)known.size(); }
+    int rows() const { return (count() + kAcross - 1) / kAcross; }
+    // How often they were traced.
+    int traced() const { return times; }
+
+    // Draws them from (x, y) on; returns the rectangle that it took.
+    Rect draw(Canvas &canvas, int x, int y) const;
+
+    static constexpr int kAcross = 8;
+
+private:
+    std::vector<MaterialSeen> known;
+    std::vector<uint8_t> rgba;
+    int side = 0, times = 0;
+};
+
+} // namespace odraz

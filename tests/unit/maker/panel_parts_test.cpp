@@ -1,0 +1,251 @@
+#include "maker/panel/ghost.h"
+#include "maker/panel/keys.h"
+#include "maker/panel/meter.h"
+#include "maker/panel/steps.h"
+#include "maker/panel/strip.h"
+
+#include <cctype>
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+// --- Steps and loops ---
+
+TEST(Steps, VisitEveryPictureOnceAndComeBack) {
+    constexpr double kEnd = 162;
+    for (double rate : {24., 25., 30., 59.94, 60.}) {
+        int last = (int)(kEnd * rate);
+        double t = 0;
+        for (int i = 1; i < last; ++i) {
+            t = stepBy(t, 1 / rate, 1, kEnd);
+            ASSERT_NEAR(t, i / rate, 1e-9) << rate;
+        }
+        for (int i = last - 2; i >= 0; --i) {
+            t = stepBy(t, 1 / rate, -1, kEnd);
+            ASSERT_NEAR(t, i / rate, 1e-9) << rate;
+        }
+    }
+}
+
+TEST(Steps, GoToTheNearestMultipleFromBetween) {
+    EXPECT_DOUBLE_EQ(stepBy(3.1, 2, 1, 10), 4);
+    EXPECT_DOUBLE_EQ(stepBy(3.1, 2, -1, 10), 2);
+    EXPECT_DOUBLE_EQ(stepBy(4, 2, -1, 10), 2);
+    EXPECT_DOUBLE_EQ(stepBy(9.5, 2, 1, 9.7), 9.7);
+    EXPECT_DOUBLE_EQ(stepBy(0, 2, -1, 10), 0);
+}
+
+TEST(Steps, GoFromEventToEvent) {
+    std::vector<double> times = {1, 2, 2, 5};
+    EXPECT_EQ(stepTo(0, times, 1), 1);
+    EXPECT_EQ(stepTo(1, times, 1), 2);
+    EXPECT_EQ(stepTo(2, times, 1), 5);
+    EXPECT_EQ(stepTo(5, times, 1), 5);
+    EXPECT_EQ(stepTo(5, times, -1), 2);
+    EXPECT_EQ(stepTo(2, times, -1), 1);
+    EXPECT_EQ(stepTo(1, times, -1), 1);
+    EXPECT_EQ(stepTo(3, {}, 1), 3);
+}
+
+TEST(Loops, ReachOverWholeBeatsAndAreLongEnoughForTheMusic) {
+    Loop l = loopBetween(10.2, 14.1, 100);
+    EXPECT_DOUBLE_EQ(l.from, 10);
+    EXPECT_DOUBLE_EQ(l.to, 14.5);
+    Loop back = loopBetween(14.1, 10.2, 100);
+    EXPECT_EQ(back.from, l.from);
+    EXPECT_EQ(back.to, l.to);
+    for (double a : {0., 0.1, 50., 99.9, 100.}) {
+        Loop least = loopBetween(a, a, 100);
+        EXPECT_GE(least.to - least.from, kShortestLoop) << a;
+        EXPECT_GE(least.from, 0);
+        EXPECT_LE(least.to, 100);
+    }
+    EXPECT_FALSE(loopBetween(0, 1, 1).on());
+}
+
+TEST(Loops, LeadBackToTheirStart) {
+    Loop l = {4, 8};
+    EXPECT_EQ(looped(l, 5), 5);
+    EXPECT_EQ(looped(l, 8), 4);
+    EXPECT_EQ(looped(l, 20), 4);
+    EXPECT_EQ(looped(l, 1), 4);
+    EXPECT_EQ(looped({}, 20), 20);
+}
+
+// --- The strip ---
+
+TEST(Strip, LiesAlongTheLowerEdge) {
+    for (auto [width, height] : {std::pair{640, 360}, {1280, 720}, {1920, 1080}, {3840, 2160}}) {
+        Strip s = stripOf(width, height, 162);
+        EXPECT_EQ(s.area.bottom(), height);
+        EXPECT_EQ(s.area.width, width);
+        EXPECT_GT(s.area.height, 30);
+        EXPECT_LT(s.area.height, height / 4);
+    }
+    EXPECT_EQ(stripOf(64, 36, 162).area.height, 0);
+    EXPECT_FALSE(stripOf(64, 36, 162).area.holds(10, 36));
+}
+
+TEST(Strip, TellsTheTimeOfEveryPixel) {
+    Strip s = stripOf(1280, 720, 162);
+    EXPECT_EQ(s.timeAt(0), 0);
+    EXPECT_NEAR(s.timeAt(640), 81, 1e-9);
+    EXPECT_EQ(s.timeAt(1280), 162);
+    EXPECT_EQ(s.timeAt(-50), 0);
+    EXPECT_EQ(s.timeAt(2000), 162);
+    s.zoom(300, 0.1);
+    for (double x : {0., 77.5, 300., 1279.}) EXPECT_NEAR(s.xOf(s.timeAt(x)), x, 1e-6);
+}
+
+TEST(Strip, StretchesAboutThePointer) {
+    Strip s = stripOf(1280, 720, 162);
+    double at = s.timeAt(900);
+    s.zoom(900, 0.5);
+    EXPECT_NEAR(s.timeAt(900), at, 1e-9);
+    EXPECT_NEAR(s.to - s.from, 81, 1e-9);
+    for (int i = 0; i < 50; ++i) s.zoom(900, 0.5);
+    EXPECT_NEAR(s.to - s.from, 2, 1e-9);
+    EXPECT_NEAR(s.timeAt(900), at, 1e-6);
+    for (int i = 0; i < 50; ++i) s.zoom(10, 2);
+    EXPECT_EQ(s.from, 0);
+    EXPECT_EQ(s.to, 162);
+}
+
+TEST(Strip, FollowsWhatIsShown) {
+    Strip s = stripOf(1280, 720, 162);
+    s.zoom(0, 0.1);
+    s.follow(10);
+    EXPECT_EQ(s.from, 0);
+    for (double t : {100., 162., 3., 0.}) {
+        s.follow(t);
+        EXPECT_LE(s.from, t);
+        EXPECT_GE(s.to, t);
+        EXPECT_GE(s.from, 0);
+        EXPECT_LE(s.to, 162);
+        EXPECT_NEAR(s.to - s.from, 16.2, 1e-9);
+    }
+}
+
+TEST(Strip, FindsTheEventUnderThePointer) {
+    Content c;
+    c.end = 100;
+    c.events = {{10, "one", true}, {11, "two", false}, {50, "three", true}};
+    Strip s = stripOf(1000, 600, 100); // ten pixels a second
+    EXPECT_STREQ(eventNear(s, c, 101)->name, "one");
+    EXPECT_STREQ(eventNear(s, c, 108)->name, "two");
+    EXPECT_EQ(eventNear(s, c, 300), nullptr);
+}
+
+TEST(Content, TellsTheShotOfATime) {
+    Content c;
+    c.shots = {{0, 5, 0, 0, {}}, {5, 9, 0, 1, {}}, {9, 20, 9, 1, {}}};
+    EXPECT_EQ(&c.shotAt(-1), &c.shots[0]);
+    EXPECT_EQ(&c.shotAt(4.99), &c.shots[0]);
+    EXPECT_EQ(&c.shotAt(5), &c.shots[1]);
+    EXPECT_EQ(&c.shotAt(30), &c.shots[2]);
+}
+
+// --- The camera from outside ---
+
+TEST(Ghost, ShowsTheWholePathAndTheTarget) {
+    Content film = contentOf(backstage());
+    Rect inset = {900, 12, 384, 216};
+    for (const ShotSeen &shot : film.shots)
+        for (float turn : {35.f, 170.f, 290.f})
+            for (double share : {0., 0.4, 1.}) {
+                GhostPlace place;
+                place.orbit(turn, turn / 10);
+                CameraKey now = cameraAt(shot.from + share * (shot.to - shot.from) * 0.999);
+                Projection project = projectionOf(outside(shot, now, place), inset);
+                auto seen = [&](const Vec3 &p) {
+                    float x, y;
+                    return project(p, x, y) && inset.holds(x, y);
+                };
+                EXPECT_TRUE(seen(now.eye)) << shot.from;
+                EXPECT_TRUE(seen(now.target)) << shot.from;
+                for (double t = shot.from; t < shot.to; t += 0.25) EXPECT_TRUE(seen(shot.at(t).eye)) << t;
+            }
+}
+
+// What the frustum encloses is what the film's camera shows: its corners are the picture's
+TEST(Ghost, DrawsTheFrustumOfTheCamera) {
+    for (double t : {20., 50., 70., 100., 150.}) {
+        CameraKey camera = cameraAt(t);
+        camera.roll = 12;
+        Rect picture = {0, 0, 1280, 720};
+        Projection project = projectionOf(camera, picture);
+        Vec3 corners[4];
+        cornersOf(camera, 1280.f / 720, 3, corners);
+        const float at[4][2] = {{0, 0}, {1280, 0}, {1280, 720}, {0, 720}};
+        for (int i = 0; i < 4; ++i) {
+            float x, y;
+            ASSERT_TRUE(project(corners[i], x, y));
+            EXPECT_NEAR(x, at[i][0], 1) << t << " " << i;
+            EXPECT_NEAR(y, at[i][1], 1) << t << " " << i;
+        }
+    }
+}
+
+TEST(Ghost, StaysAboveTheGround) {
+    GhostPlace place;
+    place.orbit(0, -500);
+    EXPECT_EQ(place.rise, 4);
+    place.orbit(1000, 500);
+    EXPECT_EQ(place.rise, 85);
+    for (int i = 0; i < 100; ++i) place.zoom(2);
+    EXPECT_EQ(place.nearness, 5);
+}
+
+TEST(Ghost, LeavesOutWhatIsBehind) {
+    Projection project = projectionOf({0, {0, 0, 0}, {0, 0, -1}, 0, 40}, {0, 0, 100, 100});
+    float x, y;
+    EXPECT_TRUE(project({0, 0, -5}, x, y));
+    EXPECT_NEAR(x, 50, 1e-3);
+    EXPECT_NEAR(y, 50, 1e-3);
+    EXPECT_FALSE(project({0, 0, 5}, x, y));
+}
+
+// --- The level meter ---
+
+TEST(Meter, FallsSlowlyAndHoldsThePeak) {
+    Meter m;
+    m.hear({0.5f, 0.1f}, 0.02);
+    EXPECT_NEAR(m.shown(0), -6.02, 0.01);
+    EXPECT_NEAR(m.shown(1), -20, 0.01);
+    m.hear({}, 0.5);
+    EXPECT_NEAR(m.shown(0), -6.02 - Meter::kFall * 0.5, 0.01);
+    EXPECT_NEAR(m.peak(0), -6.02, 0.01);
+    m.hear({}, 1.2);
+    EXPECT_LT(m.peak(0), -20) << "held long enough";
+    m.hear({1, 0.2f}, 0.02);
+    EXPECT_TRUE(m.clipped(0));
+    EXPECT_FALSE(m.clipped(1));
+    for (int i = 0; i < 10; ++i) m.hear({}, 1);
+    EXPECT_EQ(m.shown(0), Meter::kFloor);
+    EXPECT_EQ(m.peak(1), Meter::kFloor);
+}
+
+// --- Keys ---
+
+TEST(Keys, HaveOneMeaningEachAndEveryActionHasOne) {
+    bool has[(int)Action::Count] = {};
+    for (const KeyRow &row : kKeys) {
+        if (row.action == Action::Count) continue;
+        EXPECT_FALSE(has[(int)row.action]) << row.shown;
+        has[(int)row.action] = true;
+        EXPECT_EQ(actionOf(row.key, row.shift), row.action) << row.shown;
+    }
+    for (bool one : has) EXPECT_TRUE(one);
+    for (int host : {'W', 'A', 'S', 'D', 'Q', 'E', 'R', 'C', '1', '2', '3', ' '})
+        EXPECT_EQ(actionOf(host, false), Action::Count) << (char)host;
+}
+
+// The font has few signs, and would leave the others out
+TEST(Keys, AreToldInLettersThatTheFontHas) {
+    for (const KeyRow &row : kKeys)
+        for (const char *text : {row.shown, row.what})
+            for (const char *c = text; *c; ++c)
+                EXPECT_TRUE(std::isalnum(*c) || std::strchr(" .,:-+/", *c)) << text;
+}

@@ -1,0 +1,427 @@
+// The panel over pictures of the film, as odraz-debug uses it.
+#include "maker/panel/panel.h"
+#include "tools/common/heap_arena.h"
+
+#include <chrono>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <numeric>
+#include <thread>
+
+using namespace odraz;
+
+namespace {
+
+int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+
+// The film without its hall
+struct Loaded {
+    Workers workers = serialWorkers();
+    IntroSettings settings;
+    HeapArena memory;
+    Intro *intro = nullptr;
+
+    Loaded(int width, int height) : settings{width, height}, memory(memoryNeeded(settings, 1, false)) {
+        EXPECT_EQ(load(intro, settings, memory.arena, workers), nullptr);
+    }
+};
+
+const Quality &kDraft = kQualities[(int)QualityName::Draft];
+size_t sumOf(const std::vector<uint32_t> &samples) {
+    return std::accumulate(samples.begin(), samples.end(), (size_t)0);
+}
+std::vector<uint8_t> bytesOf(const Picture &p) { return Kept::of(p).rgba; }
+
+} // namespace
+
+// --- The map of samples ---
+
+// Odd sizes, so that tiles are cut at the right and the lower edge
+TEST(Heat, AddsUpToTheSamplesThatTheEngineCounts) {
+    Loaded film(203, 117);
+    Panel panel(203, 117, 25, nanosecondsNow);
+    panel.act(Action::Heat);
+    for (const Quality &q : kQualities)
+        for (double time : {12., 22., 45.}) {
+            if (q.grid && time != 22) continue;
+            panel.picture(*film.intro, {time, q, nullptr});
+            EXPECT_GT(panel.lastCosts().samples, 0);
+            EXPECT_EQ(sumOf(panel.samples()), (size_t)panel.lastCosts().samples) << q.name << " " << time;
+        }
+}
+
+TEST(Heat, CountsTheSamplesOfAGridWhereTheyAre) {
+    Loaded film(203, 117);
+    Panel panel(203, 117, 25, nanosecondsNow);
+    panel.act(Action::Heat);
+    Quality grid = kDraft;
+    grid.grid = 2;
+    panel.picture(*film.intro, {22, grid, nullptr});
+    for (uint32_t n : panel.samples()) ASSERT_EQ(n, 4u);
+}
+
+// Anti-aliasing works at outlines: most samples are in few pixels
+TEST(Heat, IsHotWhereThereAreEdges) {
+    Loaded film(320, 180);
+    Panel panel(320, 180, 25, nanosecondsNow);
+    panel.act(Action::Heat);
+    panel.picture(*film.intro, {22, kQualities[(int)QualityName::Film], nullptr});
+    size_t hot = 0, inHot = 0;
+    for (uint32_t n : panel.samples())
+        if (n > 3) ++hot, inHot += n;
+    EXPECT_GT(hot, 0u);
+    EXPECT_LT(hot, 320u * 180 / 3);
+    EXPECT_GT(inHot, sumOf(panel.samples()) / 2);
+}
+
+TEST(Heat, ColoursGrowBrighter) {
+    int before = -1;
+    for (float n : {0.01f, 0.1f, 0.3f, 1.f, 3.f, 8.f, 16.f}) {
+        Colour c = heatOf(n);
+        int bright = c.r * 3 + c.g * 6 + c.b;
+        EXPECT_GT(bright, before - (n < 0.05f)) << n;
+        before = bright;
+    }
+}
+
+// On black, a colour is seen as 184/256 of it
+TEST(Heat, ShowsHowFarApartTheSamplesAre) {
+    constexpr int kWidth = 24, kHeight = 12; // the lower squares are cut
+    std::vector<uint8_t> rgba(kWidth * kHeight * 4);
+    std::vector<uint32_t> samples(kWidth * kHeight);
+    auto at = [&](int x, int y) -> uint32_t & { return samples[(size_t)(y * kWidth + x)]; };
+    at(0, 0) = 1;                                    // the first square has one corner,
+    at(8, 0) = at(12, 0) = at(8, 4) = at(12, 4) = 1; // the second four,
+    for (int y = 0; y < 8; ++y) // and in the third every pixel has one, and one pixel has 16
+        for (int x = 16; x < 24; ++x) at(x, y) = x == 20 && y == 3 ? 16 : 1;
+    Canvas canvas(Picture{kWidth, kHeight, rgba.data()});
+    drawHeat(canvas, samples);
+    auto shows = [&](int x, int y, float n) {
+        Colour c = heatOf(n);
+        const uint8_t *p = canvas.at(x, y);
+        return p[0] == c.r * 184 >> 8 && p[1] == c.g * 184 >> 8 && p[2] == c.b * 184 >> 8;
+    };
+    EXPECT_TRUE(shows(0, 0, 1 / 64.f));
+    EXPECT_TRUE(shows(7, 7, 1 / 64.f));
+    EXPECT_TRUE(shows(8, 0, 1 / 16.f));
+    EXPECT_TRUE(shows(15, 7, 1 / 16.f));
+    EXPECT_TRUE(shows(16, 0, 1));
+    EXPECT_TRUE(shows(20, 3, 16));
+    EXPECT_TRUE(shows(21, 3, 1));
+    EXPECT_TRUE(shows(23, 11, 0));
+}
+
+// --- What a picture costs ---
+
+TEST(Costs, PartsAreSomeOfTheWhole) {
+    Loaded film(320, 180);
+    Panel panel(320, 180, 25, nanosecondsNow);
+    panel.act(Action::Panel);
+    panel.picture(*film.intro, {22, kDraft, nullptr});
+    const Costs &c = panel.lastCosts();
+    double sum = 0;
+    for (Cost part : {Cost::Posing, Cost::Tracing, Cost::Glare, Cost::Development}) {
+        EXPECT_GT(c.milliseconds[(int)part], 0) << nameOf(part);
+        sum += c.milliseconds[(int)part];
+    }
+    EXPECT_EQ(c.milliseconds[(int)Cost::Enlarging], 0);
+    EXPECT_LE(sum, c.whole);
+    EXPECT_GT(c.samplesAPixel(), 0.02);
+    EXPECT_LT(c.samplesAPixel(), 4);
+}
+
+TEST(Probe, NotesNothingUnlessAsked) {
+    Loaded film(64, 36);
+    Probe probe;
+    probe.clock = nanosecondsNow;
+    backstage().watch(&probe);
+    picture(*film.intro, 0, 22, kDraft, nullptr, {32, 18});
+    backstage().watch(nullptr);
+    for (int64_t spent : probe.spent) EXPECT_GT(spent, 0); // enlarging too
+    Probe before = probe;
+    picture(*film.intro, 0, 22, kDraft);
+    for (int i = 0; i < (int)Cost::Count; ++i) EXPECT_EQ(probe.spent[i], before.spent[i]);
+}
+
+// --- The picture ---
+
+TEST(Panel, HiddenItShowsThePictureAlone) {
+    Loaded film(320, 180);
+    std::vector<uint8_t> alone = bytesOf(picture(*film.intro, 0, 22, kDraft));
+    Panel panel(320, 180, 25, nanosecondsNow);
+    EXPECT_EQ(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
+    panel.act(Action::Panel);
+    panel.act(Action::Ghost);
+    EXPECT_NE(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
+    panel.act(Action::Panel);
+    EXPECT_EQ(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
+    panel.act(Action::Help);
+    EXPECT_NE(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
+}
+
+// All that can be shown, in pictures from the smallest on, every way it can be seen; sanitizers look on
+TEST(Panel, ServesPicturesOfAllSizes) {
+    for (auto [width, height] : {std::pair{1, 1}, {16, 9}, {239, 200}, {320, 180}, {100, 500}, {500, 100}}) {
+        Loaded film(width, height);
+        Panel panel(width, height, 25, nanosecondsNow);
+        double time = 161.9;
+        bool paused = false, sought = false;
+        for (Action a : {Action::Ghost, Action::Materials, Action::Heat, Action::Help, Action::OtherDraft,
+                         Action::Difference, Action::Difference, Action::LoopShot, Action::Split}) {
+            panel.act(a);
+            panel.move(width - 1, height - 1);
+            panel.wheel(width - 1, height - 1, 3);
+            panel.steer(time, paused, sought);
+            panel.picture(*film.intro, {22, kDraft, nullptr});
+        }
+    }
+}
+
+TEST(Panel, FarFlownCamerasAreShown) {
+    Loaded film(320, 180);
+    Panel panel(320, 180, 25, nanosecondsNow);
+    panel.act(Action::Ghost);
+    for (CameraKey far :
+         {CameraKey{0, {1e6f, 5, 0}, {0, 0, 0}, 0, 40}, CameraKey{0, {0, 3, 0}, {0, 0, 0}, 0, 40},
+          CameraKey{0, {1, 1, 1}, {1, 1, 1}, 0, 40}})
+        panel.picture(*film.intro, {22, kDraft, &far});
+}
+
+// --- Keys and the mouse ---
+
+namespace {
+
+struct Host {
+    Panel panel{1280, 720, 25, nanosecondsNow};
+    double time = 30;
+    bool paused = false, sought = false;
+
+    Host() { panel.act(Action::Panel); }
+    void steer() {
+        sought = false;
+        panel.steer(time, paused, sought);
+    }
+    void act(Action a) {
+        panel.act(a);
+        steer();
+    }
+    double x(double seconds) const { return panel.timeLine().xOf(seconds); }
+    double y() const { return panel.timeLine().area.y + 5; }
+};
+
+} // namespace
+
+TEST(Panel, StepsByPictureBarAndEvent) {
+    Host h;
+    h.steer();
+    EXPECT_FALSE(h.sought);
+    h.act(Action::PictureOn);
+    EXPECT_NEAR(h.time, 30.04, 1e-9);
+    EXPECT_TRUE(h.sought && h.paused);
+    h.act(Action::PictureBack);
+    EXPECT_NEAR(h.time, 30, 1e-9);
+    h.act(Action::BarOn);
+    EXPECT_NEAR(h.time, 32, 1e-9);
+    h.act(Action::BarBack);
+    h.act(Action::BarBack);
+    EXPECT_NEAR(h.time, 28, 1e-9);
+    h.act(Action::EventOn);
+    EXPECT_NEAR(h.time, 42, 1e-9) << "the first generation of the flake";
+    h.act(Action::EventBack);
+    EXPECT_NEAR(h.time, 18, 1e-9) << "balls set off";
+    // Two presses between two pictures are two steps
+    h.panel.act(Action::BarOn);
+    h.panel.act(Action::BarOn);
+    h.steer();
+    EXPECT_NEAR(h.time, 22, 1e-9);
+}
+
+TEST(Panel, ScrubsAndHoldsWhereTheMouseIs) {
+    Host h;
+    h.steer();
+    h.panel.press(h.x(50), h.y(), Panel::Button::Left);
+    EXPECT_TRUE(h.panel.grabs());
+    h.steer();
+    EXPECT_NEAR(h.time, 50, 1e-6);
+    h.panel.move(h.x(70), 3); // may leave the strip
+    h.steer();
+    EXPECT_NEAR(h.time, 70, 1e-6);
+    h.time += 0.1; // the film goes on
+    h.steer();
+    EXPECT_NEAR(h.time, 70, 1e-6);
+    h.panel.release();
+    h.steer();
+    h.time += 0.1;
+    h.steer();
+    EXPECT_NEAR(h.time, 70.1, 1e-6);
+    EXPECT_FALSE(h.panel.grabs() || h.paused);
+}
+
+TEST(Panel, LoopsAStretch) {
+    Host h;
+    h.panel.press(h.x(60), h.y(), Panel::Button::Right);
+    h.panel.move(h.x(65), h.y());
+    h.panel.release();
+    EXPECT_NEAR(h.panel.loop().from, 60, 0.51);
+    EXPECT_NEAR(h.panel.loop().to, 65, 0.51);
+    h.steer();
+    EXPECT_EQ(h.time, h.panel.loop().from);
+    EXPECT_TRUE(h.sought);
+    h.time = h.panel.loop().to + 0.01;
+    h.steer();
+    EXPECT_EQ(h.time, h.panel.loop().from);
+    // Paused one may look elsewhere
+    h.paused = true;
+    h.time = 10;
+    h.steer();
+    EXPECT_EQ(h.time, 10);
+    // A click ends it, the key makes one of the shot
+    h.panel.press(h.x(20), h.y(), Panel::Button::Right);
+    h.panel.release();
+    EXPECT_FALSE(h.panel.loop().on());
+    h.time = 26;
+    h.steer();
+    h.act(Action::LoopShot);
+    EXPECT_EQ(h.panel.loop().from, 24);
+    EXPECT_EQ(h.panel.loop().to, 32);
+    h.act(Action::LoopShot);
+    EXPECT_FALSE(h.panel.loop().on());
+}
+
+TEST(Panel, LeavesTheMouseToTheHostElsewhere) {
+    Host h;
+    h.panel.press(640, 300, Panel::Button::Left);
+    EXPECT_FALSE(h.panel.grabs());
+    h.panel.act(Action::Ghost);
+    Rect inset = h.panel.inset();
+    h.panel.press(inset.x + 5, inset.y + 5, Panel::Button::Left);
+    EXPECT_TRUE(h.panel.grabs());
+    h.panel.release();
+    h.panel.act(Action::Panel); // hidden
+    h.panel.press(h.x(50), h.y(), Panel::Button::Left);
+    EXPECT_FALSE(h.panel.grabs());
+}
+
+// --- What it knows of the film ---
+
+TEST(Content, IsInOrderAndInTheFilm) {
+    Content c = contentOf(backstage());
+    EXPECT_EQ(c.end, duration());
+    EXPECT_EQ(c.shots[0].from, 0);
+    for (size_t i = 1; i < c.shots.size(); ++i) EXPECT_EQ(c.shots[i].from, c.shots[i - 1].to);
+    ASSERT_FALSE(c.events.empty());
+    for (size_t i = 1; i < c.events.size(); ++i) EXPECT_GE(c.events[i].at, c.events[i - 1].at);
+    EXPECT_STREQ(c.events[0].name, "light is born");
+    bool found = false;
+    for (const EventSeen &e : c.events) {
+        EXPECT_LT(e.at, c.end);
+        found = found || !std::strcmp(e.name, "generation 2");
+        // The scene of an event is the one on screen
+        EXPECT_GE(e.at, c.shotAt(e.at).story);
+    }
+    EXPECT_TRUE(found);
+    for (const ShotSeen &s : c.shots)
+        for (double t : {s.from, (s.from + s.to) / 2}) {
+            CameraKey a = cameraAt(t), b = s.at(t);
+            EXPECT_NEAR(length(a.eye - b.eye), 0, 1e-4) << t;
+        }
+}
+
+TEST(Swatches, ShowEveryMaterialAndAreTracedOnlyWhenOneChanges) {
+    Loaded film(320, 180);
+    Picture p = picture(*film.intro, 0, 22, kDraft);
+    Swatches s;
+    s.look(backstage(), *film.intro, 24);
+    EXPECT_GE(s.count(), 5);
+    s.look(backstage(), *film.intro, 24);
+    EXPECT_EQ(s.traced(), 1);
+    std::vector<uint8_t> before = bytesOf(p);
+    Canvas canvas(p);
+    Rect r = s.draw(canvas, 10, 10);
+    EXPECT_NE(bytesOf(p), before);
+    EXPECT_TRUE(canvas.whole().holds(r.right(), r.bottom()));
+    picture(*film.intro, 0, 45, kDraft); // another scene
+    s.look(backstage(), *film.intro, 24);
+    EXPECT_EQ(s.traced(), 2);
+}
+
+TEST(Envelope, IsThatOfTheMusic) {
+    constexpr double kSeconds = 4;
+    Envelope envelope;
+    envelope.start(backstage(), kSeconds);
+    while (envelope.known() < kSeconds) std::this_thread::yield();
+    HeapArena memory(soundMemory());
+    Sound *sound = loadSound(memory.arena);
+    float most[2] = {}, stereo[2 * kSoundBlock];
+    for (int block = 0; block < kSeconds * kSoundRate / kSoundBlock; ++block) {
+        soundBlock(*sound, stereo);
+        float here[2] = {};
+        for (int i = 0; i < 2 * kSoundBlock; ++i) here[i % 2] = std::max(here[i % 2], std::abs(stereo[i]));
+        Level level = envelope.most(block * 0.005 + 1e-4, block * 0.005 + 0.004);
+        ASSERT_EQ(level.left, here[0]) << block;
+        ASSERT_EQ(level.right, here[1]) << block;
+        for (int side : {0, 1}) most[side] = std::max(most[side], here[side]);
+    }
+    EXPECT_GT(most[0], 0.01f);
+    EXPECT_EQ(envelope.most(0, kSeconds).left, most[0]);
+    EXPECT_EQ(envelope.most(-5, 1000).right, most[1]);
+    envelope.stop();
+    EXPECT_EQ(envelope.most(0, kSeconds).left, 0);
+}
+
+// --- Two qualities ---
+
+TEST(Compare, SplitShowsTheOtherPictureOnTheRight) {
+    Loaded film(320, 180);
+    std::vector<uint8_t> draft = bytesOf(picture(*film.intro, 0, 22, kDraft)),
+                         best = bytesOf(picture(*film.intro, 0, 22, kQualities[(int)QualityName::Film]));
+    Panel panel(320, 180, 25, nanosecondsNow);
+    panel.act(Action::OtherFilm);
+    Picture p = panel.picture(*film.intro, {22, kDraft, nullptr});
+    // Between the costs and the meter, but not where the divider is
+    for (int y = 60; y < 80; ++y)
+        for (int x = 150; x < 280; ++x) {
+            if (std::abs(x - 160) < 6) continue;
+            const uint8_t *of = (x < 160 ? draft : best).data() + (y * 320 + x) * 4;
+            ASSERT_TRUE(std::equal(of, of + 3, p.rgba + (y * 320 + x) * 4)) << x << " " << y;
+        }
+}
+
+TEST(Compare, DifferenceIsNoneBetweenEqualPicturesAndSomeBetweenQualities) {
+    Loaded film(160, 90);
+    Kept draft = Kept::of(picture(*film.intro, 0, 22, kDraft));
+    Picture again = picture(*film.intro, 0, 22, kDraft);
+    Difference none = differenceOf(draft, again);
+    EXPECT_NEAR(none.mean, 0, 1e-6);
+    EXPECT_EQ(none.most, 0.05f);
+    Difference some = differenceOf(draft, picture(*film.intro, 0, 22, kQualities[(int)QualityName::Film]));
+    EXPECT_GT(some.mean, 0.001);
+    EXPECT_LT(some.mean, 0.3);
+    EXPECT_TRUE(differenceOf({}, again).flip.empty()) << "of another size";
+}
+
+// The reference takes long: it is not traced while the film plays
+TEST(Compare, TheReferenceWaitsForAPause) {
+    Loaded film(160, 90);
+    Panel panel(160, 90, 25, nanosecondsNow);
+    panel.act(Action::OtherReference);
+    for (double time : {20., 20.04, 20.08}) panel.picture(*film.intro, {time, kDraft, nullptr});
+    Picture p = panel.picture(*film.intro, {30, kDraft, nullptr});
+    std::vector<uint8_t> waiting = bytesOf(p);
+    std::vector<uint8_t> there = bytesOf(panel.picture(*film.intro, {30, kDraft, nullptr}));
+    EXPECT_NE(waiting, there);
+}
+
+TEST(Compare, TheOtherPictureIsTracedAgainWhenTheFilmWasEdited) {
+    Loaded film(320, 180);
+    Panel panel(320, 180, 25, nanosecondsNow);
+    panel.act(Action::OtherPlay);
+    Quality edited = kDraft; // stands for a film that looks different
+    edited.grid = 1;
+    for (int i = 0; i < 3; ++i) panel.picture(*film.intro, {22, kDraft, nullptr});
+    EXPECT_EQ(panel.othersTraced(), 1);
+    for (int i = 0; i < 3; ++i) panel.picture(*film.intro, {22, edited, nullptr});
+    EXPECT_EQ(panel.othersTraced(), 2);
+    panel.picture(*film.intro, {23, edited, nullptr});
+    EXPECT_EQ(panel.othersTraced(), 3);
+}
