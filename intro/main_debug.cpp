@@ -4,6 +4,7 @@
 //   W A S D      fly; Q and E down and up   mouse         look around, with the left button held
 //   R            back to the scripted camera   C          print the camera as a line for the show's tables
 //   K            set a key of the camera's path here (with shift: remove it)
+//   Ctrl Z       undo (with shift: do again)  Ctrl S      save what was edited to the sources
 //   X            write the tracks for an editor of GNU Rocket
 //   1 2 3        draft, play, film          ESC           leave
 //   TAB          the panel, H: its keys (maker/panel/keys.h)
@@ -38,7 +39,8 @@ namespace {
 struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
-    bool sets = false, removes = false, writes = false; // keys of the camera, the tracks: asked for
+    // Asked for: keys of the camera, the tracks, steps back and on, the sources
+    bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false;
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
@@ -65,6 +67,11 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
     if (action == GLFW_RELEASE) return;
     Maker &m = theMaker;
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
+    if (mods & GLFW_MOD_CONTROL) {
+        m.saves |= key == GLFW_KEY_S;
+        if (key == GLFW_KEY_Z) (mods & GLFW_MOD_SHIFT ? m.redoes : m.undoes) = true;
+        return;
+    }
     switch (key) {
     case GLFW_KEY_ESCAPE:
         glfwSetWindowShouldClose(window, 1);
@@ -104,6 +111,7 @@ void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
     float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
+    if (held(GLFW_KEY_LEFT_CONTROL) + held(GLFW_KEY_RIGHT_CONTROL) > 0) ahead = aside = up = 0;
     double x, y;
     glfwGetCursorPos(window, &x, &y);
     float dx = (float)(x - m.mouseX), dy = (float)(y - m.mouseY);
@@ -181,14 +189,20 @@ void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
     if (m.sets || m.removes) {
         double row = m.time * kRowsPerSecond;
         CameraKey view = m.flying ? m.camera : cameraAt(m.time);
-        uint32_t at = m.sets ? remote.setView(stage, row, view) : remote.removeView(stage, row);
+        uint32_t at = m.sets ? remote.setView(stage, row, view, news) : remote.removeView(stage, row, news);
         m.time = at / kRowsPerSecond;
         m.sought = true;
         m.flying = false;
-        news = (m.sets ? "key set on row " : "no key on row ") + std::to_string(at);
+    }
+    if (m.undoes) remote.undo(stage, news);
+    if (m.redoes) remote.redo(stage, news);
+    if (m.saves) {
+        std::string wrong = remote.save(stage, news);
+        if (!wrong.empty()) news = wrong;
+        fail(news.c_str());
     }
     if (m.writes || told.save) writeTracks(remote, stage, news);
-    m.sets = m.removes = m.writes = false;
+    m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = false;
 }
 
 void help() {
@@ -196,7 +210,8 @@ void help() {
         "usage: " FILM_NAME "-debug [--from S] [--size WxH] [--threads N] [--mute] [--rocket [HOST[:PORT]]]\n"
         "       " FILM_NAME "-debug --shown FILE [--from S] [--to S] [--stats] ...\n"
         "       " FILM_NAME "-debug --tracks FILE\n"
-        "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, 1 2 3, ESC; TAB shows the panel, H all keys\n"
+        "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, Ctrl Z, Ctrl S, 1 2 3, ESC\n"
+        "TAB shows the panel, H all keys.\n"
         "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
         "with it stands in the picture.\n"
         "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if not told.\n"
@@ -226,7 +241,7 @@ int main(int argc, char **argv) {
         news = word;
         if (!line.empty()) fail(line.c_str());
     });
-    Remote remote(words.host, words.port);
+    Remote remote(follower.showFolder(), words.host, words.port);
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || words.tracks);
     if (const char *problem = stage.loadFirst(screen.gl, follower.solverHash())) return fail(problem);
     if (words.tracks) {

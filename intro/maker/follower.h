@@ -22,6 +22,7 @@ public:
     // The compiler needs the processors: until it is done, few pictures are made.
     void wait() const;
 
+    std::string showFolder() const { return rebuilder.showFolder(); }
     uint64_t solverHash() const { return rebuilder.solverHash(); }
 
 private:

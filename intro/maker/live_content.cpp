@@ -97,30 +97,14 @@ uint64_t hallHash(Arena &arena) {
 }
 
 const Live kLive = {
-    needsHall,
-    memoryNeeded,
-    load,
-    duration,
-    sceneAt,
-    sceneName,
-    paceOf,
-    cameraAt,
-    picture,
-    between,
-    samplesTaken,
-    outgrown,
-    soundMemory,
-    loadSound,
-    seekSound,
-    soundBlock,
-    hallHash,
-    sizeof(Hall) + sizeof(Scene) + 4096,
-    write,
-    findTables,
-    pathAt,
-    replaceTables,
-    backstage,
-    {sizeof(Intro), sizeof(Scene), sizeof(Hall), sizeof(Sound)},
+    needsHall,     memoryNeeded, load,
+    duration,      sceneAt,      sceneName,
+    paceOf,        cameraAt,     picture,
+    between,       samplesTaken, outgrown,
+    soundMemory,   loadSound,    seekSound,
+    soundBlock,    hallHash,     sizeof(Hall) + sizeof(Scene) + 4096,
+    write,         findTables,   pathAt,
+    replaceTables, backstage,    {sizeof(Intro), sizeof(Scene), sizeof(Hall), sizeof(Sound)},
 };
 
 } // namespace

@@ -30,6 +30,7 @@ public:
     const std::string &problem() const { return wrong; }
     // The compiler's first error, or what else was wrong, as one line with paths from the source folder on.
     const std::string &error() const { return firstError; }
+    std::string showFolder() const { return source.empty() ? "" : source + "/intro/show"; }
     std::string object() const { return build + "/live/live.so"; }
     // A hash of the code that solves the hall. Where it changes, the hall must be solved anew.
     uint64_t solverHash() const;

@@ -13,11 +13,11 @@ namespace odraz {
 namespace {
 
 constexpr double kGreets = 0.3; // seconds in which an editor sends the keys that it has
-constexpr int kView = 6;        // eye and target: the first of a camera's tracks
 
 } // namespace
 
-Remote::Remote(std::string name, int number) : host(std::move(name)), port(number) {}
+Remote::Remote(std::string show, std::string name, int number)
+    : host(std::move(name)), port(number), tracks(std::move(show)) {}
 
 void Remote::find(const Stage &stage) {
     if (found) return;
@@ -56,19 +56,38 @@ Remote::Told Remote::update(const Stage &stage, double now, double row) {
     return told;
 }
 
-uint32_t Remote::edit(const Stage &stage, double row, const CameraKey *camera) {
+namespace {
+uint32_t rowNextTo(double row) { return (uint32_t)std::fmax(std::round(row), 0); }
+} // namespace
+
+uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera, std::string &news) {
     find(stage);
-    auto at = (uint32_t)std::fmax(std::round(row), 0);
-    int first = tracks.cameraAt(at);
-    for (int i = 0; i < kView && first >= 0; ++i)
-        tracks.set((size_t)(first + i), at, camera ? std::optional((&camera->eye.x)[i]) : std::nullopt);
-    tracks.show();
+    uint32_t at = rowNextTo(row);
+    std::string why = tracks.setView(at, camera);
+    news = why.empty() ? "key set on row " + std::to_string(at) : "no key set: " + why;
     return at;
 }
-uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera) {
-    return edit(stage, row, &camera);
+uint32_t Remote::removeView(const Stage &stage, double row, std::string &news) {
+    find(stage);
+    uint32_t at = rowNextTo(row);
+    std::string why = tracks.removeView(at);
+    news = why.empty() ? "no key on row " + std::to_string(at) : "no key removed: " + why;
+    return at;
 }
-uint32_t Remote::removeView(const Stage &stage, double row) { return edit(stage, row, nullptr); }
+void Remote::undo(const Stage &stage, std::string &news) {
+    find(stage);
+    news = tracks.undo() ? "undone" : "nothing to undo";
+    tracks.show();
+}
+void Remote::redo(const Stage &stage, std::string &news) {
+    find(stage);
+    news = tracks.redo() ? "done again" : "nothing to do again";
+    tracks.show();
+}
+std::string Remote::save(const Stage &stage, std::string &news) {
+    find(stage);
+    return tracks.save(news);
+}
 
 std::string Remote::writeDocument(const Stage &stage, const std::string &file, std::string &news) {
     find(stage);

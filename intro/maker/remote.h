@@ -12,7 +12,8 @@ namespace odraz {
 class Remote {
 public:
     // Without a host there is no editor, and tracks are edited by hand alone.
-    explicit Remote(std::string host = "", int port = rocket::kPort);
+    // `show`: the folder of the film's content, which edits are written to.
+    explicit Remote(std::string show, std::string host = "", int port = rocket::kPort);
 
     // There is a new film: its tracks are found when they are needed.
     void renew() { found = false; }
@@ -27,10 +28,15 @@ public:
     // clock.
     Told update(const Stage &stage, double now, double row);
 
-    // Sets keys for the eye and the target of a view, on the row next to one of the film; or removes them.
-    // Returns that row.
-    uint32_t setView(const Stage &stage, double row, const CameraKey &camera);
-    uint32_t removeView(const Stage &stage, double row);
+    // Sets a key for the eye and the target of a view, on the row next to one of the film, which it returns;
+    // or removes it. `news`: what was done, or why not.
+    uint32_t setView(const Stage &stage, double row, const CameraKey &camera, std::string &news);
+    uint32_t removeView(const Stage &stage, double row, std::string &news);
+    void undo(const Stage &stage, std::string &news); // one step that was done by hand
+    void redo(const Stage &stage, std::string &news);
+    // Writes all that was edited to the sources. Returns what was not written, or nothing.
+    std::string save(const Stage &stage, std::string &news);
+    int unsaved() const { return tracks.unsaved(); } // tables
 
     // Writes all tracks for an editor to open. Returns what went wrong, or nothing; `news` is what was
     // written.
@@ -38,7 +44,6 @@ public:
 
 private:
     void find(const Stage &stage);
-    uint32_t edit(const Stage &stage, double row, const CameraKey *camera);
 
     std::string host;
     int port;

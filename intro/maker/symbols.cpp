@@ -40,12 +40,15 @@ std::vector<Symbol> readSymbols(const std::string &file, const std::string &know
         if (s.sh_type != SHT_SYMTAB || s.sh_link >= header->e_shnum) continue;
         size_t count = s.sh_size / sizeof(Elf64_Sym), names = sections[s.sh_link].sh_offset;
         auto *symbols = part<Elf64_Sym>(bytes, s.sh_offset, count);
+        std::string source; // stands in front of its symbols
         for (size_t k = 0; symbols && k < count; ++k) {
             if (names + symbols[k].st_name >= bytes.size()) return {};
             const char *name = bytes.c_str() + names + symbols[k].st_name;
+            if (ELF64_ST_TYPE(symbols[k].st_info) == STT_FILE) source = name;
             if (name == known) knownAt = symbols[k].st_value;
             if (ELF64_ST_TYPE(symbols[k].st_info) == STT_OBJECT && symbols[k].st_size)
-                found.push_back({(const char *)symbols[k].st_value, symbols[k].st_size, plainName(name)});
+                found.push_back({(const char *)symbols[k].st_value, symbols[k].st_size, plainName(name),
+                                 ELF64_ST_BIND(symbols[k].st_info) == STB_LOCAL ? source : ""});
         }
     }
     if (!knownAt) return {};

@@ -10,7 +10,8 @@ namespace odraz {
 struct Symbol {
     const char *at; // in this process
     size_t size;
-    std::string name; // without its namespaces, as in "kDoor"
+    std::string name;      // without its namespaces, as in "kDoor"
+    std::string file = {}; // of the source, "day.cpp"; empty: not told
 };
 
 // The objects in a file of which one function, called `known`, was loaded to `address`. None if the file is

@@ -7,11 +7,14 @@
 
 namespace odraz {
 
+using maker::KeyNumbers;
+
 namespace {
 
 constexpr const char *kChannelNames[kChannels] = {"eye.x",    "eye.y",    "eye.z", "target.x",
                                                   "target.y", "target.z", "roll",  "lens"};
 constexpr int kMostTables = 512;
+constexpr int kView = 6; // eye and target: the first numbers of a camera
 
 // "kToTheDoor" as "toTheDoor", "kGrow[1]" as "grow1"
 std::string tableName(const Table &t, const std::vector<Symbol> &symbols) {
@@ -46,6 +49,7 @@ void Tracks::find(const Live &from, Intro &intro, const std::vector<Symbol> &sym
     live->replaceTables(nullptr, 0);
     tables.resize(kMostTables);
     tables.resize((size_t)live->findTables(intro, tables.data(), kMostTables));
+    hand.find(tables, symbols);
     all.clear();
     allNames.clear();
     for (size_t t = 0; t < tables.size(); ++t) {
@@ -68,12 +72,10 @@ void Tracks::find(const Live &from, Intro &intro, const std::vector<Symbol> &sym
 
 std::vector<Key> Tracks::own(const One &one) const {
     const Table &t = tables[one.table];
-    if (!t.camera) return {(const Key *)t.keys, (const Key *)t.keys + t.count};
     std::vector<Key> result;
-    for (int i = 0; i < t.count; ++i) {
-        const CameraKey &k = ((const CameraKey *)t.keys)[i];
-        result.push_back({k.row, (&k.eye.x)[one.channel], Interpolation::Smooth});
-    }
+    for (const KeyNumbers &k : hand.keys(t))
+        result.push_back(t.camera ? Key{k[0], k[(size_t)one.channel + 1], Interpolation::Smooth}
+                                  : maker::keyOf(k));
     return result;
 }
 
@@ -92,19 +94,14 @@ std::vector<Key> Tracks::edited(size_t i) const {
             if (onRow(t, k, row)) return k.row;
         return (float)((double)row - (double)t.shift);
     };
-    auto drop = [&](uint32_t row) { std::erase_if(result, [&](const Key &k) { return onRow(t, k, row); }); };
     const Edit &e = edit->second;
-    if (!e.editor.empty()) std::erase_if(result, [&](const Key &k) { return filmRow(t, k.row) > -0.5; });
+    if (!e.editor.empty())
+        std::erase_if(result, [&](const Key &k) {
+            double row = std::round(filmRow(t, k.row));
+            return row > -0.5 && !e.byHand.count((uint32_t)row);
+        });
     for (auto &[row, key] : e.editor)
-        result.push_back({exact(row), key.value, fromRocket(key.interpolation)});
-    for (auto &[row, value] : e.hand) {
-        float at = exact(row);
-        Interpolation kind = Interpolation::Smooth;
-        for (const Key &k : result)
-            if (onRow(t, k, row)) kind = k.interpolation;
-        drop(row);
-        if (value) result.push_back({at, *value, kind});
-    }
+        if (!e.byHand.count(row)) result.push_back({exact(row), key.value, fromRocket(key.interpolation)});
     std::stable_sort(result.begin(), result.end(), [](const Key &a, const Key &b) { return a.row < b.row; });
     return result;
 }
@@ -138,12 +135,10 @@ void Tracks::takeFromEditor(size_t i, const rocket::Track &now) {
         auto a = std::as_const(edit.editor).find(row), b = now.find(row);
         return (a == edit.editor.cend()) != (b == now.end()) || (b != now.end() && a->second != b->second);
     };
-    std::erase_if(edit.hand, [&](auto &key) { return changed(key.first); });
+    std::erase_if(edit.byHand, changed);
     edit.editor = now;
     if (edit.none()) edits.erase(allNames[i]);
 }
-
-void Tracks::set(size_t i, uint32_t row, std::optional<float> value) { edits[allNames[i]].hand[row] = value; }
 
 int Tracks::cameraAt(double row) const {
     const void *path = live->pathAt(row / kRowsPerSecond);
@@ -152,30 +147,130 @@ int Tracks::cameraAt(double row) const {
     return -1;
 }
 
+std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
+    int first = cameraAt(row);
+    if (first < 0) return "there is no camera's path";
+    const Table &t = tables[all[(size_t)first].table];
+    if (std::string why = hand.whyNot(t); !why.empty()) return names()[(size_t)first] + ": " + why;
+    std::vector<KeyNumbers> now = hand.keys(t);
+    auto here = std::find_if(now.begin(), now.end(), [&](auto &k) { return onRow(t, maker::keyOf(k), row); });
+    if (!camera) {
+        if (here == now.end()) return "there is no key";
+        if (now.size() == 1) return "it is the path's only key";
+        now.erase(here);
+    } else {
+        if (here == now.end()) {
+            std::vector<CameraKey> path;
+            for (const KeyNumbers &k : now) path.push_back(maker::cameraKeyOf(k));
+            double own = (double)row - (double)t.shift;
+            here = now.insert(here, maker::numbersOf(pose({path.data(), (int)path.size()}, own)));
+        }
+        KeyNumbers view = maker::numbersOf(*camera);
+        std::copy_n(view.begin() + 1, kView, here->begin() + 1);
+    }
+    for (int c = 0; c < kChannels; ++c) {
+        auto edit = edits.find(allNames[(size_t)(first + c)]);
+        if (edit != edits.end()) edit->second.byHand.insert(row);
+    }
+    hand.change(t, std::move(now));
+    show();
+    return "";
+}
+std::string Tracks::setView(uint32_t row, const CameraKey &camera) { return setByHand(row, &camera); }
+std::string Tracks::removeView(uint32_t row) { return setByHand(row, nullptr); }
+
+bool Tracks::edited(const Table &t, size_t table) const {
+    if (hand.edited(t)) return true;
+    for (size_t i = 0; i < all.size(); ++i)
+        if (all[i].table == table && edits.count(allNames[i])) return true;
+    return false;
+}
+
+// An editor may give one number of a camera keys on other rows than another. The film's table has all numbers
+// on every row, so what is shown has, too: a number without a key there is where its own curve is.
+std::vector<KeyNumbers> Tracks::contents(size_t table) const {
+    const Table &t = tables[table];
+    std::vector<KeyNumbers> result;
+    size_t first = 0;
+    while (all[first].table != table) ++first;
+    if (!t.camera) {
+        for (const Key &k : edited(first)) result.push_back(maker::numbersOf(k));
+        return result;
+    }
+    std::vector<Key> channels[kChannels];
+    std::map<float, size_t> rows; // and how many keys are on each
+    for (int c = 0; c < kChannels; ++c) {
+        channels[c] = edited(first + (size_t)c);
+        std::map<float, size_t> mine;
+        for (const Key &k : channels[c]) rows[k.row] = std::max(rows[k.row], ++mine[k.row]);
+    }
+    for (auto &[row, times] : rows)
+        for (size_t n = 0; n < times; ++n) result.push_back({row, 0, 0, 0, 0, 0, 0, 0, 0});
+    for (size_t c = 0; c < kChannels; ++c) {
+        std::vector<CameraKey> path;
+        for (const Key &k : channels[c]) {
+            path.push_back({k.row, {}, {}, 0, 0});
+            (&path.back().eye.x)[c] = k.value;
+        }
+        size_t next = 0;
+        for (KeyNumbers &key : result) {
+            while (next < path.size() && path[next].row < key[0]) ++next;
+            bool has = next < path.size() && path[next].row == key[0];
+            CameraKey at = has ? path[next++] : pose({path.data(), (int)path.size()}, (double)key[0]);
+            key[c + 1] = (&at.eye.x)[c];
+        }
+    }
+    for (KeyNumbers &key : result) key = hand.rounded(t, std::move(key));
+    return result;
+}
+
 void Tracks::show() {
     live->replaceTables(nullptr, 0);
     replaced.clear();
     keys.clear();
     poses.clear();
-    for (size_t i = 0; i < all.size(); ++i) {
-        if (!edits.count(allNames[i])) continue;
-        const Table &t = tables[all[i].table];
-        auto r = std::find_if(replaced.begin(), replaced.end(), [&](auto &r) { return r.keys == t.keys; });
-        if (r == replaced.end()) r = replaced.insert(r, {t.keys, {}, {}});
-        const std::vector<Key> &now = keys.emplace_back(edited(i));
-        if (!t.camera) {
-            r->track = {now.data(), (int)now.size()};
-            continue;
-        }
+    for (size_t i = 0; i < tables.size(); ++i) {
+        const Table &t = tables[i];
+        if (!edited(t, i)) continue;
+        Replaced r = {t.keys, {}, {}};
+        std::vector<Key> &track = keys.emplace_back();
         std::vector<CameraKey> &path = poses.emplace_back();
-        for (const Key &k : now) {
-            CameraKey pose = {k.row, {}, {}, 0, 0};
-            (&pose.eye.x)[all[i].channel] = k.value;
-            path.push_back(pose);
-        }
-        r->channels[all[i].channel] = {path.data(), (int)path.size()};
+        for (const KeyNumbers &k : contents(i))
+            if (t.camera)
+                path.push_back(maker::cameraKeyOf(k));
+            else
+                track.push_back(maker::keyOf(k));
+        r.track = {track.data(), (int)track.size()};
+        for (CameraPath &channel : r.channels)
+            if (t.camera) channel = {path.data(), (int)path.size()};
+        replaced.push_back(r);
     }
     live->replaceTables(replaced.data(), (int)replaced.size());
+}
+
+std::string Tracks::save(std::string &news) {
+    std::string wrong;
+    for (size_t i = 0; i < tables.size(); ++i) {
+        const Table &t = tables[i];
+        if (!edited(t, i)) continue;
+        size_t first = 0;
+        while (all[first].table != i) ++first;
+        std::vector<KeyNumbers> now = contents(i);
+        if (now == hand.keys(t)) continue; // edited by hand alone, or an editor has what the film has
+        std::string why = hand.whyNot(t);
+        bool foreign = !t.camera && std::any_of(now.begin(), now.end(), [](const KeyNumbers &k) {
+            return maker::keyOf(k).interpolation >= kStep;
+        });
+        if (foreign) why = "the film has no steps and ramps: choose linear or smooth";
+        if (why.empty())
+            hand.change(t, std::move(now));
+        else
+            wrong += (wrong.empty() ? "not saved: " : "; ") + names()[first] + ": " + why;
+    }
+    std::string unwritten = hand.save(news);
+    if (!wrong.empty() && !unwritten.empty()) wrong += "; ";
+    show();
+    return wrong + unwritten;
 }
 
 } // namespace odraz

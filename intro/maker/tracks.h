@@ -9,12 +9,13 @@
 // are on the nearest row.
 #pragma once
 
+#include "maker/hand_edits.h"
 #include "maker/live.h"
 #include "maker/rocket/track.h"
 #include "maker/symbols.h"
 
 #include <map>
-#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,9 @@ namespace odraz {
 
 class Tracks {
 public:
+    // `show`: the folder of the film's content, which hand edits are written to.
+    explicit Tracks(std::string show = "") : hand(std::move(show)) {}
+
     // The tracks of a film that was loaded. What was edited stays, by name; it must be shown() again.
     void find(const Live &live, Intro &intro, const std::vector<Symbol> &symbols);
 
@@ -34,11 +38,16 @@ public:
 
     // What an editor has of a track; without keys it is the film's own that is shown.
     void takeFromEditor(size_t i, const rocket::Track &keys);
-    // By hand: sets a key, or removes the one on that row. It is in force until an editor changes that key.
-    void set(size_t i, uint32_t row, std::optional<float> value);
-
-    // The first of the eight tracks of the camera's path that is shown at a row of the film; none: -1.
-    int cameraAt(double row) const;
+    // By hand, of the camera's path that is shown at a row of the film: sets eye and target there (the rest
+    // as it is), or removes the key. It is in force until an editor changes that key. Returns why not, or
+    // nothing.
+    std::string setView(uint32_t row, const CameraKey &camera);
+    std::string removeView(uint32_t row);
+    bool undo() { return hand.undo(); } // of what was done by hand
+    bool redo() { return hand.redo(); }
+    // Writes all that was edited, here and in an editor, to the sources. Returns what was not, and why.
+    std::string save(std::string &news);
+    int unsaved() const { return hand.unsaved(); }
 
     // From the next picture on, the film is as it was edited.
     void show();
@@ -46,14 +55,18 @@ public:
 private:
     struct Edit {
         rocket::Track editor;
-        std::map<uint32_t, std::optional<float>> hand;
-        bool none() const { return editor.empty() && hand.empty(); }
+        std::set<uint32_t> byHand; // rows on which the editor's key is not in force
+        bool none() const { return editor.empty(); }
     };
     struct One {
         size_t table;
         int channel; // of a camera; else 0
     };
-    std::vector<Key> own(const One &one) const; // as the table has them
+    int cameraAt(double row) const; // the first of its tracks; -1
+    std::string setByHand(uint32_t row, const CameraKey *camera);
+    std::vector<Key> own(const One &one) const;                  // as the table has them
+    std::vector<maker::KeyNumbers> contents(size_t table) const; // what is shown, with all that was edited
+    bool edited(const Table &t, size_t table) const;
     std::vector<Key> edited(size_t i) const;
     double filmRow(const Table &t, float row) const { return (double)row + (double)t.shift; }
     bool onRow(const Table &t, const Key &key, uint32_t row) const;
@@ -62,7 +75,8 @@ private:
     std::vector<Table> tables;
     std::vector<One> all;
     std::vector<std::string> allNames;
-    std::map<std::string, Edit> edits;
+    std::map<std::string, Edit> edits; // of the editor
+    HandEdits hand;
 
     // What the film reads
     std::vector<Replaced> replaced;

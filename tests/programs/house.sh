@@ -35,7 +35,8 @@ doctor.cpp      base host start output doctor.h
 main.cpp        base host start intro.h options.h output play doctor.h
 record.h        base trace/quality.h options.h
 record.cpp      base host intro.h options.h output play record.h
-maker           base host timeline intro.h film.h maker/panel/backstage.h
+maker           base host timeline intro.h film.h maker/panel/backstage.h maker/source
+maker/source    base timeline maker/source
 maker/live_content.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
 maker/live_tables.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
 maker/panel     base timeline intro.h show/font.h trace/rays/view.h maker/panel

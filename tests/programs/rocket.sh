@@ -98,11 +98,14 @@ sleep 0.5
 xdotool keyup --window "$window" d
 sleep 0.3
 kept flown
+cp "$WORK/shot.png" "$WORK/flown.png"
 press k
 check "a key is set" comes 'titled "key set on row 172"'
-check "... which keeps the view" comes 'is flown'
+# The film's keys have few bits (coarse() in show/film.cpp): the view is kept almost
+error() { shot && compare -metric RMSE "$WORK/flown.png" "$WORK/shot.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/'; }
+check "... which keeps the view, as nearly as the table can" comes '! is film && less "$(error)" 0.1'
 press r
-check "... of the script" comes 'is flown'
+check "... of the script" comes '! is film && less "$(error)" 0.1'
 echo "somebody's work" >"$FILM.rocket"
 press x
 check "what others wrote is not written over" comes 'titled "$FILM.rocket is there already"'

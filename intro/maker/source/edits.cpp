@@ -69,6 +69,10 @@ int Edits::edited() const {
     return (int)std::count_if(all.begin(), all.end(), [](const EditedTable &t) { return t.edited(); });
 }
 
+bool Edits::changedMeanwhile() const {
+    return std::any_of(files.begin(), files.end(), [](const SourceFile &f) { return f.changedMeanwhile(); });
+}
+
 std::string Edits::save() {
     std::string wrong;
     for (SourceFile &file : files) {

@@ -36,7 +36,8 @@ public:
     bool change(int table, std::vector<KeyNumbers> keys);
     bool undo(); // false: there is nothing to undo
     bool redo();
-    int edited() const; // tables that are not as they were built
+    int edited() const;            // tables that are not as they were built
+    bool changedMeanwhile() const; // somebody else wrote one of the files
 
     // Writes what was edited to the files. Returns an empty string, or a line that says what was not written;
     // what was written is then no longer edited: it is what the source says. Steps can be undone after it as

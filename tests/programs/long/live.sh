@@ -1,7 +1,7 @@
 # Live editing: a copy of the house is built, its odraz-debug started, and its sources changed while it plays.
 . "$(dirname "$0")/../common.sh"
 . "$SOURCE/tests/programs/display.sh"
-skip_unless git cmake openbox convert
+skip_unless git cmake openbox convert bc
 house=$WORK/house
 mkdir "$house"
 (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$house") || exit 1
@@ -110,6 +110,49 @@ check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSi
 check "... and back" goes_back "$table"
 check "it leaves" leaves
 check "... and says nothing else" eval '! grep -v " new since \| error: " "$WORK/err"'
+
+# --- What was edited becomes source ---
+film=$house/intro/show/film.cpp
+says() { comes "told '$1'"; }
+flies() { # and sets a key there
+    xdotool keydown --window "$window" d
+    sleep "$1"
+    xdotool keyup --window "$window" d
+    press k
+    comes 'titled "key set on row"' && sleep 1 && kept edited
+}
+check "it plays again" starts 20 --mute
+check "it pauses" pauses
+check "a key is set by hand" flies 1
+row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
+saves() { listen && press ctrl+s && says "saved film.cpp"; }
+check "it is saved" saves
+check "... built and shown" comes 'told "new since"'
+sleep 1
+check "... the same picture" same edited
+changed_lines() { diff "$WORK/kept/show/film.cpp" "$film" | grep -c '^[<>]'; }
+check "... of which one key is new in the source" test "$(changed_lines)" = 1
+if command -v clang-format >/dev/null; then check "... in its layout" clang-format --dry-run -Werror "$film"; fi
+check "the film is built of it" cmake --build "$house/build" --target "$FILM-safe" >/dev/null
+"$house/build/$FILM-safe" --dump "$WORK/frames" --fps 8 --from "$(bc -l <<<"$row / 8")" --to "$(bc -l <<<"$row / 8 + 0.1")" --size 320x180 --quality play
+equal() { convert "$WORK/edited.png" -depth 8 "rgb:$WORK/seen.rgb" && convert "$WORK/frames/frame-$(printf %06d "$row").ppm" -depth 8 "rgb:$WORK/dumped.rgb" && cmp "$WORK/seen.rgb" "$WORK/dumped.rgb"; }
+check "... and dumps the picture that was seen, to the bit" equal
+undoes() { press ctrl+z && comes 'titled undone' && saves; }
+check "the step is undone, and saved" undoes
+check "... the source is as it was" cmp "$WORK/kept/show/film.cpp" "$film"
+check "... and the picture" comes 'same before'
+check "another key" flies 1
+listen
+echo "// mine" >>"$film"
+check "somebody writes the file meanwhile" says "new since"
+sleep 1
+check "... the edit is still seen" same edited
+listen
+press ctrl+s
+check "... and not saved over it" says "film.cpp was changed meanwhile"
+check "... which stays theirs" test "$(changed_lines)" = 1
+restore show/film.cpp
+check "it leaves" leaves
 
 # --- The hall ---
 check "it plays in the hall" starts 95 --mute

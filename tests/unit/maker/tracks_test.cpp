@@ -2,7 +2,10 @@
 
 #include "maker/rocket/document.h"
 
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace odraz;
 
@@ -33,6 +36,30 @@ void replaceTables(const Replaced *all, int count) {
     theCount = count;
 }
 
+// What the film's source says.
+constexpr char kSource[] = R"(constexpr CameraKey kPath[] = {
+    {-8, {1, 2, 3}, {4, 5, 6}, 7, 40},
+    {16, {2, 3, 4}, {5, 6, 7}, 8, 50},
+};
+constexpr Key kLamp[] = {
+    {0, 1, Interpolation::Linear}, {2.5f, 2, Interpolation::Smooth}, {8, 3, Interpolation::Linear}};
+)";
+struct Show {
+    std::string folder = testing::TempDir() + "tracks_test." + std::to_string(getpid());
+    Show() {
+        std::filesystem::create_directories(folder);
+        write(kSource);
+        std::ofstream(folder + "/.clang-format") << "ColumnLimit: 110\nIndentWidth: 4\n";
+    }
+    ~Show() { std::filesystem::remove_all(folder); }
+    void write(const std::string &text) const { std::ofstream(folder + "/film.cpp") << text; }
+    std::string text() const {
+        std::ifstream in(folder + "/film.cpp");
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    bool has(const char *what) const { return text().find(what) != std::string::npos; }
+};
+
 struct Fixture : testing::Test {
     Fixture() {
         live.findTables = findTables;
@@ -47,8 +74,10 @@ struct Fixture : testing::Test {
                      {(const char *)kLamp, sizeof kLamp, "kLamp"},
                      {(const char *)kGrow, sizeof kGrow, "kGrow"}});
     }
+    Show show;
     Live live = {};
-    Tracks tracks;
+    Tracks tracks{show.folder};
+    std::string news;
 };
 
 // What the film reads instead of a table.
@@ -101,12 +130,17 @@ TEST_F(Fixture, TakesWhatAnEditorHas) {
     EXPECT_EQ(lamp.keys[2].row, 9);
     EXPECT_EQ(lamp.keys[2].value, 7);
     const CameraPath *channels = instead(kPath)->channels;
-    EXPECT_EQ(channels[kEyeX].count, 0);
-    ASSERT_EQ(channels[kEyeY].count, 2); // the key on row -8 stays
-    EXPECT_EQ(channels[kEyeY].keys[0].row, -8);
-    EXPECT_EQ(channels[kEyeY].keys[0].eye.y, 2);
-    EXPECT_EQ(channels[kEyeY].keys[1].row, 4);
-    EXPECT_EQ(channels[kEyeY].keys[1].eye.y, 9);
+    // All numbers of the camera have a key on every row that one of them has, as the film's table will
+    ASSERT_EQ(channels[kEyeY].count, 3);
+    const CameraKey *path = channels[kEyeY].keys;
+    EXPECT_EQ(path[0].row, -8); // which the editor cannot see: it stays
+    EXPECT_EQ(path[0].eye.y, 2);
+    EXPECT_EQ(path[1].row, 4);
+    EXPECT_EQ(path[1].eye.y, 9);
+    EXPECT_EQ(path[1].eye.x, 1.5f); // half-way
+    EXPECT_EQ(path[2].row, 16);
+    EXPECT_EQ(path[2].eye.y, 9); // holds
+    EXPECT_EQ(path[2].eye.x, 2);
     // It lets go of them
     tracks.takeFromEditor(kTheLamp, {});
     tracks.takeFromEditor(kEyeY, {});
@@ -123,20 +157,82 @@ TEST_F(Fixture, CountsRowsOfTheFilm) {
 }
 
 TEST_F(Fixture, HasKeysSetByHand) {
-    EXPECT_EQ(tracks.cameraAt(0), kEyeX);
-    tracks.set(kEyeX, 4, 8.f);
-    tracks.set(kEyeX, 16, std::nullopt);
-    tracks.set(kTheLamp, 3, 4.f);
-    tracks.show();
+    CameraKey view = {0, {8, 7, 6}, {5, 4, 3}, 0, 0};
+    EXPECT_EQ(tracks.setView(4, view), "");
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {2, kSmooth}}}));
+    EXPECT_EQ(tracks.track(kLens)[4].value, 45); // as it is there
+    EXPECT_EQ(tracks.removeView(16), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}}));
-    EXPECT_EQ(tracks.track(kTheLamp)[3], (rocket::Key{4, kSmooth})); // as the one that was there
+    EXPECT_EQ(tracks.removeView(16), "there is no key");
     // An editor that changes a key of these has the last word; others stay
     tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
+    EXPECT_EQ(tracks.setView(4, view), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
+    tracks.takeFromEditor(kEyeX, {{4, {1, kSmooth}}, {16, {3, kSmooth}}});
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
     // A film that is loaded anew keeps all that
     find();
-    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
-    EXPECT_EQ(theCount, 2);
+    EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
+    EXPECT_EQ(tracks.track(kEyeY), (rocket::Track{{4, {7, kSmooth}}}));
+    EXPECT_EQ(theCount, 1);
+}
+
+TEST_F(Fixture, StepsAreUndone) {
+    EXPECT_FALSE(tracks.undo());
+    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    tracks.setView(4, {0, {9, 7, 6}, {5, 4, 3}, 0, 0});
+    EXPECT_TRUE(tracks.undo());
+    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
+    EXPECT_TRUE(tracks.undo());
+    EXPECT_FALSE(tracks.undo());
+    EXPECT_EQ(tracks.unsaved(), 0);
+    tracks.show();
+    EXPECT_EQ(theCount, 0);
+    EXPECT_TRUE(tracks.redo());
+    EXPECT_EQ(tracks.unsaved(), 1);
+}
+
+TEST_F(Fixture, WhatWasEditedBecomesSource) {
+    EXPECT_EQ(tracks.save(news), "");
+    EXPECT_EQ(news, "nothing to save");
+    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
+    EXPECT_EQ(tracks.save(news), "");
+    EXPECT_EQ(news, "saved film.cpp");
+    EXPECT_TRUE(show.has("{4, {8, 7, 6}, {5, 4, 3}, 7.5f, 45}")) << show.text();
+    EXPECT_TRUE(show.has("{2.5f, 2.25f, Interpolation::Smooth}, {8, 3, Interpolation::Smooth}};"))
+        << show.text();
+    EXPECT_EQ(tracks.unsaved(), 0);
+    // The step is undone, and the source is as it was
+    EXPECT_TRUE(tracks.undo());
+    EXPECT_TRUE(tracks.undo());
+    tracks.takeFromEditor(kTheLamp, {});
+    EXPECT_EQ(tracks.save(news), "");
+    EXPECT_EQ(show.text(), kSource);
+}
+
+TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
+    tracks.takeFromEditor(kTheLamp, {{0, {1, Step}}});
+    tracks.takeFromEditor(kGrow0, {{101, {1, kLinear}}});
+    std::string wrong = tracks.save(news);
+    EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
+    EXPECT_NE(wrong.find("end:grow0: its numbers are computed"), std::string::npos) << wrong;
+    EXPECT_EQ(show.text(), kSource);
+    // A file that somebody else wrote meanwhile stays theirs, and the edit stays to be seen
+    show.write(std::string(kSource) + "// mine\n");
+    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
+    EXPECT_TRUE(show.has("// mine"));
+    find();
+    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
+    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
+    // Once it is undone, what the other wrote is taken
+    EXPECT_TRUE(tracks.undo());
+    find();
+    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    EXPECT_EQ(tracks.save(news).find("film.cpp"), std::string::npos);
+    EXPECT_TRUE(show.has("// mine"));
+    EXPECT_TRUE(show.has("{4, {8, 7, 6}"));
 }
 
 TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
