@@ -2,6 +2,7 @@
 # A step ends in one of these, and the lines follow as a block:
 #   Make a new file, `FILE`:
 #   In `FILE`, before|below|above|last in|instead of `TEXT`:
+# A block after a sentence that does not end with a colon is of commands, which are left to the reader.
 use strict;
 use warnings;
 my ($page, $folder) = @ARGV;
@@ -35,7 +36,7 @@ sub change { # ... FILE PLACE TEXT LINES
 
 my ($said, $block, $steps) = ('', '', 0);
 my $finish = sub {
-    if ($block ne '') {
+    if ($block ne '' && $said =~ /:$/) {
         $said =~ /\bMake a new file, `([^`]+)`:$/ or $said =~ /\bIn `([^`]+)`, (before|below|above|last in|instead of) `([^`]+)`:$/
             or die "which file, and where in it? '$said'\n";
         my ($file, $place, $text) = ($1, $2, $3);
