@@ -56,6 +56,8 @@ check "... and one with notes again" comes 'loud 1'
 
 # --- Pictures ---
 table=show/scenes/table.cpp
+check "it leaves" leaves
+check "it plays again" starts 17 # the shot that is changed ends at 24 s
 check "it pauses" pauses
 check "a scene that is changed is shown" changes red "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
 listen
