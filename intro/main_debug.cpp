@@ -40,7 +40,11 @@ struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
     // Asked for: keys of the camera, the tracks, steps back and on, the sources
-    bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false;
+    bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false,
+         leaves = false;
+    std::string told; // what came of it, over the picture for a while
+    double toldUntil = 0;
+    bool warned = false, closes = false;
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
@@ -63,7 +67,7 @@ void printCamera(const Maker &m) {
     std::fflush(stdout);
 }
 
-void onKey(GLFWwindow *window, int key, int, int action, int mods) {
+void onKey(GLFWwindow *, int key, int, int action, int mods) {
     if (action == GLFW_RELEASE) return;
     Maker &m = theMaker;
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
@@ -74,7 +78,7 @@ void onKey(GLFWwindow *window, int key, int, int action, int mods) {
     }
     switch (key) {
     case GLFW_KEY_ESCAPE:
-        glfwSetWindowShouldClose(window, 1);
+        m.leaves = true;
         break;
     case GLFW_KEY_SPACE:
         m.paused = !m.paused;
@@ -202,7 +206,17 @@ void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
         fail(news.c_str());
     }
     if (m.writes || told.save) writeTracks(remote, stage, news);
-    m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = false;
+    if (!remote.unsaved()) m.warned = false;
+    if (m.leaves && remote.unsaved() && !m.warned) {
+        news = "what you edited is not saved: Ctrl S saves it, ESC leaves";
+        m.warned = true;
+    } else
+        m.closes |= m.leaves;
+    if (m.sets || m.removes || m.writes || told.save || m.undoes || m.redoes || m.saves || m.leaves) {
+        m.told = news;
+        m.toldUntil = glfwGetTime() + 2.5;
+    }
+    m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = m.leaves = false;
 }
 
 void help() {
@@ -258,7 +272,7 @@ int main(int argc, char **argv) {
     m.time = seconds(o.from);
     startMusic(theMusic, stage.sound(), m.time, &never);
     glfwGetCursorPos(screen.window, &m.mouseX, &m.mouseY);
-    for (double last = glfwGetTime(); !glfwWindowShouldClose(screen.window);) {
+    for (double last = glfwGetTime(); !glfwWindowShouldClose(screen.window) && !m.closes;) {
         glfwPollEvents();
         double now = glfwGetTime(), passed = now - last;
         last = now;
@@ -273,7 +287,9 @@ int main(int argc, char **argv) {
         fly(screen.window, m, (float)passed, !panel.grabs());
         Picture p =
             panel.picture(stage.intro(), {m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr});
-        follower.write(p, outgrown(stage.intro()));
+        Picture above = p; // the time line
+        if (panel.visible() && panel.timeLine().area.height) above.height = panel.timeLine().area.y;
+        follower.write(above, outgrown(stage.intro()), glfwGetTime() < m.toldUntil ? m.told : "");
         show(screen, p);
         follower.wait();
         tell(screen, m, passed, news);

@@ -30,9 +30,10 @@ bool Follower::follow(Screen &screen, int block) {
     return fresh;
 }
 
-void Follower::write(const Picture &p, const char *limit) const {
+void Follower::write(const Picture &p, const char *limit, const std::string &recent) const {
     std::string line = failed ? rebuilder.error() : stage.told();
     if (line.empty() && limit) line = std::string("this scene outgrew a limit; raise in scene.h: ") + limit;
+    if (line.empty()) line = recent;
     if (!line.empty()) liveInUse()->write(p, line.c_str(), stage.loaded());
 }
 

@@ -17,8 +17,9 @@ public:
 
     // Once a picture, before it is made; `block` is where the music is. True: there is a new film.
     bool follow(Screen &screen, int block);
-    // What there is to tell, over the picture. `limit`: a constant that is too small, or null.
-    void write(const Picture &p, const char *limit) const;
+    // What there is to tell, over the picture. `limit`: a constant that is too small, or null; `recent`: what
+    // is told if there is nothing else.
+    void write(const Picture &p, const char *limit, const std::string &recent) const;
     // The compiler needs the processors: until it is done, few pictures are made.
     void wait() const;
 

@@ -37,6 +37,20 @@ int findSource(const maker::Edits &edits, const Table &t, const std::vector<Symb
     return -1;
 }
 
+// What is not saved yet, on top of what somebody else wrote meanwhile; null where they wrote the same table.
+std::unique_ptr<maker::Edits> carriedOver(const maker::Edits &old, maker::Edits now,
+                                          const std::vector<Table> &tables,
+                                          const std::vector<Symbol> &symbols) {
+    for (const Table &t : tables)
+        if (int i = findSource(now, t, symbols); i >= 0) now.setBuilt(i, asBuilt(t));
+    for (const EditedTable &e : old.tables()) {
+        if (!e.edited()) continue;
+        int i = now.find(e.file, e.source.name);
+        if (i < 0 || now.tables()[(size_t)i].built != e.built || !now.change(i, e.keys)) return nullptr;
+    }
+    return std::make_unique<maker::Edits>(std::move(now));
+}
+
 } // namespace
 
 void HandEdits::find(const std::vector<Table> &tables, const std::vector<Symbol> &symbols) {
@@ -51,7 +65,9 @@ void HandEdits::find(const std::vector<Table> &tables, const std::vector<Symbol>
             int i = same ? findSource(*edits, t, symbols) : -1;
             if (i >= 0) same = edits->tables()[(size_t)i].built == asBuilt(t);
         }
-        if (!edits || (!same && !edits->edited())) {
+        if (edits && edits->edited() && edits->changedMeanwhile()) {
+            if (auto carried = carriedOver(*edits, now, tables, symbols)) edits = std::move(carried);
+        } else if (!edits || (!same && !edits->edited())) {
             edits = std::make_unique<maker::Edits>(std::move(now));
             fresh = true;
         }
@@ -79,9 +95,7 @@ std::vector<KeyNumbers> HandEdits::keys(const Table &table) const {
     return edits->tables()[(size_t)i].keys; // what was saved is not built yet
 }
 
-bool HandEdits::edited(const Table &table) const {
-    return keys(table) != asBuilt(table);
-}
+bool HandEdits::edited(const Table &table) const { return keys(table) != asBuilt(table); }
 
 std::string HandEdits::whyNot(const Table &table) const {
     if (folder.empty()) return "the film's sources are not known";

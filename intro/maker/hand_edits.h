@@ -17,7 +17,8 @@ public:
     // `show`: the folder of the film's content; empty: no table can be edited.
     explicit HandEdits(std::string show = "") : folder(std::move(show)) {}
 
-    // The tables of a film that was loaded. What is not saved yet stays, unless it is what was loaded.
+    // The tables of a film that was loaded. What is not saved yet stays; if its file was changed meanwhile,
+    // as one step for each table, unless that very table was.
     void find(const std::vector<Table> &tables, const std::vector<Symbol> &symbols);
 
     // What the table with these keys holds: as edited, else as it was built.

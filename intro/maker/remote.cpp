@@ -78,6 +78,7 @@ void Remote::undo(const Stage &stage, std::string &news) {
     find(stage);
     news = tracks.undo() ? "undone" : "nothing to undo";
     tracks.show();
+    if (!tracks.unsaved()) found = false; // the sources are read anew: somebody may have changed them
 }
 void Remote::redo(const Stage &stage, std::string &news) {
     find(stage);

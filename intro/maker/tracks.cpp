@@ -167,6 +167,8 @@ std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
         }
         KeyNumbers view = maker::numbersOf(*camera);
         std::copy_n(view.begin() + 1, kView, here->begin() + 1);
+        // To the millimetre, and to a thousandth of a degree: more cannot be seen, and fewer digits read well
+        for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
     }
     for (int c = 0; c < kChannels; ++c) {
         auto edit = edits.find(allNames[(size_t)(first + c)]);

@@ -147,7 +147,8 @@ void Panel::drawInset(Canvas &canvas, const Moment &m) {
 void Panel::drawComparison(Canvas &canvas, const Moment &m) {
     std::string a = m.quality.name, b = kQualities[(int)other].name;
     if (waits)
-        drawLabel(canvas, b + " is traced where the film pauses", (float)width * 0.5f, Align::Centre);
+        drawLabel(canvas, b + (lastKey == keyOf(m) ? " is being traced" : " is traced where the film pauses"),
+                  (float)width * 0.5f, Align::Centre);
     else if (differs)
         drawDifference(canvas, difference, a + " against " + b);
     else if (split)

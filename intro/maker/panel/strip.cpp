@@ -146,7 +146,7 @@ struct Drawing {
         char text[96];
         const EventSeen *event = eventNear(strip, content, px);
         std::snprintf(text, sizeof text, "%d:%05.2f  bar %d  row %.1f%s%s", (int)t / 60, std::fmod(t, 60),
-                      (int)(t * kRowsPerSecond / kRowsPerBar) + 1, t * kRowsPerSecond, event ? "  " : "",
+                      (int)(t * kRowsPerSecond / kRowsPerBar), t * kRowsPerSecond, event ? "  " : "",
                       event ? event->name : "");
         float wide = widthOf(text, size) + size,
               left = std::clamp((float)px - wide * 0.5f, 0.f, std::max((float)canvas.width() - wide, 0.f));

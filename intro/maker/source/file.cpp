@@ -66,7 +66,7 @@ bool SourceFile::changedMeanwhile() const {
 }
 
 std::string SourceFile::write(const std::string &text) {
-    if (changedMeanwhile()) return where + " was changed meanwhile: nothing was written to it";
+    if (changedMeanwhile()) return where + " was changed meanwhile and is not what is shown: nothing was written to it";
     std::string laidOut = formatted(text, what, where);
     if (!writeFile(where, laidOut)) return "cannot write " + where + ": " + std::strerror(errno);
     what = laidOut;

@@ -27,6 +27,7 @@ starts() { # starts SECONDS OPTION...
 press() { xdotool key --window "$window" "$1"; }
 titled() { xdotool getwindowname "$window" | grep -q "$1"; }
 leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone before the key is up)
+leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
 # comes WHAT...: waits for it, unless the program is gone
 comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
 news() { grep -c 'new since' "$WORK/err"; }
@@ -110,7 +111,7 @@ check "... which is another view" eval '! same before'
 kept before
 check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
 check "... and back" goes_back "$table"
-check "it leaves" leaves
+check "it leaves" leaves_unsaved
 check "... and says nothing else" eval '! grep -v " new since \| error: " "$WORK/err"'
 
 # --- What was edited becomes source ---
@@ -121,7 +122,7 @@ flies() { # and sets a key there
     sleep "$1"
     xdotool keyup --window "$window" d
     press k
-    comes 'titled "key set on row"' && sleep 1 && kept edited
+    comes 'titled "key set on row"' && sleep 4 && kept edited # it is told over the picture
 }
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
@@ -149,12 +150,19 @@ echo "// mine" >>"$film"
 check "somebody writes the file meanwhile" says "new since"
 sleep 1
 check "... the edit is still seen" comes 'same edited'
+check "... and is saved beside it" saves
+check "... both stand there" test "$(changed_lines)" = 2
+check "the next" flies 1
+echo "this is no C++" >>"$film"
+check "what does not compile" says "intro/show/film.cpp:[0-9:]* error: "
 listen
 press ctrl+s
-check "... and not saved over it" says "film.cpp was changed meanwhile"
-check "... which stays theirs" test "$(changed_lines)" = 1
+check "... is not saved over" says "film.cpp was changed meanwhile"
+check "... and stays theirs" test "$(changed_lines)" = 3
 restore show/film.cpp
-check "it leaves" leaves
+press Escape
+check "edits are not lost by one ESC" comes 'titled "not saved"'
+check "... but by a second" leaves
 
 # --- The hall ---
 check "it plays in the hall" starts 95 --mute

@@ -223,16 +223,25 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
     tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
     EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
     EXPECT_TRUE(show.has("// mine"));
+    // Once what the other wrote is built and loaded, the edit goes on top of it
     find();
     EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
-    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
-    // Once it is undone, what the other wrote is taken
-    EXPECT_TRUE(tracks.undo());
-    find();
-    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
     EXPECT_EQ(tracks.save(news).find("film.cpp"), std::string::npos);
     EXPECT_TRUE(show.has("// mine"));
     EXPECT_TRUE(show.has("{4, {8, 7, 6}"));
+}
+
+TEST_F(Fixture, WhoWroteTheSameTableKeepsIt) {
+    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    show.write("constexpr CameraKey kOther[] = {{0, {1, 2, 3}, {4, 5, 6}, 7, 40}};\n");
+    find();
+    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
+    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
+    EXPECT_TRUE(show.has("kOther"));
+    // Once it is undone, what the other wrote is taken
+    EXPECT_TRUE(tracks.undo());
+    find();
+    EXPECT_NE(tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0}), "");
 }
 
 TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
