@@ -80,7 +80,7 @@ stays() { # it is seen to go back, and never to leave
     local now before=0 back=0 end=$((SECONDS + 40))
     while [ $SECONDS -lt $end ] && [ $back -lt 2 ]; do
         now=$(told)
-        less 29.9 "$now" && less "$now" 31.6 || { echo "at $now" >&2; return 1; }
+        less 29.9 "$now" && less "$now" 33 || { echo "at $now" >&2; return 1; }
         less "$now" "$before" && back=$((back + 1))
         before=$now
         sleep 0.05
