@@ -36,6 +36,7 @@ check "... is told on stderr, in one line" test "$(grep -c 'trace has outgrown i
 rm "$WORK/build/odraz.json"
 check "a film that is not built" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" rooms
 check "... whose ledger cannot be renewed" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" renew
+check "the ledger in the repository names no folder of a machine" eval '! grep -q "\"room\"\|\"/" "$SOURCE/tools/measure/size_ledger.json"'
 check "an unknown word" refuses 2 "cannot use 'colour'" "$ledger" colour
 # Every folder of the engine has its row; maker is of odraz-debug
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"
