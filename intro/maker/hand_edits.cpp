@@ -20,19 +20,16 @@ std::vector<KeyNumbers> asBuilt(const Table &t) {
 
 // The table of the files that is this one: "scenes/day.cpp", "kExposure"; of an array of arrays "kGrow[1]".
 int findSource(const maker::Edits &edits, const Table &t, const std::vector<Symbol> &symbols) {
-    auto *at = (const char *)t.keys;
-    for (const Symbol &s : symbols) {
-        if (at < s.at || at >= s.at + s.size) continue;
-        size_t one = (size_t)t.count * (t.camera ? sizeof(CameraKey) : sizeof(Key));
-        std::string name = s.name;
-        if (one < s.size) name += "[" + std::to_string((size_t)(at - s.at) / one) + "]";
-        for (size_t i = 0; i < edits.tables().size(); ++i) {
-            const EditedTable &e = edits.tables()[i];
-            std::string file = e.file.substr(e.file.rfind('/') + 1);
-            if (e.source.name == name && (s.file.empty() || s.file == file) &&
-                e.source.keys.size() == (size_t)t.count)
-                return (int)i;
-        }
+    int element;
+    const Symbol *s = symbolOf(symbols, t, element);
+    if (!s) return -1;
+    std::string name = element < 0 ? s->name : s->name + "[" + std::to_string(element) + "]";
+    for (size_t i = 0; i < edits.tables().size(); ++i) {
+        const EditedTable &e = edits.tables()[i];
+        std::string file = e.file.substr(e.file.rfind('/') + 1);
+        if (e.source.name == name && (s->file.empty() || s->file == file) &&
+            e.source.keys.size() == (size_t)t.count)
+            return (int)i;
     }
     return -1;
 }

@@ -56,4 +56,15 @@ std::vector<Symbol> readSymbols(const std::string &file, const std::string &know
     return found;
 }
 
+const Symbol *symbolOf(const std::vector<Symbol> &symbols, const Table &table, int &element) {
+    auto *at = (const char *)table.keys;
+    size_t one = (size_t)table.count * (table.camera ? sizeof(CameraKey) : sizeof(Key));
+    for (const Symbol &s : symbols) {
+        if (at < s.at || at >= s.at + s.size) continue;
+        element = one < s.size ? (int)((size_t)(at - s.at) / one) : -1;
+        return &s;
+    }
+    return nullptr;
+}
+
 } // namespace odraz

@@ -18,19 +18,15 @@ constexpr int kView = 6; // eye and target: the first numbers of a camera
 
 // "kToTheDoor" as "toTheDoor", "kGrow[1]" as "grow1"
 std::string tableName(const Table &t, const std::vector<Symbol> &symbols) {
-    auto *at = (const char *)t.keys;
-    for (const Symbol &s : symbols) {
-        if (at < s.at || at >= s.at + s.size) continue;
-        std::string name = s.name;
-        if (name.size() > 1 && name[0] == 'k' && std::isupper((unsigned char)name[1])) {
-            name.erase(0, 1);
-            name[0] = (char)std::tolower((unsigned char)name[0]);
-        }
-        size_t one = (size_t)t.count * (t.camera ? sizeof(CameraKey) : sizeof(Key));
-        if (one < s.size) name += std::to_string((size_t)(at - s.at) / one);
-        return name;
+    int element;
+    const Symbol *s = symbolOf(symbols, t, element);
+    if (!s) return "track";
+    std::string name = s->name;
+    if (name.size() > 1 && name[0] == 'k' && std::isupper((unsigned char)name[1])) {
+        name.erase(0, 1);
+        name[0] = (char)std::tolower((unsigned char)name[0]);
     }
-    return "track";
+    return element < 0 ? name : name + std::to_string(element);
 }
 
 Interpolation fromRocket(rocket::Interpolation i) {
@@ -68,6 +64,12 @@ void Tracks::find(const Live &from, Intro &intro, const std::vector<Symbol> &sym
         }
     }
     show();
+}
+
+size_t Tracks::firstOf(size_t table) const {
+    size_t first = 0;
+    while (all[first].table != table) ++first;
+    return first;
 }
 
 std::vector<Key> Tracks::own(const One &one) const {
@@ -193,8 +195,7 @@ bool Tracks::edited(const Table &t, size_t table) const {
 std::vector<KeyNumbers> Tracks::contents(size_t table) const {
     const Table &t = tables[table];
     std::vector<KeyNumbers> result;
-    size_t first = 0;
-    while (all[first].table != table) ++first;
+    size_t first = firstOf(table);
     if (!t.camera) {
         for (const Key &k : edited(first)) result.push_back(maker::numbersOf(k));
         return result;
@@ -255,8 +256,7 @@ std::string Tracks::save(std::string &news) {
     for (size_t i = 0; i < tables.size(); ++i) {
         const Table &t = tables[i];
         if (!edited(t, i)) continue;
-        size_t first = 0;
-        while (all[first].table != i) ++first;
+        size_t first = firstOf(i);
         std::vector<KeyNumbers> now = contents(i);
         if (now == hand.keys(t)) continue; // edited by hand alone, or an editor has what the film has
         std::string why = hand.whyNot(t);

@@ -62,7 +62,8 @@ private:
         size_t table;
         int channel; // of a camera; else 0
     };
-    int cameraAt(double row) const; // the first of its tracks; -1
+    size_t firstOf(size_t table) const; // its first track
+    int cameraAt(double row) const;     // the first of its tracks; -1
     std::string setByHand(uint32_t row, const CameraKey *camera);
     std::vector<Key> own(const One &one) const;                  // as the table has them
     std::vector<maker::KeyNumbers> contents(size_t table) const; // what is shown, with all that was edited
