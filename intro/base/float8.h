@@ -5,7 +5,8 @@
 // Contraction is off in the whole build, so a multiply and an add are fused only where fmadd() stands.
 #pragma once
 
-#include <immintrin.h>
+#include "base/avx.h"
+
 #include <stdint.h>
 
 // For functions of one or two instructions. Under -Os the compiler would call them, with arguments in memory,
