@@ -1,0 +1,164 @@
+// Rules for any film made with this engine: cuts fall on bars, cameras have keys for as long as they are
+// shown, neither jump nor hide inside things, events are within their scenes, and no picture has a NaN.
+#include "inside.h"
+#include "show/events.h"
+#include "tests/support/headless_gl.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <vector>
+
+using namespace odraz;
+
+namespace {
+
+// What a viewer can follow: the eye moves no faster than a run, and turns no faster than a head does.
+constexpr double kFastest = 2.5, kFastestTurn = 40; // metres, degrees a second
+constexpr float kShortestShot = 2 * kRowsPerBar;
+constexpr int kDarkSeconds = 3; // it opens on black, and a fade may pass through it
+
+struct Loaded {
+    Workers workers = serialWorkers();
+    IntroSettings settings = {160, 90};
+    bool hall = needsHall(0, duration());
+    HeapArena memory{memoryNeeded(settings, 1, hall)};
+    Intro *intro = nullptr;
+    Loaded() {
+        const Gl *gl = hall ? &headlessGl() : nullptr;
+        EXPECT_STREQ(load(intro, settings, memory.arena, workers, gl), nullptr);
+    }
+};
+
+// The film, loaded once for all tests.
+Intro &film() {
+    static Loaded loaded;
+    return *loaded.intro;
+}
+
+float endOf(int shot) { return shot + 1 < kFilm.count ? kFilm.shots[shot + 1].row : kFilm.endRow; }
+
+// Whether a point lies inside a shape that is enlarged by `room` on all sides.
+bool isInside(const Shape &s, Vec3 p, float room) {
+    Vec3 q = s.frame * (p - s.centre);
+    auto within = [&](float x, float half) { return std::fabs(x) < half + room; };
+    switch (s.kind) {
+    case ShapeKind::Sphere:
+        return within(length(q), s.half.x);
+    case ShapeKind::Plane:
+        return q.y < room;
+    case ShapeKind::Box:
+    case ShapeKind::Rect: // whose half.y is 0
+        return within(q.x, s.half.x) && within(q.y, s.half.y) && within(q.z, s.half.z);
+    case ShapeKind::Cylinder:
+        return within(std::hypot(q.x, q.z), s.half.x) && within(q.y, s.half.y);
+    case ShapeKind::Triangle:
+    case ShapeKind::Count:
+        break;
+    }
+    ADD_FAILURE() << "isInside() has no case for shapes of kind " << (int)s.kind;
+    return false;
+}
+
+} // namespace
+
+TEST(Rules, CutsFallOnBarsAndShotsAreLongEnough) {
+    EXPECT_EQ(kFilm.shots[0].row, 0);
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &s = kFilm.shots[i];
+        EXPECT_EQ(std::fmod(s.row, kRowsPerBar), 0) << "shot " << i;
+        EXPECT_GE(endOf(i) - s.row, kShortestShot) << "shot " << i;
+        EXPECT_LE(s.fadeIn + s.fadeOut, endOf(i) - s.row) << "shot " << i << " fades longer than it is shown";
+    }
+}
+
+TEST(Rules, EveryPathSpansItsShot) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        const Shot &s = kFilm.shots[i];
+        ASSERT_GT(s.path.count, 0) << "shot " << i << " has no camera";
+        if (s.path.count == 1) continue; // a camera that stands
+        EXPECT_LE(s.path.keys[0].row, s.row - s.storyRow) << "shot " << i << " begins before its first key";
+        EXPECT_GE(s.path.keys[s.path.count - 1].row, endOf(i) - s.storyRow)
+            << "shot " << i << " goes on after its last key";
+        for (int k = 1; k < s.path.count; ++k)
+            EXPECT_GT(s.path.keys[k].row, s.path.keys[k - 1].row) << "shot " << i << ", key " << k;
+    }
+}
+
+TEST(Rules, CamerasDoNotJump) {
+    for (int i = 0; i < kFilm.count; ++i) {
+        double start = kFilm.shots[i].row / kRowsPerSecond, end = endOf(i) / kRowsPerSecond;
+        constexpr double kStep = 0.05; // seconds
+        for (double t = start + kStep; t + kStep < end; t += kStep) {
+            // Never before the cut, however t is rounded
+            CameraKey a = cameraAt(std::fmax(t - kStep, start)), b = cameraAt(t);
+            float turned = dot(normalize(a.target - a.eye), normalize(b.target - b.eye));
+            EXPECT_LT(length(b.eye - a.eye) / kStep, kFastest) << "at " << t << " s";
+            EXPECT_LT(std::acos(std::fmin(1., (double)turned)) * 57.3 / kStep, kFastestTurn)
+                << "at " << t << " s";
+        }
+    }
+}
+
+// After its scene has begun, and before the film ends.
+TEST(Rules, EventsAreWhereTheirSceneIsShown) {
+    for (const Event &e : kEvents) {
+        bool seen = false;
+        for (int i = 0; i < kFilm.count; ++i) {
+            const Shot &s = kFilm.shots[i];
+            float row = s.storyRow + e.row;
+            seen |= s.scene == e.scene && row >= s.row && row < endOf(i);
+        }
+        EXPECT_TRUE(seen) << "event " << (int)e.id << ", row " << e.row << " of " << kScenes[e.scene].name;
+    }
+}
+
+TEST(Rules, TheCameraIsNeverInsideAThing) {
+    const Scene *scene = film().film.scene;
+    for (double t = 0; t < duration(); t += 0.1) {
+        Posed now = poseAt(film().film, t);
+        Vec3 eye = now.cue.camera.eye;
+        for (int i = 0; i < scene->shapeCount; ++i) {
+            const Shape &s = scene->shapes[i];
+            EXPECT_FALSE(isInside(s, eye, 0.1f))
+                << "at " << t << " s in shape " << i << " of " << now.entry->name;
+        }
+    }
+}
+
+TEST(Rules, EveryPictureIsThereWithoutNaN) {
+    int dark = 0;
+    for (double t = 0; t < duration(); t += 1) {
+        picture(film(), 0, t, kQualities[(int)QualityName::Play]);
+        EXPECT_STREQ(outgrown(film()), nullptr) << t;
+        const Frame &f = film().frame;
+        double sum = 0;
+        for (int y = 0; y < f.height; ++y)
+            for (int x = 0; x < f.width; ++x)
+                for (float *plane : f.plane) {
+                    ASSERT_TRUE(plane[y * f.stride + x] >= 0) << t;
+                    sum += plane[y * f.stride + x];
+                }
+        dark += sum < 1;
+    }
+    EXPECT_LE(dark, kDarkSeconds);
+}
+
+TEST(Rules, APictureDependsOnItsTimeAlone) {
+    auto bytes = [&](double t) {
+        Picture p = picture(film(), 0, t, kQualities[(int)QualityName::Film]);
+        return std::vector<uint8_t>(p.rgba, p.rgba + 160 * 90 * 4);
+    };
+    double end = duration();
+    auto first = bytes(0.19 * end);
+    bytes(0.62 * end);
+    bytes(0);
+    EXPECT_EQ(bytes(0.19 * end), first);
+}
+
+TEST(Rules, LoadingSaysNoWhenTheArenaIsTooSmall) {
+    Workers workers = serialWorkers();
+    Intro *intro = nullptr;
+    alignas(64) static unsigned char block[4096];
+    Arena arena = {block, sizeof block, 0};
+    EXPECT_NE(load(intro, {1280, 720}, arena, workers), nullptr);
+}
