@@ -19,6 +19,20 @@ check "a file" refuses 2 "is there already" "$new" "$WORK/full/.file" mira
 check "a folder in this house" refuses 2 "lies in this house" "$new" "$SOURCE/tools/mira" mira
 check "... by another path" refuses 2 "lies in this house" bash -c "ln -s '$SOURCE' '$WORK/link' && cd '$WORK' && exec '$new' link/mira mira"
 [ "$(id -u)" = 0 ] || check "a folder that may not be written to" refuses 2 "cannot write into /" "$new" /mira mira
+interrupted() { # while it builds; children of the terminal's group end, too
+    setsid "$new" "$1" mira --no-test >/dev/null 2>&1 &
+    local pid=$!
+    await test -e "$1/build/build.log" && kill -TERM -- -$pid 2>/dev/null
+    wait $pid
+    [ $? = 130 ]
+}
+if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libstb-dev 2>&1 | grep -v 'ok installed')" ]; then
+    check "it is interrupted" interrupted "$to"
+    check "... and leaves nothing" test ! -e "$to"
+    mkdir "$to"
+    check "... in a folder that was there" interrupted "$to"
+    check "... which is as empty as before" rmdir "$to"
+fi
 check "nothing is left of all that" test "$(cd "$WORK" && echo *)" = "err full link out printed"
 
 # What is laid over the copy, and what is copied, is there
