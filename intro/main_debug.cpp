@@ -31,6 +31,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 using namespace odraz;
 
@@ -160,6 +161,24 @@ void keepTime(Maker &m) {
     m.sought = false;
 }
 
+// The film, while the window tells how far it is. Returns null, or what is missing; m.closes if it was left.
+const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
+    std::vector<uint8_t> black((size_t)screen.width * (size_t)screen.height * 4);
+    const Live &live = *liveInUse();
+    const char *line = live.needsHall(0, live.duration()) ? "solving the hall: some seconds" : "loading";
+    auto waits = [&](float share) {
+        glfwWaitEventsTimeout(0.03);
+        std::fill(black.begin(), black.end(), (uint8_t)0);
+        Picture p = {screen.width, screen.height, black.data()};
+        live.write(p, line, share);
+        show(screen, p);
+        return !(m.closes = m.closes || m.leaves || glfwWindowShouldClose(screen.window));
+    };
+    const char *problem = stage.loadFirst(
+        screen.gl, solvers, [&](bool on) { screen.hiddenCurrent(on); }, waits);
+    return m.closes ? nullptr : problem;
+}
+
 // Where and how fast we are.
 void tell(const Screen &s, const Maker &m, double passed, const std::string &more) {
     char title[200];
@@ -214,7 +233,7 @@ void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
         m.closes |= m.leaves;
     if (m.sets || m.removes || m.writes || told.save || m.undoes || m.redoes || m.saves || m.leaves) {
         m.told = news;
-        m.toldUntil = glfwGetTime() + 2.5;
+        m.toldUntil = glfwGetTime() + 4;
     }
     m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = m.leaves = false;
 }
@@ -257,18 +276,19 @@ int main(int argc, char **argv) {
     });
     Remote remote(follower.showFolder(), words.host, words.port);
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || words.tracks);
-    if (const char *problem = stage.loadFirst(screen.gl, follower.solverHash())) return fail(problem);
+    prepare(screen);
+    Maker &m = theMaker;
+    if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
+    if (m.closes) return glfwTerminate(), 0;
     if (words.tracks) {
         std::string problem = remote.writeDocument(stage, words.tracks, news);
         if (problem.empty()) std::puts(news.c_str());
         glfwTerminate();
         return problem.empty() ? 0 : fail(problem.c_str());
     }
-    prepare(screen);
     Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
     listen(panel, screen.window);
 
-    Maker &m = theMaker;
     m.time = seconds(o.from);
     startMusic(theMusic, stage.sound(), m.time, &never);
     glfwGetCursorPos(screen.window, &m.mouseX, &m.mouseY);

@@ -16,8 +16,7 @@ bool Follower::follow(Screen &screen, int block) {
     failed = what == Rebuilder::News::Failed || (failed && !built);
     if (what == Rebuilder::News::Failed) say("does not compile", rebuilder.error());
     if (built) {
-        stage.change(screen.gl, rebuilder.solverHash(), block,
-                     [&](bool on) { glfwMakeContextCurrent(on ? screen.hidden : nullptr); });
+        stage.change(screen.gl, rebuilder.solverHash(), block, [&](bool on) { screen.hiddenCurrent(on); });
         if (!stage.told().empty()) say("loading", stage.told());
     }
     bool fresh = stage.poll(block) || (built && stage.told().empty());

@@ -85,6 +85,12 @@ int findTables(Intro &intro, Table *to, int most) {
 
 const CameraKey *pathAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot->path.keys; }
 
+// A camera's numbers have keys on the same rows: Tracks::show() makes them so
+CameraPath editedPath(CameraPath path) {
+    const Replaced *r = replaced(path.keys);
+    return r && r->channels[0].count ? r->channels[0] : path;
+}
+
 void replaceTables(const Replaced *all, int count) {
     theReplaced = all;
     theReplacedCount = count;

@@ -36,6 +36,9 @@ int findTables(Intro &intro, Table *to, int most);
 // The table of the camera's path that is shown at a time.
 const CameraKey *pathAt(double seconds);
 
+// A path as it is read now.
+CameraPath editedPath(CameraPath path);
+
 // From now on, tables are read as these. They are not copied, and are in force until others are given.
 void replaceTables(const Replaced *all, int count);
 

@@ -64,14 +64,14 @@ uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera
     find(stage);
     uint32_t at = rowNextTo(row);
     std::string why = tracks.setView(at, camera);
-    news = why.empty() ? "key set on row " + std::to_string(at) : "no key set: " + why;
+    news = why.empty() ? "key set on " + tracks.rowInWords(at) : "no key set: " + why;
     return at;
 }
 uint32_t Remote::removeView(const Stage &stage, double row, std::string &news) {
     find(stage);
     uint32_t at = rowNextTo(row);
     std::string why = tracks.removeView(at);
-    news = why.empty() ? "no key on row " + std::to_string(at) : "no key removed: " + why;
+    news = why.empty() ? "key removed from " + tracks.rowInWords(at) : "no key removed: " + why;
     return at;
 }
 void Remote::undo(const Stage &stage, std::string &news) {

@@ -63,11 +63,28 @@ Sound *Stage::newSound(Loaded &to, int block) {
     return to.sound;
 }
 
-const char *Stage::loadFirst(const Gl &gl, uint64_t solvers) {
+void Stage::loadOnThread(Loaded &to, const Gl &gl, const Current &current) {
+    progress = 0;
+    start(to);
+    loading = std::thread([this, &to, &gl, current] {
+        current(true);
+        Progress report = {[](float part, void *at) { *(std::atomic<float> *)at = part; }, &progress};
+        missing = load(to, gl, report);
+        current(false);
+        done = true;
+    });
+}
+
+const char *Stage::loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
+                             const std::function<bool(float)> &waits) {
     now.solvers = solvers;
     now.hall = hallHash(*now.live);
-    start(now);
-    if (const char *problem = load(now, gl, {})) return problem;
+    loadOnThread(now, gl, current);
+    while (!done)
+        if (!waits(progress)) now.pool->abort();
+    loading.join();
+    done = false;
+    if (missing) return missing;
     useLive(now.live, newSound(now, 0));
     return nullptr;
 }
@@ -79,7 +96,7 @@ void Stage::giveUp() {
     done = false;
 }
 
-void Stage::change(const Gl &gl, uint64_t solvers, int block, const std::function<void(bool)> &current) {
+void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &current) {
     giveUp(); // what it loads is stale
     wrong.clear();
     std::vector<Symbol> symbols;
@@ -97,15 +114,7 @@ void Stage::change(const Gl &gl, uint64_t solvers, int block, const std::functio
     next.symbols = std::move(symbols);
     next.solvers = solvers;
     next.hall = hall;
-    progress = 0;
-    start(next);
-    loading = std::thread([this, &gl, current] {
-        current(true);
-        Progress report = {[](float part, void *to) { *(std::atomic<float> *)to = part; }, &progress};
-        missing = load(next, gl, report);
-        current(false);
-        done = true;
-    });
+    loadOnThread(next, gl, current);
 }
 
 bool Stage::poll(int block) {

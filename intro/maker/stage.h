@@ -21,15 +21,18 @@ public:
 
     // What pictures and sound are to be like.
     void settle(int width, int height, int threads, bool mute);
-    // Loads the film and waits. Returns null, or a line that says what is missing. A context of OpenGL must
-    // be current. `solvers`: a hash of the code that solves the hall.
-    const char *loadFirst(const Gl &gl, uint64_t solvers);
+    using Current = std::function<void(bool)>;
+    // Loads the film, on a thread that calls current(true) first, to make another context of OpenGL current,
+    // and current(false) at its end. Until then waits(share), 0 .. 1, is called again and again; it returns
+    // false to give up. Returns null, or a line that says what is missing. `solvers`: a hash of the code that
+    // solves the hall.
+    const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
+                          const std::function<bool(float)> &waits);
 
     // Takes the object that was built. Where its data are laid out as before and the hall's light is the
-    // same, the next picture is of it. If not, it is loaded in the background, on a thread that calls
-    // current(true) first, to make another context of OpenGL current, and current(false) at its end.
-    // `block`: where the music is.
-    void change(const Gl &gl, uint64_t solvers, int block, const std::function<void(bool)> &current);
+    // same, the next picture is of it. If not, it is loaded in the background, as above. `block`: where the
+    // music is.
+    void change(const Gl &gl, uint64_t solvers, int block, const Current &current);
     // Ends what is loaded in the background; its context must still be there.
     void giveUp();
     // Once a picture: takes what was loaded in the background. True if there is a new film.
@@ -56,6 +59,7 @@ private:
     };
     void start(Loaded &to);
     const char *load(Loaded &to, const Gl &gl, const Progress &progress);
+    void loadOnThread(Loaded &to, const Gl &gl, const Current &current);
     Sound *newSound(Loaded &to, int block);
 
     std::string object, wrong;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 namespace odraz {
@@ -182,6 +183,24 @@ std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
 }
 std::string Tracks::setView(uint32_t row, const CameraKey &camera) { return setByHand(row, &camera); }
 std::string Tracks::removeView(uint32_t row) { return setByHand(row, nullptr); }
+
+std::string Tracks::rowInWords(uint32_t row) const {
+    constexpr double kNear = 4; // rows, a beat
+    int first = cameraAt(row);
+    if (first < 0) return "row " + std::to_string(row);
+    const Table &t = tables[all[(size_t)first].table];
+    double own = (double)row - (double)t.shift, nearest = kNear;
+    for (const KeyNumbers &k : contents(all[(size_t)first].table))
+        if (double away = std::fabs((double)k[0] - own); away > 0.5) nearest = std::min(nearest, away);
+    char words[160];
+    int length = std::snprintf(words, sizeof words, "row %g of %s", own, live->sceneName(t.scene));
+    if (t.shift != 0)
+        length += std::snprintf(words + length, sizeof words - (size_t)length, ", %u of the film", row);
+    if (nearest < kNear)
+        std::snprintf(words + length, sizeof words - (size_t)length,
+                      ". another key is %g rows away: the camera may swing", nearest);
+    return words;
+}
 
 bool Tracks::edited(const Table &t, size_t table) const {
     if (hand.edited(t)) return true;

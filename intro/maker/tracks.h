@@ -43,6 +43,9 @@ public:
     // nothing.
     std::string setView(uint32_t row, const CameraKey &camera);
     std::string removeView(uint32_t row);
+    // That row in words, as the source of its camera's path counts and as the film does; and whether another
+    // key stands so near that the path may swing.
+    std::string rowInWords(uint32_t row) const;
     bool undo() { return hand.undo(); } // of what was done by hand
     bool redo() { return hand.redo(); }
     // Writes all that was edited, here and in an editor, to the sources. Returns what was not, and why.

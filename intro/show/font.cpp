@@ -56,6 +56,9 @@ const int8_t kGlyphs[] = {
     '-', L 0, 5, 5, 5, kEnd,
     '+', L 0, 5, 6, 5, L 3, 8, 3, 2, kEnd,
     '/', L 0, -2, 6, 13, kEnd,
+#ifdef ODRAZ_MORE_LETTERS
+#include "show/more_letters.h"
+#endif
     kEnd,
 };
 // clang-format on

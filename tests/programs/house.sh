@@ -47,7 +47,8 @@ main_debug.cpp  base host timeline intro.h options.h play record.h film.h maker 
 END
 # ... and of the system's headers
 cat >"$WORK/system" <<'END'
-.               stddef.h stdint.h immintrin.h initializer_list
+.               stddef.h stdint.h initializer_list
+base/avx.h      immintrin.h smmintrin.h avxintrin.h avx2intrin.h fmaintrin.h x86gprintrin.h
 base/gl.h       GL
 host            stddef.h stdint.h
 host/cpu.cpp    cpuid.h

@@ -18,6 +18,7 @@ void Panel::act(Action action) {
     };
     auto compare = [&](QualityName name) {
         other = name;
+        scale = 0;
         split = shown = true;
     };
     auto step = [&](double to) {
@@ -48,6 +49,7 @@ void Panel::act(Action action) {
         break;
     case Action::Difference:
         show(differs);
+        scale = 0;
         stop = stop || differs;
         break;
     case Action::LoopShot: {

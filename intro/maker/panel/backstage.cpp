@@ -6,6 +6,9 @@
 
 namespace odraz {
 
+// Where nothing is edited; live_tables.cpp has another
+[[gnu::weak]] CameraPath editedPath(CameraPath path) { return path; }
+
 namespace {
 
 // --- The film's tables ---
@@ -15,7 +18,13 @@ int shots(ShotSeen *to, int most) {
     for (int i = 0; i < count; ++i) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
-        to[i] = {s.row / kRowsPerSecond, end / kRowsPerSecond, s.storyRow / kRowsPerSecond, s.scene, s.path};
+        to[i] = {s.row / kRowsPerSecond,
+                 end / kRowsPerSecond,
+                 s.storyRow / kRowsPerSecond,
+                 s.scene,
+                 s.path,
+                 pose,
+                 editedPath};
     }
     return count;
 }

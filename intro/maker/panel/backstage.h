@@ -16,9 +16,11 @@ struct ShotSeen {
     double from, to, story;
     int scene;
     CameraPath path; // its keys, as they stand in the film's tables
-    // How it is followed: by the film's own code, which may take other keys that are being edited
+    // How it is followed, and which keys it has: the film's own code may take others, which are being edited
     CameraKey (*follow)(CameraPath path, double row) = pose;
+    CameraPath (*edited)(CameraPath path) = nullptr;
 
+    CameraPath keys() const { return edited ? edited(path) : path; }
     CameraKey at(double seconds) const { return follow(path, (seconds - story) * kRowsPerSecond); }
 };
 struct EventSeen {
@@ -47,6 +49,9 @@ struct Probe {
     // edge
     uint32_t *samples = nullptr;
     int width = 0, height = 0;
+    // Pictures are developed at least so bright that their lights can be seen: also where the film has faded
+    // out, or where the camera looks from a dark side.
+    bool brightens = false;
 };
 
 struct Backstage {

@@ -19,7 +19,7 @@ static SeenPicture seen(const uint8_t *rgba, int width, int height) {
     return see(rgb, width, height);
 }
 
-Difference differenceOf(const Kept &reference, const Picture &test) {
+Difference differenceOf(const Kept &reference, const Picture &test, float least) {
     Difference d;
     if (!reference.fits(test)) return d;
     d.flip =
@@ -30,7 +30,7 @@ Difference differenceOf(const Kept &reference, const Picture &test) {
     auto high = sorted.end() - 1 - (ptrdiff_t)(sorted.size() / 500);
     std::nth_element(sorted.begin(), high, sorted.end());
     for (float most : {0.5f, 0.2f, 0.1f, 0.05f})
-        if (*high <= most) d.most = most;
+        if (*high <= most && most >= least) d.most = most;
     return d;
 }
 
@@ -83,8 +83,19 @@ void drawDifference(Canvas &canvas, const Difference &d, const std::string &what
             p[0] = c.r, p[1] = c.g, p[2] = c.b;
         }
     char text[96];
-    std::snprintf(text, sizeof text, "%s   flip %.4f, yellow is %.3g", what.c_str(), d.mean, (double)d.most);
+    std::snprintf(text, sizeof text, "%s   flip %.4f", what.c_str(), d.mean);
     drawLabel(canvas, text, (float)canvas.width() * 0.5f, Align::Centre);
+    // What the colours mean, below it
+    float size = textSize(canvas.height());
+    std::snprintf(text, sizeof text, "%.3g", (double)d.most);
+    int wide = (int)(size * 16), left = (canvas.width() - wide) / 2, top = (int)(size * 2.6f),
+        tall = (int)(size * 1.4f), ends = (int)(std::max(widthOf("0", size), widthOf(text, size)) + size);
+    canvas.fill({left - ends, top, wide + 2 * ends, tall + 2}, kGround, 0.8f);
+    for (int x = 0; x < wide; ++x)
+        canvas.fill({left + x, top + 1, 1, tall}, differenceColour(((float)x + 0.5f) / (float)wide));
+    float base = (float)top + size * 1.25f;
+    canvas.text("0", (float)left - size * 0.5f, base, size, kInk, Align::Right);
+    canvas.text(text, (float)(left + wide) + size * 0.5f, base, size, kInk);
 }
 
 } // namespace odraz

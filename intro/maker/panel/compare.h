@@ -20,10 +20,11 @@ struct Kept {
 struct Difference {
     std::vector<float> flip;
     double mean = 0;
-    float most =
-        1; // what the map shows brightest: 1, 0.5, 0.2, 0.1 or 0.05, of which one pixel in 500 may be above
+    float most = 1; // what the map shows brightest: one pixel in 500 may be above
 };
-Difference differenceOf(const Kept &reference, const Picture &test);
+// `least`: of what was shown before, so that the same colour goes on meaning the same. Difference::most is
+// the first of 0.05, 0.1, 0.2, 0.5 and 1 that is enough, and no less than this.
+Difference differenceOf(const Kept &reference, const Picture &test, float least = 0);
 
 // A line of text on a dark ground at the upper edge, from x on, up to it, or around it.
 void drawLabel(Canvas &canvas, const std::string &text, float x, Align align);
@@ -32,7 +33,8 @@ void drawLabel(Canvas &canvas, const std::string &text, float x, Align align);
 void drawSplit(Canvas &canvas, const Kept &other, int column, const std::string &left,
                const std::string &right);
 
-// Shows the map instead of the picture: black where nothing is seen, up to bright yellow at Difference::most.
+// Shows the map instead of the picture: black where nothing is seen, up to bright yellow at Difference::most;
+// and a scale of its colours.
 void drawDifference(Canvas &canvas, const Difference &difference, const std::string &what);
 Colour differenceColour(float share); // of Difference::most
 

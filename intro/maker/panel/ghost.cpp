@@ -96,10 +96,11 @@ void cornersOf(const CameraKey &c, float aspect, float distance, Vec3 corners[4]
 
 void drawGhost(Canvas &canvas, const Projection &project, const ShotSeen &shot, const CameraKey &now,
                float aspect) {
-    if (shot.path.count > 0) {
+    CameraPath path = shot.keys();
+    if (path.count > 0) {
         // The path from the first key, or the cut, to the last
-        double first = std::min(shot.from, timeOf(shot, shot.path.keys[0])),
-               last = std::max(shot.to, timeOf(shot, shot.path.keys[shot.path.count - 1]));
+        double first = std::min(shot.from, timeOf(shot, path.keys[0])),
+               last = std::max(shot.to, timeOf(shot, path.keys[path.count - 1]));
         constexpr double kStep = 1 / 16.;
         auto at = [&](double t) { return shot.at(t).eye; };
         for (double t = first; t < last; t += kStep) {
@@ -116,8 +117,8 @@ void drawGhost(Canvas &canvas, const Projection &project, const ShotSeen &shot, 
         drawSegment(canvas, project, now.eye, corners[i], 1.3f, kInk, 0.9f);
         drawSegment(canvas, project, corners[i], corners[(i + 1) % 4], 1.3f, kInk, 0.9f);
     }
-    for (int i = 0; i < shot.path.count; ++i)
-        drawDot(canvas, project, shot.at(timeOf(shot, shot.path.keys[i])).eye, 3, kWarm);
+    for (int i = 0; i < path.count; ++i)
+        drawDot(canvas, project, shot.at(timeOf(shot, path.keys[i])).eye, 3, kWarm);
     drawDot(canvas, project, now.eye, 3.5f, kInk);
 }
 

@@ -1,6 +1,7 @@
 #include "maker/panel/keys.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace odraz {
 
@@ -12,27 +13,31 @@ Action actionOf(int key, bool shift) {
 
 void drawHelp(Canvas &canvas) {
     float size = textSize(canvas.height()), keys = 0, what = 0;
-    int rows = 0;
+    std::vector<const KeyRow *> rows;
     for (const KeyRow &row : kKeys) {
-        if (!*row.shown) continue;
-        ++rows;
-        keys = std::max(keys, widthOf(row.shown, size)), what = std::max(what, widthOf(row.what, size));
+        if (!*row.what) continue;
+        rows.push_back(&row);
+        if (*row.shown) keys = std::max(keys, widthOf(row.shown, size));
+        what = std::max(what, widthOf(row.what, size) - (*row.shown ? 0 : keys));
     }
-    // In one column, or in two where the picture is too low for that
+    // In one column, or in two where the picture is too low for that: then from a headline on
+    int count = (int)rows.size(), first = count;
     float room = (float)canvas.height() - size * 3;
-    int columns = (float)rows * size * 1.9f > room ? 2 : 1, each = (rows + columns - 1) / columns;
+    if ((float)count * size * 1.9f > room)
+        for (first = count / 2; *rows[(size_t)first]->shown;) ++first;
+    int columns = first < count ? 2 : 1, each = std::max(first, count - first);
     float step = std::min(size * 1.9f, room / (float)each), column = keys + what + size * 3,
           wide = column * (float)columns, tall = step * (float)each + size * 1.6f,
           x = ((float)canvas.width() - wide) * 0.5f, y = ((float)canvas.height() - tall) * 0.5f;
     canvas.fill({(int)x, (int)y, (int)wide, (int)tall}, kGround, 0.9f);
-    int i = 0;
-    for (const KeyRow &row : kKeys) {
-        if (!*row.shown) continue;
-        float left = x + size + (float)(i / each) * column,
-              base = y + size * 0.8f + step * ((float)(i % each) + 0.5f) + size * 0.4f;
+    for (int i = 0; i < count; ++i) {
+        const KeyRow &row = *rows[(size_t)i];
+        int line = i < first ? i : i - first;
+        float left = x + size + (i < first ? 0 : column),
+              base = y + size * 0.8f + step * ((float)line + 0.5f) + size * 0.4f;
+        bool headline = !*row.shown;
         canvas.text(row.shown, left, base, size, kWarm);
-        canvas.text(row.what, left + keys + size, base, size, kInk);
-        ++i;
+        canvas.text(row.what, left + (headline ? 0 : keys + size), base, size, headline ? kCold : kInk);
     }
 }
 

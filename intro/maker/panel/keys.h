@@ -18,13 +18,14 @@ enum class Action {
 enum class KeyName { Tab = 1, PageUp, PageDown };
 struct KeyRow {
     Action action; // Count: a key of the host, only to be told
-    int key;       // a letter, a figure, a sign, or a KeyName
+    int key;       // a letter, a figure, a sign, or a KeyName; 0: none
     bool shift;
-    const char *shown, *what; // what H says; "" where the row above says it
+    const char *shown, *what; // what H says: no `shown`, a headline; no `what`, the row above says it
 };
 
 inline constexpr int code(KeyName name) { return (int)name; }
 inline constexpr KeyRow kKeys[] = {
+    {Action::Count, 0, false, "", "through the film"},
     {Action::Count, 0, false, "space", "pause and go on"},
     {Action::Count, 0, false, "left, right", "a beat, with shift a bar"},
     {Action::PictureBack, ',', false, "comma, dot", "a picture back, on"},
@@ -34,28 +35,32 @@ inline constexpr KeyRow kKeys[] = {
     {Action::EventBack, 'B', false, "B, N", "to the event before, after"},
     {Action::EventOn, 'N', false, "", ""},
     {Action::LoopShot, 'L', false, "L", "loop this shot, or no loop"},
+    {Action::Count, 0, false, "mouse", "on the time line: go there"},
+    {Action::Count, 0, false, "right mouse", "on the time line: a loop"},
+    {Action::Count, 0, false, "wheel", "stretches the time line"},
+    {Action::Count, 0, false, "", "the camera"},
     {Action::Count, 0, false, "W A S D Q E", "fly, left mouse held: look"},
     {Action::Count, 0, false, "R", "back to the scripted camera"},
-    {Action::Count, 0, false, "C", "print the camera as a key"},
     {Action::Count, 0, false, "K", "set a key of the camera, shift: none"},
-    {Action::Count, 0, false, "X", "write the tracks for gnu rocket"},
     {Action::Count, 0, false, "ctrl Z", "undo, with shift: redo"},
     {Action::Count, 0, false, "ctrl S", "save to the sources"},
-    {Action::Count, 0, false, "1 2 3", "draft, play, film"},
+    {Action::Count, 0, false, "C", "print the camera as a key"},
+    {Action::Count, 0, false, "X", "write the tracks for gnu rocket"},
+    {Action::Count, 0, false, "", "to look closer"},
     {Action::Panel, code(KeyName::Tab), false, "tab", "the panel"},
     {Action::Ghost, 'G', false, "G", "the camera from outside"},
     {Action::Costs, 'T', false, "T", "what the picture costs: on, off"},
     {Action::Heat, 'P', false, "P", "where its samples are"},
     {Action::Materials, 'M', false, "M", "materials of the scene"},
-    {Action::Split, 'V', false, "V", "two qualities side by side"},
+    {Action::Count, 0, false, "", "quality"},
+    {Action::Count, 0, false, "1 2 3", "draft, play, film"},
+    {Action::Split, 'V', false, "V", "two of them side by side"},
     {Action::OtherDraft, '1', true, "shift 1 2 3 4", "the other one: draft to reference"},
     {Action::OtherPlay, '2', true, "", ""},
     {Action::OtherFilm, '3', true, "", ""},
     {Action::OtherReference, '4', true, "", ""},
     {Action::Difference, 'F', false, "F", "the difference that is seen: flip"},
-    {Action::Count, 0, false, "mouse", "on the time line: go there"},
-    {Action::Count, 0, false, "right mouse", "on the time line: a loop"},
-    {Action::Count, 0, false, "wheel", "stretches the time line"},
+    {Action::Count, 0, false, "", "help"},
     {Action::Help, 'H', false, "H", "these lines"},
     {Action::Count, 0, false, "esc", "leave"},
 };

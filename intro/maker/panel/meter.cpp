@@ -34,7 +34,9 @@ void drawMeter(Canvas &canvas, Rect r, const Meter &meter) {
             canvas.fill({x, r.bottom() - up(std::min(meter.peak(side), 0.f)), wide, 2},
                         meter.clipped(side) ? Colour{255, 60, 50} : kInk);
     }
-    float size = textSize(canvas.height()) * 0.75f;
+    // Its figures, on a ground: pictures are bright, too
+    float size = textSize(canvas.height()) * 0.75f, figures = widthOf("-36", size) + size;
+    canvas.fill({r.x - (int)figures, r.y, (int)figures, r.height}, kGround, 0.75f);
     for (float db : {-6.f, -18.f, -36.f}) {
         canvas.fill({r.x, r.bottom() - up(db), r.width, 1}, kInk, 0.3f);
         canvas.text(std::to_string((int)db), (float)r.x - size * 0.5f,

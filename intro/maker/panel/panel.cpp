@@ -80,7 +80,11 @@ void Panel::makeGhost(Intro &intro, const Moment &m) {
     CameraKey from = outside(content.shotAt(m.time), cameraOf(m), place);
     TracedSize few = {r.width, r.height};
     if (width > kMostEnlarged) few = {};
+    Probe meter;
+    meter.clock = clock, meter.brightens = true;
+    stage->watch(&meter);
     Picture p = odraz::picture(intro, 0, m.time, kQualities[(int)QualityName::Draft], &from, few);
+    stage->watch(nullptr);
     ghostPicture.width = r.width, ghostPicture.height = r.height;
     ghostPicture.rgba.resize((size_t)r.width * (size_t)r.height * 4);
     uint8_t *to = ghostPicture.rgba.data();
@@ -121,7 +125,8 @@ void Panel::makeDifference(const Picture &p, const Moment &m) {
     Key key = keyOf(m);
     if (differenceKey == key) return;
     differenceKey = key;
-    difference = differenceOf(otherPicture, p);
+    difference = differenceOf(otherPicture, p, scale);
+    scale = difference.most;
 }
 
 // --- Drawing ---

@@ -90,6 +90,7 @@ private:
     Kept ghostPicture, otherPicture, lastPicture;
     int others = 0;
     Difference difference;
+    float scale = 0; // of its map, until another comparison is asked for
     std::vector<uint32_t> heat;
 
     // What a kept picture is of

@@ -114,12 +114,14 @@ struct Drawing {
     }
     void drawKeys() const {
         float middle = (float)keys + kKeys * size * 0.5f, arm = std::max(size * 0.22f, 1.5f);
-        for (const ShotSeen &s : content.shots)
-            for (int i = 0; i < s.path.count; ++i) {
-                double t = timeOf(s, s.path.keys[i]);
+        for (const ShotSeen &s : content.shots) {
+            CameraPath path = s.keys();
+            for (int i = 0; i < path.count; ++i) {
+                double t = timeOf(s, path.keys[i]);
                 if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // keys beyond the cuts
                 canvas.line(x(t), middle - arm, x(t), middle + arm, 1.6f, kCold);
             }
+        }
     }
     void drawSound(const Envelope &envelope) const {
         int bottom = strip.area.bottom() - 2, tall = bottom - sound;

@@ -106,7 +106,7 @@ sleep 1
 xdotool keyup --window "$window" d
 press k
 check "a key is set" comes 'titled "key set on row"'
-sleep 1
+sleep 5 # until it is no longer told over the picture
 check "... which is another view" eval '! same before'
 kept before
 check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
@@ -122,7 +122,7 @@ flies() { # and sets a key there
     sleep "$1"
     xdotool keyup --window "$window" d
     press k
-    comes 'titled "key set on row"' && sleep 4 && kept edited # it is told over the picture
+    comes 'titled "key set on row"' && sleep 5 && kept edited # it is told over the picture
 }
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
