@@ -32,6 +32,8 @@ check "nothing else is left beside them" test "$(find "$WORK" -name '.results*' 
 
 check "an unknown section" refuses 2 "there is no section 'colour'; there are: size" "$all" --only colour
 check "an unknown option" refuses 2 "cannot use '--fast'" "$all" --fast
+check "a commit that is none" refuses 2 "--same-code needs a commit, and 'nothing' is none" "$all" --same-code nothing
+check "a commit that is not named" refuses 2 "--same-code needs a commit;" "$all" --same-code
 check "a folder that is not there" refuses 2 "cannot write" "$all" --to "$WORK/none/results.md"
 check "quick figures stay out of the repository" refuses 2 "--quick goes with --to" "$all" --quick
 

@@ -126,6 +126,10 @@ flies() { # and sets a key there
 }
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
+on_row() { # a key that is set there takes the film there
+    press k && comes 'titled "key set on row"' && press ctrl+z && comes 'titled undone' && sleep 5 && kept before
+}
+check "... on a row" on_row
 check "a key is set by hand" flies 1
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
 saves() { listen && press ctrl+s && says "saved film.cpp"; }
