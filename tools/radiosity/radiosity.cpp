@@ -11,7 +11,7 @@ using namespace odraz;
 namespace {
 
 constexpr char kUsage[] =
-    "usage: radiosity generate cube|columns|corner|vault|terrain -o MODEL.obj [--area A]\n"
+    "usage: radiosity generate cube|columns|corner|vault|terrain -o MODEL.obj [OPTION...]\n"
     "       radiosity solve MODEL.obj -o OUT [OPTION...]\n"
     "       radiosity solve --resume OUT.state\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
@@ -20,7 +20,7 @@ constexpr char kUsage[] =
     "       radiosity view OUT|MODEL.obj [--layer patches|elements|wireframe|hemicube]... [OPTION...]\n"
     "\n"
     "generate writes an example model. Its polygons are divided into triangles of at most --area;\n"
-    "without --area they stay whole.\n"
+    "without --area they stay whole. It takes --reflectance and --power.\n"
     "\n"
     "solve computes the light in a Wavefront OBJ model and writes it to OUT. Polygons may have any\n"
     "number of points and are lit on the side from which these run counter-clockwise. Materials\n"
@@ -48,6 +48,9 @@ constexpr char kUsage[] =
     "                     -z (+y where z is up) towards +x; a white surface that faces it shows R,G,B\n"
     "  --lamp X,Y,Z,SIZE,R,G,B   a ball, SIZE across, that emits this radiance; repeatable\n"
     "  --up y|z           the axis that points up, for sky and sun (default y)\n"
+    "Other materials than the model's, repeatable. FACTOR multiplies what the material has:\n"
+    "  --reflectance [NAME=]R,G,B|FACTOR   what the material NAME reflects, 0 to 1; without NAME all do\n"
+    "  --power [NAME=]R,G,B|FACTOR   the radiance that it emits; without NAME of all that emit\n"
     "How the model is read:\n"
     "  --scale S          multiply its coordinates\n"
     "  --two-sided        light both sides of polygons\n"

@@ -47,6 +47,8 @@ values() { # values OPTION: sets good to what it may be given
     radiosity--sky) good=(1,1,1 0.2,0.3,0.5 file m.obj fifo /dev/zero none -1,0,0 1,2 nan,0,0) ;;
     radiosity--sun) good=(30,60,5,5,5 90,0,1,2,3 -90,400,1,1,1 1,2,3,4 1,2,3,4,-5) ;;
     radiosity--lamp) good=(1,2,3,0.5,9,9,9 0,0,0,1e-9,1,1,1 1e9,0,0,1,1,1,1 0,0,0,0,1,1,1 1,2,3) ;;
+    radiosity--reflectance) good=(0.5 0,0.5,1 l=1 2 l=1,1,2 none=1 1,2 =) ;;
+    radiosity--power) good=(2 1,2,3 l=0 l=1e13 none=1 1,2 =) ;;
     radiosity--rays | radiosity--final) good=(8 32 64 7 32769) ;;
     radiosity--keep-every) good=(1 0.01 60 0) ;;
     radiosity--resume) good=(file none m.obj fifo .) ;;

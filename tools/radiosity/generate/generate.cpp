@@ -2,6 +2,7 @@
 
 #include "tools/radiosity/generate/generate_curved.h"
 #include "tools/radiosity/generate/obj_writer.h"
+#include "tools/radiosity/read/mesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -155,13 +156,24 @@ std::string generateObj(const std::string &kind, double area, size_t *triangles)
     return w.points + w.faces;
 }
 
-std::string generateMtl() {
-    std::string text;
+std::string generateMtl(const std::vector<MaterialChange> &changes) {
+    std::vector<MeshMaterial> materials;
     for (const Material &m : kMaterials) {
+        MeshMaterial to = {m.name, {}, {}};
+        for (size_t k = 0; k < 3; ++k) to.reflects[k] = (float)m.kd[k], to.emits[k] = (float)m.ke[k];
+        materials.push_back(to);
+    }
+    changeMaterials(materials, std::vector<bool>(materials.size(), true), changes);
+    std::string text;
+    for (const MeshMaterial &m : materials) {
         char lines[300];
-        std::snprintf(lines, sizeof lines, "newmtl %s\nKd %g %g %g\nKe %g %g %g\n", m.name, m.kd[0], m.kd[1],
-                      m.kd[2], m.ke[0], m.ke[1], m.ke[2]);
-        text += lines;
+        auto print = [&](const char *name, const std::array<float, 3> &c) {
+            std::snprintf(lines, sizeof lines, "%s %.7g %.7g %.7g\n", name, (double)c[0], (double)c[1],
+                          (double)c[2]);
+            text += lines;
+        };
+        text += "newmtl " + m.name + "\n";
+        print("Kd", m.reflects), print("Ke", m.emits);
     }
     return text;
 }

@@ -11,12 +11,15 @@ namespace odraz {
 int runGenerate(Arguments &words) {
     std::string kind, out;
     double area = 0;
+    std::vector<MaterialChange> changes;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "-o")
             out = words.value(w);
         else if (w == "--area")
             area = words.number(w, 1e-4, 1e6);
+        else if (w == "--reflectance" || w == "--power")
+            changes.push_back(readMaterialChange(w, words.value(w)));
         else if (word[0] != '-' && kind.empty())
             kind = w;
         else
@@ -29,9 +32,10 @@ int runGenerate(Arguments &words) {
         throw Refused("name a file with -o MODEL.obj");
     checkWritable(out);
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);
+    std::string materials = generateMtl(changes);
     size_t triangles = 0;
     std::string model = generateObj(kind, area, &triangles);
-    writeWhole(mtl, generateMtl());
+    writeWhole(mtl, materials);
     writeWhole(out, "mtllib " + name + "\n" + model);
     bool fine = area > 0 || kind == "vault" || kind == "terrain";
     std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,

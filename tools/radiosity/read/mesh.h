@@ -3,6 +3,7 @@
 
 #include "tools/common/arguments.h"
 #include "tools/common/vec3d.h"
+#include "tools/radiosity/read/material_changes.h"
 
 #include <array>
 #include <string>
@@ -48,10 +49,11 @@ struct Mesh {
 struct ReadSettings {
     double scale = 1;      // of coordinates
     bool twoSided = false; // both sides are lit
+    std::vector<MaterialChange> changes;
 };
 
 // Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
-// everything that it repaired or ignored. Throws ModelError.
+// everything that it repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
 // The triangle's normal, with a length of twice its area.

@@ -37,11 +37,16 @@ struct Numbers : tinyobj::MaterialReader {
     }
 };
 
+std::vector<bool> usedIn(const Mesh &mesh) {
+    std::vector<bool> used(mesh.materials.size());
+    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+    return used;
+}
+
 // Adds notes about materials that can only be black. If all are black, nothing would be visible, so they
 // become grey.
 void noteBlack(Mesh &mesh, const std::string &path, std::vector<std::string> &notes) {
-    std::vector<bool> used(mesh.materials.size());
-    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+    std::vector<bool> used = usedIn(mesh);
     std::vector<MeshMaterial *> black;
     int seen = 0;
     for (size_t i = 0; i < used.size(); ++i) {
@@ -75,6 +80,7 @@ public:
         dropTwice();
         if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
         noteBlack(mesh, path, notes);
+        changeMaterials(mesh.materials, usedIn(mesh), settings.changes);
         noteLeftOut();
         return std::move(mesh);
     }

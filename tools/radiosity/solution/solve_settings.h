@@ -39,6 +39,7 @@ struct SolveSettings {
     float residual = 1e-4f;
     size_t memory = (size_t)8192 << 20; // bytes; a solution that needs more is refused
     Surroundings surroundings;
+    bool evenSky = true; // lights a model in which nothing shines
 
     // By rays
     int rays = 0;      // from an element, up to 32768; 0: as many as each one needs

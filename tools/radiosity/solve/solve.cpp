@@ -21,7 +21,7 @@ Mesh moved(const Mesh &mesh, const Vec3d &from) {
 
 // Adds an even sky to a model in which nothing emits.
 void lightUp(SolveTask &task) {
-    if (shines(task.mesh) || task.settings.surroundings.shine()) return;
+    if (!task.settings.evenSky || shines(task.mesh) || task.settings.surroundings.shine()) return;
     task.settings.surroundings.sky = evenSky({1, 1, 1});
     task.report.notes.emplace_back(
         "nothing in the model shines: an even sky lights it (--sky, --sun and --lamp give other light)");

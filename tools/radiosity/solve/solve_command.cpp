@@ -191,7 +191,8 @@ private:
     }
 
     bool mayLightBacks() const {
-        return !job.options.settings.surroundings.shine() && !job.options.read.twoSided;
+        const SolveSettings &settings = job.options.settings;
+        return settings.evenSky && !settings.surroundings.shine() && !job.options.read.twoSided;
     }
     void lightBacks() {
         job.options.read.twoSided = true;

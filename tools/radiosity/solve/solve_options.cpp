@@ -68,7 +68,10 @@ bool SolveOptions::take(const std::string &w, Arguments &words) {
         read.scale = words.number(w, 1e-9, 1e9);
     else if (w == "--two-sided")
         read.twoSided = true;
-    else if (w == "--adaptive")
+    else if (w == "--reflectance" || w == "--power") {
+        read.changes.push_back(readMaterialChange(w, words.value(w)));
+        if (w == "--power") s.evenSky = false; // who puts the lamps out wants it dark
+    } else if (w == "--adaptive")
         s.adaptive = true, byPatches = w;
     else if (w == "--direct")
         s.analytic = words.choice(w, "analytic", "hemicube"), byPatches = w;
