@@ -15,7 +15,7 @@ constexpr int kMissing = -1; // as a row's count: the row is unknown
 
 // Loads the rows that were saved. Throws std::runtime_error.
 void restore(SolveTask &task, PatchSystem &p) {
-    std::string &resumed = task.settings.resumed;
+    std::string_view &resumed = task.settings.resumed;
     auto count = (size_t)p.model->patchCount;
     size_t at = 0, used = 0;
     std::vector<int32_t> counts;
@@ -29,7 +29,7 @@ void restore(SolveTask &task, PatchSystem &p) {
     good = good && used == links.size() &&
            std::all_of(links.begin(), links.end(), [&](const Link &l) { return l.patch < count; });
     if (!good) refuseResumed();
-    resumed.clear();
+    resumed = {};
     FormFactors &f = p.radiosity.factors;
     f.rows = takeOrRefuse<Row>(p.arena, count);
     Link *next = takeOrRefuse<Link>(p.arena, links.size());
@@ -48,7 +48,8 @@ const uint8_t *findLit(const SolveTask &task, PatchSystem &p) {
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &patch = m.patches[i];
         bool seen = !task.settings.analytic && maxComponent(task.solution.emits[(size_t)patch.chart]) > 0;
-        lit[i] = maxComponent(patch.reflects) > 0 || seen ? kReflects : kUnlit;
+        // Other materials may reflect everywhere
+        lit[i] = maxComponent(patch.reflects) > 0 || seen || task.settings.keepRows ? kReflects : kUnlit;
     }
     return lit;
 }
@@ -72,8 +73,7 @@ struct Watch {
 
 } // namespace
 
-void keepPatchRows(const SolveTask &task, const PatchSystem &p) {
-    if (!task.settings.keep) return;
+std::string savedPatchRows(const PatchSystem &p) {
     std::vector<int32_t> counts;
     std::vector<Link> links;
     for (int i = 0; i < p.model->patchCount; ++i) {
@@ -83,13 +83,24 @@ void keepPatchRows(const SolveTask &task, const PatchSystem &p) {
     }
     std::string rows;
     put(rows, counts), put(rows, links);
-    task.settings.keep(rows);
+    return rows;
+}
+
+void keepPatchRows(const SolveTask &task, const PatchSystem &p) {
+    if (task.settings.keep) task.settings.keep(savedPatchRows(p));
 }
 
 void findPatchRows(SolveTask &task, PatchSystem &p, const Gl &gl) {
     const SolveSettings &s = task.settings;
     const uint8_t *lit = findLit(task, p);
     if (!s.resumed.empty()) restore(task, p);
+    auto count = [&] {
+        for (int i = 0; i < p.model->patchCount; ++i) task.report.rows += p.radiosity.factors.rows[i].known;
+    };
+    if (task.prepared) { // nothing is missing
+        task.report.whole = true;
+        return count();
+    }
     RowFinder find = s.findRows;
     if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
     Watch watch = {task, p, wallSeconds()};
@@ -99,7 +110,7 @@ void findPatchRows(SolveTask &task, PatchSystem &p, const Gl &gl) {
         find(*p.model, *p.scene, lit, task.workers, p.arena, p.radiosity.factors, watch.progress());
     task.workers.abort = abort;
     if (!task.report.whole) keepPatchRows(task, p);
-    for (int i = 0; i < p.model->patchCount; ++i) task.report.rows += p.radiosity.factors.rows[i].known;
+    count();
 }
 
 } // namespace odraz

@@ -10,7 +10,9 @@ namespace odraz {
 // rows were found before a stop, and report.rows to their number. Sets workers.abort and restores it.
 void findPatchRows(SolveTask &task, PatchSystem &patches, const Gl &gl);
 
-// Hands the rows found so far to settings.keep.
+// The rows found so far, as resumed ones are given.
+std::string savedPatchRows(const PatchSystem &patches);
+// Hands them to settings.keep.
 void keepPatchRows(const SolveTask &task, const PatchSystem &patches);
 
 } // namespace odraz

@@ -1,6 +1,8 @@
 #include "tools/radiosity/patches/solve_by_patches.h"
 
 #include "tools/common/machine.h"
+#include "tools/radiosity/patches/kept_patches.h"
+#include "tools/radiosity/patches/lamp_shares.h"
 #include "tools/radiosity/patches/lamps.h"
 #include "tools/radiosity/patches/light_so_far.h"
 #include "tools/radiosity/patches/patch_rows.h"
@@ -42,6 +44,29 @@ public:
         solveBounces();
         fillSolution();
         task.lap(SolveStep::kSolving);
+        if (s.keepRows && report.whole) keepRows();
+    }
+
+    // Solves with kept rows and direct light.
+    void relight() {
+        restorePatches(*task.prepared, task.regions, p);
+        for (int i = 0; i < m.patchCount; ++i)
+            m.patches[i].reflects = task.solution.reflects[(size_t)m.patches[i].chart];
+        report.patches = m.patchCount;
+        task.lap(SolveStep::kDividing);
+        const DirectShares &shares = task.prepared->direct;
+        s.analytic = !shares.seen;
+        r.bases.skyCount = 3;
+        takePlanes();
+        std::vector<Rgb> light = shares.light(task.emitted(), (size_t)m.texelCount);
+        for (size_t t = 0; t < light.size(); ++t)
+            r.direct[0][t] = light[t].x, r.direct[1][t] = light[t].y, r.direct[2][t] = light[t].z;
+        task.lap(SolveStep::kDirectLight);
+        findPatchRows(task, p, gl);
+        task.lap(SolveStep::kFormFactors);
+        solveBounces();
+        fillSolution();
+        task.lap(SolveStep::kSolving);
     }
 
 private:
@@ -54,6 +79,17 @@ private:
     const Gl &gl;
     const int *abort; // what the workers watched before
     SolveStep step = SolveStep::kDividing;
+    DirectShares shares; // for keepRows()
+
+    void keepRows() {
+        std::string prepared;
+        if (task.preparable()) {
+            prepared =
+                task.prepare(shares, {m.charts, (size_t)m.chartCount}, {m.facets, (size_t)m.facetCount});
+            savePatches(m, prepared);
+        }
+        s.keepRows(savedPatchRows(p), std::move(prepared));
+    }
 
     Progress tell(SolveStep which) {
         step = which;
@@ -142,7 +178,10 @@ private:
         findDirect(r, m, *p.scene, settings, task.workers, tell(SolveStep::kDirectLight));
         std::vector<std::string> known; // notes by divide()
         if (s.adaptive) findPictured(known);
+        bool keeps = s.keepRows && task.preparable();
+        if (keeps) shares = lampShares(task, p);
         addOutsideLight();
+        if (keeps) addOutside(shares, task, p);
     }
 
     void takePlanes() {
@@ -265,7 +304,8 @@ private:
 
 std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl) {
     auto p = std::make_unique<PatchSystem>(task.settings.memory);
-    PatchSolver(task, *p, gl).run();
+    PatchSolver solver(task, *p, gl);
+    task.prepared ? solver.relight() : solver.run();
     if (task.progress) task.progress(nullptr, 1, task.report.residual);
     return p;
 }

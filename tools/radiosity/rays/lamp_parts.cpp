@@ -34,6 +34,7 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     for (double a : areas) all += a;
     shining = all / std::max(areaOf(mesh), 1e-300);
     double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+    for (const Triangle &t : mesh.triangles) brightest = std::max(brightest, luminance(emittedBy(mesh, t)));
     for (const Triangle &t : mesh.triangles)
         if (maxComponent(emittedBy(mesh, t)) > 0) divide(mesh, t, samples, largest);
     if (parts.empty()) return;
@@ -41,14 +42,21 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
     sortParts(mesh);
 }
 
+void LampRays::paint(const std::vector<Rgb> &ofMaterial) {
+    for (Part &p : parts) p.radiance = ofMaterial[(size_t)p.material];
+    for (Part &p : wholes) p.radiance = ofMaterial[(size_t)p.material];
+}
+
 // Divides a triangle into rows of smaller ones of its shape: about `samples` if its area is the largest.
 void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double largest) {
     Rgb radiance = emittedBy(mesh, t);
+    float power = brightest > 0 ? luminance(radiance) / brightest : 1;
     Vec3d normal = normalOf(mesh, t), q = mesh.points[(size_t)t.corners[0]],
           u = mesh.points[(size_t)t.corners[1]] - q, v = mesh.points[(size_t)t.corners[2]] - q;
     double area = length(normal) / 2;
     Vec3 n = toFloat(normalize(normal));
-    wholes.push_back({{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance});
+    wholes.push_back(
+        {{toFloat(q), toFloat(q + u), toFloat(q + v)}, n, (float)area, radiance, power, t.material});
     int rows = std::clamp((int)std::lround(std::sqrt(samples * area / largest)), 1, 64);
     auto at = [&](int row, int step) {
         return toFloat(q + u * ((double)(row - step) / rows) + v * ((double)step / rows));
@@ -56,7 +64,12 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
     for (int r = 0; r < rows; ++r)
         for (int k = 0; k <= 2 * r; ++k) {
             int j = k / 2;
-            Part p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)}, n, (float)(area / (rows * rows)), radiance};
+            Part p = {{at(r, j), at(r + 1, j), at(r + 1, j + 1)},
+                      n,
+                      (float)(area / (rows * rows)),
+                      radiance,
+                      power,
+                      t.material};
             if (k & 1) p.corner[1] = at(r + 1, j + 1), p.corner[2] = at(r, j + 1);
             parts.push_back(p);
         }
@@ -81,7 +94,7 @@ void LampRays::sortParts(const Mesh &mesh) {
     double sum = 0;
     for (auto &[code, i] : order) {
         sorted.push_back(parts[i]);
-        sum += (double)(parts[i].area * luminance(parts[i].radiance));
+        sum += (double)(parts[i].area * parts[i].power);
         until.push_back((float)sum);
     }
     parts = std::move(sorted);

@@ -2,7 +2,6 @@
 
 #include "base/maths.h"
 #include "base/random.h"
-#include "tools/common/luminance.h"
 #include "trace/shade/ball.h"
 
 #include <algorithm>
@@ -93,20 +92,20 @@ float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float
 
 Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3 &n, uint32_t seed,
                       int rays) const {
-    Rgb light[kMostWhole];
-    float sum = 0;
+    float power[kMostWhole], factors[kMostWhole], sum = 0;
     for (size_t i = 0; i < wholes.size(); ++i) {
         float factor = 0;
         for (int k = 0; k < places; ++k) factor += formFactor(wholes[i], p[k], n, kNearWhole);
-        light[i] = wholes[i].radiance * (factor / (float)places);
-        sum += luminance(light[i]);
+        factors[i] = factor / (float)places;
+        sum += power[i] = wholes[i].power * factors[i];
     }
     Rgb all = {};
     for (size_t i = 0; i < wholes.size(); ++i) {
-        if (!(maxComponent(light[i]) > 0)) continue;
+        Rgb light = wholes[i].radiance * factors[i];
+        if (!(maxComponent(light) > 0)) continue;
         // Divide the rays by light. Their targets are spread over the lamp (Roberts, 2018: the R2 sequence);
         // their origins take turns among the places
-        int own = std::max(1, (int)std::lround((float)rays * luminance(light[i]) / sum));
+        int own = std::max(1, (int)std::lround((float)rays * power[i] / sum));
         uint32_t state = pcg(seed + (uint32_t)i * 64);
         float a = unitFloat(state), b = unitFloat(pcg(state));
         float seen = 0, weights = 0;
@@ -119,7 +118,7 @@ Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3
             if (weights += weight; weight > 0 && open(tree, from, target)) seen += weight;
             a = std::fmod(a + 0.7548777f, 1.f), b = std::fmod(b + 0.5698403f, 1.f);
         }
-        if (seen > 0) all += light[i] * (seen / weights);
+        if (seen > 0) all += light * (seen / weights);
     }
     return all;
 }
@@ -135,9 +134,8 @@ Rgb LampRays::fromSome(const RayTree &tree, const Vec3 &p, const Vec3 &n, uint32
                           parts.size() - 1);
         const Part &part = parts[i];
         float a = random(), b = random(), factor = formFactor(part, p, n, kNear);
-        if (factor > 0 && open(tree, p, part.point(a, b)))
-            sum += part.radiance *
-                   (factor * until.back() / ((float)some * part.area * luminance(part.radiance)));
+        if (factor > 0 && maxComponent(part.radiance) > 0 && open(tree, p, part.point(a, b)))
+            sum += part.radiance * (factor * until.back() / ((float)some * part.area * part.power));
     }
     return sum;
 }
@@ -193,6 +191,31 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
         }
     });
     return light;
+}
+
+DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, const Surroundings &around,
+                          const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
+                          Workers &workers) {
+    DirectShares kept;
+    kept.emitters = emitters;
+    kept.seen = lamps.none();
+    // Three materials at a time, as red, green and blue
+    float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
+    for (size_t first = 0; first < emitters.size() && !kept.seen; first += 3) {
+        std::vector<Rgb> colours((size_t)emitters.back() + 1);
+        size_t count = std::min(emitters.size() - first, (size_t)3);
+        for (size_t k = 0; k < count; ++k) colours[(size_t)emitters[first + k]].*channels[k] = 1;
+        lamps.paint(colours);
+        std::vector<Rgb> light = directLight(lamps, {}, grid, behind, tree, workers);
+        for (size_t k = 0; k < count; ++k) {
+            std::vector<float> &share = kept.shares.emplace_back();
+            for (const Rgb &l : light) share.push_back(l.*channels[k]);
+        }
+    }
+    lamps.clear();
+    if (!around.suns.empty() || !around.lamps.empty())
+        kept.outside = directLight(lamps, around, grid, behind, tree, workers);
+    return kept;
 }
 
 } // namespace odraz

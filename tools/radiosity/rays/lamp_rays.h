@@ -11,6 +11,7 @@
 
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/read/surroundings.h"
+#include "tools/radiosity/solution/direct_shares.h"
 
 namespace odraz {
 
@@ -23,6 +24,9 @@ public:
     bool none() const { return parts.empty(); }
     double share() const { return shining; } // of the model's area
     void clear() { parts.clear(), until.clear(), wholes.clear(); }
+    // Gives lamps another radiance, that of their material in this list. Rays are still distributed as the
+    // mesh's power demands.
+    void paint(const std::vector<Rgb> &ofMaterial);
 
     // The mean light at the places of one texel, 1 to 4, as irradiance / pi. `seed` is different for every
     // texel. `sharers` is the number of places that share the rays (one for each part), and `shift`, 0 .. 1,
@@ -35,6 +39,8 @@ private:
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
+        float power; // its brightness, as a share of the brightest part's
+        int material;
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
         // A point of the triangle, evenly distributed for two numbers 0 .. 1.
         Vec3 point(float a, float b) const {
@@ -43,6 +49,7 @@ private:
         }
     };
     double shining = 0;
+    float brightest = 0;
     std::vector<Part> parts;
     std::vector<float> until; // running sums of the parts' power
     std::vector<Part> wholes; // triangles that emit, undivided; empty if there are too many
@@ -58,5 +65,10 @@ private:
 // site's places that does not count (ray_system.h).
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
                              const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
+
+// The same for lamps of radiance 1, for each of the materials that emit; and the light of suns and balls.
+DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, const Surroundings &around,
+                          const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
+                          Workers &workers);
 
 } // namespace odraz

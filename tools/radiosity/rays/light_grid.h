@@ -12,6 +12,8 @@
 #include "base/parallel.h"
 
 #include <cstdint>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace odraz {
@@ -42,6 +44,10 @@ struct LightGrid {
 
     // Numbers the cells and texels of the charts, which the caller keeps.
     LightGrid(Regions &regions, const RayTree &tree, Workers &workers);
+    // One that save() kept, for the charts that it had made; throws std::runtime_error if it does not fit
+    // them. Then `at` is where it ended.
+    LightGrid(Regions &regions, std::string_view from, size_t &at);
+    void save(std::string &to) const;
 
     Vec3 at(const Texel &t) const;
     // The cell at a place of a chart, and the position in it, 0 .. 1.
@@ -61,6 +67,7 @@ private:
     std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);
     void makeSites(const Regions &regions, const std::vector<float> &drops);
     void orderHidden();
+    bool fits(const Regions &regions) const;
 };
 
 } // namespace odraz

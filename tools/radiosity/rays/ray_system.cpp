@@ -66,7 +66,7 @@ void RaySystem::save(std::string &to) const {
         put(to, behind);
 }
 
-bool RaySystem::restore(const std::string &from, size_t &at) {
+bool RaySystem::restore(std::string_view from, size_t &at) {
     size_t count = grid.sites.size();
     if (!get(from, at, firstOf) || !get(from, at, rows) || !get(from, at, found) || !get(from, at, sky) ||
         !get(from, at, skySquare) || !get(from, at, reach) || !get(from, at, behind) ||
@@ -75,7 +75,10 @@ bool RaySystem::restore(const std::string &from, size_t &at) {
         behind.size() != count)
         return false;
     for (size_t i = 0; i < count; ++i)
-        if (firstOf[i] > firstOf[i + 1] || behind[i] >> grid.sites[i].places) return false;
+        if (firstOf[i] >= firstOf[i + 1] || behind[i] + 1 >= 1 << grid.sites[i].places) return false;
+    // It was another sky's if there is none now
+    if (!around.sky.width)
+        std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
     return std::all_of(rows.begin(), rows.end(), [&](uint32_t k) { return k < count || k == kDark; });
 }
 

@@ -57,7 +57,7 @@ public:
 
     // The rows found so far, as arrays of a file; false if they do not fit the grid.
     void save(std::string &to) const;
-    bool restore(const std::string &from, size_t &at);
+    bool restore(std::string_view from, size_t &at);
 
     std::vector<Rgb> arrives; // at every site
     // What charts emit that these rays must find; empty if lamps count as direct light

@@ -63,6 +63,22 @@ public:
         task.solution.light = lightOfTexels(kShared);
         if (s.finalRays > 0 && report.whole) finalGather();
         task.lap(SolveStep::kSolving);
+        if (s.keepRows && report.whole) keepRows();
+    }
+
+    // Solves with kept rows and direct light, in a grid without its scene.
+    void relight(const DirectShares &shares) {
+        resume();
+        report.rows = report.sites;
+        report.raysFromSite = system.rows.size() / std::max(grid.sites.size(), (size_t)1);
+        direct = shares.light(task.emitted(), grid.texels.size());
+        if (shares.seen) system.emits = task.solution.emits;
+        describeSites();
+        task.lap(SolveStep::kDirectLight);
+        fillGeometry();
+        solve();
+        task.solution.light = lightOfTexels(kShared);
+        task.lap(SolveStep::kSolving);
     }
 
 private:
@@ -76,6 +92,7 @@ private:
     bool refined = false;        // the number of rays that each site needs is known
     std::vector<Rgb> direct;     // light of each texel
     std::vector<Rgb> directAtSites, reflects;
+    DirectShares shares; // for keepRows()
 
     void resume() {
         if (s.resumed.empty()) return;
@@ -84,17 +101,28 @@ private:
         if (!get(s.resumed, at, flag) || flag.size() != 1 || !system.restore(s.resumed, at) ||
             at != s.resumed.size())
             refuseResumed();
-        s.resumed.clear();
+        s.resumed = {};
         refined = flag[0];
     }
 
     void keep(bool refinedRows) {
         if (!s.keep) return;
+        s.keep(savedRows(refinedRows));
+        kept = wallSeconds();
+    }
+    std::string savedRows(bool refinedRows) const {
         std::string rows;
         put(rows, std::vector<uint8_t>{refinedRows});
         system.save(rows);
-        s.keep(rows);
-        kept = wallSeconds();
+        return rows;
+    }
+    void keepRows() {
+        std::string prepared;
+        if (task.preparable()) {
+            prepared = task.prepare(shares, grid.charts, task.regions.facets);
+            grid.save(prepared);
+        }
+        s.keepRows(savedRows(true), std::move(prepared));
     }
     bool keepIsDue() const { return wallSeconds() - kept > s.keepEvery; }
 
@@ -132,7 +160,12 @@ private:
             system.emits = task.solution.emits;
             lamps.clear();
         }
-        direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
+        if (s.keepRows && task.preparable()) {
+            shares =
+                directShares(lamps, task.emitters(), s.surroundings, grid, system.behind, tree, task.workers);
+            direct = shares.light(task.emitted(), grid.texels.size());
+        } else
+            direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
         describeSites();
         task.lap(SolveStep::kDirectLight);
         task.tell(SolveStep::kDirectLight, 1);
@@ -221,9 +254,25 @@ private:
 
 } // namespace
 
+// Solves with rows and direct light that were kept.
+static void relightByRays(SolveTask &task) {
+    size_t at = 0;
+    LightGrid grid(task.regions, task.prepared->rest, at);
+    if (at != task.prepared->rest.size() || !task.prepared->direct.fits(grid.texels.size())) refuseResumed();
+    task.report.sites = (int)grid.sites.size();
+    task.lap(SolveStep::kDividing);
+    RayTree nothing({RayTree::Corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}});
+    RaySolver(task, nothing, grid).relight(task.prepared->direct);
+}
+
 void solveByRays(SolveTask &task) {
     SolveReport &report = task.report;
     report.whole = true;
+    if (task.prepared) {
+        relightByRays(task);
+        if (task.progress) task.progress(nullptr, 1, report.residual);
+        return;
+    }
     task.tell(SolveStep::kDividing, 0);
     RayTree tree(cornersOf(task.mesh));
     task.tell(SolveStep::kDividing, 0.4f);

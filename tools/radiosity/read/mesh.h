@@ -6,6 +6,7 @@
 #include "tools/radiosity/read/material_changes.h"
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,15 @@ struct Triangle {
     int material;
 };
 
+// What the materials of a model are called, to read them again without the polygons.
+struct MaterialNames {
+    std::vector<std::string> libraries; // the text after each mtllib
+    std::vector<std::string> asked;     // by usemtl, each once
+    std::vector<uint8_t> known;         // of each of these: whether a library has it
+    std::vector<std::string> all;       // of Mesh::materials
+    std::vector<uint8_t> used;          // of each of these: whether a triangle has it
+};
+
 struct Mesh {
     std::vector<odraz::Vec3d> points; // all different
     std::vector<Triangle> triangles;
@@ -40,6 +50,7 @@ struct Mesh {
     // has a picture
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
+    MaterialNames names;
     int flat = 0, twice = 0; // triangles left out: without area; duplicates
 
     double size() const; // the diagonal of its bounding box
@@ -55,6 +66,12 @@ struct ReadSettings {
 // Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
 // everything that it repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+
+// The materials of a model again, as its Mesh has them; those that no triangle has are left empty. Throws
+// ModelError, also if a name that was known is not there now, or the reverse.
+std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
+                                             const std::vector<MaterialChange> &changes,
+                                             std::vector<std::string> &notes);
 
 // The triangle's normal, with a length of twice its area.
 odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);

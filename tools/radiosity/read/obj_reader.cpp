@@ -37,20 +37,17 @@ struct Numbers : tinyobj::MaterialReader {
     }
 };
 
-std::vector<bool> usedIn(const Mesh &mesh) {
-    std::vector<bool> used(mesh.materials.size());
-    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
-    return used;
-}
+constexpr char kNone[] = "(none)"; // the material of polygons that have none
+MeshMaterial noMaterial() { return {kNone, {0.7f, 0.7f, 0.7f}, {}}; }
 
 // Adds notes about materials that can only be black. If all are black, nothing would be visible, so they
 // become grey.
-void noteBlack(Mesh &mesh, const std::string &path, std::vector<std::string> &notes) {
-    std::vector<bool> used = usedIn(mesh);
+void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
+               std::vector<std::string> &notes) {
     std::vector<MeshMaterial *> black;
     int seen = 0;
     for (size_t i = 0; i < used.size(); ++i) {
-        MeshMaterial &m = mesh.materials[i];
+        MeshMaterial &m = materials[i];
         auto none = [](const std::array<float, 3> &c) { return c[0] + c[1] + c[2] == 0; };
         if (!used[i]) continue;
         if (none(m.reflects) && none(m.emits) && m.picture.path.empty())
@@ -79,8 +76,13 @@ public:
         collectTriangles();
         dropTwice();
         if (mesh.triangles.empty()) throw ModelError(path + ": holds no polygon with an area");
-        noteBlack(mesh, path, notes);
-        changeMaterials(mesh.materials, usedIn(mesh), settings.changes);
+        std::vector<bool> used(mesh.materials.size());
+        for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+        noteBlack(mesh.materials, used, path, notes);
+        changeMaterials(mesh.materials, used, settings.changes);
+        mesh.names.libraries = text.libraries, mesh.names.asked = text.used;
+        for (const MeshMaterial &m : mesh.materials) mesh.names.all.push_back(m.name);
+        mesh.names.used.assign(used.begin(), used.end());
         noteLeftOut();
         return std::move(mesh);
     }
@@ -102,6 +104,8 @@ private:
         std::istringstream stream(text.all);
         std::string warning, error;
         Numbers numbers(text.used, mesh.materials);
+        for (size_t i = 0; i < text.used.size(); ++i)
+            mesh.names.known.push_back(numbers.all.count(std::to_string(i)) != 0);
         if (!tinyobj::LoadObj(&attributes, &shapes, &unused, &warning, &error, &stream, &numbers, true))
             throw ModelError(path + ": is not a model: " + error.substr(0, error.find('\n')));
         if (attributes.vertices.empty()) throw ModelError(path + ": holds no point");
@@ -153,7 +157,7 @@ private:
                 else
                     add(t, at);
             }
-        if (plain) mesh.materials.push_back({"(none)", {0.7f, 0.7f, 0.7f}, {}});
+        if (plain) mesh.materials.push_back(noMaterial());
     }
 
     // Sets the points of a triangle; returns the texture coordinates of its corners.
@@ -228,4 +232,28 @@ private:
 
 Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes) {
     return ObjReader(path, settings, notes).read();
+}
+
+std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
+                                             const std::vector<MaterialChange> &changes,
+                                             std::vector<std::string> &notes) {
+    std::vector<MeshMaterial> given = readMaterials(path, names.libraries, notes);
+    std::map<std::string, const MeshMaterial *> known;
+    for (const MeshMaterial &m : given) known.try_emplace(m.name, &m);
+    for (size_t i = 0; i < names.asked.size(); ++i)
+        if ((known.count(names.asked[i]) != 0) != (names.known[i] != 0))
+            throw ModelError(path + ": the material " + names.asked[i] +
+                             (names.known[i] ? " is no longer in its files" : " is new in its files") +
+                             ": solve the model again");
+    std::vector<MeshMaterial> all;
+    std::vector<bool> used(names.used.begin(), names.used.end());
+    for (size_t i = 0; i < names.all.size(); ++i) {
+        auto found = known.find(names.all[i]);
+        all.push_back(!used[i]               ? MeshMaterial{names.all[i], {}, {}}
+                      : found != known.end() ? *found->second
+                                             : noMaterial());
+    }
+    noteBlack(all, used, path, notes);
+    changeMaterials(all, used, changes);
+    return all;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace odraz {
@@ -40,7 +41,7 @@ template <class T> void put(std::string &to, const std::vector<T> &from) {
     to.append((const char *)head, sizeof head);
     if (!from.empty()) to.append((const char *)from.data(), from.size() * sizeof(T));
 }
-template <class T> bool get(const std::string &from, size_t &at, std::vector<T> &to) {
+template <class T> bool get(std::string_view from, size_t &at, std::vector<T> &to) {
     uint64_t head[2];
     if (from.size() - at < sizeof head) return false;
     std::memcpy(head, from.data() + at, sizeof head);

@@ -5,6 +5,7 @@
 #include "tools/radiosity/solution/arrays.h"
 
 #include <algorithm>
+#include <fstream>
 #include <stdexcept>
 
 namespace odraz {
@@ -34,6 +35,17 @@ Solution::Solution(const std::string &path) {
                 at == all.size() && valid(*this);
     if (!good)
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
+}
+
+uint64_t sumOfSolution(const std::string &path) {
+    std::ifstream in(path, std::ios::binary);
+    char head[sizeof kMagic - 1 + sizeof(uint64_t)];
+    if (!in) throw std::runtime_error("cannot read " + path + ": there is no such file");
+    if (!in.read(head, sizeof head) || std::memcmp(head, kMagic, sizeof kMagic - 1) != 0)
+        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    uint64_t sum;
+    std::memcpy(&sum, head + sizeof kMagic - 1, sizeof sum);
+    return sum;
 }
 
 Rgb Solution::reflectsOf(int cell) const {

@@ -66,4 +66,7 @@ private:
 // 1e18, no cell is its own descendant. Files need this besides their checksum, which a forger can compute.
 bool valid(const Solution &solution);
 
+// The checksum that a solution's file has in its head. Throws std::runtime_error if it is none.
+uint64_t sumOfSolution(const std::string &path);
+
 } // namespace odraz

@@ -39,8 +39,12 @@ SolveState SolveState::read(const std::string &path) {
     return s;
 }
 
+uint64_t sumOf(const SkyPicture &sky) {
+    return checksum((const char *)sky.pixels.data(), sky.pixels.size() * sizeof(Rgb));
+}
+
 // The checksum of a picture's file; 0 if it cannot be read.
-static uint64_t sumOfFile(const std::string &path) {
+static uint64_t sumOfPicture(const std::string &path) {
     try {
         std::string all = readWhole(path);
         return checksum(all.data(), all.size());
@@ -63,7 +67,7 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
         const MeshPicture &p = m.picture;
         if (p.path.empty()) continue;
         auto [known, fresh] = pictures.try_emplace(p.path, 0);
-        if (fresh) known->second = sumOfFile(p.path);
+        if (fresh) known->second = sumOfPicture(p.path);
         put(all, std::vector<float>{p.tint[0], p.tint[1], p.tint[2], p.scale[0], p.scale[1], p.offset[0],
                                     p.offset[1], (float)p.clamp});
         put(all, std::vector<uint64_t>{known->second});

@@ -25,4 +25,7 @@ struct SolveState {
 // A checksum of the points, triangles, materials with their pictures, and sky.
 uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky);
 
+// Of the sky alone.
+uint64_t sumOf(const SkyPicture &sky);
+
 } // namespace odraz

@@ -3,6 +3,7 @@
 
 #include "tools/radiosity/divide/pictured.h"
 #include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/solution/direct_shares.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
 namespace odraz {
@@ -29,6 +30,18 @@ struct SolveReport {
     size_t lamps = 0; // facets that emit
 };
 
+// What a solution with other materials uses besides rows: `rest` is in the form of its way.
+struct PreparedSolve {
+    DirectShares direct;
+    Regions regions; // divided charts; without chartOf
+    std::string_view rest;
+
+    // Throws std::runtime_error if it is not what SolveTask::prepare() made for so many materials.
+    PreparedSolve(std::string_view from, size_t materials);
+    // Whether it does for lamps of these materials; else direct light must be found again.
+    bool fits(const std::vector<int> &emitters) const;
+};
+
 struct SolveTask {
     const Mesh &mesh; // placed near the origin, where floats are finest
     SolveSettings settings;
@@ -40,10 +53,22 @@ struct SolveTask {
     Pictured pictured; // the reflectance of materials with pictures
     Solution solution; // either way fills its cells, texels and light
     SolveReport report;
+    const PreparedSolve *prepared = nullptr; // null: dividing and direct light are to be done
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
               const SolveProgress &progress);
+    // The same for a prepared one. Of the mesh only materials are used.
+    SolveTask(const Mesh &mesh, const PreparedSolve &prepared, const SolveSettings &settings,
+              Workers &workers, const int *stop, const SolveProgress &progress);
+
+    // Begins what SolveSettings::keepRows gets, for the way to add its own. `regions` are divided.
+    std::string prepare(const DirectShares &direct, std::span<const Chart> charts,
+                        std::span<const Facet> facets) const;
+    // Whether a solution with other materials can be prepared: pictures need polygons, final rays the scene.
+    bool preparable() const;
+    std::vector<Rgb> emitted() const;  // by each material
+    std::vector<int> emitters() const; // the materials of charts that emit, ascending
 
     void tell(SolveStep step, float done, float residual = -1) const;
     // Adds the processor time since the last lap to a step.
@@ -59,6 +84,7 @@ struct SolveTask {
     bool watched() const { return settings.watcher && (!settings.wantsLight || settings.wantsLight()); }
 
 private:
+    void takeMaterials();
     double lastLap;           // seconds of processor time
     double firstResidual = 0; // its logarithm; 0: none yet
 };

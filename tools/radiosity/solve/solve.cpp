@@ -3,6 +3,8 @@
 #include "tools/radiosity/patches/solve_by_patches.h"
 #include "tools/radiosity/rays/solve_by_rays.h"
 
+#include <stdexcept>
+
 namespace odraz {
 
 namespace {
@@ -20,11 +22,22 @@ Mesh moved(const Mesh &mesh, const Vec3d &from) {
 }
 
 // Adds an even sky to a model in which nothing emits.
-void lightUp(SolveTask &task) {
-    if (!task.settings.evenSky || shines(task.mesh) || task.settings.surroundings.shine()) return;
+bool lightUp(SolveTask &task) {
+    if (!task.settings.evenSky || shines(task.mesh) || task.settings.surroundings.shine()) return false;
     task.settings.surroundings.sky = evenSky({1, 1, 1});
     task.report.notes.emplace_back(
         "nothing in the model shines: an even sky lights it (--sky, --sun and --lamp give other light)");
+    return true;
+}
+
+Solved finish(SolveTask &task, const Vec3d &away) {
+    Solved solved;
+    for (Chart &chart : task.solution.charts) chart.corner += toFloat(away);
+    solved.solution = std::move(task.solution);
+    solved.report = std::move(task.report);
+    solved.surroundings = std::move(task.settings.surroundings);
+    solved.away = away;
+    return solved;
 }
 
 } // namespace
@@ -41,16 +54,37 @@ Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl
         task.report.notes.emplace(
             task.report.notes.begin(),
             "the model lies too far from the origin for precise coordinates: move it closer");
-    lightUp(task);
-    Solved solved;
+    bool evenSky = lightUp(task);
+    std::unique_ptr<PatchSystem> patches;
     if (settings.way == Way::kRays)
         solveByRays(task);
     else
-        solved.patches = solveByPatches(task, gl);
-    for (Chart &chart : task.solution.charts) chart.corner += toFloat(away);
-    solved.solution = std::move(task.solution);
-    solved.report = std::move(task.report);
-    solved.surroundings = std::move(task.settings.surroundings);
+        patches = solveByPatches(task, gl);
+    Solved solved = finish(task, away);
+    solved.patches = std::move(patches);
+    solved.evenSky = evenSky;
+    return solved;
+}
+
+Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
+                    const SolveSettings &settings, Workers &workers, const int *stop,
+                    const SolveProgress &progress) {
+    SolveTask task(materials, prepared, settings, workers, stop, progress);
+    bool dark = task.emitters().empty() && !settings.surroundings.shine();
+    if (dark && settings.evenSky && !evenSky)
+        throw std::runtime_error("nothing in the model shines now: solve it again, with a sky");
+    if (dark && settings.evenSky)
+        task.settings.surroundings.sky = odraz::evenSky({1, 1, 1});
+    else if (evenSky)
+        prepared.direct.outside.clear();
+    std::unique_ptr<PatchSystem> patches;
+    if (settings.way == Way::kRays)
+        solveByRays(task);
+    else
+        patches = solveByPatches(task, {});
+    Solved solved = finish(task, away);
+    solved.patches = std::move(patches);
+    solved.evenSky = evenSky;
     return solved;
 }
 

@@ -10,6 +10,8 @@ struct Solved {
     Solution solution;
     SolveReport report;
     Surroundings surroundings;            // light from outside: as given, or an even sky
+    bool evenSky = false;                 // it is an even sky that was added
+    Vec3d away = {};                      // how far from the origin it lies, if it was solved there
     std::unique_ptr<PatchSystem> patches; // the system of patches; null if solved by rays
 };
 
@@ -17,5 +19,11 @@ struct Solved {
 // with the light found so far. Throws ModelError, or std::runtime_error for other failures.
 Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl, Workers &workers,
                   const int *stop, const SolveProgress &progress);
+
+// The same with kept rows and direct light, for other materials: `materials` has those, and no polygons.
+// `evenSky` tells whether the kept light has one, `away` where the model lies.
+Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
+                    const SolveSettings &settings, Workers &workers, const int *stop,
+                    const SolveProgress &progress);
 
 } // namespace odraz

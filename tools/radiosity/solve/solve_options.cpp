@@ -2,6 +2,7 @@
 
 #include "radiosity/light_bases.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -77,7 +78,61 @@ bool SolveOptions::take(const std::string &w, Arguments &words) {
         s.analytic = words.choice(w, "analytic", "hemicube"), byPatches = w;
     else
         return false;
+    given.push_back(w);
     return true;
+}
+
+bool SolveOptions::has(const std::string &option) const {
+    return std::find(given.begin(), given.end(), option) != given.end();
+}
+
+std::string SolveOptions::tell(const std::string &w) const {
+    const SolveSettings &s = settings;
+    auto number = [&](double x) {
+        char text[40];
+        std::snprintf(text, sizeof text, "%.9g", x);
+        return x > 0 ? w + " " + text : "no " + w;
+    };
+    auto words = [&](const std::vector<std::string> &all) {
+        std::string text;
+        for (const std::string &word : all) text += (text.empty() ? "" : " ") + w + " " + word;
+        return text.empty() ? "no " + w : text;
+    };
+    auto flag = [&](bool on) { return on ? w : "no " + w; };
+    return w == "--rays"           ? number(s.rays)
+           : w == "--final"        ? number(s.finalRays)
+           : w == "--hemicube"     ? number(s.hemicube)
+           : w == "--patch"        ? number(s.patch)
+           : w == "--element"      ? number(s.element)
+           : w == "--lamp-samples" ? number(s.lampSamples)
+           : w == "--scale"        ? number(read.scale)
+           : w == "--sky"  ? words(sky.empty() ? std::vector<std::string>{} : std::vector<std::string>{sky})
+           : w == "--sun"  ? words(suns)
+           : w == "--lamp" ? words(lamps)
+           : w == "--up"   ? w + (upIsZ ? " z" : " y")
+           : w == "--two-sided" ? flag(read.twoSided)
+           : w == "--adaptive"  ? flag(s.adaptive)
+                                : w + (s.analytic ? " analytic" : " hemicube");
+}
+
+void SolveOptions::follow(const SolveOptions &kept, const std::string &file) {
+    auto refuse = [&](const std::string &had, const std::string &asked) {
+        throw Refused(file + ": its rows are of " + had + ", not of " + asked + ": solve the model again");
+    };
+    if (!byPatches.empty() && kept.settings.way == Way::kRays) refuse("rays", "hemicubes");
+    if (!byRays.empty() && kept.settings.way == Way::kPatches) refuse("hemicubes", "rays");
+    for (const std::string &w : given) {
+        bool free = w == "--reflectance" || w == "--power" || w == "--bounces" || w == "--residual" ||
+                    w == "--memory";
+        if (!free && tell(w) != kept.tell(w)) refuse(kept.tell(w), tell(w));
+    }
+    SolveOptions own = *this;
+    *this = kept;
+    read.changes = own.read.changes;
+    settings.evenSky = own.settings.evenSky;
+    if (own.has("--bounces")) settings.bounces = own.settings.bounces;
+    if (own.has("--residual")) settings.residual = own.settings.residual;
+    if (own.has("--memory")) settings.memory = own.settings.memory;
 }
 
 void SolveOptions::finish() {

@@ -16,13 +16,19 @@ public:
     bool take(const std::string &option, Arguments &words);
     // Call it after the last option: reads the sky, suns and lamps. Throws Refused.
     void finish();
+    // For kept rows, in the file of that name: takes everything from the options that they were found with,
+    // except other materials and when to stop. Throws Refused if one that was given differs.
+    void follow(const SolveOptions &kept, const std::string &file);
 
     ReadSettings read;
     SolveSettings settings;
     bool upIsZ = false;
 
 private:
-    std::string sky, byRays, byPatches; // the last option for each way
+    std::vector<std::string> given; // the names of all options
+    bool has(const std::string &option) const;
+    std::string tell(const std::string &option) const; // with its value, which it has by default, too
+    std::string sky, byRays, byPatches;                // the last option for each way
     std::vector<std::string> suns, lamps;
 };
 

@@ -1,0 +1,51 @@
+#include "tools/radiosity/patches/lamp_shares.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
+    DirectShares kept;
+    kept.emitters = task.emitters();
+    kept.seen = !task.settings.analytic;
+    if (kept.seen) return kept;
+    Model &m = *p.model;
+    auto texels = (size_t)m.texelCount;
+    std::vector<int> materialOf;
+    for (const Glow &g : p.glows)
+        materialOf.push_back(task.regions.material[(size_t)m.facets[g.facet].chart]);
+    std::vector<float> planes[3];
+    float *to[3];
+    // Three materials at a time, as red, green and blue
+    for (size_t first = 0; first < kept.emitters.size(); first += 3) {
+        size_t end = std::min(first + 3, kept.emitters.size());
+        std::vector<Glow> glows;
+        for (size_t i = 0; i < p.glows.size(); ++i)
+            for (size_t k = first; k < end; ++k) {
+                if (kept.emitters[k] != materialOf[i]) continue;
+                glows.push_back(p.glows[i]);
+                glows.back().radiance = {k == first ? 1.f : 0.f, k == first + 1 ? 1.f : 0.f,
+                                         k == first + 2 ? 1.f : 0.f};
+            }
+        LightBases bases = {};
+        bases.skyCount = 3, bases.glows = glows.data(), bases.glowCount = (int)glows.size();
+        for (int k = 0; k < 3; ++k) planes[k].assign(texels + 8, 0), to[k] = planes[k].data();
+        for (int t = 0; t < m.texelCount; ++t) m.fresh[t] = t;
+        m.freshCount = m.texelCount;
+        findDirectLight(m, *p.scene, bases, task.workers, to, {});
+        m.freshCount = 0;
+        for (size_t k = first; k < end; ++k)
+            kept.shares.emplace_back(planes[k - first].begin(), planes[k - first].begin() + m.texelCount);
+    }
+    return kept;
+}
+
+void addOutside(DirectShares &kept, const SolveTask &task, const PatchSystem &p) {
+    if (!task.settings.surroundings.shine()) return;
+    kept.outside = kept.light(task.emitted(), (size_t)p.model->texelCount);
+    float *const *direct = p.radiosity.direct;
+    for (size_t t = 0; t < kept.outside.size(); ++t)
+        kept.outside[t] = Rgb{direct[0][t], direct[1][t], direct[2][t]} - kept.outside[t];
+}
+
+} // namespace odraz

@@ -1,0 +1,51 @@
+// The grid as arrays of a file.
+#include "tools/radiosity/rays/light_grid.h"
+#include "tools/radiosity/solution/arrays.h"
+#include "tools/radiosity/solution/solve_task.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+void LightGrid::save(std::string &to) const {
+    put(to, cells), put(to, texels), put(to, siteOf), put(to, sites), put(to, places), put(to, tied),
+        put(to, ring);
+}
+
+LightGrid::LightGrid(Regions &regions, std::string_view from, size_t &at) : charts(regions.charts) {
+    if (!get(from, at, cells) || !get(from, at, texels) || !get(from, at, siteOf) || !get(from, at, sites) ||
+        !get(from, at, places) || !get(from, at, tied) || !get(from, at, ring) || !fits(regions))
+        refuseResumed();
+}
+
+// Whether every index lies within its list: a checksum does not help against forgers.
+bool LightGrid::fits(const Regions &regions) const {
+    Solution geometry;
+    geometry.charts = charts, geometry.facets = regions.facets, geometry.cells = cells,
+    geometry.texels = texels;
+    geometry.light.resize(texels.size());
+    geometry.reflects.resize(charts.size()), geometry.emits.resize(charts.size());
+    auto texelOf = [&](int chart, int t) {
+        const Chart &c = charts[(size_t)chart];
+        return t >= c.firstTexel && t < c.firstTexel + c.texels();
+    };
+    auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
+    return valid(geometry) && siteOf.size() == texels.size() && ring.size() == texels.size() &&
+           all(charts,
+               [&](const Chart &c) {
+                   return c.firstTexel >= 0 && (size_t)c.firstTexel + (size_t)c.texels() <= texels.size();
+               }) &&
+           all(siteOf, [&](uint32_t s) { return s == kNone || s < sites.size(); }) &&
+           all(sites,
+               [&](const Site &s) {
+                   return s.places >= 1 && s.places <= 16 &&
+                          (size_t)s.firstPlace + s.places <= places.size() && s.chart >= 0 &&
+                          (size_t)s.chart < charts.size();
+               }) &&
+           all(places, [&](const Place &p) { return p.texel >= 0 && (size_t)p.texel < texels.size(); }) &&
+           all(tied, [&](int t) {
+               return t >= 0 && (size_t)t < texels.size() && texelOf(texels[(size_t)t].chart, t);
+           });
+}
+
+} // namespace odraz

@@ -1,0 +1,43 @@
+#include "tools/radiosity/solution/direct_shares.h"
+
+#include "tools/radiosity/solution/arrays.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+std::vector<Rgb> DirectShares::light(const std::vector<Rgb> &emits, size_t texels) const {
+    std::vector<Rgb> all = outside;
+    all.resize(texels);
+    for (size_t i = 0; i < shares.size(); ++i) {
+        const Rgb &e = emits[(size_t)emitters[i]];
+        if (!(maxComponent(e) > 0)) continue;
+        for (size_t t = 0; t < texels; ++t) all[t] += e * shares[i][t];
+    }
+    return all;
+}
+
+void DirectShares::save(std::string &to) const {
+    put(to, std::vector<uint8_t>{seen}), put(to, emitters);
+    for (const std::vector<float> &share : shares) put(to, share);
+    put(to, outside);
+}
+
+bool DirectShares::restore(std::string_view from, size_t &at, size_t materials) {
+    std::vector<uint8_t> flag;
+    if (!get(from, at, flag) || flag.size() != 1 || !get(from, at, emitters)) return false;
+    seen = flag[0] != 0;
+    for (size_t i = 0; i < emitters.size(); ++i)
+        if (emitters[i] < 0 || (size_t)emitters[i] >= materials) return false;
+    shares.resize(seen ? 0 : emitters.size());
+    for (std::vector<float> &share : shares)
+        if (!get(from, at, share)) return false;
+    return get(from, at, outside);
+}
+
+bool DirectShares::fits(size_t texels) const {
+    return (outside.empty() || outside.size() == texels) &&
+           std::all_of(shares.begin(), shares.end(), [&](const auto &s) { return s.size() == texels; });
+}
+
+} // namespace odraz
