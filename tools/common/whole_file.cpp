@@ -5,6 +5,7 @@
 #include "files.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,17 +18,24 @@ static std::string cannot(const char *what, const std::string &path) {
     return std::string("cannot ") + what + " " + path + ": " + std::strerror(errno);
 }
 
-std::string readWhole(const std::string &path) {
+WholeFile readWholeFile(const std::string &path) {
     // Only regular files: a device or a pipe may never end
     struct stat s;
     if (stat(path.c_str(), &s) == 0) {
         if (!S_ISREG(s.st_mode)) throw Refused("cannot read " + path + ": it is not a regular file");
         if (s.st_size > kMostBytes) throw Refused("cannot read " + path + ": it has more than 4 GB");
     }
-    std::vector<uint8_t> bytes;
-    if (!pack::readFile(path.c_str(), bytes)) throw Refused(cannot("read", path));
-    return {bytes.begin(), bytes.end()};
+    std::unique_ptr<std::FILE, int (*)(std::FILE *)> f(std::fopen(path.c_str(), "rb"), std::fclose);
+    if (!f || fstat(fileno(f.get()), &s) != 0) throw Refused(cannot("read", path));
+    std::setvbuf(f.get(), nullptr, _IONBF, 0);
+    auto size = (size_t)s.st_size;
+    WholeFile file = {std::make_unique_for_overwrite<char[]>(size), 0};
+    file.size = std::fread(file.bytes.get(), 1, size, f.get());
+    if (std::ferror(f.get())) throw Refused(cannot("read", path));
+    return file;
 }
+
+std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
 void checkWritable(const std::string &path) {
     size_t slash = path.rfind('/');
