@@ -13,27 +13,32 @@ namespace {
 
 constexpr int kMissing = -1; // as a row's count: the row is unknown
 
-// Loads the rows that were saved. Throws std::runtime_error.
+// Loads the rows that were saved; links are used where they lie, if they can. Throws std::runtime_error.
 void restore(SolveTask &task, PatchSystem &p) {
-    std::string_view &resumed = task.settings.resumed;
+    std::string_view resumed = task.settings.resumed;
+    task.settings.resumed = {};
     auto count = (size_t)p.model->patchCount;
     size_t at = 0, used = 0;
     std::vector<int32_t> counts;
-    std::vector<Link> links;
-    bool good =
-        get(resumed, at, counts) && get(resumed, at, links) && at == resumed.size() && counts.size() == count;
+    std::vector<Link> copied;
+    std::span<const Link> links;
+    bool good = get(resumed, at, counts) && counts.size() == count;
+    if (good && !getWhereItLies(resumed, at, links)) {
+        good = get(resumed, at, copied);
+        Link *to = takeOrRefuse<Link>(p.arena, copied.size());
+        std::copy(copied.begin(), copied.end(), to);
+        links = {to, copied.size()};
+    }
     for (size_t i = 0; good && i < count; ++i) {
         good = counts[i] >= kMissing && counts[i] <= p.model->patchCount;
         used += (size_t)std::max(counts[i], 0);
     }
-    good = good && used == links.size() &&
-           std::all_of(links.begin(), links.end(), [&](const Link &l) { return l.patch < count; });
-    if (!good) refuseResumed();
-    resumed = {};
+    uint32_t largest = 0;
+    for (const Link &l : links) largest = std::max(largest, l.patch);
+    if (!good || at != resumed.size() || used != links.size() || largest >= count) refuseResumed();
     FormFactors &f = p.radiosity.factors;
     f.rows = takeOrRefuse<Row>(p.arena, count);
-    Link *next = takeOrRefuse<Link>(p.arena, links.size());
-    std::copy(links.begin(), links.end(), next);
+    const Link *next = links.data();
     for (size_t i = 0; i < count; ++i)
         if (counts[i] != kMissing) {
             f.rows[i] = {next, counts[i], true};

@@ -10,6 +10,7 @@ namespace odraz {
 // A k-d tree: the node of a range is its middle item.
 class NearSites {
 public:
+    NearSites() = default; // without sites
     explicit NearSites(const LightGrid &grid);
 
     Vec3 at(uint32_t site) const { return middles[site]; }

@@ -38,8 +38,9 @@ Rgb narrow(__m128 v) {
 } // namespace
 
 RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
-                     const Surroundings &around)
-    : near(grid), regions(regions), grid(grid), tree(tree), around(around) {
+                     const Surroundings &around, Sharing given)
+    : shared(std::move(given)), near(shared.firstOf.empty() ? NearSites(grid) : NearSites()),
+      regions(regions), grid(grid), tree(tree), around(around) {
     size_t sites = grid.sites.size();
     firstOf.resize(sites + 1), found.resize(sites);
     arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
@@ -79,7 +80,9 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
     // It was another sky's if there is none now
     if (!around.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
-    return std::all_of(rows.begin(), rows.end(), [&](uint32_t k) { return k < count || k == kDark; });
+    bool good = true;
+    for (uint32_t k : rows) good &= (k < count) | (k == kDark);
+    return good;
 }
 
 // Calls met(i, place, direction, hit) for every ray of a site.
@@ -199,10 +202,18 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
                 for (size_t i = first + (size_t)from; i < first + (size_t)to; ++i) {
                     const uint32_t *row = &rows[firstOf[i]];
                     size_t rays = this->rays(i);
-                    __m128 sum = _mm_setzero_ps();
-                    for (size_t k = 0; k < rays; ++k)
-                        sum = _mm_add_ps(sum, shines[std::min((size_t)row[k], count)].v);
-                    arrives[i] = source[i] + narrow(sum) * (1 / (float)rays);
+                    // Four sums, so that additions need not wait for each other
+                    __m128 sums[4] = {};
+                    auto add = [&](__m128 &sum, uint32_t from) {
+                        sum = _mm_add_ps(sum, shines[std::min((size_t)from, count)].v);
+                    };
+                    size_t k = 0;
+                    for (; k + 4 <= rays; k += 4)
+                        add(sums[0], row[k]), add(sums[1], row[k + 1]), add(sums[2], row[k + 2]),
+                            add(sums[3], row[k + 3]);
+                    for (; k < rays; ++k) add(sums[0], row[k]);
+                    Rgb sum = narrow(_mm_add_ps(_mm_add_ps(sums[0], sums[1]), _mm_add_ps(sums[2], sums[3])));
+                    arrives[i] = source[i] + sum * (1 / (float)rays);
                     Rgb b = reflects[i] * (direct[i] + arrives[i]);
                     Rgb d = b - narrow(shines[i].v);
                     changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});

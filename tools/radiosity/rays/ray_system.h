@@ -27,7 +27,16 @@ public:
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
     static constexpr double kAllRays = 24e6;
 
-    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
+    // Which sites share their light with each texel, and how much: kept for other solutions.
+    struct Sharing {
+        std::vector<uint32_t> firstOf; // start of each texel's part, and the end of the last
+        std::vector<uint32_t> sites;
+        std::vector<float> weights;
+    };
+
+    // With `shared`, which is kept from another solution, the system finds no neighbours of its own.
+    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
+              Sharing shared = {});
 
     // Sets the number of rays of each site. A site whose number stays keeps its row; others repeat their old
     // row until the new one is found. Returns the number of rows to find.
@@ -54,6 +63,7 @@ public:
     // What arrives at all visible texels, without direct light: the light of sites, shared between neighbours
     // where that changes it by less than `share`.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
+    Sharing sharing(float share, Workers &workers) const;
 
     // The rows found so far, as arrays of a file; false if they do not fit the grid.
     void save(std::string &to) const;
@@ -74,6 +84,7 @@ public:
     std::vector<uint16_t> behind;
 
 private:
+    Sharing shared;
     NearSites near;
     const Regions &regions;
     const LightGrid &grid;

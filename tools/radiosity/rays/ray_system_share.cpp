@@ -78,12 +78,39 @@ std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
             if (own == LightGrid::kNone) continue;
             Rgb sum = {};
             float weights = 0;
-            neighbours(own, grid.at(grid.texels[(size_t)t]), share, near,
-                       [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
+            auto add = [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; };
+            if (shared.firstOf.empty())
+                neighbours(own, grid.at(grid.texels[(size_t)t]), share, near, add);
+            else
+                for (uint32_t k = shared.firstOf[(size_t)t]; k < shared.firstOf[(size_t)t + 1]; ++k)
+                    add(shared.sites[k], shared.weights[k]);
             light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[own];
         }
     });
     return light;
+}
+
+RaySystem::Sharing RaySystem::sharing(float share, Workers &workers) const {
+    size_t count = grid.texels.size();
+    Sharing all;
+    all.firstOf.resize(count + 1);
+    auto visit = [&](size_t t, auto &&found) {
+        if (uint32_t own = grid.siteOf[t]; own != LightGrid::kNone)
+            neighbours(own, grid.at(grid.texels[t]), share, near, found);
+    };
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto t = (size_t)first; t < (size_t)end; ++t)
+            visit(t, [&](uint32_t, float) { ++all.firstOf[t + 1]; });
+    });
+    for (size_t t = 0; t < count; ++t) all.firstOf[t + 1] += all.firstOf[t];
+    all.sites.resize(all.firstOf[count]), all.weights.resize(all.firstOf[count]);
+    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
+        for (auto t = (size_t)first; t < (size_t)end; ++t) {
+            uint32_t at = all.firstOf[t];
+            visit(t, [&](uint32_t i, float w) { all.sites[at] = i, all.weights[at++] = w; });
+        }
+    });
+    return all;
 }
 
 } // namespace odraz

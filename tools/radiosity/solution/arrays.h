@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,6 +51,20 @@ template <class T> bool get(std::string_view from, size_t &at, std::vector<T> &t
     to.resize(head[0]);
     if (head[0]) std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
     at += head[0] * sizeof(T);
+    return true;
+}
+
+// An array where it lies, if it lies as its items need it.
+template <class T> bool getWhereItLies(std::string_view from, size_t &at, std::span<const T> &to) {
+    uint64_t head[2];
+    if (from.size() - at < sizeof head) return false;
+    std::memcpy(head, from.data() + at, sizeof head);
+    const char *first = from.data() + at + sizeof head;
+    if (head[1] != sizeof(T) || head[0] > (from.size() - at - sizeof head) / sizeof(T) ||
+        (uintptr_t)first % alignof(T))
+        return false;
+    to = {(const T *)first, head[0]};
+    at += sizeof head + head[0] * sizeof(T);
     return true;
 }
 

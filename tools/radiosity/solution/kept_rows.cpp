@@ -10,6 +10,22 @@ namespace {
 
 constexpr char kMagic[] = "odraz radiosity rows 1\n";
 
+// Four checksums of a word in four: the file is large, and one would wait for its own multiplications.
+uint64_t sumOfLanes(std::string_view all) {
+    constexpr size_t kLanes = 4, kStep = kLanes * sizeof(uint64_t);
+    uint64_t sum[kLanes] = {1, 2, 3, 4}, word[kLanes];
+    size_t at = 0;
+    for (; at + kStep <= all.size(); at += kStep) {
+        std::memcpy(word, all.data() + at, kStep);
+        for (size_t k = 0; k < kLanes; ++k) {
+            sum[k] = (sum[k] ^ word[k]) * 0x100000001b3u;
+            sum[k] ^= sum[k] >> 29;
+        }
+    }
+    uint64_t parts[2] = {checksum((const char *)sum, sizeof sum), checksum(all.data() + at, all.size() - at)};
+    return checksum((const char *)parts, sizeof parts);
+}
+
 void put(std::string &to, const std::vector<std::string> &words) {
     odraz::put(to, std::vector<uint64_t>{words.size()});
     for (const std::string &word : words) odraz::put(to, std::vector<char>(word.begin(), word.end()));
@@ -43,27 +59,42 @@ bool getBytes(std::string_view from, size_t &at, std::string_view &bytes) {
 
 } // namespace
 
+// A file is the line that names its kind, the checksum of the rest, and the rest.
+constexpr size_t kLine = sizeof kMagic - 1, kHead = kLine + sizeof(uint64_t);
+
 void KeptRows::save(const std::string &path) const {
-    std::string body;
-    body.reserve(rows.size() + prepared.size() + 4096);
-    odraz::put(body, std::vector<uint64_t>{model, sky, solution, evenSky});
-    odraz::put(body, away);
-    put(body, words), put(body, names.libraries), put(body, names.asked), put(body, names.all);
-    odraz::put(body, names.known), odraz::put(body, names.used);
-    putBytes(body, rows), putBytes(body, prepared);
-    writeWhole(path, withChecksum(kMagic, body));
+    std::string all(kMagic);
+    all.reserve(rows.size() + prepared.size() + 65536);
+    all.resize(kHead);
+    odraz::put(all, std::vector<uint64_t>{model, sky, solution, evenSky});
+    odraz::put(all, away);
+    put(all, words), put(all, names.libraries), put(all, names.asked), put(all, names.all);
+    odraz::put(all, names.known), odraz::put(all, names.used);
+    putBytes(all, prepared);
+    // Rows are used where they lie: place them as their items need it
+    odraz::put(all, std::vector<char>(8 - all.size() % 8));
+    putBytes(all, rows);
+    uint64_t sum = sumOfLanes(std::string_view(all).substr(kHead));
+    std::memcpy(&all[kLine], &sum, sizeof sum);
+    writeWhole(path, all);
 }
 
-KeptRows::KeptRows(const std::string &path) : file(readWhole(path)) {
-    size_t at = bodyOf(file, kMagic);
-    if (!at) throw Refused(path + ": holds no rows of 'radiosity solve --keep-rows'");
+KeptRows::KeptRows(const std::string &path) : file(readWholeFile(path)) {
+    std::string_view all = file.view();
+    if (all.size() < kHead || all.substr(0, kLine) != kMagic)
+        throw Refused(path + ": holds no rows of 'radiosity solve --keep-rows'");
+    uint64_t sum;
+    std::memcpy(&sum, &all[kLine], sizeof sum);
+    size_t at = kHead;
     std::vector<uint64_t> head;
-    bool good = at != std::string::npos && odraz::get(file, at, head) && head.size() == 4 &&
-                odraz::get(file, at, away) && away.size() == 3 && get(file, at, words) &&
-                get(file, at, names.libraries) && get(file, at, names.asked) && get(file, at, names.all) &&
-                odraz::get(file, at, names.known) && odraz::get(file, at, names.used) &&
+    std::vector<char> padding;
+    bool good = sum == sumOfLanes(all.substr(kHead)) && odraz::get(all, at, head) && head.size() == 4 &&
+                odraz::get(all, at, away) && away.size() == 3 && get(all, at, words) &&
+                get(all, at, names.libraries) && get(all, at, names.asked) && get(all, at, names.all) &&
+                odraz::get(all, at, names.known) && odraz::get(all, at, names.used) &&
                 names.known.size() == names.asked.size() && names.used.size() == names.all.size() &&
-                getBytes(file, at, rows) && getBytes(file, at, prepared) && at == file.size();
+                getBytes(all, at, prepared) && odraz::get(all, at, padding) && getBytes(all, at, rows) &&
+                at == all.size();
     if (!good) throw Refused(path + ": is damaged, or from another version: solve with --keep-rows again");
     model = head[0], sky = head[1], solution = head[2], evenSky = head[3] != 0;
 }

@@ -3,6 +3,7 @@
 // that does not depend on materials: the divided model, and direct light by lamps of radiance 1.
 #pragma once
 
+#include "tools/common/whole_file.h"
 #include "tools/radiosity/read/mesh.h"
 
 #include <cstdint>
@@ -35,7 +36,7 @@ struct KeptRows {
     KeptRows(const KeptRows &) = delete;
 
 private:
-    std::string file; // rows and prepared lie in it
+    WholeFile file; // rows and prepared lie in it
 };
 
 // The checksum of a file. Throws Refused.

@@ -64,7 +64,7 @@ struct SolveSettings {
     // Saves the rows found so far (solve_state.h), every `keepEvery` seconds and after a stop
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60;
-    std::string_view resumed; // saved rows to continue from; empty: none
+    std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none
     // Receives the rows of a whole solution for others with other materials, and what else these may use
     // (PreparedSolve); null: nobody wants them
     std::function<void(std::string rows, std::string prepared)> keepRows;

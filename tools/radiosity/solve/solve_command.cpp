@@ -1,14 +1,11 @@
 #include "tools/radiosity/solve/solve_command.h"
 
 #include "tools/common/machine.h"
-#include "tools/common/whole_file.h"
-#include "tools/radiosity/patches/lamps.h"
-#include "tools/radiosity/solution/kept_rows.h"
 #include "tools/radiosity/solution/memory.h"
-#include "tools/radiosity/solution/solve_state.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve.h"
-#include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/solve/solve_job.h"
+#include "tools/radiosity/solve/solve_report.h"
 
 #include <csignal>
 #include <cstdio>
@@ -16,73 +13,6 @@
 namespace odraz {
 
 namespace {
-
-struct Job {
-    std::string model, out;
-    std::string relight;   // a solution whose rows are used
-    double keepEvery = 60; // seconds
-    bool keepRows = false;
-    bool progress = false; // in lines, where stderr is no terminal
-    SolveOptions options;
-};
-
-std::string rowsFile(const std::string &solution) { return solution + ".rows"; }
-
-Job readJob(Arguments &words) {
-    Job job;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "-o")
-            job.out = words.value(w);
-        else if (w == "--progress")
-            job.progress = true;
-        else if (w == "--keep-every")
-            job.keepEvery = words.number(w, 0.01, 1e9);
-        else if (w == "--keep-rows")
-            job.keepRows = true;
-        else if (w == "--relight")
-            job.relight = words.value(w);
-        else if (job.options.take(w, words))
-            continue;
-        else if (word[0] != '-' && job.model.empty())
-            job.model = w;
-        else
-            words.refuse(w);
-    }
-    if (job.model.empty()) throw Refused("name a model: radiosity solve MODEL.obj -o OUT");
-    if (job.out.empty()) throw Refused("name a file for the solution with -o OUT");
-    job.options.finish();
-    return job;
-}
-
-Job readJob(std::vector<std::string> words) {
-    std::vector<char *> pointers = {nullptr};
-    for (std::string &word : words) pointers.push_back(word.data());
-    Arguments given((int)pointers.size(), pointers.data(), "radiosity --help");
-    return readJob(given);
-}
-
-// Finds the rows that a job uses, and takes its options from theirs. Throws Refused if they do not belong to
-// its model or solution.
-std::unique_ptr<KeptRows> findRows(Job &job) {
-    if (job.keepRows)
-        throw Refused("--keep-rows and --relight do not go together: the rows are kept already");
-    if (job.out == job.relight)
-        throw Refused("-o names the solution whose rows are used: give the new one another name");
-    std::string file = rowsFile(job.relight);
-    uint64_t solution = sumOfSolution(job.relight);
-    auto kept = std::make_unique<KeptRows>(file);
-    if (kept->solution != solution)
-        throw Refused(file + ": belongs to another solution than " + job.relight +
-                      " is now: solve with --keep-rows again");
-    if (kept->model != sumOfFile(job.model))
-        throw Refused(file + ": belongs to another model than " + job.model + " is now: solve it again");
-    job.options.follow(readJob(kept->words).options, file);
-    if (kept->sky != sumOf(job.options.settings.surroundings.sky))
-        throw Refused(file +
-                      ": belongs to another picture of the sky than there is now: solve the model again");
-    return kept;
-}
 
 int stop = 0; // becomes 1 with Ctrl-C
 
@@ -97,47 +27,6 @@ void tell(const std::vector<std::string> &notes) {
     for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
 }
 
-void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings) {
-    const SolveReport &r = solved.report;
-    bool byRays = !solved.patches;
-    auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
-    std::printf("%zu triangles, %zu polygons in one plane each; ", mesh.triangles.size(),
-                solved.solution.charts.size());
-    size_t elements = solved.solution.elements();
-    if (byRays)
-        std::printf("%zu elements, %d sites with %zu rays\n", elements, r.sites, r.raysFromSite);
-    else
-        std::printf("%d patches, %zu elements\n", r.patches, elements);
-    std::printf("processor seconds: dividing %.2f, form factors %.2f", seconds(SolveStep::kDividing),
-                seconds(SolveStep::kFormFactors));
-    if (!byRays) std::printf(" (%d hemicubes)", r.rows);
-    std::printf(", direct light %.2f, solving %.2f\n", seconds(SolveStep::kDirectLight),
-                seconds(SolveStep::kSolving));
-    if (r.lamps > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", r.lamps);
-    if (!r.whole)
-        std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
-    else if (settings.bounces >= 0)
-        std::printf("%d bounces\n", r.sweeps);
-    else
-        std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
-}
-
-void printRelit(const Solved &solved) {
-    const SolveReport &r = solved.report;
-    auto seconds = [&](SolveStep step) { return r.seconds[(int)step]; };
-    if (solved.patches)
-        std::printf("kept rows of %d patches\n", r.patches);
-    else
-        std::printf("kept rows of %d sites with %zu rays\n", r.sites, r.raysFromSite);
-    std::printf("processor seconds: reading %.2f, solving %.2f\n",
-                seconds(SolveStep::kDividing) + seconds(SolveStep::kFormFactors),
-                seconds(SolveStep::kDirectLight) + seconds(SolveStep::kSolving));
-    if (!r.whole)
-        std::printf("stopped: the light is that of %d sweeps\n", r.sweeps);
-    else
-        std::printf("%d sweeps, residual %.1e\n", r.sweeps, (double)r.residual);
-}
-
 // Whether the even sky, which is added if nothing else emits, cannot get in: the model is closed and its
 // fronts face inwards.
 bool staysDark(const Solution &b) {
@@ -148,28 +37,10 @@ bool staysDark(const Solution &b) {
     return light < 0.01 * (double)b.light.size();
 }
 
-// Takes the words of a new command, or of one that is resumed.
-Job beginJob(Arguments &words, SolveState &state, std::string &resumed) {
-    while (const char *word = words.next()) {
-        if (std::string(word) != "--resume") {
-            state.words.push_back(word);
-            continue;
-        }
-        resumed = words.value(word);
-        if (!state.words.empty() || words.next())
-            throw Refused("--resume takes no other option: it continues with the original ones");
-        state = SolveState::read(resumed);
-        break;
-    }
-    Job job = readJob(state.words);
-    checkWritable(job.out);
-    return job;
-}
-
 // Solves a job; if an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
-    SolveCommand(Job job, SolveState state) : job(std::move(job)), state(std::move(state)) {}
+    SolveCommand(SolveJob job, SolveState state) : job(std::move(job)), state(std::move(state)) {}
 
     void run(const std::string &resumed) {
         if (!job.relight.empty()) return relight();
@@ -195,7 +66,7 @@ public:
     }
 
 private:
-    Job job;
+    SolveJob job;
     SolveState state;
     Mesh mesh;
     uint64_t modelSum = 0;
@@ -274,7 +145,7 @@ private:
         begin();
         Solved solved = solve();
         solved.solution.save(job.out);
-        prepared ? printRelit(solved) : printReport(mesh, solved, settings);
+        prepared ? printRelit(solved, settings) : printReport(mesh, solved, settings);
     }
 
     // Whether kept direct light fits the materials: then only these are read.
@@ -326,7 +197,7 @@ private:
 int runSolve(Arguments &words) {
     SolveState state;
     std::string resumed;
-    Job job = beginJob(words, state, resumed);
+    SolveJob job = beginJob(words, state, resumed);
     SolveCommand(std::move(job), std::move(state)).run(resumed);
     return 0;
 }

@@ -1,0 +1,32 @@
+// What `radiosity solve` was asked to do.
+#pragma once
+
+#include "tools/radiosity/solution/kept_rows.h"
+#include "tools/radiosity/solution/solve_state.h"
+#include "tools/radiosity/solve/solve_options.h"
+
+#include <memory>
+
+namespace odraz {
+
+struct SolveJob {
+    std::string model, out;
+    std::string relight;   // a solution whose rows are used
+    double keepEvery = 60; // seconds
+    bool keepRows = false;
+    bool progress = false; // in lines, where stderr is no terminal
+    SolveOptions options;
+};
+
+// The file of a solution's rows.
+inline std::string rowsFile(const std::string &solution) { return solution + ".rows"; }
+
+// Takes the words of a new command, or of one that is resumed: then `resumed` names its state. Throws
+// Refused.
+SolveJob beginJob(Arguments &words, SolveState &state, std::string &resumed);
+
+// Finds the rows that a job uses, and takes its options from theirs. Throws Refused, or std::runtime_error,
+// if they do not belong to its model or solution.
+std::unique_ptr<KeptRows> findRows(SolveJob &job);
+
+} // namespace odraz

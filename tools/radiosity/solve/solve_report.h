@@ -1,0 +1,12 @@
+// What `radiosity solve` tells in the end.
+#pragma once
+
+#include "tools/radiosity/solve/solve.h"
+
+namespace odraz {
+
+void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings);
+// The same for kept rows, without what takes time to count.
+void printRelit(const Solved &solved, const SolveSettings &settings);
+
+} // namespace odraz
