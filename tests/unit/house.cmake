@@ -28,6 +28,7 @@ if(TARGET solving)
     odraz_test(tools/radiosity surroundings_test 2 solving)
     odraz_test(tools/radiosity ray_tree_test 2 solving)
     odraz_test(tools/radiosity materials_test 1 solving)
+    odraz_test(tools/radiosity relight_test 5 solving)
     odraz_test(transfer transfer_test 5 measuring)
 endif()
 # Clustered PCA is compared with Eigen's eigenvalues. Eigen is compiled once, with little optimisation and without

@@ -51,6 +51,7 @@ values() { # values OPTION: sets good to what it may be given
     radiosity--power) good=(2 1,2,3 l=0 l=1e13 none=1 1,2 =) ;;
     radiosity--rays | radiosity--final) good=(8 32 64 7 32769) ;;
     radiosity--keep-every) good=(1 0.01 60 0) ;;
+    radiosity--relight) good=(m.rad m.rad m.rad m.obj file none fifo .) ;;
     radiosity--resume) good=(file none m.obj fifo .) ;;
     radiosity--atlas) good=(atlas none/x file .) ;;
     radiosity--map) good=(light radiosity light both) ;;
@@ -112,7 +113,7 @@ pack)
 radiosity)
     printf 'newmtl l\nKe 5 5 5\n' >"$WORK/given/m.mtl"
     printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >"$WORK/given/m.obj"
-    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 >/dev/null ;;
+    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 --keep-rows >/dev/null ;;
 esac
 given=$(ls "$WORK/given")
 

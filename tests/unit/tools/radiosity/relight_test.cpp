@@ -1,0 +1,174 @@
+// Kept rows: what they give equals a fresh solution, and damaged ones, even with the right checksum, do no
+// harm.
+#include "tests/support/headless_gl.h"
+#include "tools/common/machine.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/generate/generate.h"
+#include "tools/radiosity/solution/kept_rows.h"
+#include "tools/radiosity/solve/solve.h"
+
+#include <cmath>
+#include <random>
+
+using namespace odraz;
+
+namespace {
+
+Workers &workers() {
+    static Workers all = allProcessors();
+    return all;
+}
+
+class Relight : public testing::TestWithParam<bool> {
+protected:
+    TemporaryFolder folder;
+    Mesh mesh;
+    SolveSettings settings;
+    std::string rows, prepared;
+    bool evenSky = false;
+
+    // Keeps the rows of a small room.
+    void keep() {
+        std::vector<std::string> notes;
+        writeWhole(folder / "m.obj", "mtllib m.mtl\n" + generateObj("cube", 0));
+        writeWhole(folder / "m.mtl", generateMtl());
+        mesh = readObj(folder / "m.obj", {}, notes);
+        settings.element = 9, settings.rays = 16, settings.hemicube = 8, settings.patch = 36;
+        if (GetParam()) settings.way = Way::kPatches;
+        settings.keepRows = [this](std::string r, std::string p) {
+            rows = std::move(r), prepared = std::move(p);
+        };
+        evenSky = solveModel(mesh, settings, headlessGl(), workers(), &kNever, {}).evenSky;
+        settings.keepRows = nullptr;
+    }
+    // The same materials without polygons, changed.
+    Mesh changed(const std::vector<std::pair<std::string, std::string>> &options) const {
+        Mesh to = mesh;
+        to.triangles.clear(), to.points.clear();
+        std::vector<MaterialChange> changes;
+        for (const auto &[option, text] : options) changes.push_back(readMaterialChange(option, text));
+        changeMaterials(to.materials, std::vector<bool>(to.materials.size(), true), changes);
+        return to;
+    }
+    Solution relit(const Mesh &materials, std::string_view rowsNow, std::string_view preparedNow) {
+        settings.resumed = rowsNow;
+        PreparedSolve ready(preparedNow, materials.materials.size());
+        return relightModel(materials, ready, evenSky, {}, settings, workers(), &kNever, {}).solution;
+    }
+};
+
+// The largest difference of two lights, as a share of the largest light.
+double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
+    EXPECT_EQ(a.size(), b.size());
+    double off = 0, most = 0;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+        for (auto channel : {&Rgb::x, &Rgb::y, &Rgb::z}) {
+            off = std::max(off, std::fabs((double)(a[i].*channel) - (double)(b[i].*channel)));
+            most = std::max(most, (double)(a[i].*channel));
+        }
+    return off / most;
+}
+
+} // namespace
+
+TEST_P(Relight, EqualsAFreshSolution) {
+    keep();
+    Mesh materials = changed({{"--power", "lamp=1,30,7"}, {"--reflectance", "white=0.2,0.9,1"}});
+    Solution kept = relit(materials, rows, prepared);
+    Mesh whole = mesh;
+    whole.materials = materials.materials;
+    settings.resumed = {};
+    Solution fresh = solveModel(whole, settings, headlessGl(), workers(), &kNever, {}).solution;
+    EXPECT_LT(difference(fresh.light, kept.light), 1e-6);
+    EXPECT_EQ(fresh.texels.size(), kept.texels.size());
+    EXPECT_EQ(fresh.charts.size(), kept.charts.size());
+    for (size_t i = 0; i < fresh.charts.size(); ++i) {
+        EXPECT_EQ(fresh.emits[i].y, kept.emits[i].y);
+        EXPECT_EQ(fresh.reflects[i].y, kept.reflects[i].y);
+    }
+}
+
+TEST_P(Relight, NeedsDirectLightOfTheLampsThatShine) {
+    keep();
+    PreparedSolve ready(prepared, mesh.materials.size());
+    std::vector<int> lamps = ready.direct.emitters;
+    ASSERT_EQ(lamps.size(), 1u);
+    EXPECT_TRUE(ready.fits(lamps));
+    EXPECT_TRUE(ready.fits({}));
+    EXPECT_FALSE(ready.fits({lamps[0] == 0 ? 1 : 0}));
+    EXPECT_THROW(PreparedSolve(prepared, (size_t)lamps[0]), std::runtime_error);
+    EXPECT_THROW(PreparedSolve(std::string_view(prepared).substr(0, 40), 9), std::runtime_error);
+}
+
+// Bytes are changed behind the checksum, as a forger would: it is refused, or solved without harm. The
+// sanitizers watch.
+TEST_P(Relight, SurvivesForgedRows) {
+    keep();
+    settings.bounces = 1;
+    Mesh materials = changed({{"--power", "lamp=2"}});
+    std::mt19937 random(1);
+    int refused = 0, solved = 0;
+    for (int i = 0; i < 400; ++i) {
+        std::string r = rows, p = prepared;
+        std::string &to = i % 2 ? r : p;
+        size_t at = i % 4 < 2 ? random() % to.size() : random() % std::min(to.size(), (size_t)4000);
+        switch (random() % 3) {
+        case 0:
+            to[at] = (char)(to[at] ^ (1 << random() % 8));
+            break;
+        case 1:
+            to[at] = (char)random();
+            break;
+        default:
+            to.resize(at);
+        }
+        try {
+            relit(materials, r, p);
+            ++solved;
+        } catch (const std::runtime_error &) {
+            ++refused;
+        }
+    }
+    EXPECT_GT(refused, 100);
+    EXPECT_GT(solved, 50); // a number of a form factor may be any
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, Relight, testing::Bool(),
+                         [](const auto &info) { return info.param ? "Patches" : "Rays"; });
+
+TEST(KeptRows, AreReadAsTheyWereWritten) {
+    TemporaryFolder folder;
+    KeptRows a;
+    a.words = {"m.obj", "-o", "", "a\nb"};
+    a.model = 1, a.sky = 2, a.solution = 3, a.evenSky = true;
+    a.names = {{"a.mtl"}, {"x", "y"}, {1, 0}, {"x", "(none)"}, {1, 1}};
+    a.away = {1, 2, 3};
+    a.rows = "rows", a.prepared = "the rest";
+    a.save(folder / "a.rows");
+    KeptRows b(folder / "a.rows");
+    EXPECT_EQ(b.words, a.words);
+    EXPECT_EQ(b.model + 10 * b.sky + 100 * b.solution, 321u);
+    EXPECT_TRUE(b.evenSky);
+    EXPECT_EQ(b.names.libraries, a.names.libraries);
+    EXPECT_EQ(b.names.asked, a.names.asked);
+    EXPECT_EQ(b.names.known, a.names.known);
+    EXPECT_EQ(b.names.all, a.names.all);
+    EXPECT_EQ(b.names.used, a.names.used);
+    EXPECT_EQ(b.away, a.away);
+    EXPECT_EQ(b.rows, a.rows);
+    EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
+    EXPECT_EQ(b.prepared, a.prepared);
+    // Any wrong byte and any missing end is found
+    std::string all = readWhole(folder / "a.rows");
+    for (size_t i = 0; i < all.size(); ++i) {
+        std::string wrong = all;
+        wrong[i] = (char)(wrong[i] ^ 4);
+        writeWhole(folder / "b.rows", wrong);
+        EXPECT_THROW(KeptRows(folder / "b.rows"), Refused) << i;
+        writeWhole(folder / "b.rows", all.substr(0, i));
+        EXPECT_THROW(KeptRows(folder / "b.rows"), Refused) << i;
+    }
+    writeWhole(folder / "b.rows", all + "x");
+    EXPECT_THROW(KeptRows(folder / "b.rows"), Refused);
+}
