@@ -10,8 +10,9 @@ solution    read divide
 rays        read divide solution
 patches     read divide solution rays
 solve       read divide solution rays patches
-export      read divide solution rays
-view        read solution solve export
+transfer    read divide solution rays solve
+export      read divide solution rays transfer
+view        read solution solve transfer export
 END_OF_RULES
 
 # judge: of lines FILE INCLUDED (below tools/radiosity/) those that no rule allows
@@ -44,7 +45,7 @@ check "only main lies outside the rooms" flat
 finds() { [ "$(judge <<<"$1" | wc -l)" = 1 ]; }
 for violation in "read/mesh.h divide/regions.h" "divide/facets.h solution/solution.h" "solution/solution.h rays/ray_tree.h" \
     "rays/ray_system.h patches/lamps.h" "patches/lamps.h solve/solve.h" "solve/solve.h export/render.h" "export/atlas.h view/mesh.h" \
-    "generate/generate.h divide/regions.h" "new/file.h read/mesh.h" "new.cpp read/mesh.h"; do
+    "transfer/relight.h export/render.h" "generate/generate.h divide/regions.h" "new/file.h read/mesh.h" "new.cpp read/mesh.h"; do
     check "(it would be found that ${violation/ / includes })" finds "$violation"
 done
 finish

@@ -29,6 +29,7 @@ if(TARGET solving)
     odraz_test(tools/radiosity ray_tree_test 2 solving)
     odraz_test(tools/radiosity materials_test 1 solving)
     odraz_test(tools/radiosity relight_test 5 solving)
+    odraz_test(tools/radiosity room_transfer_test 10 solving)
     odraz_test(transfer transfer_test 5 measuring)
 endif()
 # Clustered PCA is compared with Eigen's eigenvalues. Eigen is compiled once, with little optimisation and without

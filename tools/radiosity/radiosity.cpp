@@ -4,6 +4,7 @@
 #include "tools/radiosity/export/render_command.h"
 #include "tools/radiosity/generate/generate_command.h"
 #include "tools/radiosity/solve/solve_command.h"
+#include "tools/radiosity/transfer/transfer_command.h"
 #include "tools/radiosity/view/view_command.h"
 
 using namespace odraz;
@@ -15,6 +16,7 @@ constexpr char kUsage[] =
     "       radiosity solve MODEL.obj -o OUT [OPTION...]\n"
     "       radiosity solve --resume OUT.state\n"
     "       radiosity solve MODEL.obj --relight SOLUTION -o OUT [--power P]... [--reflectance R]...\n"
+    "       radiosity transfer MODEL.obj -o ROOM.prt [OPTION...]\n"
     "       radiosity export OUT --csv|--ply|--obj FILE\n"
     "       radiosity export OUT --atlas DIR [OPTION...]\n"
     "       radiosity render OUT -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
@@ -58,6 +60,24 @@ constexpr char kUsage[] =
     "  --scale S          multiply its coordinates\n"
     "  --two-sided        light both sides of polygons\n"
     "\n"
+    "transfer solves a model for any light from outside, and for each of its lamps: a material that\n"
+    "emits, a ball or a sun. render and export show the room in any of these lights. It takes those\n"
+    "options of solve that say how the model is read and how rays find its light, and\n"
+    "  --bands N          bands of spherical harmonics of the light, 1 to 6 (default 5)\n"
+    "  --clusters K       clusters of the compressed rows (default: 4 for each function of the bands)\n"
+    "  --rank R           axes of each cluster, 1 to 32 (default 8 to 24, as the bands need)\n"
+    "  --glossy MATERIAL  polish its planes, which then mirror the room, blurred\n"
+    "  --gloss R,E        the polish: what share it mirrors seen from above, and the exponent of its lobe,\n"
+    "                     1 to 1000 (default 0.06,16)\n"
+    "  --check            compare with solutions for several lights, and one subspace with clusters\n"
+    "  --sky FILE.hdr     with --check: for this light too; repeatable\n"
+    "Options of render and export for a room:\n"
+    "  --sky R,G,B|FILE.hdr   the light from outside. What the bands lose of a picture is printed\n"
+    "  --turn DEGREES     turn it about the axis that points up, from -z (+y) towards +x\n"
+    "  --lamps LIST       all, none, or numbers or names with commas between, also NAME=STRENGTH (all)\n"
+    "  --bands N          use only the first N bands\n"
+    "  --rank N           show the clusters with N axes each, instead of the exact rows\n"
+    "\n"
     "render traces a picture. Without --eye and --at the camera shows the whole model, from above and\n"
     "to one side, and its place is printed. The exposure adapts to what the camera sees.\n"
     "  --size WxH         pixels (default 1280x720)\n"
@@ -86,10 +106,11 @@ int run(Arguments &words) {
     std::string what = word ? word : "";
     if (what == "generate") return runGenerate(words);
     if (what == "solve") return runSolve(words);
+    if (what == "transfer") return runTransfer(words);
     if (what == "export") return runExport(words);
     if (what == "render") return runRender(words);
     if (what == "view") return runView(words);
-    throw Refused("say what to do: generate, solve, export, render or view; see radiosity --help");
+    throw Refused("say what to do: generate, solve, transfer, export, render or view; see radiosity --help");
 }
 
 } // namespace

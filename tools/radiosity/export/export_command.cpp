@@ -2,6 +2,7 @@
 
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
+#include "tools/radiosity/transfer/relight_options.h"
 
 #include <cstdio>
 
@@ -10,6 +11,7 @@ namespace odraz {
 int runExport(Arguments &words) {
     std::string in, kind, out, ofAtlas;
     AtlasSettings s;
+    RelightOptions relight;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "--csv" || w == "--ply" || w == "--obj" || w == "--atlas") {
@@ -18,7 +20,9 @@ int runExport(Arguments &words) {
         } else if (word[0] != '-' && in.empty()) {
             in = w;
             continue;
-        } else if (w == "--map")
+        } else if (relight.take(w, words))
+            continue;
+        else if (w == "--map")
             s.radiosity = words.choice(w, "radiosity", "light");
         else if (w == "--texels")
             s.texels = words.number(w, 1e-9, 1e9);
@@ -33,7 +37,7 @@ int runExport(Arguments &words) {
     if (in.empty() || out.empty())
         throw Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
     if (!ofAtlas.empty() && kind != "--atlas") throw Refused(ofAtlas + " belongs to --atlas DIR");
-    Solution solution(in);
+    Solution solution = readLit(in, relight);
     if (kind == "--atlas") {
         std::vector<std::string> notes;
         exportAtlas(solution, s, out, notes);

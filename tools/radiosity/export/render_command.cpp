@@ -4,6 +4,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/transfer/relight_options.h"
 
 #include <cstdio>
 
@@ -12,11 +13,12 @@ namespace odraz {
 int runRender(Arguments &words) {
     std::string in, out;
     CameraOptions camera;
+    RelightOptions relight;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "-o")
             out = words.value(w);
-        else if (camera.take(w, words))
+        else if (camera.take(w, words) || relight.take(w, words))
             continue;
         else if (word[0] != '-' && in.empty())
             in = w;
@@ -27,12 +29,15 @@ int runRender(Arguments &words) {
     camera.finish("render");
     checkWritable(out);
     Workers workers = allProcessors();
-    Solution solution(in);
     RenderSettings &s = camera.settings;
-    if (!camera.placed()) {
-        placeCamera(solution, s);
-        std::printf("%s\n", placeOptions(s).c_str());
-    }
+    auto eyeFor = [&](const Solution &solution) {
+        if (!camera.placed()) {
+            placeCamera(solution, s);
+            std::printf("%s\n", placeOptions(s).c_str());
+        }
+        return s.eye;
+    };
+    Solution solution = readLit(in, relight, eyeFor);
     render(solution, s, workers, out);
     return 0;
 }

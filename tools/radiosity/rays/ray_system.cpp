@@ -168,6 +168,23 @@ void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
     std::fill(found.begin() + (ptrdiff_t)first, found.begin() + (ptrdiff_t)end, true);
 }
 
+void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &visit,
+                              Workers &workers) const {
+    std::map<size_t, std::vector<Vec3>> spirals;
+    for (size_t site = 0; site < found.size(); ++site)
+        if (auto &spiral = spirals[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
+    parallelRanges(workers, (int)found.size(), 32, [&](int first, int end, int) {
+        for (auto site = (size_t)first; site < (size_t)end; ++site) {
+            auto row = rows.begin() + (ptrdiff_t)firstOf[site], last = row + (ptrdiff_t)rays(site);
+            if (std::find(row, last, kDark) == last) continue; // nothing is open
+            cast(site, (int)rays(site), spirals.at(rays(site)),
+                 [&](int, uint32_t, const Vec3 &d, const RayHit &hit) {
+                     if (hit.triangle < 0) visit(site, d);
+                 });
+        }
+    });
+}
+
 int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces,
                      float residual, int sweeps, Workers &workers,
                      const std::function<bool(float)> &afterSweep) {

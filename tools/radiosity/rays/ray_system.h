@@ -65,6 +65,15 @@ public:
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
     Sharing sharing(float share, Workers &workers) const;
 
+    // The same for `columns` values of every site, a multiple of 8: values[site][columns] to
+    // texels[texel][columns], which must be zero.
+    void atTexels(float share, const float *values, int columns, float *texels, Workers &workers) const;
+
+    // Calls visit(site, direction) for every ray of a row that meets nothing, so that light comes along it.
+    // Sites are visited by several threads, each by one.
+    void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit,
+                       Workers &workers) const;
+
     // The rows found so far, as arrays of a file; false if they do not fit the grid.
     void save(std::string &to) const;
     bool restore(std::string_view from, size_t &at);

@@ -112,5 +112,27 @@ RaySystem::Sharing RaySystem::sharing(float share, Workers &workers) const {
     });
     return all;
 }
+void RaySystem::atTexels(float share, const float *values, int columns, float *texels,
+                         Workers &workers) const {
+    auto width = (size_t)columns;
+    parallelRanges(workers, (int)grid.texels.size(), 256, [&](int first, int end, int) {
+        std::vector<std::pair<uint32_t, float>> all;
+        for (int t = first; t < end; ++t) {
+            uint32_t own = grid.siteOf[(size_t)t];
+            if (own == LightGrid::kNone) continue;
+            all.clear();
+            float weights = 0;
+            neighbours(own, grid.at(grid.texels[(size_t)t]), share, near, [&](uint32_t i, float w) {
+                all.push_back({i, w}), weights += w;
+            });
+            if (!(weights > 0)) all.assign(1, {own, weights = 1});
+            float *to = texels + (size_t)t * width;
+            for (auto [site, weight] : all)
+                for (size_t k = 0; k < width; k += 8)
+                    store(to + k,
+                          fmadd(load(values + site * width + k), broadcast(weight / weights), load(to + k)));
+        }
+    });
+}
 
 } // namespace odraz

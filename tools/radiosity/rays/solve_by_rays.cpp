@@ -3,6 +3,7 @@
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/rays/ray_system.h"
+#include "tools/radiosity/rays/site_values.h"
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/memory.h"
 
@@ -14,12 +15,10 @@ namespace odraz {
 
 namespace {
 
-constexpr double kLarge = 0.25; // share of the model's area: if more of it emits, it counts as no lamp
 constexpr float kFirst = 0.25f; // share of the rays' time for the first ones, about
 // The relative error of a site's light that its rays, with those of its neighbours, may leave
 constexpr float kError = 0.014f;
-// The change of light up to which sites share it: before and after the final gather
-constexpr float kShared = 0.2f, kFinalShared = 0.1f;
+constexpr float kFinalShared = 0.1f; // as kShared, after the final gather
 constexpr int kMostSweeps = 10000;
 
 // The bytes that a solution needs, known before any are allocated.
@@ -158,7 +157,7 @@ private:
     void findDirectLight() {
         task.tell(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
-        if (lamps.share() > kLarge) { // then rays find it better than samples
+        if (lamps.share() > kLargeLamps) { // then rays find it better than samples
             system.emits = task.solution.emits;
             lamps.clear();
         }
@@ -173,25 +172,9 @@ private:
         task.tell(SolveStep::kDirectLight, 1);
     }
 
-    // The direct light and the reflectance of the sites: means over those of their places that count.
     void describeSites() {
-        directAtSites.resize(grid.sites.size()), reflects.resize(grid.sites.size());
-        for (size_t i = 0; i < grid.sites.size(); ++i) {
-            const LightGrid::Site &site = grid.sites[i];
-            int count = 0;
-            for (uint32_t k = 0; k < site.places; ++k)
-                if (!(system.behind[i] >> k & 1))
-                    directAtSites[i] += direct[(size_t)grid.places[site.firstPlace + k].texel], ++count;
-            directAtSites[i] = directAtSites[i] * (1 / (float)count);
-            reflects[i] = task.solution.reflects[(size_t)site.chart];
-            const std::vector<Rgb> &ofCell = task.solution.cellReflects;
-            if (ofCell.empty()) continue;
-            reflects[i] = {};
-            for (uint32_t k = 0; k < site.places; ++k) {
-                auto *cell = grid.spotAt(site.chart, grid.places[site.firstPlace + k].p).cell;
-                reflects[i] += ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.places);
-            }
-        }
+        directAtSites = meansOfSites(grid, system.behind, direct);
+        reflects = reflectanceOfSites(grid, task.solution);
     }
 
     void fillGeometry() {

@@ -16,10 +16,20 @@ constexpr char kMagic[] = "odraz radiosity 2\n";
 
 } // namespace
 
+void Solution::put(std::string &to) const {
+    odraz::put(to, charts), odraz::put(to, facets), odraz::put(to, cells), odraz::put(to, texels);
+    odraz::put(to, light), odraz::put(to, reflects), odraz::put(to, emits), odraz::put(to, cellReflects);
+}
+
+bool Solution::get(const std::string &from, size_t &at) {
+    auto read = [&](auto &list) { return odraz::get(from, at, list); };
+    return read(charts) && read(facets) && read(cells) && read(texels) && read(light) && read(reflects) &&
+           read(emits) && read(cellReflects) && valid(*this);
+}
+
 void Solution::save(const std::string &path) const {
     std::string body;
-    put(body, charts), put(body, facets), put(body, cells), put(body, texels);
-    put(body, light), put(body, reflects), put(body, emits), put(body, cellReflects);
+    put(body);
     writeWhole(path, withChecksum(body));
 }
 
@@ -29,10 +39,7 @@ Solution::Solution(const std::string &path) {
     std::string all = readWhole(path);
     size_t at = bodyOf(all, kMagic);
     if (!at) throw std::runtime_error(path + ": was not written by 'radiosity solve'");
-    bool good = at != std::string::npos && get(all, at, charts) && get(all, at, facets) &&
-                get(all, at, cells) && get(all, at, texels) && get(all, at, light) &&
-                get(all, at, reflects) && get(all, at, emits) && get(all, at, cellReflects) &&
-                at == all.size() && valid(*this);
+    bool good = at != std::string::npos && get(all, at) && at == all.size();
     if (!good)
         throw std::runtime_error(path + ": is damaged, or from another version: solve the model again");
 }
@@ -52,7 +59,7 @@ Rgb Solution::reflectsOf(int cell) const {
     return cellReflects.empty() ? reflects[(size_t)cells[(size_t)cell].chart] : cellReflects[(size_t)cell];
 }
 
-Rgb Solution::lightIn(int cell, float u, float v) const {
+Rgb Solution::bilinear(const std::vector<Rgb> &of, int cell, float u, float v) const {
     // Position within the cell, in steps of the finest cells
     const Chart &c = charts[(size_t)cells[(size_t)cell].chart];
     const int *corner = cells[(size_t)cell].corner;
@@ -62,12 +69,15 @@ Rgb Solution::lightIn(int cell, float u, float v) const {
     };
     float x = share(u / c.width * (float)(c.across * kSteps), low.x, high.x),
           y = share(v / c.height * (float)(c.down * kSteps), low.y, high.y);
-    auto l = [&](int k) { return light[(size_t)corner[k]]; };
+    auto l = [&](int k) { return of[(size_t)corner[k]]; };
     return lerp(lerp(l(0), l(1), x), lerp(l(2), l(3), x), y);
 }
 
+Rgb Solution::lightIn(int cell, float u, float v) const { return bilinear(light, cell, u, v); }
+
 Rgb Solution::radiosityIn(int cell, float u, float v) const {
-    return lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)cells[(size_t)cell].chart];
+    Rgb all = lightIn(cell, u, v) * reflectsOf(cell) + emits[(size_t)cells[(size_t)cell].chart];
+    return gloss.empty() ? all : all + bilinear(gloss, cell, u, v);
 }
 
 Solution::Spot Solution::spotAt(int chart, const Vec3 &p) const {

@@ -26,6 +26,8 @@ struct Solution {
     std::vector<Rgb> light;           // of each texel: what arrives
     std::vector<Rgb> reflects, emits; // of each chart; a mean where its material has a picture
     std::vector<Rgb> cellReflects;    // of each cell; empty where no material has a picture
+    std::vector<Rgb>
+        gloss; // of each texel: what a polish sends to one eye, as radiance; mostly empty. Files lack it
 
     Solution() = default;
     // Reads a file. Throws std::runtime_error with a line that begins with the file's name where it cannot be
@@ -33,6 +35,9 @@ struct Solution {
     explicit Solution(const std::string &path);
     // Writes beside the file and renames. Throws likewise.
     void save(const std::string &path) const;
+    // Appends the arrays of a file, and reads them from `at` on; false if they cannot be worked with.
+    void put(std::string &to) const;
+    bool get(const std::string &from, size_t &at);
     // The bytes of a file whose part behind the checksum is `body`.
     static std::string withChecksum(const std::string &body);
 
@@ -55,6 +60,7 @@ struct Solution {
     Rgb radiosityAt(int chart, const Vec3 &p) const;
 
 private:
+    Rgb bilinear(const std::vector<Rgb> &of, int cell, float u, float v) const;
     struct Spot {
         int cell;
         float u, v;

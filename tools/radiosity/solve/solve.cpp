@@ -7,9 +7,6 @@
 
 namespace odraz {
 
-namespace {
-
-// The vector from the origin, where floats are finest, to the model; zero if that is close enough.
 Vec3d offsetOf(const Mesh &mesh) {
     Vec3d middle = mesh.middle();
     return length(middle) < 4 * mesh.size() ? Vec3d{} : middle;
@@ -20,6 +17,8 @@ Mesh moved(const Mesh &mesh, const Vec3d &from) {
     for (Vec3d &p : near.points) p = p - from;
     return near;
 }
+
+namespace {
 
 // Adds an even sky to a model in which nothing emits.
 bool lightUp(SolveTask &task) {

@@ -25,5 +25,9 @@ Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl,
 Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress);
+// The vector from the origin, where floats are finest, to the model; zero if that is close enough. And the
+// model, moved there.
+Vec3d offsetOf(const Mesh &mesh);
+Mesh moved(const Mesh &mesh, const Vec3d &from);
 
 } // namespace odraz

@@ -1,0 +1,22 @@
+// What sites have: means over their places.
+#pragma once
+
+#include "tools/radiosity/rays/light_grid.h"
+#include "tools/radiosity/solution/solution.h"
+
+namespace odraz {
+
+// If more than this share of a model's area emits, rays find that light, and it counts as no lamp.
+inline constexpr double kLargeLamps = 0.25;
+// The change of light up to which sites share it.
+inline constexpr float kShared = 0.2f;
+
+// The direct light of the sites, from that of the texels: means over the places that count (`behind` as in
+// RaySystem).
+std::vector<Rgb> meansOfSites(const LightGrid &grid, const std::vector<uint16_t> &behind,
+                              const std::vector<Rgb> &texels);
+
+// What the sites reflect.
+std::vector<Rgb> reflectanceOfSites(const LightGrid &grid, const Solution &solution);
+
+} // namespace odraz

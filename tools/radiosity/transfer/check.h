@@ -1,0 +1,41 @@
+// How far a room's light is from solutions made for that very light: what `transfer --check` tells.
+#pragma once
+
+#include "tools/radiosity/transfer/find_transfer.h"
+#include "tools/radiosity/transfer/relight.h"
+
+#include <string>
+
+namespace odraz {
+
+// A light to try: its bands, as a room is relit with, and the same as a picture or as given, to be solved
+// for.
+struct TriedSky {
+    std::string name;
+    BandLight light;
+    SkyPicture sky;
+    std::vector<Sun> suns;
+};
+
+// Environments that so many bands hold entirely: an even one, a gradient, a glow near the horizon, two lights
+// and random coefficients.
+std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
+// A band-limited light as a picture, fine enough that reading it changes little (1e-4).
+SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
+
+// A solution for a sky alone, its lamps dark: from rays like the room's own, or with rays == 0 from others,
+// as many as this light needs.
+std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
+                            Workers &workers);
+// A solution for the model's lamps alone.
+std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers);
+
+// Root mean square of a - b as a share of b's.
+double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
+
+// Prints tables: errors by rows and by clusters under band-limited skies and those given, what the bands lose
+// of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory.
+void printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
+                const std::vector<std::string> &skies, Workers &workers);
+
+} // namespace odraz

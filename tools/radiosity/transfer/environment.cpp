@@ -1,0 +1,85 @@
+#include "tools/radiosity/transfer/environment.h"
+
+#include "tools/common/arguments.h"
+#include "tools/radiosity/read/upright.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace odraz {
+
+namespace {
+
+constexpr double kPiD = 3.14159265358979323846;
+constexpr int kLeastRows = 128; // pixels of small pictures are divided until there are so many
+
+} // namespace
+
+Projected project(const HdrPicture &picture, bool upIsZ) {
+    int parts = (kLeastRows + picture.height - 1) / picture.height,
+        partsAround = (2 * kLeastRows + picture.width - 1) / picture.width;
+    int rows = picture.height * parts, columns = picture.width * partsAround;
+    double sum[kMostSh][3] = {}, energy = 0;
+    for (int j = 0; j < rows; ++j) {
+        double above = std::cos(kPiD * j / rows), below = std::cos(kPiD * (j + 1) / rows);
+        double solidAngle = 2 * kPiD / columns * (above - below), y = (above + below) / 2,
+               r = std::sqrt(std::max(1 - y * y, 0.));
+        const float *line = &picture.pixels[(size_t)(j / parts) * (size_t)picture.width * 3];
+        for (int first = 0; first < columns; first += 8) {
+            Vec3x8 d;
+            for (int k = 0; k < 8; ++k) {
+                double around = 2 * kPiD * ((first + k + 0.5) / columns - 0.5);
+                Vec3 q = asInModel({(float)(r * std::sin(around)), (float)y, (float)(-r * std::cos(around))},
+                                   upIsZ);
+                d.x[k] = q.x, d.y[k] = q.y, d.z[k] = q.z;
+            }
+            Float8 basis[kMostSh];
+            evaluateBands(d, kMostBands, basis);
+            for (int k = 0; k < std::min(8, columns - first); ++k) {
+                const float *pixel = line + (size_t)((first + k) / partsAround) * 3;
+                for (int c = 0; c < 3; ++c) {
+                    double light = (double)pixel[c] * solidAngle;
+                    energy += light * (double)pixel[c];
+                    for (int i = 0; i < kMostSh; ++i) sum[i][c] += light * (double)basis[i][k];
+                }
+            }
+        }
+    }
+    Projected p;
+    double kept = 0;
+    for (int i = 0; i < kMostSh; ++i) {
+        p.light[(size_t)i] = {(float)sum[i][0], (float)sum[i][1], (float)sum[i][2]};
+        for (double x : sum[i]) kept += x * x;
+        p.held[bandOf(i)] = energy > 0 ? std::min(kept / energy, 1.) : 1;
+    }
+    return p;
+}
+
+Projected project(const Rgb &even) {
+    Projected p;
+    p.light[0] = even * (float)std::sqrt(4 * kPiD);
+    std::fill(std::begin(p.held), std::end(p.held), 1.);
+    return p;
+}
+
+Projected readEnvironment(const std::string &option, const std::string &text, bool upIsZ) {
+    double n[3];
+    char rest;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) != 3)
+        return project(readHdr(text), upIsZ);
+    for (double x : n)
+        if (!(x >= 0 && x < 1e12)) throw Refused(option + ": light must be from 0 to 1e12");
+    return project(Rgb{(float)n[0], (float)n[1], (float)n[2]});
+}
+
+std::string lossOf(const std::string &name, const Projected &p, int bands) {
+    char text[120];
+    double held = p.held[bands - 1];
+    std::snprintf(text, sizeof text, ": %d bands hold %.1f %% of its energy and lose %.1f %%", bands,
+                  100 * held, 100 * (1 - held));
+    return name + text;
+}
+
+} // namespace odraz

@@ -1,0 +1,325 @@
+#include "tools/radiosity/transfer/find_transfer.h"
+
+#include "tools/common/clock.h"
+#include "tools/radiosity/rays/lamp_rays.h"
+#include "tools/radiosity/rays/site_values.h"
+#include "tools/radiosity/solution/memory.h"
+#include "tools/radiosity/solve/solve.h"
+#include "tools/radiosity/transfer/solve_columns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+constexpr int kGlossRays = 1024; // from the middle of a square
+
+// A light of the model or of the settings, of which the rest is dark.
+struct LampSource {
+    std::string name;
+    std::vector<size_t> materials; // those that emit
+    Surroundings around;           // a ball or a sun
+};
+
+std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
+    std::vector<LampSource> lamps;
+    std::vector<bool> used(mesh.materials.size());
+    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
+    for (size_t i = 0; i < mesh.materials.size(); ++i) {
+        const auto &e = mesh.materials[i].emits;
+        if (used[i] && std::max({e[0], e[1], e[2]}) > 0) lamps.push_back({mesh.materials[i].name, {i}, {}});
+    }
+    for (size_t i = 0; i < around.lamps.size(); ++i)
+        lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {around.lamps[i]}}});
+    for (size_t i = 0; i < around.suns.size(); ++i)
+        lamps.push_back({"sun " + std::to_string(i + 1), {}, {{}, {around.suns[i]}, {}}});
+    return lamps;
+}
+
+// Makes the last lamp that there is room for stand for all others.
+void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) {
+    if (lamps.size() <= (size_t)kMaxLamps) return;
+    LampSource &last = lamps[(size_t)kMaxLamps - 1];
+    for (size_t i = (size_t)kMaxLamps; i < lamps.size(); ++i) {
+        const LampSource &more = lamps[i];
+        last.materials.insert(last.materials.end(), more.materials.begin(), more.materials.end());
+        last.around.lamps.insert(last.around.lamps.end(), more.around.lamps.begin(), more.around.lamps.end());
+        last.around.suns.insert(last.around.suns.end(), more.around.suns.begin(), more.around.suns.end());
+    }
+    notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: from lamp " +
+                    std::to_string(kMaxLamps) + " on they count as one");
+    last.name = "others";
+    lamps.resize((size_t)kMaxLamps);
+}
+
+class TransferFinder {
+public:
+    TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
+                   const std::function<void(const char *, float)> &progress, TransferReport &report)
+        : mesh(mesh), s(s), workers(workers), told(progress), report(report),
+          task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, s.solve.surroundings)) {
+        joinLamps(lamps, report.notes);
+        report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
+    }
+
+    TransferRoom find() {
+        lap();
+        tell("dividing", 0);
+        RayTree tree(cornersOf(mesh));
+        LightGrid grid(task.regions, tree, workers);
+        task.findPictured(task.regions.charts, grid.cells, report.notes);
+        task.solution.charts = task.regions.charts, task.solution.facets = task.regions.facets;
+        task.solution.cells = grid.cells, task.solution.texels = grid.texels;
+        RaySystem rays(task.regions, grid, tree, dark);
+        findRows(rays, grid);
+        ColumnSystem columns(rays, reflectanceOfSites(grid, task.solution), lights(), s.solve.memory);
+        solve(columns, rays, grid, tree);
+        spread(columns, rays, grid);
+        report.seconds[1] = lap();
+        compressRows();
+        report.seconds[2] = lap();
+        findGlossyCharts(columns, grid, tree);
+        report.seconds[3] = lap();
+        return std::move(room);
+    }
+
+private:
+    static constexpr int kNever = 0;
+    const SolveProgress none;
+    const Surroundings dark;
+    const Mesh &mesh;
+    const TransferSettings &s;
+    Workers &workers;
+    const std::function<void(const char *, float)> &told;
+    TransferReport &report;
+    SolveTask task;
+    std::vector<LampSource> lamps;
+    std::vector<std::vector<Rgb>> direct; // of each lamp, on the texels
+    TransferRoom room;
+    double last = processorSeconds();
+
+    void tell(const char *step, float done) {
+        if (told) told(step, done);
+    }
+    double lap() {
+        double now = processorSeconds(), took = now - last;
+        last = now;
+        return took;
+    }
+    int lights() const { return s.bands * s.bands + (int)lamps.size(); }
+
+    void findRows(RaySystem &rays, const LightGrid &grid) {
+        size_t sites = grid.sites.size();
+        int count = s.solve.rays > 0 ? s.solve.rays : usualRays(sites);
+        report.sites = sites, report.raysFromSite = (size_t)count;
+        size_t bytes = ColumnSystem::bytesFor(sites, sites * (size_t)count, lights()) +
+                       grid.texels.size() * (size_t)lights() * 3 * sizeof(float) * 3 +
+                       sites * (size_t)count * 4;
+        if (bytes > s.solve.memory)
+            refuseMemory(bytes, s.solve.memory, "larger elements, fewer rays or fewer bands need less");
+        rays.setRays(std::vector<uint16_t>(sites, (uint16_t)count));
+        for (size_t first = 0, piece = std::max(sites / 50, (size_t)256); first < sites; first += piece) {
+            tell("rays", (float)first / (float)sites);
+            rays.findRows(first, std::min(first + piece, sites), workers);
+        }
+        report.seconds[0] = lap();
+    }
+
+    // Light from outside, of radiance 1 times every function of the bands.
+    void addBands(ColumnSystem &to, const RaySystem &rays) {
+        tell("bands", 0);
+        int functions = s.bands * s.bands;
+        rays.alongOpenRays(
+            [&](size_t site, const Vec3 &d) {
+                Float8 y[kMostSh];
+                evaluateBands(broadcast(d), s.bands, y);
+                float *light = to.source(site), share = 1 / (float)rays.rays(site);
+                for (int k = 0; k < functions; ++k)
+                    for (int c = 0; c < 3; ++c) light[3 * k + c] += y[k][0] * share;
+            },
+            workers);
+    }
+
+    // Light of lamp `k` at the sites: along rays if much of the model emits, else direct.
+    void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
+                 const RayTree &tree) {
+        tell("lamps", (float)k / (float)lamps.size());
+        Mesh alone = mesh;
+        for (size_t i = 0; i < alone.materials.size(); ++i) {
+            const auto &own = lamps[k].materials;
+            if (std::find(own.begin(), own.end(), i) == own.end()) alone.materials[i].emits = {};
+        }
+        LampRays lamp(alone, task.regions, s.solve.lampSamples);
+        std::vector<uint8_t> shines(task.regions.charts.size());
+        for (size_t c = 0; c < shines.size(); ++c) {
+            auto m = (size_t)task.regions.material[c];
+            const auto &own = lamps[k].materials;
+            shines[c] = std::find(own.begin(), own.end(), m) != own.end();
+            if (shines[c]) room.lampOf[c] = (int)k;
+        }
+        size_t at = (size_t)(3 * (s.bands * s.bands) + 3 * (int)k);
+        if (lamp.share() > kLargeLamps) {
+            lamp.clear();
+            for (size_t site = 0; site < grid.sites.size(); ++site) {
+                float *light = to.source(site) + at, share = 1 / (float)rays.rays(site);
+                for (uint64_t i = rays.firstOf[site]; i < rays.firstOf[site + 1]; ++i) {
+                    if (rays.rows[i] == RaySystem::kDark) continue;
+                    auto chart = (size_t)grid.sites[rays.rows[i]].chart;
+                    Rgb e = shines[chart] ? task.solution.emits[chart] * share : Rgb{};
+                    light[0] += e.x, light[1] += e.y, light[2] += e.z;
+                }
+            }
+        }
+        direct.push_back(directLight(lamp, lamps[k].around, grid, rays.behind, tree, workers));
+        std::vector<Rgb> means = meansOfSites(grid, rays.behind, direct.back());
+        for (size_t site = 0; site < means.size(); ++site) {
+            float *light = to.direct(site) + at;
+            light[0] = means[site].x, light[1] = means[site].y, light[2] = means[site].z;
+        }
+    }
+
+    void solve(ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid, const RayTree &tree) {
+        room.lampOf.assign(task.regions.charts.size(), -1);
+        addBands(columns, rays);
+        for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns, rays, grid, tree);
+        tell("solving", 0);
+        report.sweeps = columns.solve(s.solve.residual, workers);
+    }
+
+    // From the sites to the planes of the texels.
+    void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
+        tell("spreading", 0);
+        auto width = (size_t)columns.columns();
+        std::vector<float> texels(grid.texels.size() * width);
+        rays.atTexels(kShared, columns.arrives(), (int)width, texels.data(), workers);
+        room.bands = s.bands, room.upIsZ = s.upIsZ;
+        for (const LampSource &lamp : lamps) room.lamps.push_back(lamp.name);
+        room.model = std::move(task.solution);
+        room.model.light.assign(grid.texels.size(), {});
+        room.planes.resize((size_t)lights() * 3 * room.stride());
+        parallelFor(workers, lights(), [&](int k, int) {
+            std::vector<Rgb> light(grid.texels.size());
+            int lamp = k - room.functions();
+            for (size_t t = 0; t < light.size(); ++t) {
+                const float *from = &texels[t * width + (size_t)(3 * k)];
+                light[t] = {from[0], from[1], from[2]};
+                if (lamp >= 0) light[t] += direct[(size_t)lamp][t];
+            }
+            grid.fill(light);
+            for (size_t t = 0; t < light.size(); ++t)
+                room.plane(k, 0)[t] = light[t].x, room.plane(k, 1)[t] = light[t].y,
+                              room.plane(k, 2)[t] = light[t].z;
+        });
+    }
+
+    void compressRows() {
+        tell("clusters", 0);
+        std::vector<float> rows = room.rows();
+        int most = (int)std::min(room.texels(), (size_t)kMostClusters),
+            clusters = std::min(s.clusters > 0 ? s.clusters : usualClusters(room.texels(), s.bands), most);
+        room.clusters =
+            findClusters(rows, room.columns(), columnScale(room, rows), blocksOf(room.model, clusters),
+                         clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
+    }
+
+    // The radiance of the site that a ray hits, or of the bands where it hits nothing.
+    void findGlossyCharts(const ColumnSystem &columns, const LightGrid &grid, const RayTree &tree) {
+        if (s.glossy.empty()) return;
+        std::vector<size_t> charts;
+        double area = 0;
+        bool known = false;
+        for (size_t c = 0; c < room.model.charts.size(); ++c)
+            if (mesh.materials[(size_t)task.regions.material[c]].name == s.glossy) {
+                known = true, charts.push_back(c);
+                area += (double)(room.model.charts[c].width * room.model.charts[c].height);
+            }
+        if (!known) throw Refused("--glossy: no polygon has the material " + s.glossy);
+        if (charts.size() > (size_t)kMostGlossyCharts)
+            throw Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
+                          " planes, more than " + std::to_string(kMostGlossyCharts) + ": it is for floors");
+        auto side = (float)std::sqrt(area / (kMostSquares / 4.));
+        room.polish = s.polish;
+        int functions = room.functions();
+        Arrives arrives = [&](const Vec3 &from, const Vec3 &d, float *to) {
+            RayHit hit = tree.nearest(from, d);
+            if (hit.triangle < 0) {
+                Float8 y[kMostSh];
+                evaluateBands(broadcast(d), s.bands, y);
+                for (int k = 0; k < functions; ++k)
+                    for (int c = 0; c < 3; ++c) to[3 * k + c] = y[k][0];
+                return;
+            }
+            if (hit.back) return;
+            int chart = task.regions.chartOf[(size_t)hit.triangle];
+            auto spot = grid.spotAt(chart, from + d * hit.t);
+            // What the sites around it reflect, and what it emits
+            float weights[4], all = 0;
+            for (int k = 0; k < 4; ++k) {
+                bool lit = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;
+                weights[k] = lit ? (k & 1 ? spot.x : 1 - spot.x) * (k & 2 ? spot.y : 1 - spot.y) + 1e-6f : 0;
+                all += weights[k];
+            }
+            for (int k = 0; k < 4; ++k) {
+                if (!(weights[k] > 0)) continue;
+                const float *b = columns.reflected(grid.siteOf[(size_t)spot.cell->corner[k]]);
+                for (int i = 0; i < 3 * lights(); ++i) to[i] += b[i] * (weights[k] / all);
+            }
+            if (int lamp = room.lampOf[(size_t)chart]; lamp >= 0) {
+                Rgb e = room.model.emits[(size_t)chart];
+                float *at = to + 3 * (functions + lamp);
+                at[0] += e.x, at[1] += e.y, at[2] += e.z;
+            }
+        };
+        for (size_t i = 0; i < charts.size(); ++i) {
+            tell("gloss", (float)i / (float)charts.size());
+            const Chart &c = room.model.charts[charts[i]];
+            room.gloss.push_back(squaresOf(c, (int)charts[i], lights(), side));
+            findGloss(room.gloss.back(), c, kGlossRays, s.exponent, arrives, workers);
+            report.squares += room.gloss.back().across * room.gloss.back().down;
+        }
+    }
+};
+
+} // namespace
+
+int usualClusters(size_t texels, int bands) {
+    int wanted = bands * bands * 4;
+    return std::clamp(wanted, 1, (int)std::max(texels / 64, (size_t)1));
+}
+int usualRank(int bands) { return bands <= 2 ? 8 : bands <= 4 ? 16 : 24; }
+
+int usualRays(size_t sites) {
+    return (int)std::clamp(24000000 / std::max(sites, (size_t)1), (size_t)32, (size_t)256);
+}
+
+std::vector<float> columnScale(const TransferRoom &room, const std::vector<float> &rows) {
+    auto width = (size_t)room.columns(), skies = (size_t)(3 * room.functions());
+    std::vector<double> squares(1 + room.lamps.size());
+    auto kindOf = [&](size_t column) {
+        return column < skies ? 0 : std::min(1 + (column - skies) / 3, squares.size() - 1);
+    };
+    for (size_t i = 0; i < rows.size(); ++i) squares[kindOf(i % width)] += (double)(rows[i] * rows[i]);
+    std::vector<float> scale(width);
+    for (size_t k = 0; k < width; ++k) {
+        double size = std::sqrt(squares[kindOf(k)]);
+        scale[k] = size > 0 ? (float)(1 / size) : 1;
+    }
+    return scale;
+}
+
+TransferRoom findTransfer(const Mesh &given, const TransferSettings &settings, Workers &workers,
+                          const std::function<void(const char *, float)> &progress, TransferReport &report) {
+    Vec3d away = offsetOf(given);
+    bool far = length(away) > 0;
+    Mesh near;
+    if (far) near = moved(given, away);
+    TransferSettings moved = settings;
+    for (BallLamp &lamp : moved.solve.surroundings.lamps) lamp.centre = lamp.centre - toFloat(away);
+    TransferRoom room = TransferFinder(far ? near : given, moved, workers, progress, report).find();
+    for (Chart &chart : room.model.charts) chart.corner += toFloat(away);
+    return room;
+}
+
+} // namespace odraz

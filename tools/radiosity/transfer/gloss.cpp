@@ -1,0 +1,139 @@
+#include "tools/radiosity/transfer/gloss.h"
+
+#include "tools/common/heap_arena.h"
+#include "tools/radiosity/solution/solution.h"
+#include "tools/radiosity/transfer/bands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace odraz {
+
+namespace {
+
+constexpr double kPiD = 3.14159265358979323846;
+constexpr int kMostGlossClusters = 64;
+
+// Directions that cover the half-space about z evenly: a spiral (Vogel's, lifted).
+std::vector<Vec3> halfSpace(int count) {
+    std::vector<Vec3> all;
+    for (int i = 0; i < count; ++i) {
+        double z = (i + 0.5) / count, r = std::sqrt(1 - z * z), angle = i * 2.399963229728653;
+        all.push_back({(float)(r * std::cos(angle)), (float)(r * std::sin(angle)), (float)z});
+    }
+    return all;
+}
+
+// The matrix of a square: [bases][kGlossOutputs], every coefficient times its band's window.
+void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vector<Vec3> &directions,
+                float exponent, const Arrives &arrives, float *matrix) {
+    Vec3 p = c.at(((float)(square % g.across) + 0.5f) * c.width / (float)g.across,
+                  ((float)(square / g.across) + 0.5f) * c.height / (float)g.down) +
+             c.n * c.off();
+    std::vector<float> radiances((size_t)(3 * g.bases));
+    auto solidAngle = (float)(2 * kPiD / (double)directions.size());
+    for (const Vec3 &local : directions) {
+        Vec3 d = c.u * local.x + c.v * local.y + c.n * local.z;
+        std::fill(radiances.begin(), radiances.end(), 0.f);
+        arrives(p, d, radiances.data());
+        Float8 y[kSh];
+        evaluate(broadcast(d), y);
+        for (int k = 0; k < 3 * g.bases; ++k) {
+            if (radiances[(size_t)k] == 0) continue;
+            float *to = matrix + k / 3 * kGlossOutputs + k % 3 * kSh,
+                  light = radiances[(size_t)k] * solidAngle;
+            for (int j = 0; j < kSh; ++j) to[j] += light * y[j][0];
+        }
+    }
+    for (int k = 0; k < 3 * g.bases; ++k)
+        for (int j = 0; j < kSh; ++j)
+            matrix[k / 3 * kGlossOutputs + k % 3 * kSh + j] *= window(bandOf(j), exponent);
+}
+
+} // namespace
+
+GlossyChart squaresOf(const Chart &c, int number, int bases, float side) {
+    GlossyChart g;
+    auto squares = [&](float length) { return std::clamp((int)std::lround(length / side), 1, 1024); };
+    g.chart = number, g.bases = bases;
+    g.across = squares(c.width), g.down = squares(c.height);
+    return g;
+}
+
+void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const Arrives &arrives,
+               Workers &workers) {
+    int count = g.across * g.down, columns = g.bases * kGlossOutputs;
+    auto width = (size_t)columns;
+    std::vector<float> matrices((size_t)count * width);
+    const std::vector<Vec3> directions = halfSpace(rays);
+    parallelFor(workers, count, [&](int i, int) {
+        findMatrix(g, c, i, directions, exponent, arrives, &matrices[(size_t)i * width]);
+    });
+    // The first clusters are blocks, about as wide as high
+    g.clusters = std::clamp(count / 32, 1, kMostGlossClusters);
+    int wide = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
+        high = g.clusters / wide;
+    PcaSettings settings = {.clusters = g.clusters, .dimensions = count > 1 ? 16 : 0, .rounds = 2};
+    HeapArena memory(((size_t)g.clusters * (size_t)(1 + settings.dimensions) * width +
+                      (size_t)count * (size_t)(settings.dimensions + 3) + (size_t)g.clusters) *
+                         sizeof(float) +
+                     4096);
+    ClusteredPca p = {};
+    p.rows = count, p.columns = columns, p.data = matrices.data();
+    std::vector<int> seeds((size_t)count);
+    for (int i = 0; i < count; ++i)
+        seeds[(size_t)i] = i / g.across * high / g.down * wide + i % g.across * wide / g.across;
+    p.cluster = seeds.data();
+    if (!compress(p, settings, memory.arena, workers)) throw std::runtime_error("there is not enough memory");
+    g.dimensions = p.dimensions;
+    g.members.assign(p.members, p.members + count);
+    g.first.assign(p.first, p.first + g.clusters + 1);
+    g.axes.assign(p.axes, p.axes + (size_t)g.clusters * (size_t)(1 + p.dimensions) * width);
+    g.weights.assign(p.weights, p.weights + (size_t)count * (size_t)p.dimensions);
+}
+
+void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const LightVector &light,
+               const Vec3 &eye, float polish) {
+    if (gloss.empty()) return;
+    model.gloss.assign(model.texels.size(), {});
+    for (const GlossyChart &chart : gloss) {
+        const Chart &c = model.charts[(size_t)chart.chart];
+        int count = chart.across * chart.down;
+        std::vector<float> planes((size_t)(3 * count));
+        Glossy g = {};
+        g.chart = &c, g.bases = chart.bases, g.across = chart.across, g.down = chart.down;
+        g.pca = {count,
+                 chart.bases * kGlossOutputs,
+                 chart.clusters,
+                 chart.dimensions,
+                 nullptr,
+                 nullptr,
+                 const_cast<float *>(chart.axes.data()),
+                 const_cast<float *>(chart.weights.data()),
+                 const_cast<int *>(chart.members.data()),
+                 const_cast<int *>(chart.first.data())};
+        for (int k = 0; k < 3; ++k) g.plane[k] = &planes[(size_t)(k * count)];
+        if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, light, eye, polish, 1);
+        // From the squares' middles to the texels
+        for (int j = 0; j <= c.down; ++j)
+            for (int i = 0; i <= c.across; ++i) {
+                auto spot = [](int at, int cells, int squares, int &low, int &high) {
+                    float x = std::clamp((float)at / (float)cells * (float)squares - 0.5f, 0.f,
+                                         (float)(squares - 1));
+                    low = std::min((int)x, squares - 1), high = std::min(low + 1, squares - 1);
+                    return x - (float)low;
+                };
+                int x0, x1, y0, y1;
+                float x = spot(i, c.across, g.across, x0, x1), y = spot(j, c.down, g.down, y0, y1);
+                auto at = [&](int k, int l) {
+                    auto n = (size_t)(l * g.across + k);
+                    return Rgb{g.plane[0][n], g.plane[1][n], g.plane[2][n]};
+                };
+                model.gloss[(size_t)c.texel(i, j)] =
+                    lerp(lerp(at(x0, y0), at(x1, y0), x), lerp(at(x0, y1), at(x1, y1), x), y);
+            }
+    }
+}
+
+} // namespace odraz

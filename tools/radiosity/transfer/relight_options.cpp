@@ -1,0 +1,106 @@
+#include "tools/radiosity/transfer/relight_options.h"
+
+#include "tools/radiosity/read/upright.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace odraz {
+
+namespace {
+
+// Reads --lamps: all, none, or a list of lamps by number or name, each with =STRENGTH or without.
+std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
+    size_t count = room.lamps.size();
+    if (text.empty() || text == "all") return std::vector<float>(count, 1.f);
+    std::vector<float> strengths(count);
+    if (text == "none") return strengths;
+    for (size_t at = 0; at <= text.size();) {
+        size_t end = std::min(text.find(',', at), text.size()), equals = text.find('=', at);
+        std::string name = text.substr(at, std::min(equals, end) - at);
+        float strength = 1;
+        if (equals < end) {
+            char *rest;
+            std::string number = text.substr(equals + 1, end - equals - 1);
+            strength = std::strtof(number.c_str(), &rest);
+            if (number.empty() || *rest || !(strength >= 0 && strength < 1e6f))
+                throw Refused("--lamps: a strength is from 0 to 1e6, not '" + number + "'");
+        }
+        auto found = std::find(room.lamps.begin(), room.lamps.end(), name);
+        char *rest;
+        unsigned long number = std::strtoul(name.c_str(), &rest, 10);
+        if (found != room.lamps.end())
+            number = (unsigned long)(found - room.lamps.begin()) + 1;
+        else if (name.empty() || *rest)
+            number = 0;
+        if (number < 1 || number > count) {
+            std::string known;
+            for (size_t k = 0; k < count; ++k) known += ", " + std::to_string(k + 1) + " " + room.lamps[k];
+            throw Refused("--lamps: there is no lamp '" + name + "'; there " +
+                          (count ? "are " + known.substr(2) : "is none"));
+        }
+        strengths[number - 1] = strength;
+        at = end + 1;
+    }
+    return strengths;
+}
+
+} // namespace
+
+bool RelightOptions::take(const std::string &w, Arguments &words) {
+    if (w == "--sky" || w == "--relight")
+        sky = words.value(w);
+    else if (w == "--turn")
+        turn = words.number(w, -36000, 36000);
+    else if (w == "--lamps")
+        lamps = words.value(w);
+    else if (w == "--bands")
+        bands = words.whole(w, 1, kMostBands);
+    else if (w == "--rank")
+        rank = words.whole(w, 0, kMostRank);
+    else
+        return false;
+    if (given.empty()) given = w;
+    return true;
+}
+
+RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
+    Light light;
+    if (bands > room.bands) throw Refused("--bands: the room has " + std::to_string(room.bands) + " bands");
+    if (rank > room.clusters.rank)
+        throw Refused("--rank: the room's clusters have " + std::to_string(room.clusters.rank) + " axes");
+    light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
+    light.lighting.lamps = readLamps(lamps, room);
+    if (!sky.empty())
+        light.sky = readEnvironment("--sky", sky, room.upIsZ);
+    else if (room.lamps.empty())
+        light.sky = project(Rgb{1, 1, 1});
+    if (!sky.empty() && light.sky.held[0] < 1)
+        std::printf("%s\n", lossOf(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
+    light.lighting.sky = turnedSky(light.sky.light, room, turn, 0);
+    return light;
+}
+
+BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt) {
+    if (turn == 0 && tilt == 0) return sky;
+    Vec3 up = asInModel({0, 1, 0}, room.upIsZ);
+    return turned(sky, room.bands, turnAbout({1, 0, 0}, tilt) * turnAbout(up, -turn));
+}
+
+Solution readLit(const std::string &path, const RelightOptions &options,
+                 const std::function<Vec3(const Solution &)> &eyeFor) {
+    if (!TransferRoom::is(path)) {
+        if (!options.first().empty())
+            throw Refused(options.first() + " is for a room that `radiosity transfer` wrote; " + path +
+                          " is none");
+        Solution solution(path);
+        if (eyeFor) eyeFor(solution);
+        return solution;
+    }
+    TransferRoom room = TransferRoom::read(path);
+    Vec3 eye = eyeFor ? eyeFor(room.model) : Vec3{};
+    return litModel(room, options.of(room).lighting, eyeFor ? &eye : nullptr);
+}
+
+} // namespace odraz

@@ -1,0 +1,39 @@
+// The options that light a room: for `render`, `export` and `view` of what `transfer` wrote.
+#pragma once
+
+#include "tools/common/arguments.h"
+#include "tools/radiosity/transfer/environment.h"
+#include "tools/radiosity/transfer/relight.h"
+
+namespace odraz {
+
+class RelightOptions {
+public:
+    // Whether it is one of these options; if so, takes its value. Throws Refused.
+    bool take(const std::string &option, Arguments &words);
+    const std::string &first() const { return given; } // the first one that was taken; empty: none
+
+    struct Light {
+        Lighting lighting;
+        Projected sky; // before it was turned
+    };
+    // The light of a room. Without --sky it is dark outside; if the room has no lamps either, an even sky of
+    // radiance 1 lights it. Prints what the bands lose of a picture. Throws Refused.
+    Light of(const TransferRoom &room) const;
+
+private:
+    std::string given, sky, lamps;
+    double turn = 0;
+    int bands = 0, rank = -1;
+};
+
+// The sky's light turned by so many degrees about the axis that points up, from -z (+y where z is up) towards
+// +x; then tilted about x, the middle of the picture upwards.
+BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt);
+
+// Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
+// without gloss). Throws Refused if there are options for a room, but the file is none.
+Solution readLit(const std::string &path, const RelightOptions &options,
+                 const std::function<Vec3(const Solution &)> &eyeFor = nullptr);
+
+} // namespace odraz

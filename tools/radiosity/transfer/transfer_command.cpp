@@ -1,0 +1,118 @@
+#include "tools/radiosity/transfer/transfer_command.h"
+
+#include "tools/common/machine.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/solve/progress_bar.h"
+#include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/transfer/check.h"
+
+#include <cstdio>
+
+namespace odraz {
+
+namespace {
+
+struct Job {
+    std::string model, out;
+    bool progress = false, check = false;
+    std::vector<std::string> skies; // to be checked too
+    SolveOptions options;
+    TransferSettings settings;
+};
+
+void readGloss(const std::string &text, TransferSettings &s) {
+    char rest;
+    if (std::sscanf(text.c_str(), "%f,%f%c", &s.polish, &s.exponent, &rest) != 2 ||
+        !(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000))
+        throw Refused("--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " +
+                      text);
+}
+
+Job readJob(Arguments &words) {
+    Job job;
+    TransferSettings &s = job.settings;
+    while (const char *word = words.next()) {
+        std::string w = word;
+        if (w == "-o")
+            job.out = words.value(w);
+        else if (w == "--progress")
+            job.progress = true;
+        else if (w == "--bands")
+            s.bands = words.whole(w, 1, kMostBands);
+        else if (w == "--clusters")
+            s.clusters = words.whole(w, 1, kMostClusters);
+        else if (w == "--rank")
+            s.rank = words.whole(w, 1, kMostRank);
+        else if (w == "--glossy")
+            s.glossy = words.value(w);
+        else if (w == "--gloss")
+            readGloss(words.value(w), s);
+        else if (w == "--check")
+            job.check = true;
+        else if (w == "--sky")
+            job.skies.push_back(words.value(w));
+        else if (w == "--bounces" || w == "--final" || w == "--hemicube" || w == "--patch" ||
+                 w == "--adaptive" || w == "--direct")
+            throw Refused(w + " is no option of transfer: it solves by rays, with all bounces, for any sky");
+        else if (job.options.take(w, words))
+            continue;
+        else if (word[0] != '-' && job.model.empty())
+            job.model = w;
+        else
+            words.refuse(w);
+    }
+    if (job.model.empty()) throw Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
+    if (job.out.empty()) throw Refused("name a file for the room with -o ROOM.prt");
+    if (!job.skies.empty() && !job.check)
+        throw Refused("--sky belongs to --check: a room is solved for any sky");
+    job.options.finish();
+    s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
+    checkWritable(job.out);
+    return job;
+}
+
+void tell(const std::vector<std::string> &notes) {
+    for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
+}
+
+void printReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
+    std::printf("%zu triangles, %zu polygons in one plane each; %zu texels, %zu sites with %zu rays\n",
+                mesh.triangles.size(), room.model.charts.size(), room.texels(), r.sites, r.raysFromSite);
+    std::printf("%d bands, %d functions", room.bands, room.functions());
+    for (size_t k = 0; k < room.lamps.size(); ++k)
+        std::printf("%s %zu %s", k ? "," : "; lamps", k + 1, room.lamps[k].c_str());
+    std::printf("\n%d clusters of %d axes: %.1f MB instead of %.1f\n", room.clusters.count,
+                room.clusters.rank, (double)room.clusters.floats(room.clusters.rank) * 4e-6,
+                (double)(room.texels() * (size_t)(3 * room.bases())) * 4e-6);
+    if (!room.gloss.empty()) std::printf("gloss in %d squares\n", r.squares);
+    std::printf("processor seconds: rays %.2f, solving %.2f (%d sweeps), clusters %.2f, gloss %.2f\n",
+                r.seconds[0], r.seconds[1], r.sweeps, r.seconds[2], r.seconds[3]);
+}
+
+} // namespace
+
+int runTransfer(Arguments &words) {
+    Job job = readJob(words);
+    std::vector<std::string> notes;
+    Mesh mesh = readObj(job.model, job.options.read, notes);
+    tell(notes);
+    Workers workers = allProcessors();
+    ProgressBar bar(job.progress);
+    TransferReport report;
+    auto progress = [&](const char *step, float done) { bar.show(step, done, -1); };
+    TransferRoom room;
+    try {
+        room = findTransfer(mesh, job.settings, workers, progress, report);
+    } catch (const ModelError &e) {
+        throw ModelError(job.model + ": " + e.what());
+    }
+    bar.clear();
+    tell(report.notes);
+    room.save(job.out);
+    printReport(mesh, room, report);
+    std::fflush(stdout);
+    if (job.check) printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers);
+    return 0;
+}
+
+} // namespace odraz

@@ -1,0 +1,152 @@
+// A room as a file: a line that names its kind, a checksum, and arrays (solution/arrays.h).
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/solution/arrays.h"
+#include "tools/radiosity/transfer/transfer_room.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace odraz {
+
+namespace {
+
+constexpr char kMagic[] = "odraz transfer 1\n";
+
+bool finite(const std::vector<float> &list) {
+    return std::all_of(list.begin(), list.end(), [](float x) { return std::fabs(x) < 1e18f; });
+}
+bool within(const std::vector<int> &list, int least, int end) {
+    return std::all_of(list.begin(), list.end(), [&](int x) { return x >= least && x < end; });
+}
+bool between(int x, int least, int most) { return x >= least && x <= most; }
+
+void putClusters(std::string &to, const Clusters &c) {
+    put(to, std::vector<int>{c.count, c.rank, c.columns});
+    put(to, c.of), put(to, c.axes), put(to, c.weights);
+}
+
+bool getClusters(const std::string &from, size_t &at, Clusters &c, const TransferRoom &room) {
+    std::vector<int> sizes;
+    if (!get(from, at, sizes) || sizes.size() != 3 || !get(from, at, c.of) || !get(from, at, c.axes) ||
+        !get(from, at, c.weights))
+        return false;
+    c.count = sizes[0], c.rank = sizes[1], c.columns = sizes[2];
+    return between(c.count, 1, kMostClusters) && between(c.rank, 0, kMostRank) &&
+           c.columns == room.columns() && c.of.size() == room.texels() && within(c.of, 0, c.count) &&
+           finite(c.axes) && finite(c.weights) &&
+           c.axes.size() == (size_t)c.count * (size_t)(1 + c.rank) * (size_t)c.columns &&
+           c.weights.size() == c.of.size() * (size_t)c.rank;
+}
+
+void putGlossy(std::string &to, const GlossyChart &g) {
+    put(to, std::vector<int>{g.chart, g.bases, g.across, g.down, g.clusters, g.dimensions});
+    put(to, g.members), put(to, g.first), put(to, g.axes), put(to, g.weights);
+}
+
+bool getGlossy(const std::string &from, size_t &at, GlossyChart &g, const TransferRoom &room) {
+    std::vector<int> sizes;
+    if (!get(from, at, sizes) || sizes.size() != 6 || !get(from, at, g.members) || !get(from, at, g.first) ||
+        !get(from, at, g.axes) || !get(from, at, g.weights))
+        return false;
+    g.chart = sizes[0], g.bases = sizes[1], g.across = sizes[2], g.down = sizes[3], g.clusters = sizes[4],
+    g.dimensions = sizes[5];
+    if (!between(g.across, 1, 1024) || !between(g.down, 1, 1024) || !between(g.clusters, 1, kMostClusters) ||
+        !between(g.dimensions, 0, kMaxDimensions) || g.dimensions % 8 || g.bases != room.bases())
+        return false;
+    int count = g.across * g.down;
+    return between(g.chart, 0, (int)room.model.charts.size() - 1) && g.members.size() == (size_t)count &&
+           within(g.members, 0, count) && g.first.size() == (size_t)g.clusters + 1 &&
+           within(g.first, 0, count + 1) && std::is_sorted(g.first.begin(), g.first.end()) &&
+           finite(g.axes) && finite(g.weights) && g.weights.size() == (size_t)count * (size_t)g.dimensions &&
+           g.axes.size() ==
+               (size_t)g.clusters * (size_t)(1 + g.dimensions) * (size_t)(g.bases * kGlossOutputs);
+}
+
+// Whether the texels of glossy charts are where showGloss() looks for them.
+bool glossFits(const TransferRoom &room) {
+    return std::all_of(room.gloss.begin(), room.gloss.end(), [&](const GlossyChart &g) {
+        const Chart &c = room.model.charts[(size_t)g.chart];
+        return c.firstTexel >= 0 && (int64_t)c.firstTexel + c.texels() <= (int64_t)room.texels();
+    });
+}
+
+// Names are kept in one array, each with a zero behind it.
+std::vector<char> joined(const std::vector<std::string> &names) {
+    std::vector<char> all;
+    for (const std::string &name : names) all.insert(all.end(), name.c_str(), name.c_str() + name.size() + 1);
+    return all;
+}
+
+bool getRoom(const std::string &from, size_t &at, TransferRoom &room) {
+    std::vector<int> numbers;
+    std::vector<char> names;
+    std::vector<float> polish;
+    if (!get(from, at, numbers) || numbers.size() != 4 || !between(numbers[0], 1, kMostBands) ||
+        !between(numbers[1], 0, 1) || !between(numbers[2], 0, kMaxLamps) ||
+        !between(numbers[3], 0, kMostGlossyCharts) || !get(from, at, names) || !get(from, at, polish) ||
+        polish.size() != 1 || !(polish[0] >= 0 && polish[0] <= 1))
+        return false;
+    room.bands = numbers[0], room.upIsZ = numbers[1], room.polish = polish[0];
+    for (auto begin = names.begin(), end = begin; begin != names.end(); begin = end + 1) {
+        end = std::find(begin, names.end(), '\0');
+        if (end == names.end()) return false;
+        room.lamps.emplace_back(begin, end);
+    }
+    if (room.lamps.size() != (size_t)numbers[2] || !room.model.get(from, at) || !get(from, at, room.lampOf) ||
+        !get(from, at, room.planes) || room.lampOf.size() != room.model.charts.size() ||
+        !within(room.lampOf, -1, numbers[2]) || room.texels() > 1u << 27 ||
+        room.planes.size() != (size_t)room.bases() * 3 * room.stride() || !finite(room.planes) ||
+        !getClusters(from, at, room.clusters, room))
+        return false;
+    room.gloss.resize((size_t)numbers[3]);
+    for (GlossyChart &g : room.gloss)
+        if (!getGlossy(from, at, g, room)) return false;
+    return at == from.size() && glossFits(room);
+}
+
+} // namespace
+
+std::vector<float> TransferRoom::rows() const {
+    auto width = (size_t)columns();
+    std::vector<float> all(texels() * width);
+    for (int k = 0; k < bases(); ++k)
+        for (int c = 0; c < 3; ++c)
+            for (size_t t = 0; t < texels(); ++t) all[t * width + (size_t)(3 * k + c)] = plane(k, c)[t];
+    return all;
+}
+
+std::string TransferRoom::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
+
+void TransferRoom::save(const std::string &path) const {
+    std::string body;
+    put(body, std::vector<int>{bands, upIsZ, (int)lamps.size(), (int)gloss.size()});
+    put(body, joined(lamps)), put(body, std::vector<float>{polish});
+    model.put(body);
+    put(body, lampOf), put(body, planes), putClusters(body, clusters);
+    for (const GlossyChart &g : gloss) putGlossy(body, g);
+    writeWhole(path, withChecksum(body));
+}
+
+bool TransferRoom::is(const std::string &path) {
+    std::string begin(sizeof kMagic - 1, '\0');
+    std::FILE *file = std::fopen(path.c_str(), "rb");
+    if (!file) return false;
+    bool same = std::fread(begin.data(), 1, begin.size(), file) == begin.size() && begin == kMagic;
+    std::fclose(file);
+    return same;
+}
+
+TransferRoom TransferRoom::read(const std::string &path) {
+    std::string all = readWhole(path);
+    size_t at = bodyOf(all, kMagic);
+    if (!at) throw std::runtime_error(path + ": was not written by 'radiosity transfer'");
+    TransferRoom room;
+    if (at == std::string::npos || !getRoom(all, at, room))
+        throw std::runtime_error(path +
+                                 ": is damaged, or from another version: run 'radiosity transfer' again");
+    return room;
+}
+
+} // namespace odraz
