@@ -14,7 +14,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kGlossRays = 1024; // from the middle of a square
+constexpr int kGlossRays = 4096; // from the middle of a square
 
 // A light of the model or of the settings, of which the rest is dark.
 struct LampSource {

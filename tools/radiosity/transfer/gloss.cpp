@@ -31,24 +31,30 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
     Vec3 p = c.at(((float)(square % g.across) + 0.5f) * c.width / (float)g.across,
                   ((float)(square / g.across) + 0.5f) * c.height / (float)g.down) +
              c.n * c.off();
-    std::vector<float> radiances((size_t)(3 * g.bases));
+    constexpr int kPadded = 32; // 25 coefficients
+    int columns = 3 * g.bases;
+    std::vector<float> radiances((size_t)columns), sums((size_t)(columns * kPadded));
     auto solidAngle = (float)(2 * kPiD / (double)directions.size());
     for (const Vec3 &local : directions) {
         Vec3 d = c.u * local.x + c.v * local.y + c.n * local.z;
         std::fill(radiances.begin(), radiances.end(), 0.f);
         arrives(p, d, radiances.data());
         Float8 y[kSh];
+        float coefficients[kPadded] = {};
         evaluate(broadcast(d), y);
-        for (int k = 0; k < 3 * g.bases; ++k) {
+        for (int j = 0; j < kSh; ++j) coefficients[j] = y[j][0] * solidAngle;
+        for (int k = 0; k < columns; ++k) {
             if (radiances[(size_t)k] == 0) continue;
-            float *to = matrix + k / 3 * kGlossOutputs + k % 3 * kSh,
-                  light = radiances[(size_t)k] * solidAngle;
-            for (int j = 0; j < kSh; ++j) to[j] += light * y[j][0];
+            float *to = &sums[(size_t)(k * kPadded)];
+            Float8 light = broadcast(radiances[(size_t)k]);
+            for (int j = 0; j < kPadded; j += 8)
+                store(to + j, fmadd(load(coefficients + j), light, load(to + j)));
         }
     }
-    for (int k = 0; k < 3 * g.bases; ++k)
+    for (int k = 0; k < columns; ++k)
         for (int j = 0; j < kSh; ++j)
-            matrix[k / 3 * kGlossOutputs + k % 3 * kSh + j] *= window(bandOf(j), exponent);
+            matrix[k / 3 * kGlossOutputs + k % 3 * kSh + j] =
+                sums[(size_t)(k * kPadded + j)] * window(bandOf(j), exponent);
 }
 
 } // namespace

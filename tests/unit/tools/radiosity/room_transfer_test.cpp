@@ -1,5 +1,6 @@
 // Transfer of any model: closed forms (an open plane, a white corner, a furnace), solutions made for one
 // light, a model that is turned, and what files may hold.
+#include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/transfer/check.h"
 
 #include "tests/support/random.h"
@@ -281,4 +282,205 @@ TEST(Transfer, TurnsWithTheModel) {
                                            lightOf(room, turned(sky.light, kBands, turn.inverse()))));
     std::printf("turned model against turned environment: %.1e\n", worst);
     EXPECT_LT(worst, 1e-4);
+}
+
+// All axes give the rows back; each axis adds; the same memory in one subspace holds less.
+TEST(Clusters, HoldTheRows) {
+    TransferSettings settings = settingsOf(3, 64, 0.03);
+    settings.clusters = 16, settings.rank = 28;
+    TransferRoom room = transferOf(openRoom(), settings);
+    std::vector<float> rows = room.rows(), scale = columnScale(room, rows);
+    const Clusters &many = room.clusters;
+    EXPECT_LT(lossOf(many, rows, scale, 28), 2e-3); // of 28 lights, most of them grey
+    double last = 1;
+    for (int rank = 0; rank <= many.rank; ++rank) {
+        double loss = lossOf(many, rows, scale, rank);
+        EXPECT_LE(loss, last * 1.0001) << rank;
+        last = loss;
+    }
+    for (int rank : {4, 8, 12}) {
+        Clusters few = findClusters(rows, room.columns(), scale, blocksOf(room.model, 16), 16, rank, serial);
+        int same = rank;
+        Clusters one = {.count = 1,
+                        .rank = 0,
+                        .columns = room.columns(),
+                        .of = std::vector<int>(room.texels()),
+                        .axes = {},
+                        .weights = {}};
+        while (one.floats(same) < few.floats(rank)) ++same;
+        one = findClusters(rows, room.columns(), scale, one.of, 1, same, serial);
+        double clusters = lossOf(few, rows, scale, rank), subspace = lossOf(one, rows, scale, same);
+        std::printf("%d axes: clusters %.2f %%, one subspace of %d axes %.2f %%\n", rank, 100 * clusters,
+                    same, 100 * subspace);
+        EXPECT_LT(clusters, 0.7 * subspace);
+    }
+    // Axes are in order: those of a cluster explain less and less
+    for (int c = 0; c < many.count; ++c) {
+        std::vector<double> squares((size_t)many.rank);
+        for (size_t t = 0; t < many.of.size(); ++t)
+            for (size_t d = 0; many.of[t] == c && d < squares.size(); ++d)
+                squares[d] += std::pow((double)many.weights[t * squares.size() + d], 2);
+        for (size_t d = 1; d < squares.size(); ++d) EXPECT_LE(squares[d], squares[d - 1] * 1.0001 + 1e-20);
+    }
+    std::vector<int> blocks = blocksOf(room.model, 16), sizes(16);
+    for (int block : blocks) ++sizes[(size_t)block];
+    for (int size : sizes) EXPECT_NEAR(size, (double)blocks.size() / 16, 2);
+}
+
+// The exact rows, summed in double precision by hand.
+TEST(Relighting, IsASumOfRows) {
+    TransferRoom room = transferOf(openRoom(), settingsOf(4, 32, 0.1));
+    Random random = {7};
+    BandLight sky = randomLight(4, random);
+    std::vector<Rgb> light = lightOf(room, sky, 0.5f),
+                     compressed = lightOf(room, sky, 0.5f, room.clusters.rank);
+    for (size_t t = 0; t < room.texels(); ++t) {
+        double sum = 0, all = 0;
+        for (int k = 0; k < room.bases(); ++k) {
+            double term = (double)room.plane(k, 1)[t] * (k < 16 ? (double)sky[(size_t)k].y : 0.5);
+            sum += term, all += std::fabs(term);
+        }
+        EXPECT_NEAR(light[t].y, sum, 1e-6 * all);
+    }
+    EXPECT_LT(difference(compressed, light), 0.01);
+}
+
+// A mirror blurred by a lobe, over a floor without walls: the sky's own coefficients, in the half-space
+// above, by dense quadrature. Then in the open room, by random rays through the solution for this light.
+TEST(Gloss, IsTheLobeOfWhatArrives) {
+    auto lobeOf = [](double cosine, double exponent) { // of the bands' windows, around the mirrored direction
+        double sum = 0;
+        for (int l = 0; l < kBands; ++l)
+            sum += (2 * l + 1) / (4 * M_PI) * (double)window(l, (float)exponent) * legendre(l, cosine);
+        return sum;
+    };
+    auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
+        TransferSettings settings = settingsOf(kBands, 256, 0.05);
+        settings.glossy = "grey", settings.polish = 0.3f, settings.exponent = 20;
+        TransferRoom room = transferOf(mesh, settings);
+        ASSERT_FALSE(room.gloss.empty());
+        BandLight sky = bandLimitedSkies(kBands, false)[2].light;
+        Lighting lighting = {
+            .sky = sky, .lamps = std::vector<float>(room.lamps.size(), lamps), .bands = kBands, .rank = -1};
+        Solution lit = litModel(room, lighting, &eye);
+        RayTree tree(cornersOf(mesh));
+        Regions regions = joinRegions(mesh, std::sqrt(0.05));
+        const Chart &floor = lit.charts[0];
+        double error = 0, all = 0;
+        for (int j = 3; j < floor.down; j += 5)
+            for (int i = 3; i < floor.across; i += 5) {
+                Vec3 p = floor.at((float)i / (float)floor.across * floor.width,
+                                  (float)j / (float)floor.down * floor.height);
+                Vec3 from = p + floor.n * 1e-3f, d = normalize(p - eye),
+                     mirror = d - floor.n * (2 * dot(d, floor.n));
+                double sum = 0;
+                const int around = 128, count = 64 * around;
+                for (int k = 0; k < count; ++k) {
+                    // Rings about the normal, of equal height
+                    float high = ((float)(k / around) + 0.5f) / (count / around),
+                          wide = std::sqrt(1 - high * high);
+                    float angle =
+                        ((float)(k % around) + 0.25f * (float)(k / around % 4)) * (float)(2 * M_PI / around);
+                    Vec3 way = floor.u * (wide * std::cos(angle)) + floor.v * (wide * std::sin(angle)) +
+                               floor.n * high;
+                    RayHit hit = tree.nearest(from, way);
+                    double light = 0;
+                    if (hit.triangle < 0)
+                        light = (double)radiance(sky, kBands, way).y;
+                    else if (!hit.back) {
+                        int chart = regions.chartOf[(size_t)hit.triangle];
+                        Vec3 at = from + way * hit.t;
+                        light = (double)(lit.lightAt(chart, at) * lit.reflects[(size_t)chart] +
+                                         lit.emits[(size_t)chart])
+                                    .y;
+                    }
+                    sum += light * lobeOf((double)dot(way, mirror), 20) * 2 * M_PI / count;
+                }
+                double grazing = 1 - (double)-dot(d, floor.n), schlick = 0.3 + 0.7 * std::pow(grazing, 5),
+                       exact = std::fmax(sum, 0) * schlick,
+                       got = (double)lit.gloss[(size_t)floor.texel(i, j)].y;
+                error += (got - exact) * (got - exact), all += exact * exact;
+            }
+        std::printf("gloss against dense rays, %s: %.2f %% rms\n", what, 100 * std::sqrt(error / all));
+        EXPECT_LT(std::sqrt(error / all), limit);
+    };
+    Mesh plate = meshOf({{{-2, 0, 2}, {4, 0, 0}, {0, 0, -4}, 0}}, {{"grey", {0.5f, 0.5f, 0.5f}, {}}});
+    shown(plate, {1, 1.5f, 3}, false, "an open floor", 0.02);
+    shown(openRoom(), {0.5f, 1.6f, 5}, true, "an open room", 0.03);
+}
+
+namespace {
+
+std::string fileOf(const TransferRoom &room) {
+    TemporaryFolder folder;
+    room.save(folder / "room.prt");
+    return readWhole(folder / "room.prt");
+}
+
+// Whether a file is accepted, and can be worked with then.
+bool accepted(const std::string &file) {
+    TemporaryFolder folder;
+    writeWhole(folder / "room.prt", file);
+    try {
+        TransferRoom room = TransferRoom::read(folder / "room.prt");
+        Vec3 eye = {1, 2, 3};
+        for (int rank : {-1, 0, room.clusters.rank})
+            litModel(room, {.sky = {}, .lamps = {}, .bands = room.bands, .rank = rank}, &eye);
+        return true;
+    } catch (const std::runtime_error &e) {
+        EXPECT_EQ(std::string(e.what()).find(folder / "room.prt"), 0u) << e.what();
+        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
+        return false;
+    }
+}
+
+} // namespace
+
+TEST(File, KeepsTheRoom) {
+    TransferSettings settings = settingsOf(2, 16, 0.5);
+    settings.glossy = "grey", settings.upIsZ = true;
+    TransferRoom room = transferOf(openRoom(), settings);
+    std::string file = fileOf(room);
+    TemporaryFolder folder;
+    writeWhole(folder / "room.prt", file);
+    EXPECT_TRUE(TransferRoom::is(folder / "room.prt"));
+    EXPECT_FALSE(TransferRoom::is(folder / "none.prt"));
+    TransferRoom again = TransferRoom::read(folder / "room.prt");
+    EXPECT_EQ(fileOf(again), file);
+    EXPECT_EQ(again.lamps, std::vector<std::string>{"lamp"});
+    EXPECT_EQ(again.bands, 2);
+    EXPECT_TRUE(again.upIsZ);
+}
+
+// Damage is found by the checksum; where a forger computes it anew, what is read is refused or can be worked
+// with.
+TEST(File, SurvivesDamage) {
+    TransferSettings settings = settingsOf(2, 8, 4);
+    settings.glossy = "grey", settings.rank = 1, settings.clusters = 2;
+    TransferRoom room = transferOf(openRoom(), settings);
+    std::string file = fileOf(room);
+    size_t head = file.find('\n') + 1 + 8;
+    ASSERT_TRUE(accepted(file));
+    for (size_t end = 0; end < file.size(); end += end < 64 ? 1 : file.size() / 50)
+        EXPECT_FALSE(accepted(file.substr(0, end))) << end;
+    EXPECT_FALSE(accepted(file + "x"));
+    std::string body = file.substr(head);
+    EXPECT_FALSE(accepted(TransferRoom::withChecksum(body + "x")));
+    for (size_t end = 0; end < body.size(); end += 1 + body.size() / 100)
+        EXPECT_FALSE(accepted(TransferRoom::withChecksum(body.substr(0, end)))) << end;
+    // Bytes changed: most of the file is small numbers, so some changes are accepted
+    int taken = 0, tried = 0;
+    for (size_t at = 0; at < body.size(); at += at < 2048 ? 11 : body.size() / 100) {
+        for (int value : {0, 0xff, 0x80, 1}) {
+            std::string other = body;
+            other[at] = (char)(other[at] ^ value);
+            if (other != body) taken += accepted(TransferRoom::withChecksum(other)), ++tried;
+        }
+        std::string flipped = file;
+        flipped[head + at] = (char)(flipped[head + at] ^ 4);
+        EXPECT_FALSE(accepted(flipped)) << at;
+    }
+    std::printf("%d of %d changed files could be worked with\n", taken, tried);
+    EXPECT_GT(taken, 0);
+    EXPECT_LT(taken, tried);
 }
