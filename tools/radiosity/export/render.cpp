@@ -134,6 +134,21 @@ void look(const Seen &seen, Workers &workers, Frame &frame) {
 
 } // namespace
 
+std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Workers &workers) {
+    HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
+    Frame frame = {};
+    if (!makeFrame(frame, memory.arena, s.width, s.height))
+        throw std::runtime_error("there is not enough memory: try a smaller --size");
+    look(Seen(solution, s), workers, frame);
+    std::vector<Rgb> all;
+    for (int y = 0; y < s.height; ++y)
+        for (int x = 0; x < s.width; ++x) {
+            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
+            all.push_back({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
+        }
+    return all;
+}
+
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
     HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
     Frame frame = {};

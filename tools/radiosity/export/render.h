@@ -18,6 +18,9 @@ struct RenderSettings {
 // Places the camera above and to one side, so that the picture holds all facets.
 void placeCamera(const Solution &solution, RenderSettings &settings);
 
+// The radiance that reaches each pixel, in rows from above to below: what render() shows. Throws likewise.
+std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &settings, Workers &workers);
+
 // Writes a PNG. Throws std::runtime_error.
 void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
             const std::string &path);

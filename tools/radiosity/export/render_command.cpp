@@ -4,6 +4,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/export/render.h"
+#include "tools/radiosity/export/transfer_pictures.h"
 #include "tools/radiosity/transfer/relight_options.h"
 
 #include <cstdio>
@@ -11,19 +12,32 @@
 namespace odraz {
 
 int runRender(Arguments &words) {
-    std::string in, out;
+    std::string in, out, pictures;
     CameraOptions camera;
     RelightOptions relight;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "-o")
             out = words.value(w);
+        else if (w == "--pictures")
+            pictures = words.value(w);
         else if (camera.take(w, words) || relight.take(w, words))
             continue;
         else if (word[0] != '-' && in.empty())
             in = w;
         else
             words.refuse(w);
+    }
+    if (!in.empty() && !pictures.empty()) {
+        if (!out.empty()) throw Refused("--pictures DIR writes pictures of its own: leave out -o");
+        if (!TransferRoom::is(in))
+            throw Refused("--pictures is for a room that `radiosity transfer` wrote; " + in + " is none");
+        camera.finish("render");
+        Workers workers = allProcessors();
+        TransferRoom room = TransferRoom::read(in);
+        if (!camera.placed()) placeCamera(room.model, camera.settings);
+        picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
+        return 0;
     }
     if (in.empty() || out.empty()) throw Refused("render needs a solution and -o FILE.png");
     camera.finish("render");

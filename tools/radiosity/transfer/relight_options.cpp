@@ -52,7 +52,9 @@ bool RelightOptions::take(const std::string &w, Arguments &words) {
     if (w == "--sky" || w == "--relight")
         sky = words.value(w);
     else if (w == "--turn")
-        turn = words.number(w, -36000, 36000);
+        around = words.number(w, -36000, 36000);
+    else if (w == "--tilt")
+        up = words.number(w, -90, 90);
     else if (w == "--lamps")
         lamps = words.value(w);
     else if (w == "--bands")
@@ -78,7 +80,7 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
         light.sky = project(Rgb{1, 1, 1});
     if (!sky.empty() && light.sky.held[0] < 1)
         std::printf("%s\n", lossOf(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
-    light.lighting.sky = turnedSky(light.sky.light, room, turn, 0);
+    light.lighting.sky = turnedSky(light.sky.light, room, around, up);
     return light;
 }
 

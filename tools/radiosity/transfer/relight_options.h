@@ -12,6 +12,9 @@ public:
     // Whether it is one of these options; if so, takes its value. Throws Refused.
     bool take(const std::string &option, Arguments &words);
     const std::string &first() const { return given; } // the first one that was taken; empty: none
+    const std::string &skyWord() const { return sky; }
+    double turn() const { return around; } // degrees
+    double tilt() const { return up; }
 
     struct Light {
         Lighting lighting;
@@ -23,7 +26,7 @@ public:
 
 private:
     std::string given, sky, lamps;
-    double turn = 0;
+    double around = 0, up = 0;
     int bands = 0, rank = -1;
 };
 
