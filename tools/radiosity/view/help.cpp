@@ -5,28 +5,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace odraz {
 
 // In heights of a digit
 static constexpr float kLine = 2, kMargin = 1.5f, kSecond = 8, kWide = 33, kHigh = 2 * kMargin - 1;
 
-std::string viewKeysLine() {
+std::string viewKeysLine(std::span<const ViewKey> keys) {
     std::string all;
-    for (const ViewKey &k : kViewKeys) all += (all.empty() ? "" : ", ") + std::string(k.keys) + " " + k.does;
+    for (const ViewKey &k : keys) all += (all.empty() ? "" : ", ") + std::string(k.keys) + " " + k.does;
     return all;
 }
 
-Picture viewHelp(int width, int height) {
-    static constexpr float kLines = kLine * (float)std::size(kViewKeys);
-    float size = std::min({11.f, (float)width / kWide, (float)height / (kLines + kHigh)});
-    Picture p = {std::max((int)(kWide * size), 1), std::max((int)((kLines + kHigh) * size), 1), {}};
+Picture viewHelp(std::span<const ViewKey> keys, int width, int height) {
+    float lines = kLine * (float)keys.size();
+    float size = std::min({11.f, (float)width / kWide, (float)height / (lines + kHigh)});
+    Picture p = {std::max((int)(kWide * size), 1), std::max((int)((lines + kHigh) * size), 1), {}};
     HeapArena memory(((size_t)p.width + 64) * (size_t)p.height * 32 + 4096);
     Frame frame = {};
     makeFrame(frame, memory.arena, p.width, p.height); // there is room
     float y = (kMargin + 1) * size;
-    for (const ViewKey &k : kViewKeys) {
+    for (const ViewKey &k : keys) {
         drawText(frame, k.keys, kMargin * size, y, size, 0.12f, 0, Align::Left, {1, 0.8f, 0.4f}, 1);
         drawText(frame, k.does, (kMargin + kSecond) * size, y, size, 0.12f, 0, Align::Left, {1, 1, 1}, 1);
         y += kLine * size;

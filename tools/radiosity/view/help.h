@@ -3,6 +3,7 @@
 
 #include "tools/picture/picture.h"
 
+#include <span>
 #include <string>
 
 namespace odraz {
@@ -27,11 +28,35 @@ inline constexpr ViewKey kViewKeys[] = {
     {"H F1", "this help"},
     {"Esc", "ends"},
 };
+inline constexpr ViewKey kRoomKeys[] = {
+    {"W A S D", "fly ahead, left, back, right"},
+    {"Q E", "fly down, up"},
+    {"Shift", "flies faster"},
+    {"mouse", "left button looks, right one turns the sky"},
+    {"wheel", "exposes"},
+    {"1 .. 9 0", "lamps"},
+    {"[ ]", "bands"},
+    {"P", "exact rows, or clusters"},
+    {"- =", "axes of the clusters"},
+    {", .", "half and twice as many clusters"},
+    {"F2 .. F5", "patches, elements, wireframe, hemicube"},
+    {"B", "backs"},
+    {"T", "tone"},
+    {"C", "camera line"},
+    {"R", "back to the start"},
+    {"H F1", "this help"},
+    {"Esc", "ends"},
+};
+
+// The keys for a solution, or for a room that is relit.
+inline std::span<const ViewKey> viewKeys(bool room) {
+    return room ? std::span<const ViewKey>(kRoomKeys) : std::span<const ViewKey>(kViewKeys);
+}
 
 // The keys in one line.
-std::string viewKeysLine();
+std::string viewKeysLine(std::span<const ViewKey> keys);
 
 // The keys on a dark ground, one line each; the picture is at most this large.
-Picture viewHelp(int width, int height);
+Picture viewHelp(std::span<const ViewKey> keys, int width, int height);
 
 } // namespace odraz

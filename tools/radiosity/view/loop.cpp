@@ -1,4 +1,5 @@
 // The loop of `view`: draws what has changed until the window closes.
+#include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
 
 #include "trace/picture/frame.h"
@@ -63,7 +64,7 @@ bool ViewWindow::glide(float seconds) {
 void ViewWindow::present() {
     int width, height;
     glfwGetFramebufferSize(window, &width, &height);
-    picture->show(tone, s.layers, patch, height, help);
+    picture->show(tone, s.layers, patch, height, help ? viewKeys(room) : std::span<const ViewKey>());
     glfwSwapBuffers(window);
     toned = false;
     if (s.screenshot.empty() || !solved || size == 0) return;
@@ -76,6 +77,7 @@ void ViewWindow::title(const std::string &step) {
     char stops[40] = "";
     if (s.camera.stops != 0) std::snprintf(stops, sizeof stops, "  %+g stops", (double)s.camera.stops);
     std::string text = "radiosity: " + s.name + (step.empty() ? "" : "  (" + step + ")");
+    if (room) text += "  " + room->title();
     const ViewLayers &l = s.layers;
     for (auto [on, name] : {std::pair{l.patches, "patches"},
                             {l.elements, "elements"},
@@ -84,7 +86,9 @@ void ViewWindow::title(const std::string &step) {
                             {l.backs, "backs"},
                             {tone.logarithmic, "log"}})
         if (on) text += std::string("  ") + name;
-    text += std::string(stops) + "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
+    text += std::string(stops) +
+            (room ? "   [H help, W A S D Q E, mouse, wheel, 1 .. 9 [ ] - = P , . B T R C, Esc]"
+                  : "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]");
     if (text != titled) glfwSetWindowTitle(window, text.c_str());
     titled = text;
 }
@@ -107,11 +111,17 @@ void ViewWindow::run(BackgroundSolve *solver) {
             (width != s.camera.width || height != s.camera.height))
             s.camera.width = width, s.camera.height = height, redraw = true;
         bool moving = fly(passed);
+        moving |= relight(passed);
         if (moving) moved = now;
         if (rough && now - moved > 0.2) redraw = true;
         drawWhatChanged(moving);
         gliding = glide(passed);
         if (toned) present();
+        if (s.spin > 0 && spun >= s.spin) {
+            std::printf("%.1f pictures a second of %d x %d\n", spunPictures / spun, s.camera.width,
+                        s.camera.height);
+            glfwSetWindowShouldClose(window, 1);
+        }
     }
 }
 

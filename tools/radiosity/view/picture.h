@@ -5,6 +5,7 @@
 #include "tools/picture/picture.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/view/gl.h"
+#include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/mesh.h"
 #include "trace/rays/view.h"
 
@@ -35,9 +36,10 @@ public:
     int patchAt(int x, int y) const;
     // Draws the unfolded view of the patch's hemicube.
     void drawHemicube(int patch, bool upIsZ);
-    // Combines both into the picture and shows it in the upper left corner of the window, with the keys over
-    // it.
-    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight, bool helped);
+    // Combines both into the picture and shows it in the upper left corner of the window, with these keys
+    // over it, if any.
+    void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
+              std::span<const ViewKey> keys);
     Picture read() const;
 
 private:
@@ -49,7 +51,7 @@ private:
     void drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, const Vec3 &ahead, int lines,
                   bool backs) const;
     void clear(float number) const;
-    void layHelp(int width, int height);
+    void layHelp(std::span<const ViewKey> keys, int width, int height);
     GLuint program(const char *vertex, const char *fragment, bool reversed);
     void attribute(GLuint place, int count, GLenum type, size_t stride, size_t offset) const;
 

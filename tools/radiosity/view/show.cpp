@@ -2,7 +2,6 @@
 #include "tools/radiosity/view/picture.h"
 
 #include "tools/common/statistics.h"
-#include "tools/radiosity/view/help.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,7 +44,7 @@ int ViewPicture::patchAt(int x, int y) const {
 }
 
 void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
-                       bool helped) {
+                       std::span<const ViewKey> keys) {
     int width = scene.width / samples, height = scene.height / samples;
     shape(final, width, height, GL_RGBA8, false);
     auto at = [&](const char *name) { return gl.glGetUniformLocation(showProgram, name); };
@@ -67,7 +66,7 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
     pass(scene, 0, 0, samples, layers.hemicube ? patch : 0);
     if (layers.hemicube && patch)
         pass(hemicube, width - hemicube.width - 8, std::min(8, height - hemicube.height), 1, 0);
-    if (helped) layHelp(width, height);
+    if (!keys.empty()) layHelp(keys, width, height);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, final.framebuffer);
     gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     gl.glBlitFramebuffer(0, 0, width, height, 0, windowHeight - height, width, windowHeight,
@@ -75,11 +74,11 @@ void ViewPicture::show(const ViewTone &tone, const ViewLayers &layers, int patch
 }
 
 // Puts the help into the upper left corner of the picture.
-void ViewPicture::layHelp(int width, int height) {
+void ViewPicture::layHelp(std::span<const ViewKey> all, int width, int height) {
     static constexpr int kAside = 8;
     if (width <= 2 * kAside || height <= 2 * kAside) return;
     if (helpFor[0] != width || helpFor[1] != height) {
-        Picture keys = viewHelp(width - 2 * kAside, height - 2 * kAside);
+        Picture keys = viewHelp(all, width - 2 * kAside, height - 2 * kAside);
         shape(help, keys.width, keys.height, GL_RGBA8, false);
         gl.glBindTexture(GL_TEXTURE_2D, help.colour);
         gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);

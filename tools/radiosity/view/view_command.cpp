@@ -15,10 +15,12 @@ namespace odraz {
 namespace {
 
 struct Job {
-    std::string in;
+    std::string in, sky;
+    bool room = false;
     ViewSettings view;
     CameraOptions camera;
     SolveOptions solve;
+    RelightOptions relight;
     std::string solving; // the first option that only a model to be solved can have
 };
 
@@ -38,6 +40,17 @@ bool isModel(const std::string &path) {
     return end == ".obj";
 }
 
+// Hands --sky to the options that it belongs to.
+void giveSky(Job &job) {
+    char option[] = "--sky";
+    char *pointers[] = {nullptr, job.sky.data()};
+    Arguments value(2, pointers, "radiosity --help");
+    if (job.room)
+        job.relight.take(option, value);
+    else
+        job.solve.take(option, value), job.solving = job.solving.empty() ? option : job.solving;
+}
+
 Job readJob(Arguments &words) {
     Job job;
     while (const char *word = words.next()) {
@@ -48,6 +61,12 @@ Job readJob(Arguments &words) {
             addLayer(job.view.layers, words.value(w));
         else if (job.camera.take(w, words)) // --up belongs to both
             job.solve.upIsZ = job.camera.settings.upIsZ;
+        else if (w == "--spin")
+            job.view.spin = words.number(w, 0.1, 3600);
+        else if (w == "--sky") // of a room or of a model: known when the file is
+            job.sky = words.value(w);
+        else if (job.relight.take(w, words))
+            continue;
         else if (job.solve.take(w, words))
             job.solving = job.solving.empty() ? w : job.solving;
         else if (word[0] != '-' && job.in.empty())
@@ -56,8 +75,14 @@ Job readJob(Arguments &words) {
             words.refuse(w);
     }
     if (job.in.empty()) throw Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
+    job.room = !isModel(job.in) && TransferRoom::is(job.in);
+    if (!job.sky.empty()) giveSky(job);
     if (!isModel(job.in) && !job.solving.empty())
-        throw Refused(job.solving + " is an option for models: " + job.in + " is a solution");
+        throw Refused(job.solving + " is an option for models: " + job.in + " is a " +
+                      (job.room ? "room" : "solution"));
+    if (!job.room && (!job.relight.first().empty() || job.view.spin > 0))
+        throw Refused((job.view.spin > 0 ? "--spin" : job.relight.first()) +
+                      " is for a room that `radiosity transfer` wrote; " + job.in + " is none");
     job.camera.finish("view");
     job.solve.finish();
     if (!job.view.screenshot.empty()) checkWritable(job.view.screenshot);
@@ -72,8 +97,19 @@ Job readJob(Arguments &words) {
 int runView(Arguments &words) {
     Job job = readJob(words);
     auto keys = [&] {
-        if (job.view.screenshot.empty()) std::printf("%s\n", viewKeysLine().c_str()), std::fflush(stdout);
+        if (job.view.screenshot.empty())
+            std::printf("%s\n", viewKeysLine(viewKeys(job.room)).c_str()), std::fflush(stdout);
     };
+    if (job.room) {
+        RelitRoom room(TransferRoom::read(job.in), job.relight, ViewWindow::wake);
+        ViewWindow window(job.view);
+        keys();
+        RenderSettings camera = job.view.camera;
+        placeCamera(room.model(), camera);
+        window.show(room, camera);
+        window.run(nullptr);
+        return 0;
+    }
     if (!isModel(job.in)) {
         Solution solution(job.in);
         auto mesh = std::make_shared<const ViewMesh>(solution);

@@ -40,7 +40,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         glfwTerminate();
         throw std::runtime_error("no OpenGL 3.3 on this display: install libgl1-mesa-dri, or the driver");
     }
-    glfwSwapInterval(1);
+    glfwSwapInterval(s.spin > 0 ? 0 : 1);
     glfwSetWindowUserPointer(window, this);
     glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int) {
         if (action != GLFW_RELEASE) of(w).key(key);
@@ -49,6 +49,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     // Handle events in order: if pictures take long, a whole gesture may happen between two of them
     glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
+        if (button == GLFW_MOUSE_BUTTON_RIGHT) of(w).turning = action == GLFW_PRESS;
     });
     glfwSetCursorPosCallback(window, [](GLFWwindow *w, double x, double y) { of(w).pointer(x, y); });
     glfwSetInputMode(window, GLFW_STICKY_KEYS, 1);
@@ -66,14 +67,10 @@ void ViewWindow::wake() { glfwPostEmptyEvent(); }
 // A change of light, tone or numbers alone does not draw the scene again.
 void ViewWindow::key(int key) {
     toned = true;
-    if (key == GLFW_KEY_1)
-        s.layers.patches ^= true, redraw |= s.layers.wireframe;
-    else if (key == GLFW_KEY_2)
-        s.layers.elements ^= true, redraw = true;
-    else if (key == GLFW_KEY_3)
-        s.layers.wireframe ^= true, redraw = true;
-    else if (key == GLFW_KEY_4)
-        s.layers.hemicube ^= true, pointerX = -1, patch = 0;
+    if (room && room->key(key)) return;
+    int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // a room's numbers are its lamps
+    if (key >= first && key < first + 4)
+        layerKey(key - first);
     else if (key == GLFW_KEY_B)
         s.layers.backs ^= true, redraw = true;
     else if (key == GLFW_KEY_T)
@@ -81,11 +78,23 @@ void ViewWindow::key(int key) {
     else if (key == GLFW_KEY_R)
         s.camera.eye = start.eye, s.camera.target = start.target, redraw = true;
     else if (key == GLFW_KEY_C)
-        std::printf("%s\n", cameraLine(s.camera).c_str()), std::fflush(stdout);
+        std::printf("%s%s\n", cameraLine(s.camera).c_str(), room ? room->words().c_str() : ""),
+            std::fflush(stdout);
     else if (key == GLFW_KEY_H || key == GLFW_KEY_F1)
         help ^= true;
     else if (key == GLFW_KEY_ESCAPE)
         glfwSetWindowShouldClose(window, 1);
+}
+
+void ViewWindow::layerKey(int number) {
+    if (number == 0)
+        s.layers.patches ^= true, redraw |= s.layers.wireframe;
+    else if (number == 1)
+        s.layers.elements ^= true, redraw = true;
+    else if (number == 2)
+        s.layers.wireframe ^= true, redraw = true;
+    else
+        s.layers.hemicube ^= true, pointerX = -1, patch = 0;
 }
 
 void ViewWindow::wheel(double notches) {
@@ -94,6 +103,7 @@ void ViewWindow::wheel(double notches) {
 
 void ViewWindow::pointer(double x, double y) {
     if (looking) lookX += (float)(x - mouseX), lookY += (float)(y - mouseY);
+    if (turning) turnX += (float)(x - mouseX), turnY += (float)(y - mouseY);
     mouseX = x, mouseY = y;
 }
 
@@ -109,6 +119,26 @@ void ViewWindow::show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rg
     redraw = true;
     patch = 0;
     ++pictures;
+}
+
+void ViewWindow::show(RelitRoom &shown, const RenderSettings &camera) {
+    room = &shown;
+    // Gloss depends on where the camera will stand
+    show(room->mesh(), *room->light(s.placed ? s.camera.eye : camera.eye), camera);
+}
+
+// A third of a degree for a pixel. Returns whether the light changed.
+bool ViewWindow::relight(float seconds) {
+    if (!room) return false;
+    float x = std::exchange(turnX, 0.f), y = std::exchange(turnY, 0.f);
+    if (x != 0 || y != 0) room->turn((double)x / 3, (double)-y / 3);
+    if (s.spin > 0 && lit) {
+        room->turn(360 * (double)seconds / s.spin, 0);
+        spun += (double)seconds, ++spunPictures;
+    }
+    const std::vector<Rgb> *light = room->light(s.camera.eye);
+    if (light) picture->relight(*light), redraw = true, ++pictures;
+    return light;
 }
 
 void ViewWindow::hear(BackgroundSolve &solver) {

@@ -3,6 +3,7 @@
 
 #include "tools/radiosity/view/background_solve.h"
 #include "tools/radiosity/view/picture.h"
+#include "tools/radiosity/view/relit_room.h"
 
 #include <string>
 
@@ -16,6 +17,7 @@ struct ViewSettings {
     bool placed = false; // the user placed the camera; else it stands where render would put it
     ViewLayers layers;
     std::string screenshot; // file to write; the window closes once it is written
+    double spin = 0;        // if above 0: turn a room's sky once in so many seconds, tell the rate and close
 };
 
 class ViewWindow {
@@ -27,6 +29,8 @@ public:
 
     void show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rgb> &light,
               const RenderSettings &camera);
+    // Shows a room, which the window's keys and mouse relight; it must outlive the run.
+    void show(RelitRoom &room, const RenderSettings &camera);
     // Runs until the window is closed or the screenshot is written. `solver` may be null.
     void run(BackgroundSolve *solver);
     static void wake();
@@ -37,6 +41,8 @@ private:
     void pointer(double x, double y);
     void hear(BackgroundSolve &solver);
     bool fly(float seconds);
+    bool relight(float seconds);
+    void layerKey(int number);
     void drawWhatChanged(bool moving);
     void pickPatch();
     float exposure() const; // the wanted exposure
@@ -49,6 +55,7 @@ private:
     GLFWwindow *window = nullptr;
     std::unique_ptr<ViewPicture> picture;
     float size = 0; // of the model; 0: none yet
+    RelitRoom *room = nullptr;
     ViewTone tone, wanted;
     // The work to do: draw the scene, tone-map it; whether it was drawn at low quality; whether light was
     // measured
@@ -56,9 +63,11 @@ private:
     bool solved = true; // the light shown is final
     int patch = 0, pictures = 0;
     double mouseX = 0, mouseY = 0;
-    bool looking = false; // the left button is held
-    bool help = false;    // shown over the picture
-    float lookX = 0, lookY = 0;
+    bool looking = false, turning = false; // the left button, the right one is held
+    bool help = false;                     // shown over the picture
+    float lookX = 0, lookY = 0, turnX = 0, turnY = 0;
+    double spun = 0; // seconds
+    int spunPictures = 0;
     int pointerX = 0, pointerY = 0;
     std::string titled;
 };

@@ -1,0 +1,145 @@
+#include "tools/radiosity/view/relit_room.h"
+
+#include "tools/common/machine.h"
+#include "tools/radiosity/transfer/find_transfer.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace odraz {
+
+RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
+    : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
+      lit(room.model), clusters(room.clusters), wanted(clusters.count), wake(wake) {
+    RelightOptions::Light light = options.of(room);
+    sky = light.sky, lighting = std::move(light.lighting);
+    exactRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
+    shown = std::make_shared<const ViewMesh>(lit);
+    finder = std::thread([this] { findOthers(); });
+}
+
+RelitRoom::~RelitRoom() {
+    {
+        std::lock_guard held(lock);
+        order = -1;
+        asked.notify_one();
+    }
+    finder.join();
+}
+
+// Waits for orders; the last one counts.
+void RelitRoom::findOthers() {
+    std::vector<float> rows, scale;
+    Workers alone = serialWorkers(); // the other threads draw
+    for (;;) {
+        int count;
+        {
+            std::unique_lock held(lock);
+            asked.wait(held, [this] { return order != 0; });
+            if (order < 0) return;
+            count = order, order = 0;
+        }
+        if (rows.empty()) rows = room.rows(), scale = columnScale(room, rows);
+        Clusters others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
+                                       room.clusters.rank, alone);
+        {
+            std::lock_guard held(lock);
+            found = std::move(others), fresh = true;
+        }
+        wake();
+    }
+}
+
+void RelitRoom::setClusters(int count) {
+    wanted = std::clamp(count, 1, (int)std::min(room.texels(), (size_t)kMostClusters));
+    std::lock_guard held(lock);
+    order = wanted;
+    asked.notify_one();
+}
+
+bool RelitRoom::key(int key) {
+    auto toggle = [&](int lamp) {
+        if (lamp < (int)room.lamps.size()) {
+            float &strength = lighting.lamps[(size_t)lamp];
+            strength = strength > 0 ? 0.f : 1.f;
+        }
+    };
+    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
+        toggle(key - GLFW_KEY_1);
+    else if (key == GLFW_KEY_0)
+        toggle(9);
+    else if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET)
+        lighting.bands = std::clamp(lighting.bands + (key == GLFW_KEY_LEFT_BRACKET ? -1 : 1), 1, room.bands);
+    else if (key == GLFW_KEY_MINUS || key == GLFW_KEY_EQUAL) {
+        exactRank = std::clamp(exactRank + (key == GLFW_KEY_MINUS ? -1 : 1), 0, room.clusters.rank);
+        lighting.rank = exactRank;
+    } else if (key == GLFW_KEY_P)
+        lighting.rank = lighting.rank < 0 ? exactRank : -1;
+    else if (key == GLFW_KEY_COMMA || key == GLFW_KEY_PERIOD) {
+        setClusters(key == GLFW_KEY_COMMA ? wanted / 2 : wanted * 2);
+        lighting.rank = exactRank;
+    } else
+        return false;
+    return changed = true;
+}
+
+void RelitRoom::turn(double by, double up) {
+    around = std::fmod(around + by, 360), tilt = std::clamp(tilt + up, -90., 90.);
+    changed = true;
+}
+
+const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
+    {
+        std::lock_guard held(lock);
+        if (fresh) clusters = std::move(found), fresh = false, changed = true;
+    }
+    bool moved = !room.gloss.empty() && length(eye - seenFrom) > 0;
+    if (!changed && !moved) return nullptr;
+    lighting.sky = turnedSky(sky.light, room, around, tilt);
+    if (lighting.rank >= 0)
+        relighter.relight(clusters, lighting, lit.light);
+    else
+        relighter.relight(lighting, lit.light);
+    for (Rgb &l : lit.light) l = {std::max(l.x, 0.f), std::max(l.y, 0.f), std::max(l.z, 0.f)};
+    lightLamps(room, lighting, lit);
+    showGloss(room.gloss, lit, lightVector(room, lighting), eye, room.polish);
+    points = shown->light(lit);
+    changed = false, seenFrom = eye;
+    return &points;
+}
+
+std::string RelitRoom::title() const {
+    char text[120];
+    std::snprintf(text, sizeof text, "turn %.0f  %d bands  ", around, lighting.bands);
+    std::string all = text;
+    if (lighting.rank < 0)
+        all += "exact rows";
+    else {
+        std::snprintf(text, sizeof text, "%d clusters of %d axes%s", clusters.count, lighting.rank,
+                      wanted != clusters.count ? ", finding others" : "");
+        all += text;
+    }
+    std::string on;
+    for (size_t k = 0; k < lighting.lamps.size(); ++k)
+        if (lighting.lamps[k] > 0) on += " " + std::to_string(k + 1);
+    return lighting.lamps.empty() ? all : all + "  lamps" + (on.empty() ? " off" : on);
+}
+
+std::string RelitRoom::words() const {
+    char text[160];
+    std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
+    std::string all = (options.skyWord().empty() ? "" : " --sky " + options.skyWord()) + text, lamps;
+    if (lighting.rank >= 0) all += " --rank " + std::to_string(lighting.rank);
+    for (size_t k = 0; k < lighting.lamps.size(); ++k)
+        if (float strength = lighting.lamps[k]; strength > 0) {
+            std::snprintf(text, sizeof text, strength == 1 ? ",%zu" : ",%zu=%g", k + 1, (double)strength);
+            lamps += text;
+        }
+    return lighting.lamps.empty() ? all : all + " --lamps " + (lamps.empty() ? "none" : lamps.substr(1));
+}
+
+} // namespace odraz

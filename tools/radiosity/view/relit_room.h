@@ -1,0 +1,65 @@
+// A room that `view` relights while it is looked at: what keys and the mouse set, and the light that follows.
+//
+// Other numbers of clusters are found on a thread of their own; until they are there, the old ones are shown.
+#pragma once
+
+#include "tools/radiosity/transfer/relight_options.h"
+#include "tools/radiosity/view/mesh.h"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+namespace odraz {
+
+class RelitRoom {
+public:
+    // `wake` is called on the thread of the clusters after news. Throws Refused.
+    RelitRoom(TransferRoom room, const RelightOptions &options, void (*wake)());
+    ~RelitRoom();
+    RelitRoom(const RelitRoom &) = delete;
+
+    const Solution &model() const { return lit; }
+    std::shared_ptr<const ViewMesh> mesh() const { return shown; }
+
+    // Whether a key of GLFW's means something here.
+    bool key(int key);
+    // Turns and tilts the sky by degrees.
+    void turn(double around, double up);
+    // Makes the light that an eye sees at each point of the mesh; null if it is as it was.
+    const std::vector<Rgb> *light(const Vec3 &eye);
+
+    std::string title() const; // the knobs, in a few words
+    std::string words() const; // as options of `render`
+
+private:
+    TransferRoom room;
+    RelightOptions options;
+    Relighter relighter;
+    Projected sky;
+    Lighting lighting;
+    double around, tilt;
+    int exactRank; // the rank to return to from exact rows
+    Solution lit;
+    std::shared_ptr<const ViewMesh> shown;
+    std::vector<Rgb> points;
+    Vec3 seenFrom = {};
+    bool changed = true;
+    Clusters clusters; // in use
+    int wanted;        // how many clusters
+
+    // Used by both threads, under the lock
+    void (*wake)();
+    std::mutex lock;
+    std::condition_variable asked;
+    int order = 0; // clusters to find; 0: none, -1: end
+    bool fresh = false;
+    Clusters found;
+    std::thread finder; // last member: starts when all others exist
+
+    void findOthers();
+    void setClusters(int count);
+};
+
+} // namespace odraz
