@@ -101,8 +101,9 @@ Solution readLit(const std::string &path, const RelightOptions &options,
         return solution;
     }
     TransferRoom room = TransferRoom::read(path);
+    Lighting lighting = options.of(room).lighting;
     Vec3 eye = eyeFor ? eyeFor(room.model) : Vec3{};
-    return litModel(room, options.of(room).lighting, eyeFor ? &eye : nullptr);
+    return litModel(room, lighting, eyeFor ? &eye : nullptr);
 }
 
 } // namespace odraz

@@ -1,0 +1,105 @@
+# `radiosity view` of a room: its pictures against those of `render`, the sky turned by the mouse, lamps, bands and
+# clusters by keys, and the rate.
+. "$(dirname "$0")/display.sh"
+skip_unless convert perl
+needs_built radiosity
+needs_built compare
+radiosity=$BUILD/radiosity
+"$radiosity" view 2>&1 | grep -q 'left out of this build' &&
+    { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
+cd "$WORK" || exit 1
+
+seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
+like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
+shows() { shot && like shot.png "$1" 46; } 2>/dev/null
+alters() { shot && ! like shot.png "$1" 46; } 2>/dev/null
+start_display 900x700
+
+perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
+    for $j (0 .. 31) { for $i (0 .. 63) { print pack("C4", $i < 32 ? (200, 90, 40, 129) : (30, 60, 120, 128)) } }' >sky.hdr
+"$radiosity" generate columns -o hall.obj >out
+# A second lamp
+printf 'newmtl floor lamp\nKd 0 0 0\nKe 0 6 30\n' >>hall.mtl
+printf 'v 14 0.1 8\nv 17 0.1 8\nv 17 0.1 5\nv 14 0.1 5\nusemtl floor lamp\nf -4 -3 -2 -1\n' >>hall.obj
+check "transfer" prints 'lamps 1 lamp, 2 floor lamp' "$radiosity" transfer hall.obj -o hall.prt --rays 32 --element 0.5 --glossy floor --rank 8 --clusters 40
+at=(--size 320x200 --eye -18,6,13 --at 4,3,-6)
+render() { "$radiosity" render hall.prt -o "$@" "${at[@]}" --sky sky.hdr >out; }
+view() { "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" "$@" >told 2>err; }
+render plain.png
+check "a picture" view --screenshot view.png
+check "... is render's" like view.png plain.png 44
+check "... and the loss is told" grep -q 'sky.hdr: 5 bands hold' told
+for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40"; do
+    # shellcheck disable=SC2086 # options are several words
+    check "with $more" view $more --screenshot view.png
+    # shellcheck disable=SC2086
+    render render.png $more
+    check "... is render's" like view.png render.png 44
+done
+# What the window shows is compared with its own screenshots
+view --screenshot plain.png
+view --screenshot one.png --lamps 2
+view --screenshot two.png --lamps 1
+view --screenshot bands.png --bands 4
+view --screenshot clusters.png --rank 8
+view --screenshot axes.png --rank 7
+check "a window" begin "$radiosity" view hall.prt --relight sky.hdr "${at[@]}"
+check "... has the keyboard" await focused
+check "... tells its keys" await grep -q '1 .. 9 0 lamps' out
+check "... shows the picture" await shows plain.png
+check "... and what it is" titled 'turn 0  5 bands  exact rows  lamps 1 2'
+xdotool key 1
+check "key 1: without the first lamp" await shows one.png
+check "... tells so" await titled 'lamps 2 '
+xdotool key 1
+await shows plain.png
+xdotool key 2
+check "key 2: without the second" await shows two.png
+xdotool key 2
+check "... and back" await shows plain.png
+xdotool key bracketleft
+check "key [: a band less" await titled '4 bands'
+check "... shows" await shows bands.png
+xdotool key bracketright
+check "key ]: and back" await shows plain.png
+xdotool key p
+check "key P: clusters" await titled '40 clusters of 8 axes'
+check "... show" await shows clusters.png
+xdotool key minus
+check "key -: an axis less" await titled 'of 7 axes'
+check "... shows" await shows axes.png
+xdotool key equal
+await titled 'of 8 axes'
+xdotool key period
+check "key .: twice as many clusters" await titled '80 clusters of 8 axes  lamps'
+xdotool key comma
+await titled '40 clusters'
+xdotool key comma
+check "key ,: half as many" await titled '20 clusters'
+xdotool key p
+check "key P: exact rows again" await titled 'exact rows'
+await shows plain.png
+xdotool key F3
+check "key F3: outlines of elements" await titled '  elements'
+xdotool key F3
+await shows plain.png
+xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mousemove --window "$window" 250 100 mouseup 3
+check "the right button turns the sky" await alters plain.png
+check "... by a third of a degree for a pixel" await titled 'turn 50 '
+xdotool key c
+check "key C tells of the light too" await grep -qE -- '--tone film --size 320x200 --sky sky.hdr --turn 50 --tilt 0 --bands 5 --lamps 1,2$' out
+again() { shot && view --screenshot again.png --turn 50 && like shot.png again.png 46; }
+check "... as the options show it" await again
+xdotool key Escape
+ended $pid
+check "ESC ends it with status 0" test $? = 0
+check "... without a word" test ! -s err
+
+check "a turn of the sky" prints '^[0-9.]+ pictures a second of 320 x 200' "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" --spin 2
+sed -n '$p' printed
+check "... is more than a few pictures" eval 'less 3 "$(sed -nE "s/^([0-9.]+) pictures a second.*/\1/p" printed)"'
+check "--spin for what cannot be relit" refuses 2 "--spin is for a room" "$radiosity" view hall.obj --spin 1
+check "--relight for a model" refuses 2 "--relight is for a room" "$radiosity" view hall.obj --relight sky.hdr
+check "options of solve for a room" refuses 2 "--rays is an option for models" "$radiosity" view hall.prt --rays 8
+finish
