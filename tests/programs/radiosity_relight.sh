@@ -24,7 +24,8 @@ like_fresh() {
     solve $model -o fresh.rad $method $changes
     check "... is like a fresh one" same fresh.rad relit.rad
 }
-quick() { grep -q '^kept rows of' told; }
+quick() { grep -q '^kept ' told; }
+scaled() { grep -q '^kept light, scaled' told; }
 slow() { grep -q '^processor seconds: dividing' told; }
 light="--sky .2,.3,.5 --sun 30,60,5,5,5 --lamp 0,5,0,1,9,9,9"
 rays="--rays 32 --element 1"
@@ -37,6 +38,8 @@ for method in "$rays" "$rays $light --scale 2 --two-sided" "--hemicube 16 --elem
     like_fresh "... other materials" columns.obj "$method" "--power 3 --reflectance white=0.9 --reflectance red=.1,.5,.9"
     if [ "${method%--final*}" = "$method" ]; then check "... without dividing" quick; else check "... with final rays" slow; fi
     like_fresh "... lamps of another colour" columns.obj "$method" "--power 1,20,5"
+    like_fresh "... of three times the power" columns.obj "$method" "--power 3"
+    case $method in *--final* | *--sky*) ;; *) check "... which is not solved" scaled ;; esac
 done
 
 # Extremes
@@ -180,8 +183,8 @@ check "rows that are stopped" await grep -qs '^progress: form factors' err
 kill -INT ${PIDS[-1]}
 check "... end well" ended ${PIDS[-1]}
 check "... and are not kept" test ! -e y.rad.rows
-check "... go on" prints residual "$radiosity" solve --resume y.rad.state
-check "... and are kept then" prints '^kept rows' "$radiosity" solve columns.obj --relight y.rad -o x.rad --power 2
-"$radiosity" solve columns.obj -o fresh.rad --hemicube 64 --power 2 >out
+check "... go on" prints residual "$radiosity" solve --resume y.rad.state 2>err
+check "... and are kept then" prints '^kept rows of' "$radiosity" solve columns.obj --relight y.rad -o x.rad --power 2 --reflectance 0.9
+"$radiosity" solve columns.obj -o fresh.rad --hemicube 64 --power 2 --reflectance 0.9 >out
 check "... like a fresh one" same fresh.rad x.rad
 finish

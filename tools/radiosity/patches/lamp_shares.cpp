@@ -11,6 +11,13 @@ DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
     if (kept.seen) return kept;
     Model &m = *p.model;
     auto texels = (size_t)m.texelCount;
+    if (kept.emitters.size() == 1) { // all light is that material's
+        Rgb e = task.emitted()[(size_t)kept.emitters[0]];
+        int k = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+        kept.shares.emplace_back(p.radiosity.direct[k], p.radiosity.direct[k] + texels);
+        for (float &share : kept.shares[0]) share /= maxComponent(e);
+        return kept;
+    }
     std::vector<int> materialOf;
     for (const Glow &g : p.glows)
         materialOf.push_back(task.regions.material[(size_t)m.facets[g.facet].chart]);

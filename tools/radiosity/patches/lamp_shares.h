@@ -6,7 +6,8 @@
 
 namespace odraz {
 
-// Looks at the lamps of a system again, from its final texels.
+// From a system's direct light, to which nothing else was added yet. Lamps of several materials are looked at
+// again, from the final texels.
 DirectShares lampShares(const SolveTask &task, PatchSystem &patches);
 
 // Adds what direct light has besides that of lamps: of the sky, suns and balls.

@@ -3,6 +3,7 @@
 #include "tools/common/machine.h"
 #include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/progress_bar.h"
+#include "tools/radiosity/solve/scaled.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_job.h"
 #include "tools/radiosity/solve/solve_report.h"
@@ -142,6 +143,14 @@ private:
             refuseMemory(bytes, settings.memory, "raise it");
         settings.resumed = kept->rows;
         if (!prepare(*kept)) readModel();
+        if (prepared && job.options.stopsAlike && !kept->evenSky) {
+            Solution scaled(job.relight);
+            if (scaleLight(scaled, mesh, *prepared, settings)) {
+                scaled.save(job.out);
+                std::printf("kept light, scaled: all lamps changed alike\n");
+                return;
+            }
+        }
         begin();
         Solved solved = solve();
         solved.solution.save(job.out);

@@ -132,6 +132,7 @@ void SolveOptions::follow(const SolveOptions &kept, const std::string &file) {
     settings.evenSky = own.settings.evenSky;
     if (own.has("--bounces")) settings.bounces = own.settings.bounces;
     if (own.has("--residual")) settings.residual = own.settings.residual;
+    stopsAlike = settings.bounces == kept.settings.bounces && settings.residual == kept.settings.residual;
     if (own.has("--memory")) settings.memory = own.settings.memory;
 }
 

@@ -20,6 +20,8 @@ public:
     // except other materials and when to stop. Throws Refused if one that was given differs.
     void follow(const SolveOptions &kept, const std::string &file);
 
+    bool stopsAlike = false; // after follow(): at the same residual or bounce as the kept solution
+
     ReadSettings read;
     SolveSettings settings;
     bool upIsZ = false;

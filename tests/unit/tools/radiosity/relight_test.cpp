@@ -6,6 +6,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solution/kept_rows.h"
+#include "tools/radiosity/solve/scaled.h"
 #include "tools/radiosity/solve/solve.h"
 
 #include <cmath>
@@ -26,7 +27,7 @@ protected:
     Mesh mesh;
     SolveSettings settings;
     std::string rows, prepared;
-    bool evenSky = false;
+    bool keptSky = false;
 
     // Keeps the rows of a small room.
     void keep() {
@@ -39,7 +40,7 @@ protected:
         settings.keepRows = [this](std::string r, std::string p) {
             rows = std::move(r), prepared = std::move(p);
         };
-        evenSky = solveModel(mesh, settings, headlessGl(), workers(), &kNever, {}).evenSky;
+        keptSky = solveModel(mesh, settings, headlessGl(), workers(), &kNever, {}).evenSky;
         settings.keepRows = nullptr;
     }
     // The same materials without polygons, changed.
@@ -54,7 +55,7 @@ protected:
     Solution relit(const Mesh &materials, std::string_view rowsNow, std::string_view preparedNow) {
         settings.resumed = rowsNow;
         PreparedSolve ready(preparedNow, materials.materials.size());
-        return relightModel(materials, ready, evenSky, {}, settings, workers(), &kNever, {}).solution;
+        return relightModel(materials, ready, keptSky, {}, settings, workers(), &kNever, {}).solution;
     }
 };
 
@@ -132,6 +133,52 @@ TEST_P(Relight, SurvivesForgedRows) {
     }
     EXPECT_GT(refused, 100);
     EXPECT_GT(solved, 50); // a number of a form factor may be any
+}
+
+TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
+    keep();
+    settings.resumed = {};
+    Solution base = solveModel(mesh, settings, headlessGl(), workers(), &kNever, {}).solution;
+    PreparedSolve ready(prepared, mesh.materials.size());
+    using Changes = std::vector<std::pair<std::string, std::string>>;
+    auto scales = [&](const Changes &changes, Solution b) {
+        Mesh materials = changed(changes);
+        std::vector<Rgb> before = b.light;
+        if (!scaleLight(b, materials, ready, settings)) {
+            EXPECT_EQ(std::memcmp(b.light.data(), before.data(), before.size() * sizeof(Rgb)), 0);
+            return false;
+        }
+        Mesh whole = mesh;
+        whole.materials = materials.materials;
+        Solution fresh = solveModel(whole, settings, headlessGl(), workers(), &kNever, {}).solution;
+        double most = 0;
+        for (const Rgb &c : fresh.light) most = std::max(most, (double)maxComponent(c));
+        if (most > 0)
+            EXPECT_LT(difference(fresh.light, b.light), 1e-6);
+        else
+            for (const Rgb &c : b.light) EXPECT_EQ(maxComponent(c), 0);
+        return true;
+    };
+    bool patches = GetParam();
+    EXPECT_TRUE(scales({{"--power", "3"}}, base));
+    EXPECT_TRUE(scales({{"--power", "1e-9"}}, base));
+    EXPECT_FALSE(scales({{"--power", "0"}}, base)); // a fresh one gets an even sky
+    settings.evenSky = false;
+    EXPECT_TRUE(scales({{"--power", "0"}}, base));
+    EXPECT_EQ(scales({{"--power", "1,2,3"}}, base), patches); // by rays there is one residual for all colours
+    EXPECT_FALSE(scales({{"--power", "0,2,3"}}, base));
+    EXPECT_FALSE(scales({{"--power", "3"}, {"--power", "white=1,1,1"}}, base));
+    EXPECT_FALSE(scales({{"--power", "3"}, {"--reflectance", "white=0.99"}}, base));
+    settings.surroundings.sky = evenSky({1, 1, 1});
+    EXPECT_FALSE(scales({{"--power", "3"}}, base));
+    settings.surroundings = {};
+    Solution two = base; // one of two lamps changes
+    for (size_t i = 0; i < two.emits.size(); ++i)
+        if (maxComponent(two.emits[i]) == 0) {
+            two.emits[i] = {1, 1, 1};
+            break;
+        }
+    EXPECT_FALSE(scales({{"--power", "3"}}, two));
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, Relight, testing::Bool(),

@@ -1,0 +1,16 @@
+// Light is linear: if all lamps change alike and nothing else does, a solution is scaled and not solved anew.
+#pragma once
+
+#include "tools/radiosity/read/mesh.h"
+#include "tools/radiosity/solution/solve_settings.h"
+#include "tools/radiosity/solution/solve_task.h"
+
+namespace odraz {
+
+// Scales the light of a solution to these materials. False, and nothing is changed, if they reflect otherwise
+// than the solution's, if its lamps do not all change by the same factors of red, green and blue, or if there
+// is other light. A solution by rays has one residual for all colours, so these must have the same factor.
+bool scaleLight(Solution &solution, const Mesh &materials, const PreparedSolve &prepared,
+                const SolveSettings &settings);
+
+} // namespace odraz
