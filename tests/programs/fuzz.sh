@@ -1,7 +1,8 @@
 # Attacks a reader of files, with real files as seeds.
-#   fuzz.sh BUILD pack|rad|obj|hdr replay    damages the seeds, in every run the same way; for tests under sanitizers
-#   fuzz.sh BUILD pack|rad|obj|hdr SECONDS   runs libFuzzer that long. What it finds differs from run to run, so it
-#                                            prints each finding: keep it as a test
+#   fuzz.sh BUILD pack|rad|obj|hdr|prt replay    damages the seeds, in every run the same way; for tests under
+#                                                sanitizers
+#   fuzz.sh BUILD pack|rad|obj|hdr|prt SECONDS   runs libFuzzer that long. What it finds differs from run to run, so
+#                                                it prints each finding: keep it as a test
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
 target=${2:-pack} seconds=${3:-30}
@@ -54,6 +55,19 @@ seeds_for_rad() {
     # An earlier finding: the floor's blue, the fourth number from the end, is negative
     perl -0777 -pe 'substr($_, -24, 12) = pack("f3", 1, 1, -5)' seeds/patch1element1 >seeds/negative
     options=(-max_len=16384)
+}
+
+# The smallest rooms, without their header of 17 bytes and their checksum of 8
+seeds_for_prt() {
+    local option
+    printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
+    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
+    for option in "--bands 1 --rank 1" "--bands 2 --rank 2 --clusters 2" "--bands 1 --rank 1 --glossy m" "--bands 2 --rank 1 --up z"; do
+        # shellcheck disable=SC2086 # options are several words
+        "$BUILD/radiosity" transfer m.obj -o m.prt --rays 8 --element 1 $option >/dev/null 2>&1 || return
+        tail -c +26 m.prt >"seeds/${option//[^0-9a-z]/}"
+    done
+    options=(-max_len=65536)
 }
 
 # Rows plain and run-length coded, even, with a sun, and almost valid ones

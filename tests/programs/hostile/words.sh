@@ -34,6 +34,14 @@ values() { # values OPTION: sets good to what it may be given
     pack--budget) good=(65536 1e8 9999 1 0 1e9 1.5) ;;
     pack--effort) good=(fast 0 0.1 fastest) ;;
     radiosity-o | radiosity--csv | radiosity--ply | radiosity--obj) good=("${files[@]}" x.obj x.png) ;;
+    radiosity--bands) good=(1 2 6 0 7) ;;
+    radiosity--clusters) good=(1 2 4096 0 4097) ;;
+    radiosity--rank) good=(1 8 32 0 33) ;;
+    radiosity--turn | radiosity--tilt) good=(10 -90 0 1e9) ;;
+    radiosity--lamps) good=(all none 1 l=2 2 1,1 l= ,) ;;
+    radiosity--glossy) good=(l m l none '') ;;
+    radiosity--gloss) good=(0.06,16 1,1 0,1000 2,1 1,0 1) ;;
+    radiosity--pictures) good=("${folders[@]}") ;;
     radiosity--area) good=(1 100 30 1e-5 1e7) ;;
     radiosity--hemicube) good=(4 16 25 2 1026) ;;
     radiosity--patch | radiosity--element) good=(1 10 1e30 1e31 1e-19) ;;
@@ -95,7 +103,7 @@ begin() { # sets bounds for the next one
     odraz*) bounds=(--size 16x9 --quality draft --from 20 --to 20.04); [ $((RANDOM % 3)) = 0 ] || bounds+=(--dump e) ;;
     pack) pick 'hello.elf -o out' '--test hello' '-d hello -o out' hello.elf fifo '--test fifo' '/dev/zero -o out' 'file -o out'; bounds=($picked) ;;
     radiosity)
-        pick 'generate cube -o x.obj' 'solve m.obj -o x.rad' 'export m.rad --csv x.csv' 'render m.rad -o x.png --size 16x9 --eye 0,5,4 --at 0,4,-5' 'solve m.rad' 'export m.obj' 'solve fifo -o x.rad' solve render 'sing' ''
+        pick 'generate cube -o x.obj' 'solve m.obj -o x.rad' 'export m.rad --csv x.csv' 'render m.rad -o x.png --size 16x9 --eye 0,5,4 --at 0,4,-5' 'transfer m.obj -o x.prt --rays 8' 'render m.prt -o x.png --size 16x9 --eye 0,5,4 --at 0,4,-5' 'render m.prt' 'export m.prt --csv x.csv' 'solve m.rad' 'export m.obj' 'solve fifo -o x.rad' solve render 'sing' ''
         bounds=($picked) ;;
     esac
 }
@@ -113,7 +121,8 @@ pack)
 radiosity)
     printf 'newmtl l\nKe 5 5 5\n' >"$WORK/given/m.mtl"
     printf 'mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >"$WORK/given/m.obj"
-    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 --keep-rows >/dev/null ;;
+    "$program" solve "$WORK/given/m.obj" -o "$WORK/given/m.rad" --patch 1 --element 1 --keep-rows >/dev/null
+    "$program" transfer "$WORK/given/m.obj" -o "$WORK/given/m.prt" --bands 2 --element 1 >/dev/null ;;
 esac
 given=$(ls "$WORK/given")
 

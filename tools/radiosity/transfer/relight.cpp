@@ -1,8 +1,16 @@
 #include "tools/radiosity/transfer/relight.h"
 
+#include "tools/radiosity/read/upright.h"
+
 #include <algorithm>
 
 namespace odraz {
+
+BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt) {
+    if (turn == 0 && tilt == 0) return sky;
+    Vec3 up = asInModel({0, 1, 0}, room.upIsZ);
+    return turned(sky, room.bands, turnAbout({1, 0, 0}, tilt) * turnAbout(up, -turn));
+}
 
 LightVector lightVector(const TransferRoom &room, const Lighting &l) {
     LightVector v = {};

@@ -1,7 +1,5 @@
 #include "tools/radiosity/transfer/relight_options.h"
 
-#include "tools/radiosity/read/upright.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -82,12 +80,6 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
         std::printf("%s\n", lossOf(sky.substr(sky.rfind('/') + 1), light.sky, light.lighting.bands).c_str());
     light.lighting.sky = turnedSky(light.sky.light, room, around, up);
     return light;
-}
-
-BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt) {
-    if (turn == 0 && tilt == 0) return sky;
-    Vec3 up = asInModel({0, 1, 0}, room.upIsZ);
-    return turned(sky, room.bands, turnAbout({1, 0, 0}, tilt) * turnAbout(up, -turn));
 }
 
 Solution readLit(const std::string &path, const RelightOptions &options,

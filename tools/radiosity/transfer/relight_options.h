@@ -30,10 +30,6 @@ private:
     int bands = 0, rank = -1;
 };
 
-// The sky's light turned by so many degrees about the axis that points up, from -z (+y where z is up) towards
-// +x; then tilted about x, the middle of the picture upwards.
-BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt);
-
 // Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
 // without gloss). Throws Refused if there are options for a room, but the file is none.
 Solution readLit(const std::string &path, const RelightOptions &options,
