@@ -78,6 +78,7 @@ public:
         solve(columns, rays, grid, tree);
         spread(columns, rays, grid);
         report.seconds[1] = lap();
+        tellClosed();
         compressRows();
         report.seconds[2] = lap();
         findGlossyCharts(columns, grid, tree);
@@ -186,6 +187,12 @@ private:
         for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns, rays, grid, tree);
         tell("solving", 0);
         report.sweeps = columns.solve(s.solve.residual, workers);
+    }
+
+    void tellClosed() {
+        const float *even = room.plane(0, 0);
+        if (std::all_of(even, even + room.texels(), [](float x) { return x == 0; }))
+            report.notes.emplace_back("no light from outside gets in: only the lamps light this room");
     }
 
     // From the sites to the planes of the texels.
