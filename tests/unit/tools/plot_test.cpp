@@ -1,6 +1,6 @@
 // Plots: every point has its name as text, and nothing overlaps.
-#include "tools/measure/sweep/labels.h"
-#include "tools/measure/sweep/plot.h"
+#include "tools/common/labels.h"
+#include "tools/common/plot.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -2,7 +2,7 @@
 // are wrong, std::runtime_error if something fails.
 #pragma once
 
-#include "tools/measure/sweep/plot.h"
+#include "tools/common/plot.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // Writes lightmaps into a folder: the pages, and the model with texture coordinates on them.
 #include "tools/radiosity/export/atlas.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/new_folder.h"
 #include "tools/common/print.h"
 #include "tools/common/statistics.h"
 #include "tools/common/whole_file.h"
@@ -12,55 +12,12 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <stb/stb_image_write.h>
 
 namespace odraz {
 
 namespace {
-
-// A folder beside the one that the user named; it gets that name when it is complete.
-class Folder {
-public:
-    explicit Folder(std::string path) : path(std::move(path)) {
-        while (this->path.size() > 1 && this->path.back() == '/') this->path.pop_back();
-        std::error_code wrong;
-        if (std::filesystem::exists(this->path, wrong) &&
-            (!std::filesystem::is_directory(this->path, wrong) ||
-             !std::filesystem::is_empty(this->path, wrong)))
-            throw Refused(this->path + ": exists already: name a folder that is new or empty");
-        checkWritable(this->path);
-        errno = EEXIST;
-        for (int i = 0; i < 100 && errno == EEXIST; ++i) {
-            part = this->path + "." + std::to_string(getpid() + i) + ".part";
-            if (mkdir(part.c_str(), 0777) == 0) return;
-        }
-        part.clear();
-        fail();
-    }
-    Folder(const Folder &) = delete;
-    ~Folder() {
-        std::error_code ignored;
-        if (!part.empty()) std::filesystem::remove_all(part, ignored);
-    }
-    void write(const std::string &name, const std::string &text) const {
-        writeWhole(part + "/" + name, text);
-    }
-    std::string operator/(const std::string &name) const { return part + "/" + name; }
-    void finish() {
-        if (rename(part.c_str(), path.c_str())) fail();
-        part.clear();
-    }
-
-private:
-    std::string path, part;
-    [[noreturn]] void fail() const {
-        throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
-    }
-};
 
 // The light that a PNG shows as 1: a ninth above what 99 of 100 texels do not exceed.
 float standsForOne(const Solution &b, bool radiosity) {
@@ -74,7 +31,7 @@ float standsForOne(const Solution &b, bool radiosity) {
     return all.empty() ? 1 : std::max(quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
 }
 
-void writePng(const Folder &folder, const std::string &name, const AtlasPage &size,
+void writePng(const NewFolder &folder, const std::string &name, const AtlasPage &size,
               const std::vector<float> &texels, float one) {
     Picture picture = {size.width, size.height, {}};
     picture.rgb.resize(texels.size());
@@ -84,7 +41,7 @@ void writePng(const Folder &folder, const std::string &name, const AtlasPage &si
         throw std::runtime_error("cannot write " + folder / name + ": " + std::strerror(errno));
 }
 
-void writeHdr(const Folder &folder, const std::string &name, const AtlasPage &size,
+void writeHdr(const NewFolder &folder, const std::string &name, const AtlasPage &size,
               std::vector<float> &&texels) {
     // Add half a step of the eight bits: the writer truncates instead of rounding
     for (size_t i = 0; i < texels.size(); i += 3) {
@@ -154,7 +111,7 @@ std::string objOf(const AtlasModel &m) {
 void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &path,
                  std::vector<std::string> &notes) {
     if (b.facets.empty()) throw std::runtime_error("it has no polygon");
-    Folder folder(path);
+    NewFolder folder(path);
     Atlas atlas = packAtlas(b, s);
     AtlasModel model(b, atlas, standsForOne(b, s.radiosity));
     folder.write("model.obj", objOf(model));

@@ -1,4 +1,4 @@
-#include "tools/measure/sweep/labels.h"
+#include "tools/common/labels.h"
 
 #include <algorithm>
 #include <cmath>

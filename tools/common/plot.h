@@ -6,9 +6,9 @@
 
 struct PlotPoint {
     double x, y;
-    std::string name;
-    bool shipped; // its mark is larger, its name bold
-    int series;   // the number of its series
+    std::string name; // may be empty
+    bool shipped;     // its mark is larger, its name bold
+    int series;       // the number of its series
 };
 
 struct Plot {
@@ -18,8 +18,10 @@ struct Plot {
     bool logarithmicX = false, logarithmicY = false;
     bool lessIsBetterX = true, lessIsBetterY = true; // which corner the front faces
     bool frontOfEach = false;                        // every series has a front of its own
+    bool joined = false; // instead of fronts: the points of each series are joined in their order
 };
 
-// The plot with its front: the points that no other point beats on both axes, joined. On a logarithmic axis
-// all values must be positive. No text overlaps another text or a mark; a crowded drawing is made larger.
+// The plot with its front: the points that no other point beats on both axes, joined. There must be a point.
+// On a logarithmic axis all values must be positive. No text overlaps another text or a mark; a crowded
+// drawing is made larger.
 std::string svg(const Plot &plot);

@@ -1,6 +1,6 @@
-#include "tools/measure/sweep/plot.h"
+#include "tools/common/plot.h"
 
-#include "tools/measure/sweep/labels.h"
+#include "tools/common/labels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace {
 
-constexpr double kLeft = 80, kTop = 40, kBottom = 60, kKey = 170; // the key is right of the plot
+constexpr double kLeft = 80, kTop = 40, kBottom = 60, kLeastKey = 170; // the key is right of the plot
 constexpr double kFont = 10, kDigit = kFont * 0.58; // of names: their size, and the width of a letter
 constexpr double kMark = 4, kShippedMark = 6;
 constexpr const char *kColours[] = {"#b5562a", "#2f6f8f", "#5a7d2b", "#7a4b8c", "#8a7a20",
@@ -63,18 +63,27 @@ struct Axis {
         else {
             double step = std::pow(10, std::floor(std::log10((high - low) / 4)));
             while ((high - low) / step > 8) step *= (high - low) / step > 16 ? 5 : 2;
-            for (double v = std::ceil(low / step) * step; v <= high; v += step) all.push_back(v);
+            for (double v = std::ceil(low / step) * step; v <= high; v += step)
+                all.push_back(v + 0.0); // no -0
         }
         std::erase_if(all, [&](double v) { return scale(v) < low || scale(v) > high; });
         return all;
     }
 };
 
+// Wide enough for the longest name, of about 6.6 a letter.
+double keyWidth(const Plot &plot) {
+    size_t longest = 0;
+    for (const std::string &name : plot.series) longest = std::max(longest, name.size());
+    return std::max(kLeastKey, 40 + 6.6 * (double)longest);
+}
+
 // A drawing of a given size; empty if names have no room in it.
 class Drawing {
 public:
     Drawing(const Plot &of, double wide, double high)
-        : plot(of), width(wide), height(high), x(of.logarithmicX, least(0), most(0), kLeft, wide - kKey),
+        : plot(of), width(wide), height(high), key(keyWidth(of)),
+          x(of.logarithmicX, least(0), most(0), kLeft, wide - key),
           y(of.logarithmicY, least(1), most(1), high - kBottom, kTop) {}
     std::string svg();
 
@@ -87,11 +96,12 @@ private:
     void mark(double px, double py, int series, double size, const char *kind);
     void axes();
     std::vector<PlotPoint> front(int series) const;
+    std::vector<PlotPoint> ofSeries(int series) const;
     std::vector<Line> fronts();
     bool names(const std::vector<Line> &avoid);
 
     const Plot &plot;
-    double width, height;
+    double width, height, key; // the key's width
     Axis x, y;
     std::string out;
 };
@@ -124,8 +134,8 @@ void Drawing::mark(double px, double py, int series, double size, const char *ki
 }
 
 void Drawing::axes() {
-    text((kLeft + width - kKey) / 2, 22, "middle", plot.title, " font-size=\"15\"");
-    text((kLeft + width - kKey) / 2, height - 12, "middle", plot.xName);
+    text((kLeft + width - key) / 2, 22, "middle", plot.title, " font-size=\"15\"");
+    text((kLeft + width - key) / 2, height - 12, "middle", plot.xName);
     text(0, 0, "middle", plot.yName, format(" transform=\"translate(18 %.0f) rotate(-90)\"", height / 2));
     for (double v : x.ticks()) {
         out +=
@@ -133,13 +143,13 @@ void Drawing::axes() {
         text(x.place(v), height - kBottom + 18, "middle", format("%g", v));
     }
     for (double v : y.ticks()) {
-        out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - kKey);
+        out += format("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#e9e9e9\"/>\n", kLeft, y.place(v), width - key);
         text(kLeft - 8, y.place(v) + 4, "end", format("%g", v));
     }
     for (size_t i = 0; i < plot.series.size(); ++i) {
         double at = kTop + 12 + 18 * (double)i;
-        mark(width - kKey + 20, at - 4, (int)i, kMark, "key");
-        text(width - kKey + 32, at, "start", plot.series[i]);
+        mark(width - key + 20, at - 4, (int)i, kMark, "key");
+        text(width - key + 32, at, "start", plot.series[i]);
     }
 }
 
@@ -158,21 +168,29 @@ std::vector<PlotPoint> Drawing::front(int series) const {
     return all;
 }
 
-// Draws the fronts; returns their lines
+std::vector<PlotPoint> Drawing::ofSeries(int series) const {
+    std::vector<PlotPoint> all;
+    for (const PlotPoint &p : plot.points)
+        if (p.series == series) all.push_back(p);
+    return all;
+}
+
+// Draws the fronts, or joins all points; returns the lines
 std::vector<Line> Drawing::fronts() {
     std::vector<Line> lines;
-    for (int series = plot.frontOfEach ? 0 : -1; series < (plot.frontOfEach ? (int)plot.series.size() : 0);
-         ++series) {
+    bool each = plot.frontOfEach || plot.joined;
+    for (int series = each ? 0 : -1; series < (each ? (int)plot.series.size() : 0); ++series) {
         std::string path;
         const PlotPoint *last = nullptr;
-        std::vector<PlotPoint> points = front(series);
+        std::vector<PlotPoint> points = plot.joined ? ofSeries(series) : front(series);
         for (const PlotPoint &p : points) {
             path += format("%s%.1f %.1f", last ? "L" : "M", x.place(p.x), y.place(p.y));
             if (last) lines.push_back({x.place(last->x), y.place(last->y), x.place(p.x), y.place(p.y)});
             last = &p;
         }
         out += "<path d=\"" + path + "\" fill=\"none\" stroke=\"" +
-               (series < 0 ? "#999" : kColours[series % kColourCount]) + "\" stroke-dasharray=\"4 3\"/>\n";
+               (series < 0 ? "#999" : kColours[series % kColourCount]) +
+               (plot.joined ? "\" stroke-width=\"1.5\"/>\n" : "\" stroke-dasharray=\"4 3\"/>\n");
     }
     return lines;
 }
@@ -180,11 +198,14 @@ std::vector<Line> Drawing::fronts() {
 // Places and draws the names; false if they have no room
 bool Drawing::names(const std::vector<Line> &avoid) {
     std::vector<NamedPoint> points;
+    std::vector<PlotPoint> named;
     for (const PlotPoint &p : plot.points)
+        if (!p.name.empty()) named.push_back(p);
+    for (const PlotPoint &p : named)
         points.push_back({x.place(p.x), y.place(p.y), p.shipped ? kShippedMark : kMark,
                           kDigit * (double)p.name.size(), p.shipped});
     std::vector<Label> labels =
-        placeLabels(points, avoid, {kLeft, kTop, width - kKey, height - kBottom}, kFont + 1);
+        placeLabels(points, avoid, {kLeft, kTop, width - key, height - kBottom}, kFont + 1);
     if (labels.size() != points.size()) return false;
     for (const Label &l : labels)
         if (l.led)
@@ -196,10 +217,10 @@ bool Drawing::names(const std::vector<Line> &avoid) {
     for (size_t i = 0; i < labels.size(); ++i) {
         const Box &b = labels[i].box;
         // The width is set to the estimate, whatever the font; a white rim covers lines below
-        text(b.x0, b.y1 - 2.5, "start", plot.points[i].name,
+        text(b.x0, b.y1 - 2.5, "start", named[i].name,
              format(" class=\"name\" font-size=\"%g\" textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\" "
                     "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"%s",
-                    kFont, b.x1 - b.x0, plot.points[i].shipped ? " font-weight=\"bold\"" : ""));
+                    kFont, b.x1 - b.x0, named[i].shipped ? " font-weight=\"bold\"" : ""));
     }
     return true;
 }

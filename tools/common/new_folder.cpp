@@ -1,0 +1,48 @@
+#include "tools/common/new_folder.h"
+
+#include "tools/common/arguments.h"
+#include "tools/common/whole_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace odraz {
+
+NewFolder::NewFolder(std::string named) : path(std::move(named)) {
+    while (path.size() > 1 && path.back() == '/') path.pop_back();
+    std::error_code wrong;
+    if (std::filesystem::exists(path, wrong) &&
+        (!std::filesystem::is_directory(path, wrong) || !std::filesystem::is_empty(path, wrong)))
+        throw Refused(path + ": exists already: name a folder that is new or empty");
+    checkWritable(path);
+    errno = EEXIST;
+    for (int i = 0; i < 100 && errno == EEXIST; ++i) {
+        part = path + "." + std::to_string(getpid() + i) + ".part";
+        if (mkdir(part.c_str(), 0777) == 0) return;
+    }
+    part.clear();
+    fail();
+}
+
+NewFolder::~NewFolder() {
+    std::error_code ignored;
+    if (!part.empty()) std::filesystem::remove_all(part, ignored);
+}
+
+void NewFolder::write(const std::string &name, const std::string &text) const {
+    writeWhole(part + "/" + name, text);
+}
+
+void NewFolder::finish() {
+    if (rename(part.c_str(), path.c_str())) fail();
+    part.clear();
+}
+
+void NewFolder::fail() const {
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+}
+
+} // namespace odraz
