@@ -242,7 +242,9 @@ check "it tells how much memory it takes" prints 'needs about [1-9][0-9]* MB' "$
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3
 check "no place to write" refuses 2 "cannot write" "$radiosity" solve cube.obj -o none/x.rad
 check "two methods at once" refuses 2 "--rays and --patch do not go together" "$radiosity" solve cube.obj -o x.rad --rays 64 --patch 2
-check "an odd hemicube" refuses 2 "even number" "$radiosity" solve cube.obj -o x.rad --hemicube 25
+check "an odd hemicube" prints 'hemicubes\)' "$radiosity" solve cube.obj -o odd.rad --hemicube 25 --patch 4
+check "shots instead of rows" prints '^[1-9][0-9]* shots, [0-9.e-]+ % of the light is not shot$' "$radiosity" solve cube.obj -o shot.rad --direct hemicube --patch 4 --shots 500
+check "... which are followed to the residual" refuses 2 "--shots and --bounces do not go together" "$radiosity" solve cube.obj -o x.rad --shots 9 --bounces 2
 check "a number out of range" refuses 2 "from 4 to 1024" "$radiosity" solve cube.obj -o x.rad --hemicube 2
 check "an option's value that is no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" solve cube.obj -o x.rad --fast

@@ -37,9 +37,7 @@ namespace {
 // Estimates the number of links in all rows, from those of 64 patches or more, spread over the model, with a
 // reserve.
 size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
-    std::vector<float> delta((size_t)(3 * h.px * h.px)), sums((size_t)(3 * h.px * (h.px + 1)));
-    deltaFormFactors(h.px, delta.data());
-    accumulateFormFactors(h.px, delta.data(), sums.data());
+    std::vector<float> sums = formFactorSums(h.px);
     auto hasRow = [&](int i) { return lit[i] && m.patches[i].share > 0; };
     std::vector<Eye> eyes;
     size_t rows = 0, links = 0, seen = 0;
@@ -87,7 +85,7 @@ struct Opened {
     Hemicubes h;
 
     Opened(const Gl &gl, Arena &arena, int px) {
-        if (!openHemicubes(h, gl, arena, px))
+        if (!openAnyHemicubes(h, gl, arena, px))
             throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
     }
     Opened(const Opened &) = delete;
@@ -96,9 +94,9 @@ struct Opened {
 
 } // namespace
 
-RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
-    return [&gl, px, turns, turn](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
-                                  Arena &arena, FormFactors &factors, const Progress &progress) {
+RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf eyeOf) {
+    return [&gl, px, turns, turn, eyeOf](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
+                                         Arena &arena, FormFactors &factors, const Progress &progress) {
         Opened opened(gl, arena, px);
         Hemicubes &h = opened.h;
         if (turns > h.batch)
@@ -121,7 +119,10 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn) {
         int step = (int)(m.patchCount * 0.6180339) | 1;
         while (std::gcd(step, m.patchCount) != 1) step += 2;
         Merging merging = {m, factors, before, progress};
-        bool done = findFormFactors(h, m, missing.data(), workers, arena, factors, merging.progress(), step);
+        Progress merged = merging.progress();
+        bool done = px % 2 || eyeOf
+                        ? findRowsFrom(h, m, missing.data(), workers, arena, factors, merged, step, eyeOf)
+                        : findFormFactors(h, m, missing.data(), workers, arena, factors, merged, step);
         if (factors.rows) merging.merge();
         if (!done && !workers.aborted())
             throw std::runtime_error("the rows took more memory than estimated: raise --memory");

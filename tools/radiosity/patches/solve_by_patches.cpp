@@ -7,6 +7,7 @@
 #include "tools/radiosity/patches/light_so_far.h"
 #include "tools/radiosity/patches/patch_rows.h"
 #include "tools/radiosity/patches/sees_backs.h"
+#include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/patches/sky_light.h"
 #include "tools/radiosity/solution/memory.h"
 
@@ -34,14 +35,19 @@ public:
     ~PatchSolver() { task.workers.abort = abort; }
 
     void run() {
+        report.whole = true;
         divide();
         task.lap(SolveStep::kDividing);
         findDirectLight();
         watch(nullptr);
         task.lap(SolveStep::kDirectLight);
-        findPatchRows(task, p, gl);
-        task.lap(SolveStep::kFormFactors);
-        solveBounces();
+        if (s.shots > 0) {
+            shootLight();
+        } else {
+            findPatchRows(task, p, gl);
+            task.lap(SolveStep::kFormFactors);
+            solveBounces();
+        }
         fillSolution();
         task.lap(SolveStep::kSolving);
         if (s.keepRows && report.whole) keepRows();
@@ -213,21 +219,61 @@ private:
 
     // --- Bounces ---
 
-    // Solves for the light that patches receive and reflect, and from it the texels' reflected light.
-    void solveBounces() {
+    // The reflectance of patches, and the direct light that arrives there. The right-hand sides are separate
+    // colours: red light has no green.
+    void makeSystem() {
         System &system = r.system;
         if (!fillSystem(r, m, p.arena, task.workers))
             refuseMemory(p.arena, (size_t)m.patchCount * kSolveBlock * 4 * sizeof(float));
-        // The right-hand sides are separate colours: red light has no green
-        size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
         for (size_t i = 0; i < (size_t)m.patchCount; ++i)
             for (size_t k = 0; k < 9; ++k)
-                if (k % 4) system.reflectance[i * columns + k] = 0;
+                if (k % 4) system.reflectance[i * (size_t)system.columns + k] = 0;
+    }
+
+    // Solves for the light that patches receive and reflect, and from it the texels' reflected light.
+    void solveBounces() {
+        makeSystem();
+        System &system = r.system;
+        size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
         const float *seen = s.analytic ? nullptr : lightOfSeenLamps();
         for (size_t i = 0; seen && i < all; ++i) system.direct[i] += seen[i];
         s.bounces < 0 ? solveToResidual() : countBounces();
         findIndirect(system, task.workers);
         for (size_t i = 0; seen && i < all; ++i) system.indirect[i] += seen[i];
+        spreadLight(r, m, task.workers);
+        settleLight(r, m, task.workers);
+    }
+
+    // Shoots light instead of solving with rows.
+    void shootLight() {
+        makeSystem();
+        System &system = r.system;
+        auto count = (size_t)m.patchCount, columns = (size_t)system.columns;
+        std::vector<Rgb> emits(count), direct(count);
+        for (size_t i = 0; i < count; ++i) {
+            const float *arrives = system.direct + i * columns;
+            direct[i] = {arrives[0], arrives[4], arrives[8]};
+            if (!s.analytic) emits[i] = task.solution.emits[(size_t)m.patches[i].chart];
+        }
+        // A quarter of the shots for the lamps; the others let every block of patches shoot about three times
+        Shooting shooting(m, blocksOfPatches(m, emits, std::max(s.shots / 4, 1)), emits, std::move(direct));
+        HemicubeShooter shooter(gl, m, s.hemicube, s.turn);
+        for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
+            if (task.stopped()) report.whole = false;
+            int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
+            if (shot == 0) break;
+            report.shots += shot;
+            task.tell(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());
+        }
+        report.residual = (float)shooting.left();
+        Rgb ambient = shooting.ambient();
+        r.factors.rows = takeOrRefuse<Row>(p.arena, count);
+        for (size_t i = 0; i < count; ++i) {
+            Rgb arrives = shooting.arrives()[i] + ambient;
+            float *to = system.indirect + i * columns;
+            to[0] = arrives.x, to[4] = arrives.y, to[8] = arrives.z;
+            r.factors.rows[i].known = m.patches[i].share > 0; // hidden patches get their neighbours' light
+        }
         spreadLight(r, m, task.workers);
         settleLight(r, m, task.workers);
     }

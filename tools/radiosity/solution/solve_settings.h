@@ -47,14 +47,15 @@ struct SolveSettings {
     int finalRays = 0; // from an element in the final gather; 0: there is none
 
     // Between patches
-    int hemicube = 16;    // pixels along the top face; even, 4 .. kMaxHemicube
+    int hemicube = 16;    // pixels along the top face, 4 .. kMaxHemicube
     double patch = 0;     // area of a patch; 0: 1/6000 of the model's, or larger if it has many polygons
     bool analytic = true; // direct light by shadow rays; false: hemicubes see the lamps
     bool adaptive = false;
     float contrast = 0.05f; // see RadiositySettings
     uint32_t turn = 0;      // seed of the hemicubes' rotations
     int turns = 1;          // hemicubes for each patch, each rotated differently: anti-aliasing
-    RowFinder findRows;     // null: by hemicubes
+    int shots = 0; // above 0: light is shot (shooting.h), by so many hemicubes at most; no rows are found
+    RowFinder findRows; // null: by hemicubes
 
     LightWatcher watcher; // null: nobody watches
     std::function<bool()>

@@ -27,6 +27,7 @@ struct SolveReport {
     size_t raysFromSite = 0; // the mean
     // Between patches
     int patches = 0;
+    int shots = 0;    // `residual` is then the share of the light that is not shot
     size_t lamps = 0; // facets that emit
 };
 

@@ -62,7 +62,7 @@ public:
         if (solved.report.whole && job.keepRows) saveRows(solved);
         if (solved.report.whole) std::remove(stateFile().c_str());
         printReport(mesh, solved, job.options.settings);
-        if (!solved.report.whole)
+        if (!solved.report.whole && job.options.settings.shots == 0)
             std::printf("to continue: radiosity solve --resume %s\n", stateFile().c_str());
     }
 

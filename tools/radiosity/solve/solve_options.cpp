@@ -44,8 +44,9 @@ bool SolveOptions::take(const std::string &w, Arguments &words) {
     else if (w == "--hemicube") {
         byPatches = w;
         s.hemicube = words.whole(w, 4, kMaxHemicube);
-        if (s.hemicube % 2) throw Refused("--hemicube takes an even number");
-    } else if (w == "--patch")
+    } else if (w == "--shots")
+        s.shots = words.whole(w, 1, 100000000), byPatches = w;
+    else if (w == "--patch")
         s.patch = words.number(w, 1e-18, 1e30), byPatches = w;
     else if (w == "--element")
         s.element = words.number(w, 1e-18, 1e30);
@@ -141,6 +142,9 @@ void SolveOptions::finish() {
         throw Refused(byRays + " and " + byPatches +
                       " do not go together: one solves by rays, the other between patches");
     if (!byPatches.empty()) settings.way = Way::kPatches;
+    if (settings.shots > 0 && settings.bounces >= 0)
+        throw Refused(
+            "--shots and --bounces do not go together: a shot is sent out whenever much light waits");
     Surroundings &to = settings.surroundings;
     double n[3];
     char rest;

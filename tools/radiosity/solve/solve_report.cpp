@@ -26,11 +26,14 @@ void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &se
         std::printf("%d patches, %zu elements\n", r.patches, elements);
     std::printf("processor seconds: dividing %.2f, form factors %.2f", seconds(SolveStep::kDividing),
                 seconds(SolveStep::kFormFactors));
-    if (!byRays) std::printf(" (%d hemicubes)", r.rows);
+    if (!byRays) std::printf(" (%d hemicubes)", r.rows + r.shots);
     std::printf(", direct light %.2f, solving %.2f\n", seconds(SolveStep::kDirectLight),
                 seconds(SolveStep::kSolving));
     if (r.lamps > kManyLamps) std::printf("%zu lamps: seen by hemicubes\n", r.lamps);
-    if (!r.whole)
+    if (r.shots > 0)
+        std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
+                    r.whole ? "" : ": stopped");
+    else if (!r.whole)
         std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
     else
         printSweeps(r, settings);

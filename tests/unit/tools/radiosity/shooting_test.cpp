@@ -1,0 +1,367 @@
+// Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
+// forms.
+#include "tests/support/headless_gl.h"
+#include "tests/support/random.h"
+#include "tests/support/room.h"
+#include "tools/common/heap_arena.h"
+#include "tools/radiosity/patches/odd_hemicube.h"
+#include "tools/radiosity/patches/shooting.h"
+
+#include "radiosity/solve.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <memory>
+
+using namespace odraz;
+
+namespace {
+
+// A system of a few patches with random rows, of one colour in three channels.
+struct Few {
+    int count;
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    std::vector<Patch> patches;
+    std::vector<std::vector<Link>> links;
+    std::vector<Row> rows;
+    FormFactors factors = {};
+    std::vector<Rgb> direct;
+
+    // Rows of closed rooms sum to 1
+    Few(int patchCount, float reflects, float light, uint32_t seed)
+        : count(patchCount), patches((size_t)count), links((size_t)count), rows((size_t)count) {
+        uint32_t random = seed;
+        auto next = [&] { return (float)((random = random * 1664525 + 1013904223) >> 8) * 0x1p-24f; };
+        for (int i = 0; i < count; ++i) {
+            auto k = (size_t)i;
+            patches[k].share = 1;
+            patches[k].area = 0.1f + next();
+            patches[k].reflects = {reflects, reflects * 0.5f, 0};
+            direct.push_back(next() < 0.3f || i == 0 ? Rgb{light, light * next(), light} : Rgb{});
+            float sum = 0;
+            for (int j = 0; j < count; ++j)
+                if (j != i && next() < 0.7f)
+                    links[k].push_back({(uint32_t)j, next() + 0.01f}), sum += links[k].back().share;
+            for (Link &link : links[k]) link.share /= sum;
+            rows[k] = {links[k].data(), (int)links[k].size(), true};
+        }
+        factors.rows = rows.data();
+        model->patches = patches.data(), model->patchCount = count;
+    }
+
+    // (1 - rho F) B = rho D by elimination with pivots, for a channel
+    std::vector<double> solvedDirectly(float Rgb::*channel) const {
+        auto n = (size_t)count;
+        std::vector<std::vector<double>> m(n, std::vector<double>(n + 1));
+        for (size_t i = 0; i < n; ++i) {
+            double rho = (double)(patches[i].reflects.*channel);
+            m[i][i] += 1;
+            for (const Link &link : links[i]) m[i][link.patch] -= rho * (double)link.share;
+            m[i][n] = rho * (double)(direct[i].*channel);
+        }
+        for (size_t c = 0; c < n; ++c) {
+            size_t pivot = c;
+            for (size_t r = c; r < n; ++r)
+                if (std::fabs(m[r][c]) > std::fabs(m[pivot][c])) pivot = r;
+            std::swap(m[c], m[pivot]);
+            for (size_t r = 0; r < n; ++r) {
+                if (r == c || m[r][c] == 0) continue;
+                double factor = m[r][c] / m[c][c];
+                for (size_t k = c; k <= n; ++k) m[r][k] -= factor * m[c][k];
+            }
+        }
+        std::vector<double> b;
+        for (size_t i = 0; i < n; ++i) b.push_back(m[i][n] / m[i][i]);
+        return b;
+    }
+
+    void fill(System &s, Arena &arena) const {
+        ASSERT_TRUE(makeSystem(s, arena, factors, count, 3));
+        for (size_t i = 0; i < (size_t)count; ++i) {
+            float *rho = s.reflectance + i * (size_t)s.columns, *d = s.direct + i * (size_t)s.columns;
+            rho[0] = patches[i].reflects.x, rho[1] = patches[i].reflects.y, rho[2] = patches[i].reflects.z;
+            d[0] = direct[i].x, d[1] = direct[i].y, d[2] = direct[i].z;
+        }
+    }
+
+    // Shoots until less than the residual is left; the number of shots
+    int shoot(Shooting &shooting, double residual) const {
+        Columns columns(factors, count);
+        int shots = 0;
+        for (; shooting.left() > residual && shots < 1000000; ++shots) {
+            int k = shooting.brightest(1)[0];
+            Shooting::Shot shot = shooting.take(k);
+            shooting.handOut(shot.power * (1 / patches[(size_t)shot.patch].area), columns.of(shot.patch));
+        }
+        return shots;
+    }
+};
+
+} // namespace
+
+TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
+    for (float reflects : {0.f, 0.3f, 0.8f, 0.98f})
+        for (int count : {2, 3, 20, 90}) {
+            Few few(count, reflects, 10, (uint32_t)count);
+            HeapArena memory((size_t)1 << 20);
+            System once, next;
+            few.fill(once, memory.arena), few.fill(next, memory.arena);
+            Workers workers = serialWorkers();
+            solve(once, workers, 1e-6f, 10000);
+            for (int pass = 0; pass < (reflects > 0.9f ? 1000 : 100); ++pass) bounce(next, workers);
+            Shooting shooting(*few.model, patchesAlone(*few.model), std::vector<Rgb>((size_t)count),
+                              few.direct);
+            EXPECT_DOUBLE_EQ(shooting.left(), reflects > 0 ? 1 : 0);
+            few.shoot(shooting, 1e-6);
+            EXPECT_LE(shooting.left(), 1e-6);
+            float Rgb::*channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
+            for (int c = 0; c < 3; ++c) {
+                std::vector<double> exact = few.solvedDirectly(channels[c]);
+                double most = 0;
+                for (double b : exact) most = std::max(most, b);
+                for (int i = 0; i < count; ++i) {
+                    double b = exact[(size_t)i], off = 1e-4 * most + 1e-9;
+                    size_t at = (size_t)i * (size_t)once.columns + (size_t)c;
+                    ASSERT_NEAR((double)(shooting.radiosity(i).*channels[c]), b, off)
+                        << reflects << ' ' << count << ' ' << i;
+                    ASSERT_NEAR((double)once.radiosity[at], b, off) << reflects << ' ' << count << ' ' << i;
+                    ASSERT_NEAR((double)next.radiosity[at], b, off) << reflects << ' ' << count << ' ' << i;
+                }
+            }
+        }
+}
+
+// What is not shot cannot become more than a geometric series of it.
+TEST(Shooting, TheResidualBoundsTheError) {
+    Few few(60, 0.7f, 5, 3);
+    std::vector<double> exact = few.solvedDirectly(&Rgb::x);
+    double put = 0;
+    for (size_t i = 0; i < 60; ++i) {
+        Rgb d = few.patches[i].reflects * few.direct[i];
+        put += (double)((d.x + d.y + d.z) * few.patches[i].area);
+    }
+    int before = 0;
+    for (double residual : {0.1, 1e-2, 1e-3, 1e-4}) {
+        // Columns scale by area only in rooms: a bound on the largest growth of power by a shot
+        Columns columns(few.factors, 60);
+        double growth = 0;
+        for (int i = 0; i < 60; ++i) {
+            double sum = 0;
+            for (const Link &link : columns.of(i))
+                sum +=
+                    0.7 * (double)(link.share * few.patches[link.patch].area / few.patches[(size_t)i].area);
+            growth = std::max(growth, sum);
+        }
+        Shooting shooting(*few.model, patchesAlone(*few.model), std::vector<Rgb>(60), few.direct);
+        int shots = few.shoot(shooting, residual);
+        EXPECT_GT(shots, before);
+        before = shots;
+        double missing = 0;
+        for (int i = 0; i < 60; ++i) {
+            double b = (double)shooting.radiosity(i).x;
+            EXPECT_LE(b, exact[(size_t)i] * (1 + 1e-4)) << residual; // it only grows
+            missing += (exact[(size_t)i] - b) * (double)few.patches[(size_t)i].area;
+        }
+        EXPECT_GE(missing, -1e-4 * put);
+        if (growth < 0.99) {
+            EXPECT_LE(missing, residual * put / (1 - growth) + 1e-5 * put);
+        }
+    }
+}
+
+TEST(Shooting, NoLightNoLampsNoPatches) {
+    Few dark(10, 0.5f, 0, 1), one(1, 0.9f, 2, 1);
+    Shooting none(*dark.model, patchesAlone(*dark.model), std::vector<Rgb>(10), std::vector<Rgb>(10));
+    EXPECT_EQ(none.left(), 0);
+    EXPECT_TRUE(none.brightest(5).empty());
+    EXPECT_EQ(none.ambient().x, 0);
+    // A patch that sees nothing keeps what it reflects of direct light
+    Shooting alone(*one.model, patchesAlone(*one.model), std::vector<Rgb>(1), one.direct);
+    one.shoot(alone, 1e-9);
+    EXPECT_FLOAT_EQ(alone.radiosity(0).x, 1.8f);
+    EXPECT_EQ(alone.left(), 0);
+    Model *empty = new Model();
+    Shooting nothing(*empty, patchesAlone(*empty), {}, {});
+    EXPECT_EQ(nothing.left(), 0);
+    delete empty;
+}
+
+namespace {
+
+// A room with a lamp in its ceiling; `patches` along a side.
+struct Room {
+    HeapArena memory{(size_t)400 << 20};
+    Workers workers = serialWorkers();
+    std::unique_ptr<Model> model = std::make_unique<Model>();
+    std::vector<Rgb> emits;
+
+    explicit Room(int patches) {
+        addRoom(*model, {0, 0, 0}, {1, 1, 1}, 1.f / (float)patches);
+        auto scene = std::make_unique<Scene>();
+        scene->add(Material{});
+        model->pose(*scene);
+        scene->finish();
+        EXPECT_TRUE(model->divide(*scene, memory.arena, workers, 1, 0));
+        emits.resize((size_t)model->patchCount);
+        for (int i = 0; i < model->patchCount; ++i) {
+            model->patches[i].reflects = {0.5f, 0.6f, 0.7f};
+            model->patches[i].area = 1.f / (float)(patches * patches);
+            if (model->patches[i].p.y > 0.99f && length(model->patches[i].p - Vec3{0.5f, 1, 0.5f}) < 0.3f)
+                emits[(size_t)i] = {3, 2, 1};
+        }
+    }
+    // Light that arrives, by shots
+    std::vector<Rgb> shot(Shooters shooters, int px, double residual, int *shots = nullptr) {
+        Shooting shooting(*model, std::move(shooters), emits, std::vector<Rgb>(emits.size()));
+        HemicubeShooter shooter(headlessGl(), *model, px, 0);
+        int all = 0;
+        while (shooting.left() > residual) all += shooter.shoot(shooting, shooter.batch(), workers);
+        if (shots) *shots = all;
+        return shooting.arrives();
+    }
+    // ... by rows of hemicubes
+    std::vector<Rgb> gathered(int px) {
+        Hemicubes h;
+        HeapArena own(anyHemicubeBytes(px));
+        EXPECT_TRUE(openAnyHemicubes(h, headlessGl(), own.arena, px));
+        FormFactors factors = {};
+        factors.capacity = (size_t)model->patchCount * (size_t)model->patchCount;
+        factors.links = memory.arena.take<Link>(factors.capacity);
+        std::vector<uint8_t> lit((size_t)model->patchCount, kReflects);
+        EXPECT_TRUE(findRowsFrom(h, *model, lit.data(), workers, memory.arena, factors, {}, 1));
+        closeHemicubes(h);
+        System s;
+        EXPECT_TRUE(makeSystem(s, memory.arena, factors, model->patchCount, 3));
+        std::vector<float> lamps((size_t)model->patchCount * (size_t)s.columns);
+        for (size_t i = 0; i < emits.size(); ++i) {
+            float *e = lamps.data() + i * (size_t)s.columns, *rho = s.reflectance + i * (size_t)s.columns;
+            e[0] = emits[i].x, e[1] = emits[i].y, e[2] = emits[i].z;
+            rho[0] = 0.5f, rho[1] = 0.6f, rho[2] = 0.7f;
+        }
+        findIndirect(factors, model->patchCount, s.columns, lamps.data(), s.direct, workers);
+        solve(s, workers, 1e-6f, 1000);
+        findIndirect(s.factors[0], model->patchCount, s.columns, s.radiosity, s.indirect, workers);
+        std::vector<Rgb> all;
+        for (size_t i = 0; i < emits.size(); ++i) {
+            const float *d = s.direct + i * (size_t)s.columns, *f = s.indirect + i * (size_t)s.columns;
+            all.push_back({d[0] + f[0], d[1] + f[1], d[2] + f[2]});
+        }
+        return all;
+    }
+};
+
+double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
+    double off = 0, all = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        Rgb d = a[i] - b[i];
+        off += (double)(d.x * d.x + d.y * d.y + d.z * d.z);
+        all += (double)(b[i].x * b[i].x + b[i].y * b[i].y + b[i].z * b[i].z);
+    }
+    return std::sqrt(off / all);
+}
+
+} // namespace
+
+// A shot uses the form factor from the shooter's middle, a row that from the receiver's: equal in the limit
+// of small patches.
+TEST(Shooting, ByHemicubesApproachesGathering) {
+    double off[2];
+    for (bool fine : {false, true}) {
+        Room room(fine ? 8 : 4);
+        std::vector<Rgb> rows = room.gathered(64), shots = room.shot(patchesAlone(*room.model), 64, 1e-4);
+        off[fine] = apart(shots, rows);
+        double sums[2] = {};
+        for (size_t i = 0; i < rows.size(); ++i) sums[0] += (double)rows[i].y, sums[1] += (double)shots[i].y;
+        EXPECT_NEAR(sums[1] / sums[0], 1, fine ? 0.015 : 0.06) << fine;
+    }
+    std::printf("shots against rows: 96 patches %.3f %%, 384 patches %.3f %%\n", 100 * off[0], 100 * off[1]);
+    EXPECT_LT(off[1], 0.03);
+    EXPECT_LT(off[1], 0.7 * off[0]);
+}
+
+// Blocks shoot from one of their patches: fewer shots, and light that is right on average.
+TEST(Shooting, BlocksTakeFewerShots) {
+    Room room(16);
+    int alone, blocks;
+    std::vector<Rgb> exact = room.shot(patchesAlone(*room.model), 100, 0.01, &alone),
+                     rough = room.shot(blocksOfPatches(*room.model, room.emits, 200), 100, 0.01, &blocks);
+    EXPECT_LT(blocks * 2, alone);
+    double sums[2] = {};
+    for (size_t i = 0; i < exact.size(); ++i) sums[0] += (double)exact[i].y, sums[1] += (double)rough[i].y;
+    std::printf("%d shots of blocks, %d of patches: %.2f %% apart (rms)\n", blocks, alone,
+                100 * apart(rough, exact));
+    EXPECT_NEAR(sums[1] / sums[0], 1, 0.01);
+    EXPECT_LT(apart(rough, exact), 0.12);
+}
+
+TEST(Shooting, EveryPatchBelongsToOneShooter) {
+    Room room(8);
+    for (int count : {1, 7, 100, 100000}) {
+        Shooters s = blocksOfPatches(*room.model, room.emits, count);
+        std::vector<int> times((size_t)room.model->patchCount);
+        for (int i : s.patches) ++times[(size_t)i];
+        for (int n : times) EXPECT_EQ(n, 1);
+        EXPECT_EQ(s.first.back(), s.patches.size());
+    }
+}
+
+TEST(OddHemicube, PixelsSumToOne) {
+    for (int px : {5, 7, 25, 51, 333, 4, 16, 50}) {
+        std::vector<float> sums = formFactorSums(px);
+        double sum = 0, top = 0;
+        for (int y = 0; y < 3 * px; ++y) {
+            float row = sums[(size_t)(y * (px + 1) + px)];
+            sum += (double)row;
+            if (y < px) top += (double)row;
+            // The shared rows of an odd one do not count
+            bool shared = px % 2 && y >= px && (y - px) % px == px / 2;
+            EXPECT_EQ(row == 0, shared) << px << ' ' << y;
+        }
+        EXPECT_NEAR(sum, 1, 1e-6) << px;
+        // The form factor of the top face: Howell's C-11 for a square at its half width, from its middle,
+        // four times
+        double a = 1,
+               exact = 4 * (2 * a / std::sqrt(1 + a * a) * std::atan(a / std::sqrt(1 + a * a))) / (2 * M_PI);
+        EXPECT_NEAR(top, exact, 1e-6) << px;
+    }
+}
+
+// Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", C-11 and C-14.
+TEST(OddHemicube, FormFactorsOfUnitSquares) {
+    for (int px : {25, 63}) {
+        double found[2];
+        for (bool upright : {false, true}) {
+            HeapArena memory((size_t)100 << 20), own(anyHemicubeBytes(px));
+            Workers workers = serialWorkers();
+            auto m = std::make_unique<Model>();
+            m->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f);
+            if (upright)
+                m->addRect({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1 / 16.f);
+            else
+                m->addRect({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 1 / 16.f);
+            auto scene = std::make_unique<Scene>();
+            m->pose(*scene);
+            scene->finish();
+            ASSERT_TRUE(m->divide(*scene, memory.arena, workers, 1, 0));
+            Hemicubes h;
+            ASSERT_TRUE(openAnyHemicubes(h, headlessGl(), own.arena, px));
+            std::vector<float> sums = formFactorSums(px), row((size_t)m->patchCount);
+            double sum = 0;
+            for (int i = 0; i < 256; ++i) {
+                Eye eye = hemicubeEye(m->patches[i].p, m->patches[i].n, (uint32_t)i);
+                drawHemicubes(h, *m, &eye, 1);
+                std::fill(row.begin(), row.end(), 0.f);
+                double dark = (double)sumHemicube(h, 0, sums.data(), row.data()), seen = 0;
+                for (float f : row) seen += (double)f;
+                EXPECT_NEAR(dark + seen, 1, 2e-6);
+                for (size_t k = 256; k < row.size(); ++k) sum += (double)row[k];
+            }
+            closeHemicubes(h);
+            found[upright] = sum / 256;
+        }
+        std::printf("%d px: parallel %.3f %% off, upright %.3f %%\n", px, 100 * (found[0] / 0.19982490 - 1),
+                    100 * (found[1] / 0.20004378 - 1));
+        EXPECT_NEAR(found[0], 0.19982490, 0.19982490 * 0.01) << px;
+        EXPECT_NEAR(found[1], 0.20004378, 0.20004378 * 0.01) << px;
+    }
+}

@@ -1,0 +1,164 @@
+#include "tools/radiosity/patches/shooting.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+float sum(const Rgb &c) { return c.x + c.y + c.z; }
+
+void addBlocks(Shooters &to, const Model &m, const Chart &c, double side) {
+    auto parts = [&](float length, int patches) {
+        return std::clamp((int)std::lround((double)length / side), 1, patches);
+    };
+    int columns = parts(c.width, c.patchesAcross), lines = parts(c.height, c.patchesDown);
+    for (int j = 0; j < lines; ++j)
+        for (int i = 0; i < columns; ++i) {
+            for (int y = c.patchesDown * j / lines; y < c.patchesDown * (j + 1) / lines; ++y)
+                for (int x = c.patchesAcross * i / columns; x < c.patchesAcross * (i + 1) / columns; ++x) {
+                    int patch = c.firstPatch + y * c.patchesAcross + x;
+                    if (m.patches[patch].area > 0) to.patches.push_back(patch);
+                }
+            if (to.patches.size() > to.first.back()) to.first.push_back(to.patches.size());
+        }
+}
+
+} // namespace
+
+Shooters patchesAlone(const Model &m) {
+    Shooters s = {{}, {0}};
+    for (int i = 0; i < m.patchCount; ++i)
+        if (m.patches[i].area > 0) s.patches.push_back(i), s.first.push_back(s.patches.size());
+    return s;
+}
+
+Shooters blocksOfPatches(const Model &m, std::span<const Rgb> emits, int count) {
+    double areas[2] = {}; // of what reflects alone, and of what emits
+    for (int i = 0; i < m.patchCount; ++i) areas[sum(emits[(size_t)i]) > 0] += (double)m.patches[i].area;
+    Shooters s = {{}, {0}};
+    for (int i = 0; i < m.chartCount; ++i) {
+        const Chart &c = m.charts[i];
+        bool lamp = sum(emits[(size_t)c.firstPatch]) > 0;
+        addBlocks(s, m, c, std::max(std::sqrt(areas[lamp] / count), 1e-30));
+    }
+    return s;
+}
+
+Shooting::Shooting(const Model &model, Shooters given, std::vector<Rgb> emits, std::vector<Rgb> direct)
+    : model(model), shooters(std::move(given)), direct(std::move(direct)), arrived((size_t)model.patchCount),
+      unshot(std::move(emits)), shooterOf((size_t)model.patchCount, -1), power(shooters.count()) {
+    for (int s = 0; s < (int)shooters.count(); ++s)
+        for (int i : shooters.of(s)) shooterOf[(size_t)i] = s;
+    for (int i = 0; i < model.patchCount; ++i) {
+        auto k = (size_t)i;
+        if (shooterOf[k] < 0) continue;
+        unshot[k] += model.patches[i].reflects * this->direct[k];
+        put += (double)powerOf(i);
+    }
+    Workers alone = serialWorkers();
+    countPower(alone);
+}
+
+float Shooting::powerOf(int i) const { return sum(unshot[(size_t)i]) * model.patches[i].area; }
+
+void Shooting::countPower(Workers &workers) {
+    parallelRanges(workers, (int)shooters.count(), 64, [&](int first, int end, int) {
+        for (int s = first; s < end; ++s) {
+            float all = 0;
+            for (int i : shooters.of(s)) all += powerOf(i);
+            power[(size_t)s] = all;
+        }
+    });
+    unshotPower = 0;
+    for (float p : power) unshotPower += (double)p;
+}
+
+std::vector<int> Shooting::brightest(int count) const {
+    std::vector<int> all;
+    for (int s = 0; s < (int)power.size(); ++s)
+        if (power[(size_t)s] > 0) all.push_back(s);
+    auto brighter = [&](int a, int b) { return power[(size_t)a] > power[(size_t)b]; };
+    auto end = all.begin() + std::min((long)count, (long)all.size());
+    std::partial_sort(all.begin(), end, all.end(), brighter);
+    all.erase(end, all.end());
+    return all;
+}
+
+Shooting::Shot Shooting::take(int shooter) {
+    // The golden ratio spreads the places of successive shots
+    uint32_t turn = ++shots * 0x9e3779b9u;
+    std::span<const int> patches = shooters.of(shooter);
+    float at = (float)(turn >> 8) * 0x1p-24f * power[(size_t)shooter];
+    Shot shot = {patches.back(), {}};
+    bool found = false;
+    for (int i : patches) {
+        at -= powerOf(i);
+        if (at < 0 && !found) shot.patch = i, found = true;
+        shot.power += unshot[(size_t)i] * model.patches[i].area;
+        unshot[(size_t)i] = {};
+    }
+    unshotPower -= (double)power[(size_t)shooter];
+    power[(size_t)shooter] = 0;
+    return shot;
+}
+
+void Shooting::handOut(std::span<const Shot> shot, std::span<const float *const> rows, Workers &workers) {
+    parallelRanges(workers, model.patchCount, 4096, [&](int first, int end, int) {
+        for (size_t k = 0; k < shot.size(); ++k)
+            for (int j = first; j < end; ++j) {
+                float share = rows[k][j];
+                if (share == 0 || shooterOf[(size_t)j] < 0) continue;
+                Rgb light = shot[k].power * (share / model.patches[j].area);
+                arrived[(size_t)j] += light;
+                unshot[(size_t)j] += model.patches[j].reflects * light;
+            }
+    });
+    countPower(workers);
+}
+
+void Shooting::handOut(Rgb radiance, std::span<const Link> column) {
+    for (const Link &link : column) {
+        auto j = (size_t)link.patch;
+        if (shooterOf[j] < 0) continue;
+        Rgb light = radiance * link.share, more = model.patches[j].reflects * light;
+        arrived[j] += light, unshot[j] += more;
+        float gained = sum(more) * model.patches[j].area;
+        power[(size_t)shooterOf[j]] += gained;
+        unshotPower += (double)gained;
+    }
+}
+
+// Unshot light, spread over all of the model, arrives everywhere; then what is reflected of that on average,
+// and so on: a geometric series.
+Rgb Shooting::ambient() const {
+    Rgb light = {}, reflects = {};
+    float area = 0;
+    for (int i : shooters.patches) {
+        float a = model.patches[i].area;
+        light += unshot[(size_t)i] * a, reflects += model.patches[i].reflects * a, area += a;
+    }
+    if (area == 0) return {};
+    auto series = [&](float x, float r) { return x / area / std::max(1 - r / area, 1e-3f); };
+    return {series(light.x, reflects.x), series(light.y, reflects.y), series(light.z, reflects.z)};
+}
+
+Rgb Shooting::radiosity(int i) const {
+    return model.patches[i].reflects * (direct[(size_t)i] + arrived[(size_t)i]);
+}
+
+Columns::Columns(const FormFactors &f, int patches) : first((size_t)patches + 1) {
+    for (int j = 0; j < patches; ++j)
+        for (int k = 0; k < f.rows[j].count; ++k) ++first[f.rows[j].links[k].patch + 1];
+    for (size_t i = 0; i < (size_t)patches; ++i) first[i + 1] += first[i];
+    links.resize(first.back());
+    std::vector<size_t> next(first.begin(), first.end() - 1);
+    for (int j = 0; j < patches; ++j)
+        for (int k = 0; k < f.rows[j].count; ++k) {
+            const Link &link = f.rows[j].links[k];
+            links[next[link.patch]++] = {(uint32_t)j, link.share};
+        }
+}
+
+} // namespace odraz
