@@ -12,6 +12,7 @@ patches     read divide solution rays
 solve       read divide solution rays patches
 transfer    read divide solution rays solve
 export      read divide solution rays transfer
+study       read generate divide solution rays patches solve export
 view        read solution solve transfer export
 END_OF_RULES
 

@@ -4,6 +4,7 @@
 #include "tools/radiosity/export/render_command.h"
 #include "tools/radiosity/generate/generate_command.h"
 #include "tools/radiosity/solve/solve_command.h"
+#include "tools/radiosity/study/study_command.h"
 #include "tools/radiosity/transfer/transfer_command.h"
 #include "tools/radiosity/view/view_command.h"
 
@@ -20,7 +21,9 @@ constexpr char kUsage[] =
     "       radiosity export OUT|ROOM.prt --csv|--ply|--obj FILE\n"
     "       radiosity export OUT --atlas DIR [OPTION...]\n"
     "       radiosity render OUT|ROOM.prt -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
-    "       radiosity view OUT|ROOM.prt|MODEL.obj [OPTION...]\n"
+    "       radiosity study MODEL.obj -o FOLDER [--minutes N] [OPTION...]\n"
+    "       radiosity study --table41 -o FOLDER\n"
+    "       radiosity view OUT|ROOM.prt|MODEL.obj [--layer patches|elements|wireframe|hemicube]... [OPTION...]\n"
     "\n"
     "generate writes an example model. Its polygons are divided into triangles of at most --area;\n"
     "without --area they stay whole. It takes --reflectance and --power.\n"
@@ -42,7 +45,9 @@ constexpr char kUsage[] =
     "  --relight SOLUTION   solve with those in SOLUTION.rows and with its options\n"
     "  --progress         report progress in lines on stderr where it is not a terminal\n"
     "These options solve between patches, by hemicubes that OpenGL draws, instead of by rays:\n"
-    "  --hemicube PX      pixels along a hemicube's top face, even, 4 to 1024 (default 16)\n"
+    "  --hemicube PX      pixels along a hemicube's top face, 4 to 1024 (default 16)\n"
+    "  --shots N          shoot light from where most of it waits, by N hemicubes at most, instead of one\n"
+    "                     for every patch; stops when less than --residual of the light waits\n"
     "  --patch AREA       area of a patch, which has one hemicube (default: a 6000th of the model's area)\n"
     "  --adaptive         start with elements of 16 times the area and divide them where light changes\n"
     "  --direct analytic|hemicube   light from lamps by shadow rays, or as hemicubes see the lamps\n"
@@ -97,6 +102,13 @@ constexpr char kUsage[] =
     "                     elements, wireframe, or what the hemicube under the pointer sees\n"
     "  --screenshot FILE.png   write the picture when all light is there, then exit\n"
     "\n"
+    "study measures the methods on a model: sizes and rasters, passes, gathering and shooting, elements,\n"
+    "display. It writes a folder with a page, index.html, and tables as CSV, and says what to choose. It\n"
+    "takes the options of solve for light and for reading the model.\n"
+    "  --minutes N        that it may take (default 8); it says what it left out\n"
+    "  --within PERCENT   the error within which it looks for the cheapest setting (default 5)\n"
+    "  --table41          the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches\n"
+    "\n"
     "export writes a solution for other programs. CSV has a line for every element; PLY and OBJ have\n"
     "colours at their points. --atlas makes a new folder with lightmaps (PNG, and linear HDR) and the\n"
     "model as OBJ and glTF with the coordinates of the lightmaps.\n"
@@ -114,8 +126,10 @@ int run(Arguments &words) {
     if (what == "transfer") return runTransfer(words);
     if (what == "export") return runExport(words);
     if (what == "render") return runRender(words);
+    if (what == "study") return runStudy(words);
     if (what == "view") return runView(words);
-    throw Refused("say what to do: generate, solve, transfer, export, render or view; see radiosity --help");
+    throw Refused(
+        "say what to do: generate, solve, transfer, export, render, study or view; see radiosity --help");
 }
 
 } // namespace

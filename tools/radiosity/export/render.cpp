@@ -185,7 +185,8 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
             float shown = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
             for (size_t k = 0; k < 3; ++k)
                 picture.rgb[pixel * 3 + k] =
-                    s.logarithmic
+                    s.constant > 0 ? (uint8_t)(std::clamp(c[k] * s.constant, 0.f, 1.f) * 255 + 0.5f)
+                    : s.logarithmic
                         ? (uint8_t)(light > 0
                                         ? shown * std::pow(std::max(c[k], 0.f) / light, 1 / 2.2f) * 255 + 0.5f
                                         : 0)

@@ -13,6 +13,7 @@ struct RenderSettings {
     int width = 1280, height = 720;
     bool logarithmic = false; // show the logarithm of radiosity; else use the film's curve
     float stops = 0;          // powers of two added to the automatic exposure
+    float constant = 0; // above 0: radiosity times this is shown as it is, 1 is white; no curve, no exposure
 };
 
 // Places the camera above and to one side, so that the picture holds all facets.

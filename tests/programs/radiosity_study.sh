@@ -1,0 +1,93 @@
+# radiosity study, as its users run it: the page, its tables and pictures, and what is refused.
+. "$(dirname "$0")/common.sh"
+radiosity=$BUILD/radiosity
+needs_built radiosity
+cd "$WORK" || exit 1
+
+check "a model" prints polygons "$radiosity" generate cube -o cube.obj
+check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutions, [0-9]+ measurements left out$' "$radiosity" study cube.obj -o page --minutes 2
+
+# --- The page ---
+PAGE=page/index.html
+parts() { # all that the page shows or links to is there, nothing else lies in the folder, all in the folder itself
+    grep -oE '(src|href)="[^"]*"' $PAGE | sed 's/.*="//; s/"$//' | sort -u >parts
+    (cd page && echo index.html && cat ../parts) | sort >wanted
+    [ "$(wc -l <parts)" -ge 25 ] && ls page | sort | diff - wanted >&2
+}
+check "a page with all its parts, and nothing else" parts
+check "... that asks nothing of the network" eval '! grep -rlE "(https?:)?//[a-z]|@import|url\(" page --include=*.html >&2'
+check "... nor its plots, but for the name of SVG" eval '! sed "s|http://www.w3.org/2000/svg||" page/*.svg | grep -E "https?://|href|@import|url\(" >&2'
+check "... light: below 3 MB" less "$(cat page/* | wc -c)" 3000000
+if command -v xmllint >/dev/null; then
+    check "... well-formed" xmllint --noout $PAGE
+    check "... with plots that are" xmllint --noout page/*.svg
+    outline() { # what HTML asks of a page: one title and heading, pictures described, tables with heads
+        [ "$(xmllint --xpath 'concat(count(//title), count(//h1), count(//img[not(@alt)]), count(//table[not(.//th)]), count(//body//script))' $PAGE)" = 11000 ]
+    }
+    check "... and described pictures" outline
+else
+    echo "not checked: xmllint is not installed"
+fi
+for words in "What to choose" "Three sizes by three rasters" "Rasters from 25 to 800 pixels" "Gathering, Gauss-Seidel and shooting" "What every pass adds" \
+    "Two orders of update" "Flat and interpolated; middle and corners" "Linear, constant and logarithmic mapping" "Adaptive and uniform elements"; do
+    check "a chapter: $words" grep -q "<h2>$words</h2>" $PAGE
+done
+check "its plots name their axes" test "$(grep -l 'rotate(-90)' page/*.svg | wc -l)" = "$(ls page/*.svg | wc -l)"
+
+# --- Figures ---
+cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION
+check "passes: what came and what is left are all" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
+check "... less is left with each" table page/passes.csv 'if ($3 != "") { if (NR > 2 && $3 > last) bad = 1; last = $3 }' '!bad'
+check "... at once is ahead of the next pass" less "$(cell passes 7 'NR == 3')" "$(cell passes 4 'NR == 3')"
+check "gathering converges" less "$(cell methods_within 5 '/^gathering/')" 0.01
+check "... to what Gauss-Seidel finds" less "$(cell methods_within 5 '/^Gauss-Seidel/')" 0.01
+check "... and shooting" less "$(cell methods_within 5 '/^shooting over/')" 0.1
+check "shooting with hemicubes of its own was measured" table page/methods.csv 'n += /^shooting by hemicubes/' 'n >= 3'
+check "a raster of 25 pixels" less 0.01 "$(cell rasters 5 '$1 == 25')"
+check "... is worse than one of 100" less "$(cell rasters 5 '$1 == 100')" "$(cell rasters 5 '$1 == 25')"
+check "one gather by 100 pixels beats 25" less "$(cell gathering 4 '$2 == 100')" "$(cell gathering 4 '$2 == 25')"
+check "interpolated light is nearer than flat light" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/')"
+check "more elements are nearer" less "$(awk -F, '$2 == "uniform" { v = $4 } END { print v }' page/elements.csv)" "$(cell elements 4 '$2 == "uniform"')"
+for csv in page/*.csv; do
+    check "$(basename "$csv"): numbers alone below its heads" lacks '(^|,)[-+]?(nan|inf)' "$csv"
+done
+same_front() { # the front's solutions are among all of them
+    sort page/solutions.csv >all && sort page/front.csv | comm -23 - all | wc -l | grep -qx 0
+}
+check "what nothing beats was measured" same_front
+check "the advice counts" test "$(grep -c '^<li>' $PAGE)" -ge 5
+
+# --- What is refused ---
+check "no model" refuses 2 "name a model" "$radiosity" study -o x
+check "no folder" refuses 2 "name a folder" "$radiosity" study cube.obj
+check "a folder that holds something" refuses 2 "page: exists already" "$radiosity" study cube.obj -o page
+check "no place for a folder" refuses 2 "cannot write" "$radiosity" study cube.obj -o none/x
+check "a missing model" refuses 2 "cannot read" "$radiosity" study none.obj -o x
+echo "f 1 2 3" >bad.obj
+check "a bad model" refuses 2 "bad.obj" "$radiosity" study bad.obj -o x
+check "what is varied" refuses 2 "--hemicube is what a study varies" "$radiosity" study cube.obj -o x --hemicube 32
+check "no time" refuses 2 "from 0.1 to" "$radiosity" study cube.obj -o x --minutes 0
+check "a model and the thesis's table" refuses 2 "--table41 takes no model" "$radiosity" study cube.obj -o x --table41
+check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cube.obj -o x --fast
+check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.2"
+
+"$radiosity" study cube.obj -o x --progress 2>said &
+pid=$!
+PIDS+=($pid)
+check "it tells how far it is" await grep -q '^progress: .* %' said
+kill -INT $pid
+stopped() { ended $pid; [ $? = 1 ] && grep -qx 'radiosity: interrupted: no page is written' said; }
+check "an interrupt ends it, with a line" stopped
+check "... and nothing is left" test -z "$(find . -maxdepth 1 -name 'x*')"
+
+# --- Extremes ---
+one() { printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj && "$radiosity" study one.obj -o one --minutes 0.3 >/dev/null; }
+check "one triangle" one
+check "... has a page" test -s one/index.html
+sed 's/^Kd .*/Kd 0 0 0/' cube.mtl >black.mtl && sed 's/cube.mtl/black.mtl/' cube.obj >black.obj
+check "a room that reflects nothing" eval '"$radiosity" study black.obj -o black --minutes 0.3 >/dev/null && test -s black/index.html'
+sed 's/^Kd .*/Kd 0.99 0.99 0.99/' cube.mtl >bright.mtl && sed 's/cube.mtl/bright.mtl/' cube.obj >bright.obj
+check "a room that reflects nearly all" eval '"$radiosity" study bright.obj -o bright --minutes 0.3 >/dev/null && test -s bright/index.html'
+sed 's/^Ke .*/Ke 0 0 0/' cube.mtl >dark.mtl && sed 's/cube.mtl/dark.mtl/' cube.obj >dark.obj
+check "a closed room without lamps" eval '"$radiosity" study dark.obj -o dark --minutes 0.3 >/dev/null && test -s dark/index.html'
+finish

@@ -1,0 +1,50 @@
+// How solutions between patches approach the light: by gathering, by Gauss-Seidel, by shooting.
+#pragma once
+
+#include "tools/radiosity/study/study.h"
+
+namespace odraz {
+
+// One step: a pass over all patches, or some shots.
+struct Step {
+    int number;     // passes or hemicubes so far
+    double seconds; // of the processor, since the start
+    double error;   // rms difference from the converged light as a share of that, percent
+    double added;   // share of the converged light that came with this step, percent
+};
+
+struct Curve {
+    std::string name;
+    std::vector<Step> steps;
+};
+
+// The system of a solution by patches, and its converged light.
+class Converging {
+public:
+    // `solved`: by hemicubes that see the lamps, with rows.
+    Converging(Study &study, Solved &solved);
+
+    // Passes of which each uses the light that the one before left (Jacobi).
+    Curve gathering();
+    // Passes that use new light at once (Gauss-Seidel).
+    Curve atOnce();
+    // Shots over the form factors of the rows.
+    Curve shootingRows();
+    // Shots with a hemicube for each, from the lamps on; no rows are needed. Until `seconds` have passed.
+    Curve shooting(int px, double seconds);
+
+private:
+    Study &study;
+    PatchSystem &patches;
+    const Model &model;
+    const Solution &solution;
+    double rowSeconds;
+    std::vector<Rgb> converged;
+    double all = 0, power = 0;
+    // What arrives at patches straight from the lamps, as columns of the system
+    std::vector<float> lampsSeen() const;
+    Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const;
+    Rgb ofColumns(const float *values, int patch) const;
+};
+
+} // namespace odraz

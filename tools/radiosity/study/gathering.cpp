@@ -1,0 +1,158 @@
+#include "tools/radiosity/study/gathering.h"
+
+#include "tools/common/heap_arena.h"
+#include "tools/common/luminance.h"
+#include "tools/common/statistics.h"
+#include "tools/radiosity/patches/odd_hemicube.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+namespace odraz {
+
+namespace {
+
+constexpr int kUnfolded = 300; // pixels of a picture's side, about
+
+struct Opened {
+    HeapArena memory;
+    Hemicubes h;
+
+    Opened(const Gl &gl, int px) : memory(anyHemicubeBytes(px)) {
+        if (!openAnyHemicubes(h, gl, memory.arena, px))
+            throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
+    }
+    Opened(const Opened &) = delete;
+    ~Opened() { closeHemicubes(h); }
+};
+
+} // namespace
+
+Eye cornerEye(const Model &m, int patch, int k) {
+    const Patch &p = m.patches[patch];
+    const Chart &c = m.charts[p.chart];
+    Vec3 at = p.p;
+    if (p.share == 1) {
+        int x = (patch - c.firstPatch) % c.patchesAcross, y = (patch - c.firstPatch) / c.patchesAcross;
+        float inside[2] = {0.1f, 0.9f};
+        at = c.at(((float)x + inside[k & 1]) * c.width / (float)c.patchesAcross,
+                  ((float)y + inside[k >> 1]) * c.height / (float)c.patchesDown);
+    }
+    return hemicubeEye(at, p.n, (uint32_t)patch * 4 + (uint32_t)k);
+}
+
+Gathering::Gathering(Study &study, const Solved &divided, int count)
+    : study(study), model(*divided.patches->model), radiosity((size_t)model.patchCount) {
+    const Solution &reference = study.reference;
+    std::vector<int> visible;
+    for (int i = 0; i < model.patchCount; ++i) {
+        const Patch &p = model.patches[i];
+        auto chart = (size_t)p.chart;
+        radiosity[(size_t)i] = reference.radiosityAt(p.chart, p.p);
+        if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
+    }
+    const System &system = divided.patches->radiosity.system;
+    for (size_t k = 0; k < std::min((size_t)count, visible.size()); ++k) {
+        int i = visible[k * visible.size() / std::min((size_t)count, visible.size())];
+        const float *d = system.direct + (size_t)i * (size_t)system.columns;
+        patches.push_back(i);
+        outside.push_back(luminance({d[0], d[4], d[8]}));
+        expected.push_back(luminance(reference.lightAt(model.patches[i].chart, model.patches[i].p)));
+    }
+}
+
+Gathering::Result Gathering::measure(const Way &way) {
+    Opened opened(study.gl, way.px);
+    Hemicubes &h = opened.h;
+    std::vector<float> sums = formFactorSums(way.px), values;
+    int each = way.corners ? 4 : way.turns;
+    std::vector<float> row((size_t)model.patchCount);
+    Stopwatch watch;
+    std::vector<Eye> eyes;
+    for (int i : patches)
+        for (int k = 0; k < each; ++k)
+            eyes.push_back(way.corners ? cornerEye(model, i, k)
+                                       : hemicubeEye(model.patches[i].p, model.patches[i].n,
+                                                     (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
+    std::vector<float> light(patches.size());
+    for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
+        study.check();
+        int count = std::min(h.batch, (int)(eyes.size() - first));
+        drawHemicubes(h, model, &eyes[first], count);
+        for (int k = 0; k < count; ++k) {
+            std::fill(row.begin(), row.end(), 0.f);
+            sumHemicube(h, k, sums.data(), row.data());
+            float sum = 0;
+            for (size_t j = 0; j < row.size(); ++j)
+                if (row[j] > 0) sum += row[j] * luminance(radiosity[j]);
+            light[(first + (size_t)k) / (size_t)each] += sum / (float)each;
+        }
+    }
+    double seconds = watch.processor() / (double)std::max(patches.size(), (size_t)1);
+    for (size_t i = 0; i < light.size(); ++i) light[i] += outside[i];
+    study.tick();
+    return {errorsOf(light, expected), seconds};
+}
+
+int Gathering::curious() {
+    Opened opened(study.gl, 50);
+    int best = -1;
+    size_t most = 0;
+    for (size_t k = 0; k < patches.size(); k += std::max(patches.size() / 32, (size_t)1)) {
+        const Patch &p = model.patches[patches[k]];
+        Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patches[k]);
+        drawHemicubes(opened.h, model, &eye, 1);
+        std::set<uint32_t> seen;
+        for (int y = 0; y < 150; ++y)
+            for (int x = 0; x < 50; ++x)
+                seen.insert(hemicubeIds(opened.h, 0)[y * hemicubeStride(opened.h) + x]);
+        if (seen.size() > most) most = seen.size(), best = patches[k];
+    }
+    return best;
+}
+
+Picture Gathering::unfolded(int patch, int px) {
+    Opened opened(study.gl, px);
+    const Patch &p = model.patches[patch];
+    Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patch);
+    drawHemicubes(opened.h, model, &eye, 1);
+    const uint32_t *ids = hemicubeIds(opened.h, 0);
+    int stride = hemicubeStride(opened.h);
+    std::vector<float> all;
+    for (const Rgb &c : radiosity)
+        if (luminance(c) > 0) all.push_back(std::log(luminance(c)));
+    float low = all.empty() ? 0 : quantile(all, 0.02), high = all.empty() ? 1 : quantile(all, 0.998);
+    Picture picture = {kUnfolded, kUnfolded, std::vector<uint8_t>((size_t)kUnfolded * kUnfolded * 3, 255)};
+    for (int j = 0; j < kUnfolded; ++j)
+        for (int i = 0; i < kUnfolded; ++i) {
+            // -2 .. 2: the top face is -1 .. 1; a half face's horizon lies at 2
+            float x = ((float)i + 0.5f) * 4 / kUnfolded - 2, y = 2 - ((float)j + 0.5f) * 4 / kUnfolded;
+            bool aside = std::fabs(x) > 1, above = std::fabs(y) > 1;
+            if (aside && above) continue;
+            int side = x > 1 ? 0 : y > 1 ? 1 : x < -1 ? 2 : y < -1 ? 3 : -1;
+            float along[4] = {y, -x, -y, x}, high2 = 2 - (aside ? std::fabs(x) : std::fabs(y)), n = (float)px;
+            float column = side < 0 ? x : along[side],
+                  line = side < 0 ? (y + 1) / 2 * n : n + ((float)side + high2) * n / 2;
+            // What lies between the rows of an odd raster's half faces is the row's above it
+            int row = std::clamp((int)line, 0, 3 * px - 1);
+            if (px % 2 && side >= 0 && (row - px) % px == px / 2) row += side % 2 ? 1 : -1;
+            uint32_t id = ids[row * stride + std::clamp((int)((column + 1) / 2 * n), 0, px - 1)];
+            uint8_t *to = &picture.rgb[((size_t)j * kUnfolded + (size_t)i) * 3];
+            Rgb c = id == kNothing || id == kBackSide ? Rgb{} : radiosity[id - 1];
+            float light = maxComponent(c);
+            float rank =
+                light > 0 ? std::clamp((std::log(light) - low) / std::max(high - low, 1e-3f), 0.f, 1.f) : 0;
+            const float channel[3] = {c.x, c.y, c.z};
+            for (int k = 0; k < 3; ++k)
+                to[k] = light > 0
+                            ? (uint8_t)((0.1f + 0.9f * rank) *
+                                            std::pow(std::max(channel[k], 0.f) / light, 1 / 2.2f) * 255 +
+                                        0.5f)
+                            : 30;
+        }
+    return picture;
+}
+
+} // namespace odraz

@@ -1,0 +1,116 @@
+#include "tools/radiosity/study/page.h"
+
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+constexpr char kStyle[] =
+    "body{font:16px/1.45 sans-serif;max-width:62em;margin:1.5em auto;padding:0 1em;color:#222;"
+    "background:#fff}"
+    "h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2em;border-top:1px solid #ccc;padding-top:.8em}"
+    "table{border-collapse:collapse;margin:.8em 0;font-variant-numeric:tabular-nums}"
+    "th,td{padding:.15em .7em;text-align:right;border-bottom:1px solid #e4e4e4}th{vertical-align:bottom}"
+    "th:first-child,td:first-child{text-align:left}"
+    "figure{display:inline-block;margin:.4em .6em .4em 0;vertical-align:top}"
+    "figcaption{font-size:.85em;color:#555;max-width:26em}"
+    "img{max-width:100%;height:auto}.plot{display:block;width:100%}.csv{font-size:.85em}";
+
+std::string escaped(const std::string &text) {
+    std::string out;
+    for (char c : text)
+        if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '&')
+            out += "&amp;";
+        else if (c == '"')
+            out += "&quot;";
+        else
+            out += (unsigned char)c < ' ' ? ' ' : c;
+    return out;
+}
+
+std::string csvCell(const std::string &text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string out = "\"";
+    for (char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+    return out + "\"";
+}
+
+std::string lineOf(const std::vector<std::string> &cells, auto &&each, const char *between) {
+    std::string line;
+    for (const std::string &cell : cells) line += (&cell == &cells[0] ? "" : between) + each(cell);
+    return line;
+}
+
+} // namespace
+
+std::string shown(double number, int digits) {
+    if (!std::isfinite(number)) return "";
+    char text[40];
+    // Whole numbers stay as they are, others get so many digits, without an exponent where that is short
+    if (std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12)
+        std::snprintf(text, sizeof text, "%.0f", number);
+    else
+        std::snprintf(text, sizeof text, "%.*g", digits, number);
+    return text;
+}
+
+void Page::heading(const std::string &what) { body += "<h2>" + escaped(what) + "</h2>\n"; }
+
+void Page::text(const std::string &paragraph) { body += "<p>" + escaped(paragraph) + "</p>\n"; }
+
+void Page::list(const std::vector<std::string> &items) {
+    if (items.empty()) return;
+    body += "<ul>\n";
+    for (const std::string &item : items) body += "<li>" + escaped(item) + "</li>\n";
+    body += "</ul>\n";
+}
+
+void Page::table(const PageTable &t, bool whole) {
+    std::string csv = lineOf(t.columns, csvCell, ",") + "\n", rows;
+    auto row = [&](const std::vector<std::string> &cells, const std::string &kind) {
+        auto cell = [&](const std::string &c) { return "<" + kind + ">" + escaped(c) + "</" + kind + ">"; };
+        rows += "<tr>" + lineOf(cells, cell, "") + "</tr>\n";
+    };
+    row(t.heads, "th");
+    for (const auto &cells : t.rows) {
+        csv += lineOf(cells, csvCell, ",") + "\n";
+        row(cells, "td");
+    }
+    folder.write(t.file + ".csv", csv);
+    if (whole) body += "<table>\n" + rows + "</table>\n";
+    body += "<p class=\"csv\"><a href=\"" + t.file + ".csv\">" + t.file + ".csv</a></p>\n";
+}
+
+void Page::plot(const std::string &file, Plot plot) {
+    // What is not measured, or not positive where the scale is logarithmic, has no place
+    std::erase_if(plot.points, [&](const PlotPoint &p) {
+        return !std::isfinite(p.x) || !std::isfinite(p.y) || (plot.logarithmicX && p.x <= 0) ||
+               (plot.logarithmicY && p.y <= 0);
+    });
+    if (plot.points.empty()) return;
+    folder.write(file + ".svg", svg(plot));
+    body += "<p><img class=\"plot\" src=\"" + file + ".svg\" alt=\"" + escaped(plot.title) + "\"/></p>\n";
+}
+
+void Page::pictures(const std::vector<PagePicture> &pictures) {
+    body += "<div>\n";
+    for (const PagePicture &p : pictures)
+        body += "<figure><img src=\"" + p.file + "\" alt=\"" + escaped(p.caption) + "\"/><figcaption>" +
+                escaped(p.caption) + "</figcaption></figure>\n";
+    body += "</div>\n";
+}
+
+void Page::finish() {
+    folder.write("index.html", "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+                               "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
+                                   escaped(title) + "</title>\n<style>" + kStyle +
+                                   "</style>\n</head>\n<body>\n<h1>" + escaped(title) + "</h1>\n" + body +
+                                   rest + "</body>\n</html>\n");
+}
+
+} // namespace odraz

@@ -1,0 +1,52 @@
+// A page of a study: HTML with tables, plots and pictures, and a CSV for every table. All files lie in one
+// folder; the page asks for nothing else.
+#pragma once
+
+#include "tools/common/new_folder.h"
+#include "tools/common/plot.h"
+
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace odraz {
+
+// A number as text, with so many significant digits; empty if it is not finite, for what was not measured.
+std::string shown(double number, int digits = 3);
+
+// Cells are text or numbers. `columns`: the names in the CSV; `heads`: those on the page.
+struct PageTable {
+    std::string file; // the CSV's name without ending
+    std::vector<std::string> columns, heads;
+    std::vector<std::vector<std::string>> rows = {};
+};
+
+struct PagePicture {
+    std::string file, caption; // the file's name with its ending
+};
+
+class Page {
+public:
+    Page(const NewFolder &folder, const std::string &title) : folder(folder), title(title) {}
+
+    void heading(const std::string &text);
+    void text(const std::string &paragraph);
+    // Writes its CSV. With `whole` false the page only links to that.
+    void table(const PageTable &table, bool whole = true);
+    // Writes an SVG. A plot without points is left out.
+    void plot(const std::string &file, Plot plot);
+    void pictures(const std::vector<PagePicture> &pictures);
+    void list(const std::vector<std::string> &items);
+    // Where a picture's file is to be written.
+    std::string path(const std::string &file) const { return folder / file; }
+    // What is written from here on stands before all that was written so far; call it once.
+    void toFront() { rest = std::move(body), body.clear(); }
+    // Writes index.html.
+    void finish();
+
+private:
+    const NewFolder &folder;
+    std::string title, body, rest;
+};
+
+} // namespace odraz

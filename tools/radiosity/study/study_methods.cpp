@@ -1,0 +1,169 @@
+// Gathering, Gauss-Seidel and shooting on one axis; what every pass adds; both orders of update.
+#include "tools/radiosity/study/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+// The first step of a curve at which its error is at most this; null: none.
+const Step *firstWithin(const Curve &curve, double percent) {
+    for (const Step &s : curve.steps)
+        if (s.error <= percent) return &s;
+    return nullptr;
+}
+
+void tellPasses(Study &study, const Curve &next, const Curve &once) {
+    Page &page = study.page;
+    page.heading("What every pass adds");
+    page.text(
+        "The light that leaves all surfaces by reflection, and what of the converged light each pass adds. "
+        "In the next pass: a pass gathers what the pass before left, as the thesis does, so each is one "
+        "bounce more. "
+        "At once: a patch gathers what other patches found earlier in the same pass.");
+    PageTable table = {"passes",
+                       {"pass", "added_next_percent", "left_next_percent", "error_next_percent",
+                        "added_once_percent", "left_once_percent", "error_once_percent"},
+                       {"pass", "adds, in the next pass, %", "is left, %", "error (rms), %",
+                        "adds, at once, %", "is left, %", "error (rms), %"}};
+    Plot left = {"light that is left after each pass",
+                 "pass",
+                 "left, % of the converged light",
+                 {"in the next pass", "at once"},
+                 {},
+                 false,
+                 true};
+    Plot error = left;
+    error.title = "convergence: the error after each pass", error.yName = "error (rms), %";
+    left.joined = error.joined = true;
+    double sums[2] = {};
+    for (size_t k = 0; k < std::min(std::max(next.steps.size(), once.steps.size()), (size_t)30); ++k) {
+        std::vector<std::string> row = {std::to_string(k + 1)};
+        for (int c = 0; c < 2; ++c) {
+            const std::vector<Step> &steps = (c ? once : next).steps;
+            if (k >= steps.size()) {
+                row.insert(row.end(), 3, "");
+                continue;
+            }
+            sums[c] += steps[k].added;
+            // Rounding may leave a little more or less than all
+            double rest = std::max(100 - sums[c], 0.);
+            row.insert(row.end(), {shown(steps[k].added), shown(rest), shown(steps[k].error)});
+            if (rest > 1e-3) left.points.push_back({(double)k + 1, rest, "", false, c});
+            error.points.push_back({(double)k + 1, steps[k].error, "", false, c});
+        }
+        table.rows.push_back(row);
+    }
+    page.table(table);
+    page.plot("passes", left);
+    page.plot("convergence", error);
+}
+
+void tellOrders(Study &study, const Curve &next, const Curve &once) {
+    PageTable table = {"orders",
+                       {"error_percent", "passes_next", "passes_once"},
+                       {"error (rms) at most, %", "passes, in the next pass", "passes, at once"}};
+    for (double percent : {10., 1., 0.1, 0.01}) {
+        const Step *a = firstWithin(next, percent), *b = firstWithin(once, percent);
+        table.rows.push_back(
+            {shown(percent), a ? std::to_string(a->number) : "", b ? std::to_string(b->number) : ""});
+    }
+    study.page.heading("Two orders of update");
+    study.page.text("How many passes it takes until the light is so near to the converged one.");
+    study.page.table(table);
+    const Step *a = firstWithin(next, 1), *b = firstWithin(once, 1);
+    if (a && b)
+        study.advice.push_back("Update: " + std::string(b->number < a->number ? "at once" : "either order") +
+                               ": " + std::to_string(b->number) + " passes at once and " +
+                               std::to_string(a->number) +
+                               " in the next pass bring the light within 1 % of the converged one.");
+}
+
+void tellMethods(Study &study, const std::vector<Curve> &curves) {
+    PageTable table = {"methods",
+                       {"method", "step", "processor_s", "error_percent"},
+                       {"method", "passes or shots", "processor, s", "error (rms), %"}};
+    PageTable within = {
+        "methods_within",
+        {"method", "to_10_percent_s", "to_1_percent_s", "to_0.1_percent_s", "last_error_percent"},
+        {"method", "to 10 %, s", "to 1 %, s", "to 0.1 %, s", "least error, %"}};
+    Plot plot = {"gathering, Gauss-Seidel and shooting: error against time",
+                 "processor time, form factors included, s",
+                 "error (rms) against the converged light, %",
+                 {},
+                 {},
+                 true,
+                 true};
+    plot.joined = true;
+    const Curve *fastest[2] = {};
+    double best[2] = {INFINITY, INFINITY};
+    for (size_t c = 0; c < curves.size(); ++c) {
+        plot.series.push_back(curves[c].name);
+        std::vector<std::string> row = {curves[c].name};
+        int column = 0;
+        for (double percent : {10., 1., 0.1}) {
+            const Step *s = firstWithin(curves[c], percent);
+            row.push_back(s ? shown(s->seconds) : "");
+            if (column < 2 && s && s->seconds < best[column])
+                best[column] = s->seconds, fastest[column] = &curves[c];
+            ++column;
+        }
+        double least = INFINITY;
+        for (const Step &s : curves[c].steps) {
+            least = std::min(least, s.error);
+            table.rows.push_back(
+                {curves[c].name, std::to_string(s.number), shown(s.seconds, 4), shown(s.error)});
+            plot.points.push_back({s.seconds, s.error, "", false, (int)c});
+        }
+        row.push_back(shown(least));
+        within.rows.push_back(row);
+    }
+    Page &page = study.page;
+    page.plot("methods", plot);
+    page.table(within);
+    page.table(table, false);
+    const char *to[2] = {"10", "1"};
+    for (int k = 0; k < 2; ++k)
+        if (fastest[k])
+            study.advice.push_back("Method, to within " + std::string(to[k]) + " % of the converged light: " +
+                                   fastest[k]->name + ", " + shown(best[k]) + " s.");
+}
+
+} // namespace
+
+void studyMethods(Study &study) {
+    Page &page = study.page;
+    page.heading("Gathering, Gauss-Seidel and shooting");
+    struct Size {
+        int patches, px;
+    };
+    for (Size size : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 32}, {1500, 16}}) {
+        Solved divided = study.divide(size.patches);
+        const Model &m = *divided.patches->model;
+        double rows = study.hemicubeSeconds(m, size.px) * m.patchCount;
+        if (!study.fits(2.2 * rows)) continue;
+        study.base = study.solve(study.thesis(size.patches, size.px));
+        study.baseText = std::to_string(study.base.report.patches) + " patches with hemicubes of " +
+                         std::to_string(size.px) + " pixels";
+        Converging converging(study, study.base);
+        std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
+        curves.push_back(converging.shooting(size.px, std::max(study.left() * 0.8, 2.)));
+        page.text(study.baseText +
+                  ". Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one "
+                  "hemicube a shot, but a patch that shoots again draws again. Over the same rows all "
+                  "methods reach the same "
+                  "light. Shots through hemicubes of their own do not quite: by reciprocity they use the "
+                  "form factors from the other "
+                  "side, and where a hemicube is coarse these differ.");
+        tellMethods(study, curves);
+        tellPasses(study, curves[0], curves[1]);
+        tellOrders(study, curves[0], curves[1]);
+        return;
+    }
+    page.text("Left out: the rows of all patches take longer than the time that is left.");
+    study.leftOut.push_back("gathering, Gauss-Seidel and shooting; passes; orders of update");
+}
+
+} // namespace odraz

@@ -1,0 +1,101 @@
+// Three sizes by three rasters, each shot by hemicubes: the thesis's Table 4.1 for any model.
+#include "tools/radiosity/study/study.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+constexpr int kMostShots = 8000, kLeastShots = 200;
+
+// The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube from every triangle.
+constexpr int kThesisSizes[] = {26360, 136512, 546048}, kThesisRasters[] = {100, 200, 500};
+constexpr double kThesisMinutes[3][3] = {{4.667, 8.75, 39.667}, {58.333, 81.667, 233}, {583, 700, 1516}};
+
+struct TableCell {
+    int patches = 0, shots = 0;
+    double processor = 0, wall = 0, unshot = 0, everyPatch = 0;
+    LightErrors errors = {NAN, NAN};
+};
+
+std::vector<std::string> rowOf(const TableCell &c, int px) {
+    return {std::to_string(c.patches),  std::to_string(px),  std::to_string(c.shots),
+            shown(c.processor),         shown(c.wall),       shown(1000 * c.processor / std::max(c.shots, 1)),
+            shown(100 * c.unshot, 2),   shown(c.errors.rms), shown(c.errors.median),
+            shown(c.everyPatch / 60, 2)};
+}
+
+TableCell shoot(Study &study, int patches, int px, int shots, double hemicube) {
+    SolveSettings s = study.thesis(patches, px);
+    s.shots = shots;
+    s.residual = 0.005f;
+    std::string options = "--direct hemicube --hemicube " + std::to_string(px) + " --patch " +
+                          shown(s.patch, 6) + " --element " + shown(s.element, 6) + " --shots " +
+                          std::to_string(shots) + " --residual 0.005";
+    Solved b =
+        study.measure(std::to_string(patches) + " patches shot by " + std::to_string(px) + " px", options, s);
+    const MeasuredSolution &m = study.measured.back();
+    return {b.report.patches,
+            b.report.shots,
+            m.seconds,
+            m.wall,
+            (double)b.report.residual,
+            b.report.patches * hemicube,
+            m.errors};
+}
+
+} // namespace
+
+void studyTable(Study &study, bool ofThesis) {
+    Page &page = study.page;
+    page.heading(ofThesis ? "The thesis's Table 4.1" : "Three sizes by three rasters");
+    page.text(
+        "Elements that are as large as patches receive light; blocks of them shoot it, through a hemicube at "
+        "one of their patches, those with most light first, until 0.5 % of the light is not shot yet or the "
+        "shots are used up. What is not shot then counts as spread evenly. Hemicubes see the lamps. The last "
+        "time is an estimate: a hemicube from every patch, once, as gathering needs; the thesis draws each "
+        "of "
+        "them again in every pass.");
+    PageTable table = {"table",
+                       {"patches", "px", "shots", "processor_s", "wall_s", "ms_per_shot", "unshot_percent",
+                        "rms_percent", "median_percent", "every_patch_min"},
+                       {"patches", "pixels", "shots", "processor, s", "clock, s", "ms a shot", "not shot, %",
+                        "error (rms), %", "median, %", "every patch, min"}};
+    if (ofThesis) table.columns.push_back("thesis_min"), table.heads.push_back("thesis, min");
+    Plot plot = {"error against time: patches, one mark a raster",
+                 "processor time, s",
+                 "error (rms), %",
+                 {},
+                 {},
+                 true,
+                 true};
+    plot.joined = true;
+    for (int row = 0; row < 3; ++row) {
+        int patches = ofThesis ? kThesisSizes[row] : 1500 << 2 * row;
+        plot.series.push_back(std::to_string(patches) + " patches");
+        Solved divided = study.divide(patches);
+        const Model &m = *divided.patches->model;
+        for (int column = 0; column < 3; ++column) {
+            int px = kThesisRasters[column];
+            double hemicube = study.hemicubeSeconds(m, px), allowed = study.left() / (9 - 3 * row - column);
+            int shots = ofThesis
+                            ? kMostShots
+                            : (int)std::clamp(allowed / std::max(hemicube, 1e-5), 0., (double)kMostShots);
+            if (shots < kLeastShots) {
+                study.leftOut.push_back("table: " + std::to_string(m.patchCount) + " patches by " +
+                                        std::to_string(px) + " pixels");
+                continue;
+            }
+            TableCell cell = shoot(study, patches, px, shots, hemicube);
+            table.rows.push_back(rowOf(cell, px));
+            if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
+            plot.points.push_back({cell.processor, cell.errors.rms, std::to_string(px), false, row});
+        }
+    }
+    page.table(table);
+    page.plot("table", plot);
+}
+
+} // namespace odraz
