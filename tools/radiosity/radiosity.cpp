@@ -23,7 +23,7 @@ constexpr char kUsage[] =
     "       radiosity render OUT|ROOM.prt -o FILE.png [--eye X,Y,Z --at X,Y,Z] [OPTION...]\n"
     "       radiosity study MODEL.obj -o FOLDER [--minutes N] [OPTION...]\n"
     "       radiosity study --table41 -o FOLDER\n"
-    "       radiosity view OUT|ROOM.prt|MODEL.obj [--layer patches|elements|wireframe|hemicube]... [OPTION...]\n"
+    "       radiosity view OUT|ROOM.prt|MODEL.obj [OPTION...]\n"
     "\n"
     "generate writes an example model. Its polygons are divided into triangles of at most --area;\n"
     "without --area they stay whole. It takes --reflectance and --power.\n"
