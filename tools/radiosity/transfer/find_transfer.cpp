@@ -5,6 +5,7 @@
 #include "tools/radiosity/rays/site_values.h"
 #include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/radiosity/transfer/lamp_sources.h"
 #include "tools/radiosity/transfer/solve_columns.h"
 
 #include <algorithm>
@@ -15,44 +16,6 @@ namespace odraz {
 namespace {
 
 constexpr int kGlossRays = 4096; // from the middle of a square
-
-// A light of the model or of the settings, of which the rest is dark.
-struct LampSource {
-    std::string name;
-    std::vector<size_t> materials; // those that emit
-    Surroundings around;           // a ball or a sun
-};
-
-std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
-    std::vector<LampSource> lamps;
-    std::vector<bool> used(mesh.materials.size());
-    for (const Triangle &t : mesh.triangles) used[(size_t)t.material] = true;
-    for (size_t i = 0; i < mesh.materials.size(); ++i) {
-        const auto &e = mesh.materials[i].emits;
-        if (used[i] && std::max({e[0], e[1], e[2]}) > 0) lamps.push_back({mesh.materials[i].name, {i}, {}});
-    }
-    for (size_t i = 0; i < around.lamps.size(); ++i)
-        lamps.push_back({"ball " + std::to_string(i + 1), {}, {{}, {}, {around.lamps[i]}}});
-    for (size_t i = 0; i < around.suns.size(); ++i)
-        lamps.push_back({"sun " + std::to_string(i + 1), {}, {{}, {around.suns[i]}, {}}});
-    return lamps;
-}
-
-// Makes the last lamp that there is room for stand for all others.
-void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) {
-    if (lamps.size() <= (size_t)kMaxLamps) return;
-    LampSource &last = lamps[(size_t)kMaxLamps - 1];
-    for (size_t i = (size_t)kMaxLamps; i < lamps.size(); ++i) {
-        const LampSource &more = lamps[i];
-        last.materials.insert(last.materials.end(), more.materials.begin(), more.materials.end());
-        last.around.lamps.insert(last.around.lamps.end(), more.around.lamps.begin(), more.around.lamps.end());
-        last.around.suns.insert(last.around.suns.end(), more.around.suns.begin(), more.around.suns.end());
-    }
-    notes.push_back("there are " + std::to_string(lamps.size()) + " lamps: from lamp " +
-                    std::to_string(kMaxLamps) + " on they count as one");
-    last.name = "others";
-    lamps.resize((size_t)kMaxLamps);
-}
 
 class TransferFinder {
 public:

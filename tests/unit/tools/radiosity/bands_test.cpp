@@ -1,0 +1,91 @@
+// Spherical harmonics of six bands, and environments projected onto them: against the addition theorem,
+// Parseval's, and closed forms.
+#include "tests/support/open_room.h"
+#include "tools/radiosity/transfer/environment.h"
+
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+// The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle.
+TEST(Bands, ObeyTheAdditionTheorem) {
+    Random random = {1};
+    double worst = 0;
+    for (int i = 0; i < 1000; ++i) {
+        Vec3 a = randomDirection(random), b = randomDirection(random);
+        Float8 ya[kMostSh], yb[kMostSh];
+        evaluateBands(broadcast(a), kMostBands, ya);
+        evaluateBands(broadcast(b), kMostBands, yb);
+        for (int l = 0; l < kMostBands; ++l) {
+            double sum = 0;
+            for (int k = l * l; k < (l + 1) * (l + 1); ++k) sum += (double)ya[k][0] * (double)yb[k][0];
+            worst =
+                std::max(worst, std::fabs(sum - (2 * l + 1) / (4 * M_PI) * legendre(l, (double)dot(a, b))));
+        }
+    }
+    EXPECT_LT(worst, 2e-6);
+}
+
+TEST(Bands, AreOrthonormal) {
+    double products[kMostSh][kMostSh] = {};
+    for (int i = 0; i < kDirections; i += 8) {
+        float solidAngle;
+        Vec3x8 d = direction(i, solidAngle);
+        Float8 y[kMostSh];
+        evaluateBands(d, kMostBands, y);
+        for (int a = 0; a < kMostSh; ++a)
+            for (int b = 0; b < kMostSh; ++b) products[a][b] += (double)(total(y[a] * y[b]) * solidAngle);
+    }
+    for (int a = 0; a < kMostSh; ++a)
+        for (int b = 0; b < kMostSh; ++b) EXPECT_NEAR(products[a][b], a == b, 5e-6) << a << " " << b;
+}
+
+TEST(Bands, TurnWithTheirLight) {
+    Random random = {2};
+    for (int bands = 1; bands <= kMostBands; ++bands) {
+        BandLight light = randomLight(bands, random);
+        Turn turn = turnAbout(randomDirection(random), (double)between(random, -180, 180)) *
+                    turnAbout(randomDirection(random), (double)between(random, -180, 180));
+        BandLight after = turned(light, bands, turn);
+        for (int i = 0; i < 50; ++i) {
+            Vec3 d = randomDirection(random);
+            Rgb was = radiance(light, bands, d), is = radiance(after, bands, turn.of(d));
+            EXPECT_LT(length(was - is), 3e-5f) << bands;
+        }
+        BandLight back = turned(after, bands, turn.inverse());
+        for (int k = 0; k < bands * bands; ++k) EXPECT_LT(length(back[(size_t)k] - light[(size_t)k]), 2e-5f);
+    }
+}
+
+// A picture of a band-limited light gives its coefficients back, and all of its energy; a small bright spot
+// leaves little in the bands, by Parseval.
+TEST(Environment, IsProjected) {
+    for (bool upIsZ : {false, true}) {
+        Random random = {3};
+        BandLight light = randomLight(kMostBands, random);
+        SkyPicture sky = pictureOf(light, kMostBands, upIsZ);
+        HdrPicture picture = {sky.width, sky.height, {}};
+        for (const Rgb &c : sky.pixels) picture.pixels.insert(picture.pixels.end(), {c.x, c.y, c.z});
+        Projected p = project(picture, upIsZ);
+        for (int k = 0; k < kMostSh; ++k)
+            EXPECT_LT(length(p.light[(size_t)k] - light[(size_t)k]), 2e-4f) << k;
+        EXPECT_NEAR(p.held[kMostBands - 1], 1, 1e-4);
+        for (int l = 1; l < kMostBands; ++l) EXPECT_GT(p.held[l], p.held[l - 1]);
+        double energy = 0, first = 0;
+        for (int k = 0; k < kMostSh; ++k) {
+            energy += (double)dot(light[(size_t)k], light[(size_t)k]);
+            if (k < 4) first += (double)dot(light[(size_t)k], light[(size_t)k]);
+        }
+        EXPECT_NEAR(p.held[1], first / energy, 1e-4);
+    }
+    // A row of pixels around the zenith is a disc, of which a band holds an integral of Legendre's polynomial
+    HdrPicture disc = {64, 32, std::vector<float>((size_t)64 * 32 * 3)};
+    std::fill(disc.pixels.begin(), disc.pixels.begin() + (ptrdiff_t)64 * 3, 100.f);
+    Projected p = project(disc, false);
+    double rim = std::cos(M_PI / 32), held = 0;
+    for (int l = 0; l < kMostBands; ++l) {
+        double integral = l ? (legendre(l - 1, rim) - legendre(l + 1, rim)) / (2 * l + 1) : 1 - rim;
+        held += (2 * l + 1) / (4 * M_PI) * std::pow(2 * M_PI * integral, 2) / (2 * M_PI * (1 - rim));
+        EXPECT_NEAR(p.held[l], held, 2e-5) << l;
+    }
+}
