@@ -12,7 +12,7 @@ constexpr char kStyle[] =
     "h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2em;border-top:1px solid #ccc;padding-top:.8em}"
     "table{border-collapse:collapse;margin:.8em 0;font-variant-numeric:tabular-nums}"
     "th,td{padding:.15em .7em;text-align:right;border-bottom:1px solid #e4e4e4}th{vertical-align:bottom}"
-    "th:first-child,td:first-child{text-align:left}"
+    "th:first-child,td:first-child,.words{text-align:left}"
     "figure{display:inline-block;margin:.4em .6em .4em 0;vertical-align:top}"
     "figcaption{font-size:.85em;color:#555;max-width:26em}"
     "img{max-width:100%;height:auto}.plot{display:block;width:100%}.csv{font-size:.85em}";
@@ -72,8 +72,14 @@ void Page::list(const std::vector<std::string> &items) {
 
 void Page::table(const PageTable &t, bool whole) {
     std::string csv = lineOf(t.columns, csvCell, ",") + "\n", rows;
-    auto row = [&](const std::vector<std::string> &cells, const std::string &kind) {
-        auto cell = [&](const std::string &c) { return "<" + kind + ">" + escaped(c) + "</" + kind + ">"; };
+    auto row = [&](const std::vector<std::string> &cells, const char *kind) {
+        // Words stand to the left, numbers to the right
+        auto cell = [&](const std::string &c) {
+            bool words = c.find_first_not_of("0123456789.e+-") != std::string::npos;
+            return std::string("<") + kind +
+                   (words && *kind == 't' && kind[1] == 'd' ? " class=\"words\">" : ">") + escaped(c) + "</" +
+                   kind + ">";
+        };
         rows += "<tr>" + lineOf(cells, cell, "") + "</tr>\n";
     };
     row(t.heads, "th");

@@ -6,8 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace odraz {
+
+static constexpr int kCoarse = 1500;
 
 Stopwatch::Stopwatch() : startProcessor(processorSeconds()), startWall(wallSeconds()) {}
 double Stopwatch::processor() const { return processorSeconds() - startProcessor; }
@@ -21,7 +24,9 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     SolveSettings s = settings.solve;
     s.finalRays = settings.minutes >= 2 ? 256 : 64;
     reference = solve(s).solution;
-    facets = (int)reference.facets.size();
+    if (std::all_of(reference.light.begin(), reference.light.end(),
+                    [](const Rgb &c) { return maxComponent(c) <= 0; }))
+        notes.emplace_back("no light reaches the fronts of the polygons: try --two-sided, or another light");
     places.emplace(reference, 2000);
     afterReference = wallSeconds();
 }
@@ -41,7 +46,8 @@ void Study::check() const {
 
 void Study::tick() {
     check();
-    double done = (wallSeconds() - began) / (settings.minutes * 60);
+    double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
+                             : (wallSeconds() - began) / (settings.minutes * 60);
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 
@@ -55,7 +61,19 @@ SolveSettings Study::thesis(int patches, int px) const {
 }
 
 Solved Study::solve(const SolveSettings &s) {
-    Solved solved = solveModel(mesh, s, gl, workers, stop, [this](const char *, float, float) { tick(); });
+    partDone = 0;
+    auto progress = [&](const char *step, float done, float) {
+        // Of shots only solving takes time
+        if (s.shots > 0 && step && step == std::string_view(nameOf(SolveStep::kSolving)))
+            partDone = (double)done;
+        tick();
+    };
+    Solved solved;
+    try {
+        solved = solveModel(mesh, s, gl, workers, stop, progress);
+    } catch (const ModelError &e) {
+        throw ModelError(settings.model + ": " + e.what());
+    }
     check();
     for (const std::string &note : solved.report.notes)
         if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
@@ -80,21 +98,38 @@ Solved Study::divide(int patches) {
     return solve(s);
 }
 
-double Study::hemicubeSeconds(const Model &m, int px) {
+int Study::patchesFor(int asked) const {
+    double side = std::sqrt(area / asked), all = 0;
+    for (const Chart &c : reference.charts)
+        all += std::max(1., std::round((double)c.width / side)) *
+               std::max(1., std::round((double)c.height / side));
+    return (int)std::min(all, 1e9);
+}
+
+double Study::divideSeconds() {
+    if (coarse.patches) return coarseSeconds;
     Stopwatch watch;
+    coarse = divide(kCoarse);
+    return coarseSeconds = watch.wall();
+}
+
+double Study::hemicubeSeconds(int px) {
+    divideSeconds();
+    if (auto known = costs.find(px); known != costs.end()) return known->second;
+    const Model &m = *coarse.patches->model;
     std::vector<Rgb> light((size_t)m.patchCount, Rgb{1, 1, 1}), none((size_t)m.patchCount);
     Shooting shooting(m, patchesAlone(m), light, none);
     HemicubeShooter shooter(gl, m, px, 1);
     double best = INFINITY;
     // The first picture also compiles the shaders
-    for (int i = 0; i < 3; ++i) {
+    Stopwatch watch;
+    for (int i = 0; i < 3 && watch.wall() < 5; ++i) {
         Stopwatch one;
         int shots = shooter.shoot(shooting, shooter.batch(), workers);
         if (shots > 0) best = std::min(best, one.wall() / shots);
         tick();
-        if (watch.wall() > 5) break;
     }
-    return std::isfinite(best) ? best : 0;
+    return costs[px] = std::isfinite(best) ? best : 0;
 }
 
 } // namespace odraz

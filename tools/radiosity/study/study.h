@@ -6,6 +6,7 @@
 #include "tools/radiosity/study/page.h"
 #include "tools/radiosity/study/places.h"
 
+#include <map>
 #include <optional>
 
 namespace odraz {
@@ -52,7 +53,6 @@ public:
     std::vector<std::string> leftOut; // what the time did not allow
     std::vector<std::string> advice;  // what to choose, and why
     double area;                      // of the model
-    int facets = 0;                   // polygons that hemicubes draw
 
     // --- Time ---
     // A chapter begins: it may take until this share of the time after the reference has passed.
@@ -62,8 +62,10 @@ public:
     bool fits(double seconds) const { return seconds < left(); }
     // Throws Interrupted.
     void check() const;
-    // Shows how far the study has come.
+    // Shows how far the study has come: by its time.
     void tick();
+    // Work without a limit of time: the next solution is this part, 0 .. 1, of all.
+    void nextPart(double from, double to) { partFrom = from, partTo = to; }
 
     // --- Solving ---
     // Settings for solving between patches of about this many elements that are patches, by hemicubes that
@@ -75,13 +77,20 @@ public:
     Solved measure(const std::string &name, const std::string &options, const SolveSettings &s);
     // A model divided into about so many patches, without rows: for hemicubes and costs.
     Solved divide(int patches);
-    // The wall-clock seconds that a hemicube of a model and its row take.
-    double hemicubeSeconds(const Model &model, int px);
+    // About how many patches the model gets if so many are asked for: every polygon has one at least.
+    int patchesFor(int asked) const;
+    // The wall-clock seconds that dividing takes, and those that a hemicube and its row take.
+    double divideSeconds();
+    double hemicubeSeconds(int px);
 
 private:
     ProgressBar &bar;
     double began, afterReference = 0, until = 0;
     const char *name = "reference";
+    Solved coarse; // divided into kCoarse patches; empty until costs are asked for
+    double coarseSeconds = 0;
+    std::map<int, double> costs;                   // of hemicubes, by pixels
+    double partFrom = 0, partTo = 0, partDone = 0; // partTo 0: the time counts
 };
 
 // Processor and wall-clock time since it was made.

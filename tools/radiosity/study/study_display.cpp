@@ -115,12 +115,11 @@ void studyDisplay(Study &study) {
         return std::pair{errors[1], errors[0]};
     };
     page.heading("Flat and interpolated; middle and corners");
-    Solved divided = study.divide(1500);
-    const Model &coarse = *divided.patches->model;
     int px = 0;
     double one = 0;
     for (int tried : {50, 32, 16})
-        if (!px && study.fits(6 * coarse.patchCount * (one = study.hemicubeSeconds(coarse, tried))))
+        if (!px && study.fits(6 * study.patchesFor(1500) * (one = study.hemicubeSeconds(tried)) +
+                              2 * study.divideSeconds()))
             px = tried;
     const Solution *solution = nullptr;
     Solved solved[2];
@@ -161,7 +160,8 @@ void studyDisplay(Study &study) {
     } else {
         // Too many patches: shots instead of rows
         SolveSettings s = study.thesis(1500, 50);
-        s.shots = (int)std::clamp(study.left() / 2 / std::max(one, 1e-6), 50., 4000.);
+        double seconds = (study.left() - study.divideSeconds()) / 2;
+        s.shots = (int)std::clamp(seconds / std::max(one, 1e-6), 50., 4000.);
         Solved &b = solved[0] = study.solve(s);
         show(std::to_string(b.report.shots) + " shots", "shots", b.solution, *b.patches->model,
              b.report.allSeconds);

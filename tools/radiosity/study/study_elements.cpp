@@ -20,12 +20,10 @@ void studyElements(Study &study) {
                        {"elements", "kind", "processor_s", "rms_percent", "median_percent"},
                        {"elements", "", "processor, s", "error (rms), %", "median, %"}};
     // Rows where they fit, else so many shots as do
-    Solved divided = study.divide(6000);
-    const Model &m = *divided.patches->model;
-    double hemicube = study.hemicubeSeconds(m, 16), each = study.left() / 7;
+    double hemicube = study.hemicubeSeconds(16), each = study.left() / 7, rest = each - study.divideSeconds();
     int shots = 0;
-    if (1.5 * hemicube * m.patchCount > each)
-        shots = (int)std::clamp(each / 2 / std::max(hemicube, 1e-6), 50., 4000.);
+    if (1.5 * hemicube * study.patchesFor(6000) > rest)
+        shots = (int)std::clamp(rest / 2 / std::max(hemicube, 1e-6), 50., 4000.);
     page.text(
         "Lamps are seen by shadow rays, patches by hemicubes of 16 pixels" +
         (shots ? "; " + std::to_string(shots) + " of them shoot the light, since all rows would take too long"
@@ -33,7 +31,6 @@ void studyElements(Study &study) {
         ". Adaptive solutions begin with elements of sixteen times the area and divide those over which "
         "direct light "
         "changes.");
-    divided = {};
     struct Best {
         double seconds, rms;
         size_t elements;

@@ -140,10 +140,8 @@ void studyMethods(Study &study) {
         int patches, px;
     };
     for (Size size : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 32}, {1500, 16}}) {
-        Solved divided = study.divide(size.patches);
-        const Model &m = *divided.patches->model;
-        double rows = study.hemicubeSeconds(m, size.px) * m.patchCount;
-        if (!study.fits(2.2 * rows)) continue;
+        double rows = study.patchesFor(size.patches) * study.hemicubeSeconds(size.px);
+        if (!study.fits(1.3 * rows + study.divideSeconds() + 5)) continue;
         study.base = study.solve(study.thesis(size.patches, size.px));
         study.baseText = std::to_string(study.base.report.patches) + " patches with hemicubes of " +
                          std::to_string(size.px) + " pixels";

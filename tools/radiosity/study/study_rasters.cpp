@@ -65,7 +65,7 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
 }
 
 // Whole solutions, with pictures.
-void solveAt(Study &study, const Model &smallest, int asked, Gathering &gathering) {
+void solveAt(Study &study, int asked, Gathering &gathering) {
     Page &page = study.page;
     PageTable table = {"rasters",
                        {"px", "patches", "processor_s", "wall_s", "rms_percent", "median_percent"},
@@ -84,7 +84,7 @@ void solveAt(Study &study, const Model &smallest, int asked, Gathering &gatherin
                 throw std::runtime_error("cannot write " + page.path(file));
             seen.push_back({file, "what one patch sees, " + name + " pixels"});
         }
-        if (!study.fits(1.3 * smallest.patchCount * study.hemicubeSeconds(smallest, px))) {
+        if (!study.fits(1.3 * study.patchesFor(asked) * study.hemicubeSeconds(px) + study.divideSeconds())) {
             study.leftOut.push_back("rasters: a whole solution with " + name + " pixels");
             continue;
         }
@@ -113,23 +113,17 @@ void studyRasters(Study &study) {
     Page &page = study.page;
     double all = study.left();
     page.heading("Rasters from 25 to 800 pixels");
-    Solved coarse;
-    int asked = 0;
-    double need = 0;
+    double ofOne = 0; // a hemicube of each raster
+    for (int px : kRasters) ofOne += study.hemicubeSeconds(px);
     // As many patches as let all rasters fit into half of the time
-    for (int patches : {3000, 1500, 750, 375}) {
-        Solved divided = study.divide(patches);
-        const Model &m = *divided.patches->model;
-        need = 0;
-        for (int px : kRasters) need += study.hemicubeSeconds(m, px) * m.patchCount;
-        coarse = std::move(divided), asked = patches;
-        if (1.3 * need < all / 2) break;
-    }
-    Model &m = *coarse.patches->model;
+    int asked = 3000;
+    while (asked > 375 && 1.3 * ofOne * study.patchesFor(asked) + 6 * study.divideSeconds() > all / 2)
+        asked /= 2;
+    Solved divided = study.divide(asked);
+    Model &m = *divided.patches->model;
     // A fifth of the time for one gather
-    double ofOne = need / std::max(m.patchCount, 1);
     int count = (int)std::clamp(all / 5 / std::max(6 * ofOne, 1e-9), 48., 1000.);
-    Gathering gathering(study, coarse, count);
+    Gathering gathering(study, divided, count);
     page.text("First, one gather: " + std::to_string(count) + " patches of " + std::to_string(m.patchCount) +
               " collect the light of the reference, lamps among it. What is wrong then is wrong by the "
               "hemicubes, and by "
@@ -139,7 +133,7 @@ void studyRasters(Study &study) {
     gatherAt(study, gathering, count, all * 0.55);
     page.text("Then whole solutions, every patch with its hemicube. An odd raster has half faces of half a "
               "row more.");
-    solveAt(study, m, asked, gathering);
+    solveAt(study, asked, gathering);
 }
 
 } // namespace odraz
