@@ -86,6 +86,9 @@ done
 # shellcheck disable=SC2086
 solve columns.obj -o base.rad --keep-rows $rays
 cp columns.mtl kept.mtl
+sed -i 's/^Ke .*/Ke 0 0 0/' columns.mtl
+check "lamps that are out in the file" refuses 1 "nothing in the model shines now, and its rows have no sky" "$radiosity" solve columns.obj --relight base.rad -o x.rad
+cp kept.mtl columns.mtl
 sed -i 's/^Kd .*/Kd 0.6 0.4 0.2/; s/^Ke 20.*/Ke 5 6 7/' columns.mtl
 like_fresh "a material file that was edited" columns.obj "$rays" ""
 check "... without dividing" quick

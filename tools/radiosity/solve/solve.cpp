@@ -65,13 +65,16 @@ Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl
     return solved;
 }
 
+void refuseDark() {
+    throw std::runtime_error("nothing in the model shines now, and its rows have no sky: solve it again");
+}
+
 Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress) {
     SolveTask task(materials, prepared, settings, workers, stop, progress);
     bool dark = task.emitters().empty() && !settings.surroundings.shine();
-    if (dark && settings.evenSky && !evenSky)
-        throw std::runtime_error("nothing in the model shines now: solve it again, with a sky");
+    if (dark && settings.evenSky && !evenSky) refuseDark();
     if (dark && settings.evenSky)
         task.settings.surroundings.sky = odraz::evenSky({1, 1, 1});
     else if (evenSky)

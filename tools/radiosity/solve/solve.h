@@ -30,4 +30,7 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
 Vec3d offsetOf(const Mesh &mesh);
 Mesh moved(const Mesh &mesh, const Vec3d &from);
 
+// Throws std::runtime_error: a fresh solution would get an even sky, which kept rows do not have.
+[[noreturn]] void refuseDark();
+
 } // namespace odraz

@@ -73,7 +73,7 @@ private:
     uint64_t modelSum = 0;
     std::unique_ptr<KeptRows> kept;          // to be used
     std::unique_ptr<PreparedSolve> prepared; // from these; null: the model is divided
-    std::string rows, preparedOnes;          // to be kept
+    std::string rows, preparation;           // to be kept
     std::string resumedRows;
     Workers workers = allProcessors();
     Gl gl = {};
@@ -93,7 +93,7 @@ private:
         settings.resumed = resumedRows = std::move(state.rows);
         if (job.keepRows)
             settings.keepRows = [this](std::string found, std::string prepared) {
-                rows = std::move(found), preparedOnes = std::move(prepared);
+                rows = std::move(found), preparation = std::move(prepared);
             };
         settings.keepEvery = job.keepEvery;
         settings.keep = [this](const std::string &rows) {
@@ -142,7 +142,11 @@ private:
         if (size_t bytes = 2 * (kept->rows.size() + kept->prepared.size()); bytes > settings.memory)
             refuseMemory(bytes, settings.memory, "raise it");
         settings.resumed = kept->rows;
-        if (!prepare(*kept)) readModel();
+        if (!prepare(*kept)) {
+            readModel();
+            bool dark = !shines(mesh) && !settings.surroundings.shine();
+            if (dark && settings.evenSky && !kept->evenSky) refuseDark();
+        }
         if (prepared && job.options.stopsAlike && !kept->evenSky) {
             Solution scaled(job.relight);
             if (scaleLight(scaled, mesh, *prepared, settings)) {
@@ -183,7 +187,7 @@ private:
         to.evenSky = solved.evenSky;
         to.names = mesh.names;
         to.away = {solved.away[0], solved.away[1], solved.away[2]};
-        to.rows = rows, to.prepared = preparedOnes;
+        to.rows = rows, to.prepared = preparation;
         to.save(rowsFile(job.out));
     }
 
