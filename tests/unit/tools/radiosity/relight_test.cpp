@@ -109,8 +109,8 @@ TEST_P(Relight, SurvivesForgedRows) {
     settings.bounces = 1;
     Mesh materials = changed({{"--power", "lamp=2"}});
     std::mt19937 random(1);
-    int refused = 0, solved = 0;
-    for (int i = 0; i < 400; ++i) {
+    int runs = GetParam() ? 120 : 400, refused = 0, solved = 0; // patches take memory for large models
+    for (int i = 0; i < runs; ++i) {
         std::string r = rows, p = prepared;
         std::string &to = i % 2 ? r : p;
         size_t at = i % 4 < 2 ? random() % to.size() : random() % std::min(to.size(), (size_t)4000);
@@ -131,8 +131,8 @@ TEST_P(Relight, SurvivesForgedRows) {
             ++refused;
         }
     }
-    EXPECT_GT(refused, 100);
-    EXPECT_GT(solved, 50); // a number of a form factor may be any
+    EXPECT_GT(refused, runs / 4);
+    EXPECT_GT(solved, runs / 8); // a number of a form factor may be any
 }
 
 TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
