@@ -70,7 +70,7 @@ constexpr char kUsage[] =
     "options of solve that say how the model is read and how rays find its light, and\n"
     "  --bands N          bands of spherical harmonics of the light, 1 to 6 (default 5)\n"
     "  --clusters K       clusters of the compressed rows (default: 4 for each function of the bands)\n"
-    "  --rank R           axes of each cluster, 1 to 32 (default 8 to 24, as the bands need)\n"
+    "  --rank R           axes of each cluster, 1 to 32 (default 8 to 32, as the bands need)\n"
     "  --glossy MATERIAL  polish its planes, which then mirror the room, blurred\n"
     "  --gloss R,E        the polish: what share it mirrors seen from above, and the exponent of its lobe,\n"
     "                     1 to 1000 (default 0.06,16)\n"

@@ -258,7 +258,7 @@ int usualClusters(size_t texels, int bands) {
     int wanted = bands * bands * 4;
     return std::clamp(wanted, 1, (int)std::max(texels / 64, (size_t)1));
 }
-int usualRank(int bands) { return bands <= 2 ? 8 : bands <= 4 ? 16 : 24; }
+int usualRank(int bands) { return bands <= 2 ? 8 : bands <= 4 ? 16 : bands == 5 ? 24 : 32; }
 
 int usualRays(size_t sites) {
     return (int)std::clamp(24000000 / std::max(sites, (size_t)1), (size_t)32, (size_t)256);

@@ -49,8 +49,9 @@ private:
     Clusters clusters; // in use
     int wanted;        // how many clusters
 
-    // Used by both threads, under the lock
     void (*wake)();
+
+    // Used by both threads, under the lock
     std::mutex lock;
     std::condition_variable asked;
     int order = 0; // clusters to find; 0: none, -1: end

@@ -25,7 +25,7 @@ bool accepted(const std::string &file) {
     try {
         TransferRoom room = TransferRoom::read(folder / "room.prt");
         Vec3 eye = {1, 2, 3};
-        for (int rank : {-1, 0, room.clusters.rank})
+        for (int rank : {-1, room.clusters.rank})
             litModel(room, {.sky = {}, .lamps = {}, .bands = room.bands, .rank = rank}, &eye);
         return true;
     } catch (const std::runtime_error &e) {
@@ -71,7 +71,7 @@ TEST(File, SurvivesDamage) {
         EXPECT_FALSE(accepted(TransferRoom::withChecksum(body.substr(0, end)))) << end;
     // Bytes changed: most of the file is small numbers, so some changes are accepted
     int taken = 0, tried = 0;
-    for (size_t at = 0; at < body.size(); at += at < 2048 ? 11 : body.size() / 100) {
+    for (size_t at = 0; at < body.size(); at += at < 2048 ? 23 : body.size() / 50) {
         for (int value : {0, 0xff, 0x80, 1}) {
             std::string other = body;
             other[at] = (char)(other[at] ^ value);
