@@ -47,7 +47,11 @@ check "a raster of 25 pixels" less 0.01 "$(cell rasters 5 '$1 == 25')"
 check "... is worse than one of 100" less "$(cell rasters 5 '$1 == 100')" "$(cell rasters 5 '$1 == 25')"
 check "one gather by 100 pixels beats 25" less "$(cell gathering 4 '$2 == 100')" "$(cell gathering 4 '$2 == 25')"
 check "interpolated light is nearer than flat light" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/')"
-check "more elements are nearer" less "$(awk -F, '$2 == "uniform" { v = $4 } END { print v }' page/elements.csv)" "$(cell elements 4 '$2 == "uniform"')"
+# On a busy machine there may be no time for two of them
+nearer() {
+    awk -F, '$2 == "uniform" { ++n; if (n == 1) first = $4; last = $4 } END { exit !(n > 1 ? last < first : told) }' told="$(grep -c '<li>elements: uniform' $PAGE)" page/elements.csv
+}
+check "more elements are nearer" nearer
 for csv in page/*.csv; do
     check "$(basename "$csv"): numbers alone below its heads" lacks '(^|,)[-+]?(nan|inf)' "$csv"
 done

@@ -51,6 +51,12 @@ void Study::tick() {
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 
+void Study::say(const std::string &line) {
+    bar.clear();
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+}
+
 SolveSettings Study::thesis(int patches, int px) const {
     SolveSettings s = settings.solve;
     s.way = Way::kPatches;
@@ -106,6 +112,13 @@ int Study::patchesFor(int asked) const {
     return (int)std::min(all, 1e9);
 }
 
+const Solved &Study::divided(int patches, Solved &own) {
+    divideSeconds();
+    if (patchesFor(patches) < 1.2 * patchesFor(kCoarse) && patches >= kCoarse) return coarse;
+    own = divide(patches);
+    return own;
+}
+
 double Study::divideSeconds() {
     if (coarse.patches) return coarseSeconds;
     Stopwatch watch;
@@ -121,12 +134,15 @@ double Study::hemicubeSeconds(int px) {
     Shooting shooting(m, patchesAlone(m), light, none);
     HemicubeShooter shooter(gl, m, px, 1);
     double best = INFINITY;
-    // The first picture also compiles the shaders
+    // The first picture also compiles the shaders. Where hemicubes are slow, a few tell enough
     Stopwatch watch;
-    for (int i = 0; i < 3 && watch.wall() < 5; ++i) {
+    for (int i = 0, count = 4; i < 3 && watch.wall() < 2; ++i) {
         Stopwatch one;
-        int shots = shooter.shoot(shooting, shooter.batch(), workers);
-        if (shots > 0) best = std::min(best, one.wall() / shots);
+        int shots = shooter.shoot(shooting, count, workers);
+        if (shots == 0) break;
+        double each = one.wall() / shots;
+        best = std::min(best, each);
+        count = (int)std::clamp(0.5 / std::max(each, 1e-6), 4., 256.);
         tick();
     }
     return costs[px] = std::isfinite(best) ? best : 0;

@@ -46,8 +46,6 @@ public:
     Page &page;
     Solution reference;
     std::optional<Places> places;
-    Solved base;          // a solution between patches that several chapters look at; empty: none
-    std::string baseText; // what it is
     std::vector<MeasuredSolution> measured;
     std::vector<std::string> notes;   // of solutions, each once
     std::vector<std::string> leftOut; // what the time did not allow
@@ -64,6 +62,8 @@ public:
     void check() const;
     // Shows how far the study has come: by its time.
     void tick();
+    // Prints a line.
+    void say(const std::string &line);
     // Work without a limit of time: the next solution is this part, 0 .. 1, of all.
     void nextPart(double from, double to) { partFrom = from, partTo = to; }
 
@@ -77,6 +77,8 @@ public:
     Solved measure(const std::string &name, const std::string &options, const SolveSettings &s);
     // A model divided into about so many patches, without rows: for hemicubes and costs.
     Solved divide(int patches);
+    // The same, or one that was made for costs and has about as many; `own` keeps it otherwise.
+    const Solved &divided(int patches, Solved &own);
     // About how many patches the model gets if so many are asked for: every polygon has one at least.
     int patchesFor(int asked) const;
     // The wall-clock seconds that dividing takes, and those that a hemicube and its row take.

@@ -87,94 +87,116 @@ void mappings(Study &study, const Solution &solution) {
              : "any: nothing outshines the rest by more than " + shown((double)(most / bright)) + " times."));
 }
 
-} // namespace
+// Solutions shown flat and interpolated.
+class Shown {
+public:
+    explicit Shown(Study &study) : study(study), camera(cameraOf(study)) { camera.logarithmic = true; }
 
-void studyDisplay(Study &study) {
-    Page &page = study.page;
-    RenderSettings camera = cameraOf(study);
-    camera.logarithmic = true;
+    // With hemicubes of so many pixels in the middles of patches, and at their corners.
+    Solution byRows(int px) {
+        Solved middle = study.solve(study.thesis(kPatches, px));
+        SolveSettings s = study.thesis(kPatches, px);
+        s.findRows = [this, px](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers,
+                                Arena &arena, FormFactors &factors, const Progress &progress) {
+            EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
+            return rowsByHemicubes(study.gl, px, 4, 0, eyes)(m, scene, lit, workers, arena, factors,
+                                                             progress);
+        };
+        Solved corners = study.solve(s);
+        Errors one = show("in the middle", "middle", middle),
+               four = show("at four corners", "corners", corners);
+        study.page.text(
+            "Every patch has a hemicube of " + std::to_string(px) +
+            " pixels in its middle, or one near each of its corners, a tenth of its side inside, whose mean "
+            "counts. The light of patches is shown flat, or interpolated between their middles within one "
+            "plane; across edges nothing is interpolated.");
+        advise(one);
+        bool better = four.interpolated < 0.9 * one.interpolated;
+        study.advice.push_back(
+            "Middle or corners: the " + std::string(better ? "corners" : "middle") +
+            ": four hemicubes at the corners are " + shown(four.interpolated) + " % off, one in the middle " +
+            shown(one.interpolated) + " %, for " +
+            shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
+            " times the time.");
+        return std::move(middle.solution);
+    }
+
+    // With shots, where all rows take too long.
+    Solution byShots(int px, int shots) {
+        SolveSettings s = study.thesis(kPatches, px);
+        s.shots = shots;
+        Solved b = study.solve(s);
+        Errors errors = show(std::to_string(b.report.shots) + " shots", "shots", b);
+        study.page.text(
+            "The light is shot. It is shown flat, one light for each patch, or interpolated between their "
+            "middles within one plane.");
+        advise(errors);
+        study.leftOut.push_back(
+            "display: hemicubes at corners, whose rows take too long (one gather has them)");
+        return std::move(b.solution);
+    }
+
+    void finish() const {
+        study.page.table(table);
+        study.page.pictures(pictures);
+    }
+
+    static constexpr int kPatches = 1500;
+
+private:
+    Study &study;
+    RenderSettings camera;
     std::vector<PagePicture> pictures;
     PageTable table = {
         "display",
         {"hemicubes", "shown", "patches", "processor_s", "rms_percent", "median_percent"},
         {"hemicubes", "light within a patch", "patches", "processor, s", "error (rms), %", "median, %"}};
-    auto show = [&](const std::string &where, const std::string &file, const Solution &s, const Model &m,
-                    double seconds) {
-        double errors[2] = {};
-        for (bool flat : {true, false}) {
-            Solution shownAs = flat ? flatOf(s, m) : s;
-            LightErrors e = study.places->errorsOf(shownAs);
-            errors[flat] = e.rms;
-            std::string how = flat ? "flat" : "interpolated", name = file + "-" + how + ".png";
-            render(shownAs, camera, study.workers, page.path(name));
-            pictures.push_back({name, where + ", " + how + ": " + shown(e.rms) + " % off"});
-            table.rows.push_back(
-                {where, how, std::to_string(m.patchCount), shown(seconds), shown(e.rms), shown(e.median)});
-            study.tick();
-        }
-        return std::pair{errors[1], errors[0]};
+
+    struct Errors {
+        double flat, interpolated;
     };
-    page.heading("Flat and interpolated; middle and corners");
+    Errors show(const std::string &where, const std::string &file, const Solved &b) {
+        auto one = [&](const Solution &solution, const char *how) {
+            LightErrors e = study.places->errorsOf(solution);
+            std::string name = file + "-" + how + ".png";
+            render(solution, camera, study.workers, study.page.path(name));
+            pictures.push_back({name, where + ", " + how + ": " + shown(e.rms) + " % off"});
+            table.rows.push_back({where, how, std::to_string(b.report.patches), shown(b.report.allSeconds),
+                                  shown(e.rms), shown(e.median)});
+            study.tick();
+            return e.rms;
+        };
+        double flat = one(flatOf(b.solution, *b.patches->model), "flat");
+        return {flat, one(b.solution, "interpolated")};
+    }
+
+    void advise(const Errors &e) const {
+        bool smooth = e.interpolated < e.flat;
+        study.advice.push_back("Display: " + std::string(smooth ? "interpolated" : "flat") + ": " +
+                               shown(std::min(e.interpolated, e.flat)) + " % off instead of " +
+                               shown(std::max(e.interpolated, e.flat)) + " %, at no cost.");
+    }
+    static std::string shown(double number, int digits = 3) { return odraz::shown(number, digits); }
+};
+
+} // namespace
+
+void studyDisplay(Study &study) {
+    study.page.heading("Flat and interpolated; middle and corners");
+    Shown shown(study);
+    // Rows in the middles and at four corners, or shots in half of the time
     int px = 0;
-    double one = 0;
     for (int tried : {50, 32, 16})
-        if (!px && study.fits(6 * study.patchesFor(1500) * (one = study.hemicubeSeconds(tried)) +
+        if (!px && study.fits(6 * study.patchesFor(Shown::kPatches) * study.hemicubeSeconds(tried) +
                               2 * study.divideSeconds()))
             px = tried;
-    const Solution *solution = nullptr;
-    Solved solved[2];
-    if (px) {
-        double flat = 0, smooth = 0, corners = 0;
-        for (bool atCorners : {false, true}) {
-            SolveSettings s = study.thesis(1500, px);
-            if (atCorners)
-                s.findRows = [&study, px](const Model &m, const Scene &scene, const uint8_t *lit,
-                                          Workers &workers, Arena &arena, FormFactors &factors,
-                                          const Progress &progress) {
-                    EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
-                    return rowsByHemicubes(study.gl, px, 4, 0, eyes)(m, scene, lit, workers, arena, factors,
-                                                                     progress);
-                };
-            std::string where = atCorners ? "at four corners" : "in the middle";
-            Solved &b = solved[atCorners] = study.solve(s);
-            auto [f, i] = show(where, atCorners ? "corners" : "middle", b.solution, *b.patches->model,
-                               b.report.allSeconds);
-            (atCorners ? corners : smooth) = i;
-            if (!atCorners) flat = f;
-        }
-        solution = &solved[0].solution;
-        page.text(
-            "Every patch has a hemicube of " + std::to_string(px) +
-            " pixels in its middle, or one near each of its "
-            "corners, a tenth of its side inside, whose mean counts. The light of patches is shown flat, or "
-            "interpolated between their middles within one plane; across edges nothing is interpolated.");
-        study.advice.push_back("Display: " + std::string(smooth < flat ? "interpolated" : "flat") + ": " +
-                               shown(std::min(smooth, flat)) + " % off instead of " +
-                               shown(std::max(smooth, flat)) + " %, at no cost.");
-        study.advice.push_back(
-            "Middle or corners: " + std::string(corners < 0.9 * smooth ? "the corners" : "the middle") +
-            ": four hemicubes at the corners are " + shown(corners) + " % off, one in the middle " +
-            shown(smooth) + " %, for " +
-            shown(solved[1].report.allSeconds / std::max(solved[0].report.allSeconds, 1e-9), 2) +
-            " times the time.");
-    } else {
-        // Too many patches: shots instead of rows
-        SolveSettings s = study.thesis(1500, 50);
-        double seconds = (study.left() - study.divideSeconds()) / 2;
-        s.shots = (int)std::clamp(seconds / std::max(one, 1e-6), 50., 4000.);
-        Solved &b = solved[0] = study.solve(s);
-        show(std::to_string(b.report.shots) + " shots", "shots", b.solution, *b.patches->model,
-             b.report.allSeconds);
-        solution = &b.solution;
-        page.text("The light is shot. It is shown flat, one light for each patch, or interpolated between "
-                  "their middles "
-                  "within one plane.");
-        study.leftOut.push_back(
-            "display: hemicubes at corners, whose rows take too long (one gather has them)");
-    }
-    page.table(table);
-    page.pictures(pictures);
-    mappings(study, *solution);
+    double seconds = (study.left() - study.divideSeconds()) / 2;
+    Solution solution =
+        px ? shown.byRows(px)
+           : shown.byShots(50,
+                           (int)std::clamp(seconds / std::max(study.hemicubeSeconds(50), 1e-6), 50., 4000.));
+    shown.finish();
+    mappings(study, solution);
 }
 
 } // namespace odraz

@@ -1,5 +1,6 @@
 // Gathering, Gauss-Seidel and shooting on one axis; what every pass adds; both orders of update.
 #include "tools/radiosity/study/curves.h"
+#include "tools/radiosity/study/rows_by_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +8,8 @@
 namespace odraz {
 
 namespace {
+
+constexpr int kRays = 128; // from a patch, where rays find rows
 
 // The first step of a curve at which its error is at most this; null: none.
 const Step *firstWithin(const Curve &curve, double percent) {
@@ -139,29 +142,42 @@ void studyMethods(Study &study) {
     struct Size {
         int patches, px;
     };
-    for (Size size : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 32}, {1500, 16}}) {
-        double rows = study.patchesFor(size.patches) * study.hemicubeSeconds(size.px);
-        if (!study.fits(1.3 * rows + study.divideSeconds() + 5)) continue;
-        study.base = study.solve(study.thesis(size.patches, size.px));
-        study.baseText = std::to_string(study.base.report.patches) + " patches with hemicubes of " +
-                         std::to_string(size.px) + " pixels";
-        Converging converging(study, study.base);
-        std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
-        curves.push_back(converging.shooting(size.px, std::max(study.left() * 0.8, 2.)));
-        page.text(study.baseText +
-                  ". Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one "
-                  "hemicube a shot, but a patch that shoots again draws again. Over the same rows all "
-                  "methods reach the same "
-                  "light. Shots through hemicubes of their own do not quite: by reciprocity they use the "
-                  "form factors from the other "
-                  "side, and where a hemicube is coarse these differ.");
-        tellMethods(study, curves);
-        tellPasses(study, curves[0], curves[1]);
-        tellOrders(study, curves[0], curves[1]);
-        return;
+    // Hemicubes where they fit, else rays
+    Size size = {};
+    for (Size tried : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 32}, {1500, 16}}) {
+        double rows = study.patchesFor(tried.patches) * study.hemicubeSeconds(tried.px);
+        if (size.px || !study.fits(1.3 * rows + study.divideSeconds() + 5)) continue;
+        size = tried;
     }
-    page.text("Left out: the rows of all patches take longer than the time that is left.");
-    study.leftOut.push_back("gathering, Gauss-Seidel and shooting; passes; orders of update");
+    bool rays = size.px == 0;
+    if (rays) {
+        size = {1500, 16};
+        study.leftOut.push_back("methods: rows by hemicubes; rays find them instead");
+    }
+    SolveSettings settings = study.thesis(size.patches, size.px);
+    if (rays) settings.findRows = rowsByRays(kRays);
+    Solved base = study.solve(settings);
+    Converging converging(study, base);
+    std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
+    curves.push_back(converging.shooting(size.px, std::max(study.left() * 0.8, 2.)));
+    std::string px = std::to_string(size.px) + " pixels";
+    page.text(
+        std::to_string(base.report.patches) + " patches" +
+        (rays ? ". Hemicubes of all of them would take too long: " + std::to_string(kRays) +
+                    " rays from each find its row, which changes what rows cost but not how they are used. "
+                    "Shots have hemicubes of " +
+                    px
+              : " with hemicubes of " + px) +
+        ". Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one hemicube a "
+        "shot, but a "
+        "patch that shoots again draws again. Over the same rows all methods reach the same light. Shots "
+        "through "
+        "hemicubes of their own do not quite: by reciprocity they use the form factors from the other side, "
+        "and where "
+        "a hemicube is coarse these differ.");
+    tellMethods(study, curves);
+    tellPasses(study, curves[0], curves[1]);
+    tellOrders(study, curves[0], curves[1]);
 }
 
 } // namespace odraz

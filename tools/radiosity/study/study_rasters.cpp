@@ -117,10 +117,13 @@ void studyRasters(Study &study) {
     for (int px : kRasters) ofOne += study.hemicubeSeconds(px);
     // As many patches as let all rasters fit into half of the time
     int asked = 3000;
-    while (asked > 375 && 1.3 * ofOne * study.patchesFor(asked) + 6 * study.divideSeconds() > all / 2)
+    while (asked > 375 && study.patchesFor(asked / 2) < study.patchesFor(asked) &&
+           1.3 * ofOne * study.patchesFor(asked) + 6 * study.divideSeconds() > all / 2)
         asked /= 2;
-    Solved divided = study.divide(asked);
-    Model &m = *divided.patches->model;
+    if (study.patchesFor(asked) > 0.8 * study.patchesFor(1500)) asked = std::max(asked, 1500);
+    Solved own;
+    const Solved &divided = study.divided(asked, own);
+    const Model &m = *divided.patches->model;
     // A fifth of the time for one gather
     int count = (int)std::clamp(all / 5 / std::max(6 * ofOne, 1e-9), 48., 1000.);
     Gathering gathering(study, divided, count);

@@ -8,7 +8,7 @@ namespace odraz {
 
 namespace {
 
-constexpr int kMostShots = 16000, kLeastShots = 200;
+constexpr int kMostShots = 16000, kLeastShots = 200, kThesisShots = 8000;
 
 // The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube from every triangle.
 constexpr int kThesisSizes[] = {26360, 136512, 546048}, kThesisRasters[] = {100, 200, 500};
@@ -80,7 +80,7 @@ void studyTable(Study &study, bool ofThesis) {
         if (!ofThesis && real < 1.2 * last) continue;
         last = real;
         for (int column = 0; column < 3; ++column) {
-            int px = kThesisRasters[column], shots = kMostShots;
+            int px = kThesisRasters[column], shots = kThesisShots;
             if (!ofThesis) {
                 double allowed = study.left() / (9 - 3 * row - column) - study.divideSeconds();
                 shots = (int)std::clamp(allowed / std::max(study.hemicubeSeconds(px), 1e-5), 0.,
@@ -101,6 +101,10 @@ void studyTable(Study &study, bool ofThesis) {
                 study.nextPart(before / all, (before + px * px * (1 + row)) / all);
             }
             TableCell cell = shoot(study, patches, px, shots);
+            if (ofThesis) // these take long: each is told when it is done
+                study.say(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
+                          std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
+                          shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
             table.rows.push_back(rowOf(cell, px));
             if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
             plot.points.push_back({cell.processor, cell.errors.rms, std::to_string(px), false, row});

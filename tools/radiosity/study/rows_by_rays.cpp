@@ -1,0 +1,73 @@
+#include "tools/radiosity/study/rows_by_rays.h"
+
+#include "base/random.h"
+#include "tools/radiosity/patches/row_finder.h"
+#include "tools/radiosity/rays/ray_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace odraz {
+
+namespace {
+
+struct Facets {
+    std::vector<RayTree::Corners> triangles;
+    std::vector<int> charts; // of each triangle
+
+    explicit Facets(const Model &m) {
+        for (int i = 0; i < m.facetCount; ++i) {
+            const Facet &f = m.facets[i];
+            const Chart &c = m.charts[f.chart];
+            for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
+                triangles.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
+                charts.push_back(f.chart);
+            }
+        }
+    }
+};
+
+} // namespace
+
+RowFinder rowsByRays(int rays) {
+    return [rays](const Model &m, const Scene &, const uint8_t *lit, Workers &workers, Arena &arena,
+                  FormFactors &factors, const Progress &progress) {
+        Facets facets(m);
+        RayTree tree(facets.triangles);
+        std::vector<FoundRow> rows((size_t)m.patchCount);
+        parallelRanges(workers, m.patchCount, 64, [&](int first, int end, int) {
+            std::vector<uint32_t> hits;
+            for (int i = first; i < end; ++i) {
+                const Patch &p = m.patches[i];
+                const Chart &c = m.charts[p.chart];
+                rows[(size_t)i].known = p.share > 0 && lit[i] == kReflects;
+                if (!rows[(size_t)i].known) continue;
+                hits.clear();
+                // The golden angle on a disc, turned differently at every patch
+                float begin = unitFloat(pcg((uint32_t)i));
+                for (int k = 0; k < rays; ++k) {
+                    float out = std::sqrt(((float)k + 0.5f) / (float)rays), up = std::sqrt(1 - out * out),
+                          turn = 2.3999632f * (float)k + begin * 6.2831853f;
+                    Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up,
+                         from = p.p + c.n * c.off();
+                    RayHit hit = tree.nearest(from, d);
+                    if (hit.triangle < 0 || hit.back) continue;
+                    uint32_t j = patchAt(m, facets.charts[(size_t)hit.triangle], from + d * hit.t);
+                    if (lit[j] != kUnlit) hits.push_back(j);
+                }
+                std::sort(hits.begin(), hits.end());
+                std::vector<Link> &links = rows[(size_t)i].links;
+                for (uint32_t j : hits) {
+                    if (links.empty() || links.back().patch != j) links.push_back({j, 0});
+                    links.back().share += 1 / (float)rays;
+                }
+            }
+        });
+        if (workers.aborted()) return false;
+        keepRows(rows, arena, factors);
+        progress(1);
+        return true;
+    };
+}
+
+} // namespace odraz
