@@ -45,6 +45,7 @@ public:
     const int *stop;
     Page &page;
     Solution reference;
+    int finalRays = 0; // of its final gather; 0: it has none
     std::optional<Places> places;
     std::vector<MeasuredSolution> measured;
     std::vector<std::string> notes;   // of solutions, each once

@@ -114,8 +114,6 @@ int runStudy(Arguments &words) {
     double began = wallSeconds();
     Study study(job.settings, mesh, gl, workers, &stop, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
-    // The tool's default, to compare with
-    study.measure("by rays", "", study.settings.solve);
     if (job.table41) {
         study.chapter("table", 1);
         studyTable(study, true);

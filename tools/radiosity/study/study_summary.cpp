@@ -9,15 +9,15 @@ namespace odraz {
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
-    std::string light;
     page.text(study.settings.model + ": " + std::to_string(study.mesh.triangles.size()) + " triangles, " +
               std::to_string(study.reference.charts.size()) +
-              " polygons in one plane each. Errors are against a "
-              "reference: a solution by rays with a final gather, which shares neither hemicubes nor patches "
-              "with what is "
-              "measured here, at 2000 places spread by area. rms is the root mean square of the differences "
-              "in luminance "
-              "as a share of that of the reference's light.");
+              " polygons in one plane each. Errors are against a reference, a solution by rays " +
+              (study.finalRays ? "with a final gather of " + std::to_string(study.finalRays) + " rays"
+                               : std::string("without a final gather, for which there was no time")) +
+              ", which shares neither hemicubes nor patches with what is measured here, at 2000 places "
+              "spread by area. "
+              "rms is the root mean square of the differences in luminance as a share of that of the "
+              "reference's light.");
     std::vector<MeasuredSolution> all = study.measured;
     std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.seconds < b.seconds; });
     PageTable table = {"solutions",
