@@ -18,6 +18,9 @@ struct WholeFile {
 };
 WholeFile readWholeFile(const std::string &path);
 
+// Its first `size` bytes, or all if it has fewer.
+std::string readStart(const std::string &path, size_t size);
+
 // Throws Refused if a file surely cannot be written: better to say so before minutes of work than after them.
 void checkWritable(const std::string &path);
 

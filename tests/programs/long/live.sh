@@ -163,7 +163,9 @@ listen
 press ctrl+s
 check "... is not saved over" says "film.cpp was changed meanwhile"
 check "... and stays theirs" test "$(changed_lines)" = 3
+listen
 restore show/film.cpp
+check "... until it is mended" says "new since"
 press Escape
 check "edits are not lost by one ESC" comes 'titled "not saved"'
 check "... but by a second" leaves

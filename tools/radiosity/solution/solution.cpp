@@ -5,7 +5,6 @@
 #include "tools/radiosity/solution/arrays.h"
 
 #include <algorithm>
-#include <fstream>
 #include <stdexcept>
 
 namespace odraz {
@@ -45,13 +44,12 @@ Solution::Solution(const std::string &path) {
 }
 
 uint64_t sumOfSolution(const std::string &path) {
-    std::ifstream in(path, std::ios::binary);
-    char head[sizeof kMagic - 1 + sizeof(uint64_t)];
-    if (!in) throw std::runtime_error("cannot read " + path + ": there is no such file");
-    if (!in.read(head, sizeof head) || std::memcmp(head, kMagic, sizeof kMagic - 1) != 0)
-        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    constexpr size_t kBefore = sizeof kMagic - 1;
     uint64_t sum;
-    std::memcpy(&sum, head + sizeof kMagic - 1, sizeof sum);
+    std::string head = readStart(path, kBefore + sizeof sum);
+    if (head.size() < kBefore + sizeof sum || head.compare(0, kBefore, kMagic) != 0)
+        throw std::runtime_error(path + ": was not written by 'radiosity solve'");
+    std::memcpy(&sum, head.data() + kBefore, sizeof sum);
     return sum;
 }
 

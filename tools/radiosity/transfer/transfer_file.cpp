@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace odraz {
@@ -129,14 +128,7 @@ void TransferRoom::save(const std::string &path) const {
     writeWhole(path, withChecksum(body));
 }
 
-bool TransferRoom::is(const std::string &path) {
-    std::string begin(sizeof kMagic - 1, '\0');
-    std::FILE *file = std::fopen(path.c_str(), "rb");
-    if (!file) return false;
-    bool same = std::fread(begin.data(), 1, begin.size(), file) == begin.size() && begin == kMagic;
-    std::fclose(file);
-    return same;
-}
+bool TransferRoom::is(const std::string &path) { return readStart(path, sizeof kMagic - 1) == kMagic; }
 
 TransferRoom TransferRoom::read(const std::string &path) {
     std::string all = readWhole(path);
