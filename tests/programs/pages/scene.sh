@@ -75,6 +75,6 @@ mean() { tail -c +16 "$1" | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) su
 check "the scene is seen" less 20 "$(mean "$HOUSE"/frames/frame-000164.ppm)"
 # The film is a second too long, and nothing else
 check "show_test complains of the length" grep -q 'duration()' "$WORK/told"
-check "... and of nothing else" [ "$(sed -n 's/^\[  FAILED  \] \([A-Za-z.]*\)$/\1/p' "$WORK/told")" = Film.CutsOnBarsAndHoldsShotsForTwo ]
+check "... and of nothing else" [ "$(sed -n 's/^\[  FAILED  \] \([A-Za-z.]*\)$/\1/p' "$WORK/told")" = Film.HasTheCutsAndTheLengthOfItsTreatment ]
 check "... of which one line" [ "$(grep -c ': Failure' "$WORK/told")" = 1 ]
 finish

@@ -1,4 +1,5 @@
 // A room as a file: a line that names its kind, a checksum, and arrays (solution/arrays.h).
+#include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/transfer/transfer_room.h"
@@ -128,7 +129,13 @@ void TransferRoom::save(const std::string &path) const {
     writeWhole(path, withChecksum(body));
 }
 
-bool TransferRoom::is(const std::string &path) { return readStart(path, sizeof kMagic - 1) == kMagic; }
+bool TransferRoom::is(const std::string &path) {
+    try {
+        return readStart(path, sizeof kMagic - 1) == kMagic;
+    } catch (const Refused &) {
+        return false; // who reads it will tell why
+    }
+}
 
 TransferRoom TransferRoom::read(const std::string &path) {
     std::string all = readWhole(path);
