@@ -16,6 +16,7 @@
     __asm__(".symver old_" #name ", " #name "@GLIBC_2.2.5");                                                 \
     extern "C" result __wrap_##name parameters { return old_##name arguments; }
 
+OLD(double, hypot, (double x, double y), (x, y))
 OLD(void *, dlopen, (const char *name, int mode), (name, mode))
 OLD(void *, dlsym, (void *library, const char *name), (library, name))
 OLD(int, pthread_create, (pthread_t * id, const pthread_attr_t *how, void *(*run)(void *), void *with),
@@ -38,6 +39,7 @@ int __fxstat(int version, int file, struct stat *to);
 constexpr int kStatVersion = 1; // of x86-64's struct stat
 extern "C" int __wrap_stat(const char *path, struct stat *to) { return __xstat(kStatVersion, path, to); }
 extern "C" int __wrap_lstat(const char *path, struct stat *to) { return __lxstat(kStatVersion, path, to); }
+extern "C" int __wrap_fstat(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 extern "C" int __wrap_fstat64(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 
 // Since 2.32 it tells whether there is only one thread: then some locks are left out. 0 is always right.

@@ -20,7 +20,7 @@ function(portable program how)
     # Until 2.34 threads and dlopen were libraries of their own
     target_link_options(${program}-portable PRIVATE -static-libstdc++ -static-libgcc
         -Wl,--no-as-needed -l:libpthread.so.0 -l:libdl.so.2 -Wl,--as-needed)
-    foreach(name arc4random dlopen dlsym fstat64 lstat pthread_create pthread_detach pthread_getspecific pthread_join
+    foreach(name arc4random dlopen dlsym fstat fstat64 hypot lstat pthread_create pthread_detach pthread_getspecific pthread_join
             pthread_key_create pthread_key_delete pthread_once pthread_setspecific stat _dl_find_object
             __libc_single_threaded __libc_start_main __pthread_key_create)
         target_link_options(${program}-portable PRIVATE -Wl,--wrap=${name})
