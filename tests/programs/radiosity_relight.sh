@@ -130,7 +130,7 @@ cp base.rad base.rad.rows
 check "a solution as rows" refuses 2 "base.rad.rows: holds no rows of" "${relight[@]}"
 rm base.rad.rows
 check "no rows" refuses 2 "cannot read base.rad.rows" "${relight[@]}"
-check "no solution" refuses 1 "cannot read none.rad" "$radiosity" solve columns.obj --relight none.rad -o x.rad
+check "no solution" refuses 2 "cannot read none.rad: No such file" "$radiosity" solve columns.obj --relight none.rad -o x.rad
 check "a model as a solution" refuses 1 "was not written by" "$radiosity" solve columns.obj --relight cube.obj -o x.rad
 cp whole.rows base.rad.rows
 check "over the solution itself" refuses 2 "give the new one another name" "$radiosity" solve columns.obj --relight base.rad -o base.rad
