@@ -132,14 +132,24 @@ void look(const Seen &seen, Workers &workers, Frame &frame) {
     });
 }
 
+// A frame of a picture's size, with what is seen in it.
+struct Looked {
+    HeapArena memory;
+    Frame frame = {};
+
+    Looked(const Solution &solution, const RenderSettings &s, Workers &workers)
+        : memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20)) {
+        if (!makeFrame(frame, memory.arena, s.width, s.height))
+            throw std::runtime_error("there is not enough memory: try a smaller --size");
+        look(Seen(solution, s), workers, frame);
+    }
+};
+
 } // namespace
 
 std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Workers &workers) {
-    HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
-    Frame frame = {};
-    if (!makeFrame(frame, memory.arena, s.width, s.height))
-        throw std::runtime_error("there is not enough memory: try a smaller --size");
-    look(Seen(solution, s), workers, frame);
+    Looked looked(solution, s, workers);
+    const Frame &frame = looked.frame;
     std::vector<Rgb> all;
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {
@@ -150,11 +160,8 @@ std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Worke
 }
 
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
-    HeapArena memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20));
-    Frame frame = {};
-    if (!makeFrame(frame, memory.arena, s.width, s.height))
-        throw std::runtime_error("there is not enough memory: try a smaller --size");
-    look(Seen(solution, s), workers, frame);
+    Looked looked(solution, s, workers);
+    Frame &frame = looked.frame;
     std::vector<float> all;
     for (int y = 0; y < s.height; ++y)
         for (int x = 0; x < s.width; ++x) {
