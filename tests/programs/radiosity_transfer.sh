@@ -1,13 +1,13 @@
 # `radiosity transfer`: rooms that are lit by any environment and their lamps, against solutions for that light; what
 # --check tells; pictures of the bands; gloss; and what is refused.
 . "$(dirname "$0")/common.sh"
+. "$SOURCE/tests/programs/room.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
 needs_built compare
 skip_unless convert perl
 cd "$WORK" || exit 1
 
-like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
 # A picture of all directions, 64 x 32: a bright spot at the azimuth of so many degrees from the middle, over an even sky
 sky() { # sky FILE DEGREES
     perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
@@ -20,50 +20,7 @@ sky() { # sky FILE DEGREES
 sky east.hdr 90
 sky ahead.hdr 0
 
-# A room without its front wall, and a lamp below its ceiling
-cat >room.mtl <<'END'
-newmtl grey
-Kd 0.7 0.7 0.7
-newmtl red
-Kd 0.8 0.2 0.1
-newmtl lamp
-Kd 0 0 0
-Ke 9 8 6
-newmtl spot
-Kd 0 0 0
-Ke 0 4 9
-END
-cat >room.obj <<'END'
-mtllib room.mtl
-v -2 0 2
-v 2 0 2
-v 2 0 -2
-v -2 0 -2
-v -2 3 2
-v 2 3 2
-v 2 3 -2
-v -2 3 -2
-v -0.5 2.9 -0.5
-v 0.5 2.9 -0.5
-v 0.5 2.9 0.5
-v -0.5 2.9 0.5
-v -1.9 1 -0.3
-v -1.9 1.5 -0.3
-v -1.9 1.5 0.3
-v -1.9 1 0.3
-usemtl grey
-f 1 2 3 4
-f 5 8 7 6
-f 4 3 7 8
-usemtl red
-f 1 4 8 5
-usemtl grey
-f 2 6 7 3
-usemtl lamp
-f 9 10 11 12
-usemtl spot
-f 13 14 15 16
-END
+open_room room
 fine=(--element 0.01 --rays 64)
 check "transfer" prints '^5 bands, 25 functions; lamps 1 lamp, 2 spot$' "$radiosity" transfer room.obj -o room.prt "${fine[@]}"
 check "... tells clusters and times" grep -qE '^[0-9]+ clusters of 24 axes: [0-9.]+ MB instead of' printed

@@ -1,6 +1,7 @@
 # `radiosity view` of a room: its pictures against those of `render`, the sky turned by the mouse, lamps, bands and
 # clusters by keys, and the rate.
 . "$(dirname "$0")/display.sh"
+. "$(dirname "$0")/room.sh"
 skip_unless convert perl
 needs_built radiosity
 needs_built compare
@@ -11,56 +12,12 @@ cd "$WORK" || exit 1
 
 seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
-like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
 shows() { shot && like shot.png "$1" 46; } 2>/dev/null
 start_display 900x700
 
 perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
     for $j (0 .. 31) { for $i (0 .. 63) { print pack("C4", $i < 32 ? (200, 90, 40, 129) : (30, 60, 120, 128)) } }' >sky.hdr
-# A room without its front wall, and a lamp below its ceiling
-cat >hall.mtl <<'END'
-newmtl grey
-Kd 0.7 0.7 0.7
-newmtl red
-Kd 0.8 0.2 0.1
-newmtl lamp
-Kd 0 0 0
-Ke 9 8 6
-newmtl spot
-Kd 0 0 0
-Ke 0 4 9
-END
-cat >hall.obj <<'END'
-mtllib hall.mtl
-v -2 0 2
-v 2 0 2
-v 2 0 -2
-v -2 0 -2
-v -2 3 2
-v 2 3 2
-v 2 3 -2
-v -2 3 -2
-v -0.5 2.9 -0.5
-v 0.5 2.9 -0.5
-v 0.5 2.9 0.5
-v -0.5 2.9 0.5
-v -1.9 1 -0.3
-v -1.9 1.5 -0.3
-v -1.9 1.5 0.3
-v -1.9 1 0.3
-usemtl grey
-f 1 2 3 4
-f 5 8 7 6
-f 4 3 7 8
-usemtl red
-f 1 4 8 5
-usemtl grey
-f 2 6 7 3
-usemtl lamp
-f 9 10 11 12
-usemtl spot
-f 13 14 15 16
-END
+open_room hall
 check "transfer" prints 'lamps 1 lamp, 2 spot' "$radiosity" transfer hall.obj -o hall.prt --rays 64 --element 0.02 --glossy red --rank 8 --clusters 40
 at=(--size 320x200 --eye 0,1.5,7 --at 0,1.5,0)
 render() { "$radiosity" render hall.prt -o "$@" "${at[@]}" --sky sky.hdr >out; }
