@@ -7,8 +7,8 @@
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_job.h"
 #include "tools/radiosity/solve/solve_report.h"
+#include "tools/radiosity/solve/terminal.h"
 
-#include <csignal>
 #include <cstdio>
 
 namespace odraz {
@@ -16,17 +16,6 @@ namespace odraz {
 namespace {
 
 int stop = 0; // becomes 1 with Ctrl-C
-
-void stopAtInterrupt() {
-    struct sigaction action = {};
-    action.sa_handler = [](int) { __atomic_store_n(&stop, 1, __ATOMIC_RELAXED); };
-    action.sa_flags = (int)SA_RESETHAND; // a second Ctrl-C ends the program
-    sigaction(SIGINT, &action, nullptr);
-}
-
-void tell(const std::vector<std::string> &notes) {
-    for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
-}
 
 // Whether the even sky, which is added if nothing else emits, cannot get in: the model is closed and its
 // fronts face inwards.
@@ -108,7 +97,7 @@ private:
         begin();
     }
     void begin() {
-        stopAtInterrupt();
+        stopAt(stop, {SIGINT});
         bar = std::make_unique<ProgressBar>(job.progress);
     }
 

@@ -6,9 +6,9 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/study/study.h"
 
-#include <csignal>
 #include <cstdio>
 
 namespace odraz {
@@ -16,14 +16,6 @@ namespace odraz {
 namespace {
 
 int stop = 0; // becomes 1 with Ctrl-C
-
-void stopAtInterrupt() {
-    struct sigaction action = {};
-    action.sa_handler = [](int) { __atomic_store_n(&stop, 1, __ATOMIC_RELAXED); };
-    action.sa_flags = (int)SA_RESETHAND; // a second Ctrl-C ends the program
-    sigaction(SIGINT, &action, nullptr);
-    sigaction(SIGTERM, &action, nullptr);
-}
 
 struct Job {
     StudySettings settings;
@@ -105,7 +97,7 @@ int runStudy(Arguments &words) {
     } else {
         mesh = readObj(job.settings.model, job.options.read, notes);
     }
-    stopAtInterrupt();
+    stopAt(stop, {SIGINT, SIGTERM});
     Gl gl = openGl();
     Workers workers = allProcessors();
     ProgressBar bar(job.progress);

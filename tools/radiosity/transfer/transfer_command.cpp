@@ -4,6 +4,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/transfer/check.h"
 
 #include <cstdio>
@@ -69,10 +70,6 @@ Job readJob(Arguments &words) {
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
     checkWritable(job.out);
     return job;
-}
-
-void tell(const std::vector<std::string> &notes) {
-    for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
 }
 
 void printReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
