@@ -20,6 +20,14 @@ namespace pack::linking {
 namespace {
 
 volatile std::sig_atomic_t theSignal;
+volatile std::sig_atomic_t theChild; // 0: none runs
+
+// Ends the program that runs from here: a signal that comes just before the wait for it would not end the
+// wait.
+void endAll(int signal) {
+    theSignal = signal;
+    if (theChild) kill(theChild, SIGTERM);
+}
 
 void print(const Words &command) {
     std::string line;
@@ -29,6 +37,7 @@ void print(const Words &command) {
 
 // Starts the command, with both outputs in `output` if that is not -1.
 pid_t start(const Words &command, int output) {
+    if (theSignal) throw std::runtime_error("ended by a signal");
     std::vector<char *> words;
     for (const std::string &word : command) words.push_back(const_cast<char *>(word.c_str()));
     words.push_back(nullptr);
@@ -44,13 +53,19 @@ pid_t start(const Words &command, int output) {
     if (wrong)
         throw odraz::Refused("cannot run " + command[0] + " (" + std::strerror(wrong) +
                              "): install gcc or clang, or name a compiler with --cc");
+    theChild = child;
+    if (theSignal) kill(child, SIGTERM);
     return child;
 }
 
 int waitFor(pid_t child) {
+    siginfo_t info;
+    while (waitid(P_PID, (id_t)child, &info, WEXITED | WNOWAIT) && errno == EINTR) {
+    }
+    theChild = 0; // before its number is free for another process
     int status;
-    while (waitpid(child, &status, 0) < 0)
-        if (errno == EINTR && theSignal) kill(child, SIGTERM);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+    }
     if (theSignal) throw std::runtime_error("ended by a signal");
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
@@ -82,7 +97,6 @@ Outcome runKept(const Words &command, bool tell) {
     close(ends[1]);
     Outcome outcome = {0, readAll(ends[0])};
     close(ends[0]);
-    if (theSignal) kill(child, SIGTERM);
     outcome.status = waitFor(child);
     return outcome;
 }
@@ -100,7 +114,7 @@ Outcome runShown(const Words &command, bool tell) {
 
 void catchSignals() {
     struct sigaction action = {};
-    action.sa_handler = [](int signal) { theSignal = signal; }; // and no SA_RESTART: waiting must end
+    action.sa_handler = endAll; // and no SA_RESTART: reading must end
     for (int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
