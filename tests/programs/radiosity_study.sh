@@ -75,13 +75,15 @@ check "a model and the thesis's table" refuses 2 "--table41 takes no model" "$ra
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cube.obj -o x --fast
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.2"
 
-"$radiosity" study cube.obj -o x --progress 2>said &
-pid=$!
-PIDS+=($pid)
-check "it tells how far it is" await grep -q '^progress: .* %' said
-kill -INT $pid
-stopped() { ended $pid; [ $? = 1 ] && grep -qx 'radiosity: interrupted: no page is written' said; }
-check "an interrupt ends it, with a line" stopped
+interrupted() { # in this chapter
+    "$radiosity" study cube.obj -o x --progress --minutes 0.3 2>said &
+    local pid=$!
+    PIDS+=($pid)
+    await grep -q "^progress: $1.* %" said && kill -INT $pid && ! ended $pid && grep -qx 'radiosity: interrupted: no page is written' said
+}
+for chapter in reference methods rasters; do
+    check "an interrupt ends its $chapter, with a line" interrupted $chapter
+done
 check "... and nothing is left" test -z "$(find . -maxdepth 1 -name 'x*')"
 
 # --- Extremes ---

@@ -55,6 +55,10 @@ void Study::check() const {
 
 void Study::tick() {
     check();
+    show();
+}
+
+void Study::show() {
     double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
                              : (wallSeconds() - began) / (settings.minutes * 60);
     bar.show(name, (float)std::min(done, 0.99), -1);
@@ -81,7 +85,7 @@ Solved Study::solve(const SolveSettings &s) {
         // Of shots only solving takes time
         if (s.shots > 0 && step && step == std::string_view(nameOf(SolveStep::kSolving)))
             partDone = (double)done;
-        tick();
+        show(); // threads may be at work: solveModel() itself ends where `stop` asks for it
     };
     Solved solved;
     try {

@@ -61,7 +61,7 @@ public:
     bool fits(double seconds) const { return seconds < left(); }
     // Throws Interrupted.
     void check() const;
-    // Shows how far the study has come: by its time.
+    // Shows how far the study has come: by its time. Throws Interrupted.
     void tick();
     // Prints a line.
     void say(const std::string &line);
@@ -87,6 +87,8 @@ public:
     double hemicubeSeconds(int px);
 
 private:
+    void show(); // how far it has come
+
     ProgressBar &bar;
     double began, afterReference = 0, until = 0;
     const char *name = "reference";
