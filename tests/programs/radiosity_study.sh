@@ -5,7 +5,7 @@ needs_built radiosity
 cd "$WORK" || exit 1
 
 check "a model" prints polygons "$radiosity" generate cube -o cube.obj
-check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutions, [0-9]+ measurements left out$' "$radiosity" study cube.obj -o page --minutes 2
+check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutions, [0-9]+ measurements left out$' "$radiosity" study cube.obj -o page --minutes 0.8
 
 # --- The page ---
 PAGE=page/index.html
@@ -87,13 +87,13 @@ done
 check "... and nothing is left" test -z "$(find . -maxdepth 1 -name 'x*')"
 
 # --- Extremes ---
-one() { printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj && "$radiosity" study one.obj -o one --minutes 0.3 >/dev/null; }
+one() { printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj && "$radiosity" study one.obj -o one --minutes 0.1 >/dev/null; }
 check "one triangle" one
 check "... has a page" test -s one/index.html
 sed 's/^Kd .*/Kd 0 0 0/' cube.mtl >black.mtl && sed 's/cube.mtl/black.mtl/' cube.obj >black.obj
-check "a room that reflects nothing" eval '"$radiosity" study black.obj -o black --minutes 0.3 >/dev/null && test -s black/index.html'
+check "a room that reflects nothing" eval '"$radiosity" study black.obj -o black --minutes 0.1 >/dev/null && test -s black/index.html'
 sed 's/^Kd .*/Kd 0.99 0.99 0.99/' cube.mtl >bright.mtl && sed 's/cube.mtl/bright.mtl/' cube.obj >bright.obj
-check "a room that reflects nearly all" eval '"$radiosity" study bright.obj -o bright --minutes 0.3 >/dev/null && test -s bright/index.html'
+check "a room that reflects nearly all" eval '"$radiosity" study bright.obj -o bright --minutes 0.1 >/dev/null && test -s bright/index.html'
 sed 's/^Ke .*/Ke 0 0 0/' cube.mtl >dark.mtl && sed 's/cube.mtl/dark.mtl/' cube.obj >dark.obj
-check "a closed room without lamps" eval '"$radiosity" study dark.obj -o dark --minutes 0.3 >/dev/null && test -s dark/index.html'
+check "a closed room without lamps" eval '"$radiosity" study dark.obj -o dark --minutes 0.1 >/dev/null && test -s dark/index.html'
 finish
