@@ -15,6 +15,15 @@ start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
     : >"$WORK/display"
 }
 
+# A window that is mapped while its manager begins may stay unmapped, and GLFW 3.3 waits for it for ever
+has_window_manager() { xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'; }
+start_window_manager() {
+    skip_unless openbox xprop
+    openbox >/dev/null 2>&1 &
+    PIDS+=($!)
+    await has_window_manager || exit 1
+}
+
 # --- What is on the display ---
 seen() { window=$(xdotool search --onlyvisible --name "^$FILM\$" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 focused() { [ "$(xdotool getwindowfocus -f)" = "$window" ]; }

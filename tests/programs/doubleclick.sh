@@ -15,9 +15,7 @@ tar -C "$WORK/unpacked" -xf "$archive"
 mv "$(find "$WORK/unpacked" -name odraz -type f)" "$WORK/film/odraz" || exit 1
 
 start_display 1024x768
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
-await eval "xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'" || exit 1
+start_window_manager
 does() { # does WORDS MANAGER
     local said
     said=$("$SOURCE/tests/support/double_click" "$2" "$WORK/film/odraz")

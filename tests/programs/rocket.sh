@@ -6,8 +6,7 @@ needs_built tests/rocket_editor
 skip_unless openbox xmllint
 debug=$BUILD/$FILM-debug
 start_display 640x400
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
+start_window_manager
 cd "$WORK" || exit 1
 
 # --- The document ---

@@ -7,7 +7,6 @@ LIMIT=20000
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
 managed() { wmctrl -l | grep -q ' odraz$'; }
-has_window_manager() { xprop -root _NET_SUPPORTING_WM_CHECK | grep -q 'window id'; }
 load() { begin "$@" && await focused; } # load PROGRAM OPTION...
 # First it is unpacked and the hall is solved
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
@@ -84,9 +83,7 @@ check "... and Mesa's own lines about it are not told" test "$(wc -l <"$WORK/err
 check "a dump tells its script, without a window" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
 
 # Under a window manager
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
-check "a window manager runs" await has_window_manager
+start_window_manager
 check "plays under it" play "$odraz" --from 100
 check "it asks for the full screen" await fills_the_screen
 check "it gets it" await measures 1000 700

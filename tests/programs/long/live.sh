@@ -9,8 +9,7 @@ mkdir "$house"
 check "configures a copy" cmake -S "$house" -B "$house/build" -G Ninja >/dev/null
 check "builds its $FILM-debug" cmake --build "$house/build" --target "$FILM-debug" >/dev/null
 start_display 800x500
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
+start_window_manager
 export ALSA_CONFIG_PATH=$WORK/alsa.conf
 unset PULSE_SERVER
 cat >"$ALSA_CONFIG_PATH" <<END

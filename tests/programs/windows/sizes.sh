@@ -33,8 +33,7 @@ check "... and draws" await is_bright
 check "ESC leaves" leaves
 
 # Under a window manager
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
+start_window_manager
 check "plays there" play --window --size 640x360 --from 60
 check "... managed by the window manager" await eval "wmctrl -l | grep -q ' odraz$'"
 hidden() { xwininfo -id "$window" | grep -q 'Map State: IsUn'; }

@@ -38,8 +38,7 @@ check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$wine" "$film"
 
 # Under a window manager
 skip_unless openbox wmctrl
-openbox >/dev/null 2>&1 &
-PIDS+=($!)
+start_window_manager
 managed() { wmctrl -l | grep -q ' odraz$'; }
 check "plays in a window there" play --window --size 640x360 --from 30
 check "... managed by the window manager" await managed
