@@ -30,6 +30,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ struct Maker {
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
     double mouseX = 0, mouseY = 0;
+    std::set<int> chords; // keys that were pressed with Ctrl, which may be up before them
 };
 
 Maker theMaker; // GLFW's callbacks reach it
@@ -69,10 +71,14 @@ void printCamera(const Maker &m) {
 }
 
 void onKey(GLFWwindow *, int key, int, int action, int mods) {
-    if (action == GLFW_RELEASE) return;
     Maker &m = theMaker;
+    if (action == GLFW_RELEASE) {
+        m.chords.erase(key);
+        return;
+    }
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
     if (mods & GLFW_MOD_CONTROL) {
+        m.chords.insert(key);
         m.saves |= key == GLFW_KEY_S;
         if (key == GLFW_KEY_Z) (mods & GLFW_MOD_SHIFT ? m.redoes : m.undoes) = true;
         return;
@@ -113,7 +119,9 @@ void onKey(GLFWwindow *, int key, int, int action, int mods) {
 }
 
 void fly(GLFWwindow *window, Maker &m, float seconds, bool mayLook) {
-    auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
+    auto held = [&](int key) {
+        return glfwGetKey(window, key) == GLFW_PRESS && !m.chords.count(key) ? 1.f : 0.f;
+    };
     float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),
           up = held(GLFW_KEY_E) - held(GLFW_KEY_Q);
     if (held(GLFW_KEY_LEFT_CONTROL) + held(GLFW_KEY_RIGHT_CONTROL) > 0) ahead = aside = up = 0;

@@ -131,7 +131,14 @@ on_row() { # a key that is set there takes the film there
 check "... on a row" on_row
 check "a key is set by hand" flies 1
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
-saves() { listen && press ctrl+s && says "saved film.cpp"; }
+# S without Ctrl flies backwards, and Ctrl may be up first
+saves() {
+    listen
+    xdotool keydown --window "$window" ctrl keydown --window "$window" s keyup --window "$window" ctrl
+    sleep 0.5
+    xdotool keyup --window "$window" s
+    says "saved film.cpp"
+}
 check "it is saved" saves
 check "... built and shown" comes 'told "new since"'
 sleep 1
