@@ -2,8 +2,8 @@
 #
 # A source is a folder or a file of the repository. Its hash is git's hash of its tree or blob in the working tree,
 # committed or not (`git rev-parse HEAD:intro/trace` prints the same). So it is the same in every clone, and a rebase
-# does not change it. READMEs are left out, because figures are written into them, and so is odraz-debug, of which
-# nothing is measured.
+# does not change it. READMEs are left out, because figures are written into them, and so are odraz-debug and pack-link,
+# of which nothing is measured.
 
 # sources_of SECTION: its sources, a line each; they always include the section's own file
 sources_of() {
@@ -27,7 +27,7 @@ hash_sources() {
         export GIT_INDEX_FILE=$WORK/index GIT_OBJECT_DIRECTORY=$objects
         export GIT_ALTERNATE_OBJECT_DIRECTORIES=$(cd "$store" && pwd)
         git add --all
-        git ls-files -z '*.md' intro/maker intro/main_debug.cpp | git update-index -z --force-remove --stdin
+        git ls-files -z '*.md' intro/maker intro/main_debug.cpp packer/link | git update-index -z --force-remove --stdin
         tree=$(git write-tree)
         sed "s/^/$tree:/" "$WORK/sources" | git cat-file --batch-check='%(objectname)'
     ) >"$WORK/hashes"
