@@ -1,6 +1,7 @@
 #include "maker/hand_edits.h"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -9,6 +10,8 @@ namespace odraz {
 using maker::EditedTable, maker::KeyNumbers;
 
 namespace {
+
+constexpr int kTwice = std::numeric_limits<int>::max();
 
 std::vector<KeyNumbers> asBuilt(const Table &t) {
     std::vector<KeyNumbers> keys;
@@ -19,19 +22,21 @@ std::vector<KeyNumbers> asBuilt(const Table &t) {
 }
 
 // The table of the files that is this one: "scenes/day.cpp", "kExposure"; of an array of arrays "kGrow[1]".
+// -1 if there is none, or more than one: two functions may name theirs alike.
 int findSource(const maker::Edits &edits, const Table &t, const std::vector<Symbol> &symbols) {
     int element;
     const Symbol *s = symbolOf(symbols, t, element);
     if (!s) return -1;
     std::string name = element < 0 ? s->name : s->name + "[" + std::to_string(element) + "]";
+    int found = -1;
     for (size_t i = 0; i < edits.tables().size(); ++i) {
         const EditedTable &e = edits.tables()[i];
         std::string file = e.file.substr(e.file.rfind('/') + 1);
         if (e.source.name == name && (s->file.empty() || s->file == file) &&
             e.source.keys.size() == (size_t)t.count)
-            return (int)i;
+            found = found < 0 ? (int)i : kTwice;
     }
-    return -1;
+    return found < 0 || found == kTwice ? -1 : found;
 }
 
 // What is not saved yet, on top of what somebody else wrote meanwhile; null where they wrote the same table.
@@ -98,7 +103,8 @@ std::string HandEdits::whyNot(const Table &table) const {
     if (folder.empty()) return "the film's sources are not known";
     if (!problem.empty()) return problem;
     int i = sourceOf(table);
-    if (i < 0) return "its numbers are computed: edit them in the source";
+    if (i < 0)
+        return "its numbers are computed, in a header, or their name stands twice: edit them in the source";
     return edits->tables()[(size_t)i].built.empty() ? "it is not what its source says: build it anew" : "";
 }
 

@@ -193,13 +193,38 @@ std::string written(float number) {
     return s.find_first_of(".e") == std::string::npos ? s : s + "f";
 }
 
+// The end of what begins at a place and holds no tables: a comment, a string, #if 0 to its #endif. The place
+// itself if nothing of that begins there.
+static size_t endOfOther(const std::string &text, size_t at) {
+    auto after = [&](const char *end, size_t from) {
+        size_t found = text.find(end, from);
+        return found == text.npos ? text.size() : found + std::strlen(end);
+    };
+    if (text.compare(at, 2, "//") == 0) return after("\n", at);
+    if (text.compare(at, 2, "/*") == 0) return after("*/", at + 2);
+    if (text.compare(at, 5, "#if 0") == 0) return after("#endif", at);
+    if (text[at] != '"') return at;
+    while (++at < text.size() && text[at] != '"' && text[at] != '\n') at += text[at] == '\\';
+    return std::min(at + 1, text.size());
+}
+
+// The text with blanks for all that.
+static std::string codeOf(const std::string &text) {
+    std::string code = text;
+    for (size_t at = 0, end; at < text.size(); at = std::max(end, at + 1))
+        std::fill(code.begin() + (std::ptrdiff_t)at,
+                  code.begin() + (std::ptrdiff_t)(end = endOfOther(text, at)), ' ');
+    return code;
+}
+
 std::vector<SourceTable> findTables(const std::string &text) {
     // static constexpr Key kName[2][3] = {      static constexpr auto kName = coarse<8>({
     static const std::regex opening(
         R"(\bconstexpr\s+(?:(CameraKey|Key)\s+(\w+)\s*((?:\[[^\]]*\]\s*)+)=\s*\{|auto\s+(\w+)\s*=\s*coarse(?:<\s*(\d+)\s*>)?\s*\(\s*\{))");
     constexpr int kUsualBits = 8;
     std::vector<SourceTable> tables;
-    for (std::sregex_iterator m(text.begin(), text.end(), opening), end; m != end; ++m) {
+    const std::string code = codeOf(text);
+    for (std::sregex_iterator m(code.begin(), code.end(), opening), end; m != end; ++m) {
         size_t inside = (size_t)(m->position() + m->length());
         if ((*m)[4].matched) {
             int bits = (*m)[5].matched ? std::atoi((*m)[5].str().c_str()) : kUsualBits;

@@ -117,6 +117,18 @@ TEST(SourceTables, AreFoundByNameKindAndSize) {
     EXPECT_EQ(tables[2].keys[1].numbers.size(), 9u);
 }
 
+TEST(SourceTables, WhatIsNoCodeIsNoTable) {
+    const std::string table = "constexpr Key kOne[] = {{0, 1, Linear}};\n";
+    for (const std::string &text :
+         {"// " + table, "/* " + table + "*/\n", "#if 0\n" + table + "#endif\n", "/* " + table,
+          "#if 0\n" + table, "const char *a = \"" + table.substr(0, table.size() - 1) + "\";\n"}) {
+        EXPECT_TRUE(findTables(text).empty()) << text;
+        std::vector<SourceTable> found = findTables("const char *s = \"// \\\" /* \";\n" + table + text);
+        ASSERT_EQ(found.size(), 1u) << text;
+        EXPECT_EQ(found[0].keys[0].whole.begin, 53u) << text;
+    }
+}
+
 TEST(SourceTables, OnlyTheNumberThatChangedIsWritten) {
     EXPECT_EQ(with("kIn", [](auto &k) { k[1][2] = 0.7f; }), replaced("0.64f", "0.7f"));
     EXPECT_EQ(with("kIn", [](auto &k) { k[0][8] = 40; }), replaced("37.8f", "40"));
