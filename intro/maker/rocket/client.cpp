@@ -71,7 +71,10 @@ void Client::connect() {
     if (int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &all))
         return drop(gai_strerror(error));
     std::string why = "has no address";
-    for (addrinfo *a = all; a && state == State::Apart; a = a->ai_next) {
+    std::vector<addrinfo *> addresses;
+    for (addrinfo *a = all; a; a = a->ai_next) addresses.push_back(a);
+    for (size_t k = 0; k < addresses.size() && state == State::Apart; ++k) {
+        const addrinfo *a = addresses[(unreached + k) % addresses.size()];
         socket = ::socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
         if (socket < 0) continue;
         if (::connect(socket, a->ai_addr, a->ai_addrlen) == 0 || errno == EINPROGRESS) {
@@ -92,6 +95,7 @@ void Client::drop(const std::string &why) {
     wrong = "no editor of GNU Rocket at " + host + ":" + std::to_string(port) + ": " + why;
     if (socket >= 0) close(socket);
     socket = -1;
+    unreached += state == State::Connecting;
     state = State::Apart;
     in.clear();
     out.clear();

@@ -70,7 +70,8 @@ private:
     std::vector<Track> keys;
     int socket = -1;
     State state = State::Apart;
-    double tried = -1e9; // when it last tried to connect
+    size_t unreached = 0; // connections that failed: each time another of the host's addresses comes first
+    double tried = -1e9;  // when it last tried to connect
     std::string in, out, wrong;
     uint64_t changes = 0;
     std::optional<uint32_t> toldRow, knownRow;
