@@ -58,7 +58,7 @@ check "... which says by how much" grep -q 'over budget by [0-9]* bytes' "$WORK/
 setsid "$SOURCE/tools/new-film" "$WORK/stopped" stopped >/dev/null 2>&1 & # with all that it started, as by Ctrl-C
 pid=$!
 PIDS+=($pid)
-await eval 'ls -d "$WORK"/.new-film.*/build >/dev/null 2>&1'
+await test -d "$WORK/stopped/build"
 kill -TERM -- -$pid
 ended $pid
 check "interrupted it leaves nothing" test -z "$(ls -d "$WORK"/stopped "$WORK"/.new-film.* 2>/dev/null)"
