@@ -17,6 +17,7 @@
 #include "intro.h"
 #include "maker/follower.h"
 #include "maker/panel/input.h"
+#include "maker/panel/steps.h"
 #include "maker/remote.h"
 #include "maker/screen.h"
 #include "maker/words.h"
@@ -72,11 +73,16 @@ void printCamera(const Maker &m) {
 
 void onKey(GLFWwindow *, int key, int, int action, int mods) {
     Maker &m = theMaker;
+    if (action == GLFW_REPEAT && key != GLFW_KEY_LEFT && key != GLFW_KEY_RIGHT) return;
     if (action == GLFW_RELEASE) {
         m.chords.erase(key);
         return;
     }
     double step = (mods & GLFW_MOD_SHIFT ? kRowsPerBar : kRowsPerBar / 4) / kRowsPerSecond;
+    auto seek = [&](int way) {
+        m.time = stepBy(m.time, step, way, duration());
+        m.sought = true;
+    };
     if (mods & GLFW_MOD_CONTROL) {
         m.chords.insert(key);
         m.saves |= key == GLFW_KEY_S;
@@ -91,12 +97,10 @@ void onKey(GLFWwindow *, int key, int, int action, int mods) {
         m.paused = !m.paused;
         break;
     case GLFW_KEY_RIGHT:
-        m.time = std::fmin(m.time + step, duration());
-        m.sought = true;
+        seek(1);
         break;
     case GLFW_KEY_LEFT:
-        m.time = std::fmax(m.time - step, 0);
-        m.sought = true;
+        seek(-1);
         break;
     case GLFW_KEY_R:
         m.flying = false;
@@ -199,11 +203,13 @@ void tell(const Screen &s, const Maker &m, double passed, const std::string &mor
 
 // Writes the tracks where the maker's editor will look for them, but not over what somebody else has written.
 void writeTracks(Remote &remote, const Stage &stage, std::string &news) {
-    static bool ours = false;
+    static std::filesystem::file_time_type ours; // when we wrote it
     const std::string file = FILM_NAME ".rocket";
     std::string wrong = file + " is there already: move it away";
-    if (ours || !std::filesystem::exists(file)) wrong = remote.writeDocument(stage, file, news);
-    ours |= wrong.empty();
+    std::error_code none;
+    if (!std::filesystem::exists(file) || std::filesystem::last_write_time(file, none) == ours)
+        wrong = remote.writeDocument(stage, file, news);
+    if (wrong.empty()) ours = std::filesystem::last_write_time(file, none);
     if (!wrong.empty()) news = wrong;
     fail(news.c_str());
 }
@@ -235,7 +241,7 @@ void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
     if (m.writes || told.save) writeTracks(remote, stage, news);
     if (!remote.unsaved()) m.warned = false;
     if (m.leaves && remote.unsaved() && !m.warned) {
-        news = "what you edited is not saved: Ctrl S saves it, ESC leaves";
+        news = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
         m.warned = true;
     } else
         m.closes |= m.leaves;
@@ -300,8 +306,10 @@ int main(int argc, char **argv) {
     m.time = seconds(o.from);
     startMusic(theMusic, stage.sound(), m.time, &never);
     glfwGetCursorPos(screen.window, &m.mouseX, &m.mouseY);
-    for (double last = glfwGetTime(); !glfwWindowShouldClose(screen.window) && !m.closes;) {
+    for (double last = glfwGetTime(); !m.closes;) {
         glfwPollEvents();
+        m.leaves |= glfwWindowShouldClose(screen.window) != 0;
+        glfwSetWindowShouldClose(screen.window, GLFW_FALSE);
         double now = glfwGetTime(), passed = now - last;
         last = now;
         if (follower.follow(screen, theMusic.block)) {

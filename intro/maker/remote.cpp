@@ -56,20 +56,16 @@ Remote::Told Remote::update(const Stage &stage, double now, double row) {
     return told;
 }
 
-namespace {
-uint32_t rowNextTo(double row) { return (uint32_t)std::fmax(std::round(row), 0); }
-} // namespace
-
 uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera, std::string &news) {
     find(stage);
-    uint32_t at = rowNextTo(row);
+    uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.setView(at, camera);
     news = why.empty() ? "key set on " + tracks.rowInWords(at) : "no key set: " + why;
     return at;
 }
 uint32_t Remote::removeView(const Stage &stage, double row, std::string &news) {
     find(stage);
-    uint32_t at = rowNextTo(row);
+    uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.removeView(at);
     news = why.empty() ? "key removed from " + tracks.rowInWords(at) : "no key removed: " + why;
     return at;
@@ -78,7 +74,7 @@ void Remote::undo(const Stage &stage, std::string &news) {
     find(stage);
     news = tracks.undo() ? "undone" : "nothing to undo";
     tracks.show();
-    if (!tracks.unsaved()) found = false; // the sources are read anew: somebody may have changed them
+    if (!tracks.unsavedByHand()) found = false; // the sources are read anew: somebody may have changed them
 }
 void Remote::redo(const Stage &stage, std::string &news) {
     find(stage);

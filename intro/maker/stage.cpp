@@ -129,7 +129,9 @@ bool Stage::poll(int block) {
 std::string Stage::told() const {
     if (!wrong.empty() || !loads()) return wrong;
     char line[80];
-    std::snprintf(line, sizeof line, "the hall is solved anew: %.0f of 100", (double)progress * 100);
+    bool same = next.hall == now.hall && next.solvers == now.solvers;
+    std::snprintf(line, sizeof line, "the %s anew: %.0f of 100", same ? "film is loaded" : "hall is solved",
+                  (double)progress * 100);
     return line;
 }
 

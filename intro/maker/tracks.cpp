@@ -150,6 +150,13 @@ int Tracks::cameraAt(double row) const {
     return -1;
 }
 
+uint32_t Tracks::rowOfView(double row) const {
+    double nearest = std::fmax(std::round(row), 0);
+    if (live->pathAt(nearest / kRowsPerSecond) != live->pathAt(row / kRowsPerSecond))
+        nearest = std::fmax(std::floor(row), 0);
+    return (uint32_t)nearest;
+}
+
 std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
     int first = cameraAt(row);
     if (first < 0) return "there is no camera's path";
@@ -251,13 +258,16 @@ void Tracks::show() {
     replaced.clear();
     keys.clear();
     poses.clear();
+    unsavedByEditor = 0;
     for (size_t i = 0; i < tables.size(); ++i) {
         const Table &t = tables[i];
         if (!edited(t, i)) continue;
         Replaced r = {t.keys, {}, {}};
         std::vector<Key> &track = keys.emplace_back();
         std::vector<CameraKey> &path = poses.emplace_back();
-        for (const KeyNumbers &k : contents(i))
+        std::vector<KeyNumbers> now = contents(i);
+        unsavedByEditor += now != hand.keys(t);
+        for (const KeyNumbers &k : now)
             if (t.camera)
                 path.push_back(maker::cameraKeyOf(k));
             else

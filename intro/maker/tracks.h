@@ -40,17 +40,21 @@ public:
     void takeFromEditor(size_t i, const rocket::Track &keys);
     // By hand, of the camera's path that is shown at a row of the film: sets eye and target there (the rest
     // as it is), or removes the key. It is in force until an editor changes that key. Returns why not, or
-    // nothing.
+    // nothing. The row must be one that rowOfView() gave.
     std::string setView(uint32_t row, const CameraKey &camera);
     std::string removeView(uint32_t row);
     // That row in words, as the source of its camera's path counts and as the film does; and whether another
     // key stands so near that the path may swing.
     std::string rowInWords(uint32_t row) const;
+    // The row next to one of the film on which the same path is shown: beside a cut not always the nearest.
+    uint32_t rowOfView(double row) const;
     bool undo() { return hand.undo(); } // of what was done by hand
     bool redo() { return hand.redo(); }
     // Writes all that was edited, here and in an editor, to the sources. Returns what was not, and why.
     std::string save(std::string &news);
-    int unsaved() const { return hand.unsaved(); }
+    // How many tables were edited and are not saved: by hand, and by an editor.
+    int unsavedByHand() const { return hand.unsaved(); }
+    int unsaved() const { return hand.unsaved() + unsavedByEditor; }
 
     // From the next picture on, the film is as it was edited.
     void show();
@@ -81,6 +85,7 @@ private:
     std::vector<std::string> allNames;
     std::map<std::string, Edit> edits; // of the editor
     HandEdits hand;
+    int unsavedByEditor = 0;
 
     // What the film reads
     std::vector<Replaced> replaced;

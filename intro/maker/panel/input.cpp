@@ -34,7 +34,7 @@ int keyOf(int key) {
 bool repeats(Action action) { return action >= Action::PictureBack && action <= Action::EventOn; }
 
 void onKey(GLFWwindow *window, int key, int scancode, int action, int mods) {
-    Action wanted = actionOf(keyOf(key), mods & GLFW_MOD_SHIFT);
+    Action wanted = mods & GLFW_MOD_CONTROL ? Action::Count : actionOf(keyOf(key), mods & GLFW_MOD_SHIFT);
     if (wanted == Action::Count) {
         if (theKeys) theKeys(window, key, scancode, action, mods);
     } else if (action == GLFW_PRESS || (action == GLFW_REPEAT && repeats(wanted))) {

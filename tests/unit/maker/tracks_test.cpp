@@ -30,7 +30,8 @@ int findTables(Intro &, Table *to, int) {
     return 4;
 }
 const char *sceneName(int scene) { return scene ? "end" : "start"; }
-const CameraKey *pathAt(double) { return kPath; }
+double theCut = 1e9; // where another shot begins, in seconds
+const CameraKey *pathAt(double seconds) { return seconds < theCut ? kPath : kPath + 1; }
 void replaceTables(const Replaced *all, int count) {
     theReplaced = all;
     theCount = count;
@@ -192,6 +193,41 @@ TEST_F(Fixture, StepsAreUndone) {
     EXPECT_EQ(tracks.unsaved(), 1);
 }
 
+TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
+    tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
+    tracks.show();
+    EXPECT_EQ(tracks.unsaved(), 1);
+    EXPECT_EQ(tracks.unsavedByHand(), 0);
+    EXPECT_EQ(tracks.save(news), "");
+    EXPECT_EQ(tracks.unsaved(), 0);
+    tracks.takeFromEditor(kTheLamp, {});
+    tracks.show();
+    EXPECT_EQ(tracks.unsaved(), 0);
+}
+
+TEST_F(Fixture, ARowBesideACutIsInTheShotThatIsSeen) {
+    theCut = 24 / kRowsPerSecond;
+    EXPECT_EQ(tracks.rowOfView(23.4), 23u);
+    EXPECT_EQ(tracks.rowOfView(23.6), 23u);
+    EXPECT_EQ(tracks.rowOfView(24), 24u);
+    EXPECT_EQ(tracks.rowOfView(24.6), 25u);
+    EXPECT_EQ(tracks.rowOfView(0), 0u);
+    theCut = 1e9;
+    EXPECT_EQ(tracks.rowOfView(23.6), 24u);
+}
+
+TEST_F(Fixture, OfTwoTablesOfOneNameNoneIsEdited) {
+    show.write(std::string(kSource) +
+               "void f() {\n    constexpr Key kLamp[] = {{0, 1, Linear}, {1, 1, Linear}, "
+               "{2, 1, Linear}};\n}\n");
+    find();
+    tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}});
+    std::string wrong = tracks.save(news);
+    EXPECT_NE(wrong.find("start:lamp: "), std::string::npos) << wrong;
+    EXPECT_NE(wrong.find("stands twice"), std::string::npos) << wrong;
+    EXPECT_EQ(show.text().find("2.25f"), std::string::npos);
+}
+
 TEST_F(Fixture, WhatWasEditedBecomesSource) {
     EXPECT_EQ(tracks.save(news), "");
     EXPECT_EQ(news, "nothing to save");
@@ -216,7 +252,7 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
     tracks.takeFromEditor(kGrow0, {{101, {1, kLinear}}});
     std::string wrong = tracks.save(news);
     EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
-    EXPECT_NE(wrong.find("end:grow0: its numbers are computed"), std::string::npos) << wrong;
+    EXPECT_NE(wrong.find("end:grow0: its numbers are computed, in a header"), std::string::npos) << wrong;
     EXPECT_EQ(show.text(), kSource);
     // A file that somebody else wrote meanwhile stays theirs, and the edit stays to be seen
     show.write(std::string(kSource) + "// mine\n");
