@@ -47,8 +47,9 @@ check "a raster of 25 pixels" less 0.01 "$(cell rasters 5 '$1 == 25')"
 check "... is worse than one of 100" less "$(cell rasters 5 '$1 == 100')" "$(cell rasters 5 '$1 == 25')"
 check "one gather by 100 pixels beats 25" less "$(cell gathering 4 '$2 == 100')" "$(cell gathering 4 '$2 == 25')"
 check "interpolated light is nearer than flat light" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/')"
-# On a busy machine there may be no time for two of them
+# On a busy machine there may be no time for two of them, or for all rows: then what is not shot is most of the error
 nearer() {
+    if grep -q "since all rows would take too long" $PAGE; then echo "    not compared: light was shot"; return; fi
     awk -F, '$2 == "uniform" { ++n; if (n == 1) first = $4; last = $4 } END { exit !(n > 1 ? last < first : told) }' told="$(grep -c '<li>elements: uniform' $PAGE)" page/elements.csv
 }
 check "more elements are nearer" nearer
