@@ -283,9 +283,10 @@ check "... are there" eval '[ -s report.json ] && [ -s report.html ] && [ -s rep
 check "... by another way, too" eval '"$link" c.o -o made --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
 ended_early() { # by a signal, while it searches: nothing stays
+    rm -f err
     "$link" c.o -o made --effort 100 -v >told 2>err &
     PIDS+=($!)
-    await eval "grep -q -e --effort err || gone $!" && kill "$1" $! && ended $!
+    await eval "grep -qs -e --effort err || gone $!" && kill "$1" $! && ended $!
     [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null
 }
 always_early() { for _ in {1..10}; do ended_early "$1" || return; done; } # now just before the search, now in it
