@@ -43,7 +43,7 @@ maker/panel     base timeline intro.h show/font.h trace/rays/view.h maker/panel
 maker/panel/compare.cpp base maker/panel tools/measure/detect/flip.h
 maker/panel/backstage.cpp base inside.h show maker/panel
 maker/panel/probe.cpp base show trace maker/panel
-main_debug.cpp  base host timeline intro.h options.h play record.h film.h maker maker/panel/input.h
+main_debug.cpp  base host timeline intro.h options.h play record.h film.h maker maker/panel/input.h maker/panel/steps.h
 END
 # ... and of the system's headers
 cat >"$WORK/system" <<'END'
