@@ -17,7 +17,31 @@ constexpr const char *kInterpolations[] = {"Linear", "Smooth"};
 
 size_t numbersIn(TableKind kind) { return kind == TableKind::Track ? kTrackNumbers : kPathNumbers; }
 
-// Reads lists of C++ expressions. Comments are skipped; strings do not occur in tables.
+// The end of what begins at a place and holds no tables: a comment, a string, #if 0 to its #endif. The place
+// itself if nothing of that begins there.
+size_t endOfOther(const std::string &text, size_t at) {
+    auto after = [&](const char *end, size_t from) {
+        size_t found = text.find(end, from);
+        return found == text.npos ? text.size() : found + std::strlen(end);
+    };
+    if (text.compare(at, 2, "//") == 0) return after("\n", at);
+    if (text.compare(at, 2, "/*") == 0) return after("*/", at + 2);
+    if (text.compare(at, 5, "#if 0") == 0) return after("#endif", at);
+    if (text[at] != '"') return at;
+    while (++at < text.size() && text[at] != '"' && text[at] != '\n') at += text[at] == '\\';
+    return std::min(at + 1, text.size());
+}
+
+// The text with blanks for all that.
+std::string codeOf(const std::string &text) {
+    std::string code = text;
+    for (size_t at = 0, end; at < text.size(); at = std::max(end, at + 1))
+        std::fill(code.begin() + (std::ptrdiff_t)at,
+                  code.begin() + (std::ptrdiff_t)(end = endOfOther(text, at)), ' ');
+    return code;
+}
+
+// Reads lists of C++ expressions in the code of a text.
 class Reader {
 public:
     Reader(const std::string &text, size_t at) : text(text), at(at) {}
@@ -47,16 +71,7 @@ public:
 
 private:
     void skip() {
-        while (at < text.size()) {
-            if (std::isspace((unsigned char)text[at]))
-                ++at;
-            else if (text.compare(at, 2, "//") == 0)
-                at = std::min(text.find('\n', at), text.size());
-            else if (text.compare(at, 2, "/*") == 0)
-                at = std::min(text.find("*/", at), text.size() - 2) + 2;
-            else
-                return;
-        }
+        while (at < text.size() && std::isspace((unsigned char)text[at])) ++at;
     }
 
     const std::string &text;
@@ -193,30 +208,6 @@ std::string written(float number) {
     return s.find_first_of(".e") == std::string::npos ? s : s + "f";
 }
 
-// The end of what begins at a place and holds no tables: a comment, a string, #if 0 to its #endif. The place
-// itself if nothing of that begins there.
-static size_t endOfOther(const std::string &text, size_t at) {
-    auto after = [&](const char *end, size_t from) {
-        size_t found = text.find(end, from);
-        return found == text.npos ? text.size() : found + std::strlen(end);
-    };
-    if (text.compare(at, 2, "//") == 0) return after("\n", at);
-    if (text.compare(at, 2, "/*") == 0) return after("*/", at + 2);
-    if (text.compare(at, 5, "#if 0") == 0) return after("#endif", at);
-    if (text[at] != '"') return at;
-    while (++at < text.size() && text[at] != '"' && text[at] != '\n') at += text[at] == '\\';
-    return std::min(at + 1, text.size());
-}
-
-// The text with blanks for all that.
-static std::string codeOf(const std::string &text) {
-    std::string code = text;
-    for (size_t at = 0, end; at < text.size(); at = std::max(end, at + 1))
-        std::fill(code.begin() + (std::ptrdiff_t)at,
-                  code.begin() + (std::ptrdiff_t)(end = endOfOther(text, at)), ' ');
-    return code;
-}
-
 std::vector<SourceTable> findTables(const std::string &text) {
     // static constexpr Key kName[2][3] = {      static constexpr auto kName = coarse<8>({
     static const std::regex opening(
@@ -228,12 +219,12 @@ std::vector<SourceTable> findTables(const std::string &text) {
         size_t inside = (size_t)(m->position() + m->length());
         if ((*m)[4].matched) {
             int bits = (*m)[5].matched ? std::atoi((*m)[5].str().c_str()) : kUsualBits;
-            readArray(text, inside, {(*m)[4], TableKind::Path, bits, {}}, false, tables);
+            readArray(code, inside, {(*m)[4], TableKind::Path, bits, {}}, false, tables);
         } else {
             std::string sizes = (*m)[3];
             bool nested = std::count(sizes.begin(), sizes.end(), '[') == 2;
             TableKind kind = (*m)[1] == "Key" ? TableKind::Track : TableKind::Path;
-            readArray(text, inside, {(*m)[2], kind, 0, {}}, nested, tables);
+            readArray(code, inside, {(*m)[2], kind, 0, {}}, nested, tables);
         }
     }
     return tables;
