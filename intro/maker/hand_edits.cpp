@@ -1,7 +1,6 @@
 #include "maker/hand_edits.h"
 
 #include <algorithm>
-#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -10,8 +9,6 @@ namespace odraz {
 using maker::EditedTable, maker::KeyNumbers;
 
 namespace {
-
-constexpr int kTwice = std::numeric_limits<int>::max();
 
 std::vector<KeyNumbers> asBuilt(const Table &t) {
     std::vector<KeyNumbers> keys;
@@ -28,15 +25,15 @@ int findSource(const maker::Edits &edits, const Table &t, const std::vector<Symb
     const Symbol *s = symbolOf(symbols, t, element);
     if (!s) return -1;
     std::string name = element < 0 ? s->name : s->name + "[" + std::to_string(element) + "]";
-    int found = -1;
+    int found = -1, times = 0;
     for (size_t i = 0; i < edits.tables().size(); ++i) {
         const EditedTable &e = edits.tables()[i];
         std::string file = e.file.substr(e.file.rfind('/') + 1);
         if (e.source.name == name && (s->file.empty() || s->file == file) &&
             e.source.keys.size() == (size_t)t.count)
-            found = found < 0 ? (int)i : kTwice;
+            found = (int)i, ++times;
     }
-    return found < 0 || found == kTwice ? -1 : found;
+    return times == 1 ? found : -1;
 }
 
 // What is not saved yet, on top of what somebody else wrote meanwhile; null where they wrote the same table.
