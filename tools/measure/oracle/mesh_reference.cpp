@@ -4,9 +4,11 @@
 #include "tools/common/statistics.h"
 #include "tools/measure/oracle/obstacles.h"
 #include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 namespace odraz {
@@ -37,6 +39,11 @@ public:
     Paths(const Mesh &mesh, const Surroundings &around)
         : mesh(mesh), around(around), triangles(trianglesOf(mesh)), obstacles(triangles),
           off(mesh.size() * 1e-5) {
+        for (const MeshMaterial &m : mesh.materials)
+            if (!m.picture.path.empty()) try {
+                    pictures.try_emplace(m.picture.path, m.picture.path);
+                } catch (const Refused &) { // then the material's Kd counts, as the solver's note says
+                }
         double sum = 0;
         for (size_t i = 0; i < triangles.size(); ++i) {
             Vec3d e = emitted(i);
@@ -64,13 +71,12 @@ public:
                 backs += depth == 0;
                 return sum;
             }
-            const Triangle &met = mesh.triangles[(size_t)hit.number];
-            weight = weight * colour(mesh.materials[(size_t)met.material].reflects);
+            p = from + d * hit.t;
+            weight = weight * reflected((size_t)hit.number, p);
             double go = std::min(1., largest(weight) * 2); // Russian roulette
             if (!(sampler.random() < go)) return sum;
             weight = weight / go;
-            p = from + d * hit.t;
-            n = normalize(normalOf(mesh, met));
+            n = normalize(normalOf(mesh, mesh.triangles[(size_t)hit.number]));
         }
     }
 
@@ -81,9 +87,42 @@ private:
     Obstacles obstacles;
     double off; // distance of rays' origins from their surface
     std::vector<size_t> lamps;
-    std::vector<double> until; // running sums of the lamps' light
+    std::vector<double> until;                          // running sums of the lamps' light
+    std::map<std::string, ReflectancePicture> pictures; // by their paths
 
+    // What triangle i reflects at a place
+    Vec3d reflected(size_t i, Vec3d p) const {
+        const MeshMaterial &m = mesh.materials[(size_t)mesh.triangles[i].material];
+        auto picture = pictures.find(m.picture.path);
+        if (picture == pictures.end() || std::isnan(mesh.coordinates[i][0])) return colour(m.reflects);
+        const Obstacles::Triangle &t = triangles[i];
+        Vec3d n = cross(t[1] - t[0], t[2] - t[0]);
+        double share[3], area = dot(n, n), at[2] = {};
+        for (size_t k = 0; k < 3; ++k)
+            share[k] = dot(cross(t[(k + 1) % 3] - p, t[(k + 2) % 3] - p), n) / area;
+        for (size_t k = 0; k < 3; ++k)
+            for (size_t c = 0; c < 2; ++c) at[c] += share[k] * (double)mesh.coordinates[i][2 * k + c];
+        for (size_t c = 0; c < 2; ++c)
+            at[c] = at[c] * (double)m.picture.scale[c] + (double)m.picture.offset[c];
+        return colour(m.picture.tint) * toDouble(picture->second.mean({{at[0], at[1]}}, m.picture.clamp));
+    }
     Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
+    // The light of a ball, by a direction in the cone that it fills. Nothing sees it but shadow rays
+    Vec3d ofBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
+        Vec3d to = toDouble(ball.centre) - p;
+        double far = length(to), sine = (double)ball.radius / far;
+        if (!(sine < 1)) return {};
+        double least = std::sqrt(1 - sine * sine),
+               cosine = 1 - sampler.random() * (sine * sine / (1 + least)),
+               across = std::sqrt(std::max(0., 1 - cosine * cosine)),
+               turn = 2 * std::numbers::pi * sampler.random();
+        Vec3d z = to / far, x = normalize(cross(z, std::fabs(z.x) < 0.5 ? Vec3d{1, 0, 0} : Vec3d{0, 1, 0})),
+              y = cross(z, x), d = z * cosine + x * (across * std::cos(turn)) + y * (across * std::sin(turn));
+        double here = dot(d, n);
+        if (!(here > 0) || obstacles.blocked(p, d, far * 0.9999)) return {};
+        // The cone's solid angle is 2 pi (1 - least)
+        return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * here);
+    }
     // The light of all suns, and of a lamp chosen by `pick`, 0 .. 1, in proportion to its light, which stands
     // for all lamps
     Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
@@ -93,6 +132,7 @@ private:
             if (double c = dot(towards, n); c > 0 && !obstacles.blocked(p, towards, INFINITY))
                 sum = sum + toDouble(sun.light) * c;
         }
+        for (const BallLamp &ball : around.lamps) sum = sum + ofBall(ball, p, n, sampler);
         if (lamps.empty()) return sum;
         size_t i = lamps[placeIn(until, pick * until.back())];
         Vec3d to = onTriangle(triangles[i], inCell(sampler, 0, 1)) - p;
@@ -180,11 +220,12 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes) {
 }
 
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
-                Workers &workers) {
+                Workers &workers, const int *stop) {
     int paths = side * side;
     Paths tracer(mesh, around);
     std::vector<uint8_t> inside(probes.size());
     parallelFor(workers, (int)probes.size(), [&](int i, int) {
+        if (stop && __atomic_load_n(stop, __ATOMIC_RELAXED)) return;
         MeshProbe &probe = probes[(size_t)i];
         Sampler sampler((uint64_t)i);
         Vec3d place = toDouble(probe.p), normal = toDouble(probe.n);

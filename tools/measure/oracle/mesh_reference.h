@@ -25,9 +25,10 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 
 // Traces two sets of side x side paths from every probe. Directions are cosine-distributed, the first ones
 // stratified; shadow rays sample the lamps; Russian roulette ends the paths. Drops the probes that lie inside
-// closed bodies.
+// closed bodies. Balls shine and block nothing, as in solutions. Where `stop` becomes other than 0, the
+// probes that are left stay black.
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
-                Workers &workers);
+                Workers &workers, const int *stop = nullptr);
 
 // Errors in percent; the rms is without the noise of the paths, which is subtracted in quadrature.
 struct MeshErrors {
