@@ -19,6 +19,7 @@ public:
     Arguments(int count, char **words, const std::string &hint) : count(count), words(words), hint(hint) {}
 
     const char *next() { return at < count ? words[at++] : nullptr; } // null: there are no more
+    const char *last() const { return words[at - 1]; }                // that was taken
     // The value of an option, which is the next word.
     std::string value(const std::string &option);
     double number(const std::string &option, double least, double most);

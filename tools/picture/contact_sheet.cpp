@@ -2,6 +2,7 @@
 #include "film.h"
 #include "show/font.h"
 #include "tools/common/arguments.h"
+#include "tools/common/shell_word.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
 
@@ -19,12 +20,6 @@ static constexpr char kUsage[] =
 
 // The moments that a poster shows, in seconds into the film; the large picture comes first.
 static constexpr int kPosterMoments[] = {FILM_POSTER};
-
-static std::string quoted(const std::string &s) {
-    std::string q = "'";
-    for (char c : s) q += c == '\'' ? "'\\''" : std::string(1, c);
-    return q + "'";
-}
 
 // Writes with the film's own font over a box of the picture, which is first darkened to `shade`.
 struct Box {
@@ -63,7 +58,7 @@ static std::vector<Picture> dumped(const std::string &program, const std::string
                                    const std::string &quality) {
     // Trace twice as large as shown: the averaging smooths once more
     int traced = width * 2;
-    std::string command = quoted(program) + " --dump - " + options + " --quality " + quoted(quality) +
+    std::string command = shellWord(program) + " --dump - " + options + " --quality " + shellWord(quality) +
                           " --size " + std::to_string(traced) + "x" + std::to_string(traced * 9 / 16);
     std::FILE *film = popen(command.c_str(), "r");
     if (!film) throw std::runtime_error("cannot run " + program);
@@ -112,8 +107,7 @@ static Picture poster(const std::string &program, int width, const std::string &
     static constexpr uint8_t kCopper[3] = {236, 158, 92}, kGrey[3] = {170, 170, 176};
     Box title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
     write(page, title, FILM_NAME, (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
-    write(page, title, FILM_ABOUT, (float)band * 0.19f, 0.1f, 2,
-          Align::Right, kGrey, 1);
+    write(page, title, FILM_ABOUT, (float)band * 0.19f, 0.1f, 2, Align::Right, kGrey, 1);
     return page;
 }
 
