@@ -148,6 +148,7 @@ private:
         Solved solved = solve();
         solved.solution.save(job.out);
         prepared ? printRelit(solved, settings) : printReport(mesh, solved, settings);
+        if (!solved.report.whole) std::printf("for all of its light run it again: the rows are kept\n");
     }
 
     // Whether kept direct light fits the materials: then only these are read.
