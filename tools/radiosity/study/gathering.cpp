@@ -54,8 +54,15 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
     }
     const System &system = divided.patches->radiosity.system;
-    for (size_t k = 0; k < std::min((size_t)count, visible.size()); ++k) {
-        int i = visible[k * visible.size() / std::min((size_t)count, visible.size())];
+    // Spread by area, as the places of all other errors are; a large patch counts once
+    std::vector<double> until;
+    double area = 0;
+    for (int i : visible) until.push_back(area += (double)model.patches[i].area);
+    for (int k = 0, last = -1; k < count && !visible.empty(); ++k) {
+        auto at = std::upper_bound(until.begin(), until.end(), area * (k + 0.5) / count) - until.begin();
+        int i = visible[std::min((size_t)at, visible.size() - 1)];
+        if (i == last) continue;
+        last = i;
         const float *d = system.direct + (size_t)i * (size_t)system.columns;
         patches.push_back(i);
         outside.push_back(luminance({d[0], d[4], d[8]}));
@@ -93,7 +100,7 @@ Gathering::Result Gathering::measure(const Way &way) {
     double seconds = watch.processor() / (double)std::max(patches.size(), (size_t)1);
     for (size_t i = 0; i < light.size(); ++i) light[i] += outside[i];
     study.tick();
-    return {errorsOf(light, expected), seconds};
+    return {errorsOf(light, expected), seconds, std::move(light)};
 }
 
 int Gathering::curious() {

@@ -22,8 +22,9 @@ public:
         bool corners;
     };
     struct Result {
-        LightErrors errors; // of what arrives at the patches
-        double seconds;     // of the processor, a patch
+        LightErrors errors;       // of what arrives at the patches
+        double seconds;           // of the processor, a patch
+        std::vector<float> light; // luminance of what arrives at each
     };
     Result measure(const Way &way);
 

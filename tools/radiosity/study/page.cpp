@@ -1,6 +1,7 @@
 #include "tools/radiosity/study/page.h"
 
 #include <cmath>
+#include <cstdio>
 
 namespace odraz {
 
@@ -59,6 +60,17 @@ std::string shown(double number, int digits) {
     return text;
 }
 
+void Page::write(const std::string &file, const std::string &content) {
+    folder.write(file, content);
+    fresh.push_back(folder / file);
+}
+
+void Page::drop() {
+    body.resize(kept);
+    for (const std::string &file : fresh) std::remove(file.c_str());
+    fresh.clear();
+}
+
 void Page::heading(const std::string &what) { body += "<h2>" + escaped(what) + "</h2>\n"; }
 
 void Page::text(const std::string &paragraph) { body += "<p>" + escaped(paragraph) + "</p>\n"; }
@@ -87,7 +99,7 @@ void Page::table(const PageTable &t, bool whole) {
         csv += lineOf(cells, csvCell, ",") + "\n";
         row(cells, "td");
     }
-    folder.write(t.file + ".csv", csv);
+    write(t.file + ".csv", csv);
     if (whole) body += "<table>\n" + rows + "</table>\n";
     body += "<p class=\"csv\"><a href=\"" + t.file + ".csv\">" + t.file + ".csv</a></p>\n";
 }
@@ -99,7 +111,7 @@ void Page::plot(const std::string &file, Plot plot) {
                (plot.logarithmicY && p.y <= 0);
     });
     if (plot.points.empty()) return;
-    folder.write(file + ".svg", svg(plot));
+    write(file + ".svg", svg(plot));
     body += "<p><img class=\"plot\" src=\"" + file + ".svg\" alt=\"" + escaped(plot.title) + "\"/></p>\n";
 }
 

@@ -38,7 +38,14 @@ public:
     void pictures(const std::vector<PagePicture> &pictures);
     void list(const std::vector<std::string> &items);
     // Where a picture's file is to be written.
-    std::string path(const std::string &file) const { return folder / file; }
+    std::string path(const std::string &file) {
+        fresh.push_back(folder / file);
+        return fresh.back();
+    }
+    // A chapter ends: drop() takes back what is written after this, files too.
+    void keep() { kept = body.size(), fresh.clear(); }
+    void drop();
+    bool empty() const { return body.empty(); }
     // What is written from here on stands before all that was written so far; call it once.
     void toFront() { rest = std::move(body), body.clear(); }
     // Writes index.html.
@@ -47,6 +54,10 @@ public:
 private:
     const NewFolder &folder;
     std::string title, body, rest;
+    size_t kept = 0;
+    std::vector<std::string> fresh; // files since keep()
+
+    void write(const std::string &file, const std::string &content);
 };
 
 } // namespace odraz

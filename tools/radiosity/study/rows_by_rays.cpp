@@ -3,6 +3,7 @@
 #include "base/random.h"
 #include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/rays/ray_tree.h"
+#include "tools/radiosity/study/gathering.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,9 +30,9 @@ struct Facets {
 
 } // namespace
 
-RowFinder rowsByRays(int rays) {
-    return [rays](const Model &m, const Scene &, const uint8_t *lit, Workers &workers, Arena &arena,
-                  FormFactors &factors, const Progress &progress) {
+RowFinder rowsByRays(int rays, bool atCorners) {
+    return [rays, atCorners](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
+                             Arena &arena, FormFactors &factors, const Progress &progress) {
         Facets facets(m);
         RayTree tree(facets.triangles);
         std::vector<FoundRow> rows((size_t)m.patchCount);
@@ -49,7 +50,7 @@ RowFinder rowsByRays(int rays) {
                     float out = std::sqrt(((float)k + 0.5f) / (float)rays), up = std::sqrt(1 - out * out),
                           turn = 2.3999632f * (float)k + begin * 6.2831853f;
                     Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up,
-                         from = p.p + c.n * c.off();
+                         from = (atCorners ? cornerEye(m, i, k & 3).p : p.p) + c.n * c.off();
                     RayHit hit = tree.nearest(from, d);
                     if (hit.triangle < 0 || hit.back) continue;
                     uint32_t j = patchAt(m, facets.charts[(size_t)hit.triangle], from + d * hit.t);

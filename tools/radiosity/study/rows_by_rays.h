@@ -6,7 +6,8 @@
 
 namespace odraz {
 
-// Every patch sends out so many rays by the cosine law; each counts the same.
-RowFinder rowsByRays(int rays);
+// Every patch sends out so many rays by the cosine law, from its middle or a quarter of them from near each
+// of its corners; each counts the same.
+RowFinder rowsByRays(int rays, bool atCorners = false);
 
 } // namespace odraz

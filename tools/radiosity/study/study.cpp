@@ -1,6 +1,7 @@
 #include "tools/radiosity/study/study.h"
 
 #include "tools/common/clock.h"
+#include "tools/common/shell_word.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
 
@@ -11,6 +12,7 @@
 namespace odraz {
 
 static constexpr int kCoarse = 1500;
+static constexpr double kReferenceShare = 0.1; // of the time, for the progress bar
 
 Stopwatch::Stopwatch() : startProcessor(processorSeconds()), startWall(wallSeconds()) {}
 double Stopwatch::processor() const { return processorSeconds() - startProcessor; }
@@ -20,15 +22,20 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
              Page &page, ProgressBar &progressBar)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
       bar(progressBar), began(wallSeconds()) {
-    chapter("reference", 0.1);
-    // The tool's default first: it is compared, too, and its time tells what a final gather would take, at
-    // most ten times as long with 256 rays
+    chapter("reference", kReferenceShare);
+    // The tool's default first: it is compared, too, and its time tells what a final gather would take: three
+    // times as long with 256 rays in a model of many polygons. With too few rays it would be worse than none
     Stopwatch watch;
-    Solution plain = solve(settings.solve).solution;
-    MeasuredSolution byRays = {"by rays", "", watch.processor(), watch.wall(), {}};
+    Solved solved = solve(settings.solve);
+    Solution plain = std::move(solved.solution);
+    MeasuredSolution byRays = {std::to_string(plain.elements()) + " elements, by rays",
+                               command(""),
+                               watch.processor(),
+                               watch.wall(),
+                               {}};
     SolveSettings s = settings.solve;
     double share = byRays.wall / (settings.minutes * 60);
-    s.finalRays = share < 0.02 ? 256 : share < 0.05 ? 64 : 0;
+    s.finalRays = share < 0.01 ? 512 : share < 0.03 ? 256 : share < 0.06 ? 128 : 0;
     finalRays = s.finalRays;
     reference = s.finalRays ? solve(s).solution : plain;
     if (std::all_of(reference.light.begin(), reference.light.end(),
@@ -37,13 +44,43 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     places.emplace(reference, 2000);
     byRays.errors = places->errorsOf(plain);
     if (s.finalRays) measured.push_back(byRays);
+    compare(plain, solved.surroundings);
+    check();
     afterReference = wallSeconds();
 }
 
-void Study::chapter(const char *named, double share) {
+void Study::compare(const Solution &byRays, const Surroundings &around) {
+    ReferenceErrors &e = referenceErrors;
+    if (length(offsetOf(mesh)) > 0) {
+        e.unknown = "the model lies far from the origin";
+        return;
+    }
+    // A few paths tell how many there is time for
+    constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
+    const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);
+    std::vector<MeshProbe> probes = placeMeshProbes(reference, kPlaces), first = probes;
+    Stopwatch watch;
+    tracePaths(mesh, around, first, kFewest, workers, stop);
+    double share = seconds / std::max(watch.wall(), 1e-6);
+    int side = std::clamp((int)(kFewest * std::sqrt(share)), kFewest, kMost);
+    tracePaths(mesh, around, probes, side, workers, stop);
+    check();
+    e.unknown = "no light reaches the places that were tried";
+    if (probes.empty()) return;
+    e.places = probes.size(), e.paths = 2 * side * side;
+    e.reference = errorsOf(probes);
+    solvedAt(byRays, probes);
+    e.byRays = errorsOf(probes);
+    if (std::isfinite(e.reference.rms)) e.unknown.clear();
+}
+
+void Study::chapter(const char *named, double end) {
     name = named;
-    double from = afterReference > 0 ? afterReference : began, end = began + settings.minutes * 60;
-    until = from + share * std::max(end - from, 0.);
+    double from = afterReference > 0 ? afterReference : began, last = began + settings.minutes * 60;
+    shareBefore = share;
+    share = afterReference > 0 ? kReferenceShare + (1 - kReferenceShare) * end : end;
+    until = from + end * std::max(last - from, 0.);
+    chapterBegan = wallSeconds();
     tick();
 }
 
@@ -59,8 +96,10 @@ void Study::tick() {
 }
 
 void Study::show() {
-    double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
-                             : (wallSeconds() - began) / (settings.minutes * 60);
+    // A chapter that ends before its time takes the bar on to the next one
+    double ofChapter = (wallSeconds() - chapterBegan) / std::max(until - chapterBegan, 1e-6),
+           done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
+                             : shareBefore + (share - shareBefore) * std::min(ofChapter, 1.);
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 
@@ -99,11 +138,28 @@ Solved Study::solve(const SolveSettings &s) {
     return solved;
 }
 
-Solved Study::measure(const std::string &what, const std::string &options, const SolveSettings &s) {
+std::string Study::command(const std::string &options) const {
+    return "radiosity solve " + shellWord(settings.model) + " -o OUT.rad" + settings.words +
+           (options.empty() ? "" : " ") + options;
+}
+
+Solved Study::measure(const std::string &kind, const std::string &options, const SolveSettings &s) {
     Stopwatch watch;
     Solved solved = solve(s);
-    measured.push_back({what, options, watch.processor(), watch.wall(), places->errorsOf(solved.solution)});
+    std::string count = s.analytic ? std::to_string(solved.solution.elements()) + " elements"
+                                   : std::to_string(solved.report.patches) + " patches";
+    measured.push_back({count + ", " + kind, s.findRows ? "" : command(options), watch.processor(),
+                        watch.wall(), places->errorsOf(solved.solution)});
     return solved;
+}
+
+Solved Study::gather(int patches, int px) {
+    SolveSettings s = thesis(patches, px);
+    std::string name = std::to_string(px);
+    return measure("by " + name + " px",
+                   "--direct hemicube --hemicube " + name + " --patch " + shown(s.patch, 6) + " --element " +
+                       shown(s.element, 6),
+                   s);
 }
 
 Solved Study::divide(int patches) {

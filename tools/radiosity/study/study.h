@@ -1,6 +1,7 @@
 // What all chapters of a study share: the model, its reference, the time they may take, and the page.
 #pragma once
 
+#include "tools/measure/oracle/mesh_reference.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/study/page.h"
@@ -13,6 +14,7 @@ namespace odraz {
 
 struct StudySettings {
     std::string model;
+    std::string words;   // the options given that `radiosity solve` has too, each after a blank
     SolveSettings solve; // light from outside and memory, as given; the chapters set the rest
     double minutes = 8;  // that the study may take
     double within = 5;   // percent: the error (rms) within which the cheapest setting is looked for
@@ -21,13 +23,30 @@ struct StudySettings {
 
 // A whole solution that was measured.
 struct MeasuredSolution {
-    std::string name, options; // options of `radiosity solve` that give it
+    std::string name, command; // of `radiosity solve` that gives it; empty: only a study does
     double seconds;            // of the processor
     double wall;
     LightErrors errors;
 };
 
-// Thrown when the user interrupts; nothing is left behind.
+// A whole solution with a hemicube in the middle of each patch.
+struct Gathered {
+    int px = 0;
+    Solution solution;
+    MeasuredSolution measured;
+    int patches = 0;
+};
+
+// How far the reference is from path tracing, which knows nothing of its rays and elements.
+struct ReferenceErrors {
+    std::string unknown;       // why it is not known; empty: it is
+    size_t places = 0;         // at which paths were traced
+    int paths = 0;             // from each
+    MeshErrors reference = {}; // of the reference
+    MeshErrors byRays = {};    // of the tool's default, at the same places
+};
+
+// Thrown when the user interrupts.
 struct Interrupted : std::runtime_error {
     Interrupted() : runtime_error("interrupted: no page is written") {}
 };
@@ -46,8 +65,10 @@ public:
     Page &page;
     Solution reference;
     int finalRays = 0; // of its final gather; 0: it has none
+    ReferenceErrors referenceErrors;
     std::optional<Places> places;
     std::vector<MeasuredSolution> measured;
+    Gathered gathered;                // of the first chapter, if it had time for one
     std::vector<std::string> notes;   // of solutions, each once
     std::vector<std::string> leftOut; // what the time did not allow
     std::vector<std::string> advice;  // what to choose, and why
@@ -74,8 +95,11 @@ public:
     SolveSettings thesis(int patches, int px) const;
     // Solves, and shows progress. Throws Interrupted.
     Solved solve(const SolveSettings &s);
-    // Solves and measures.
-    Solved measure(const std::string &name, const std::string &options, const SolveSettings &s);
+    // Solves and measures. `options`: those of `radiosity solve` that give it. Its name is the number of its
+    // patches, if they see the lamps, or elements, and then `kind`.
+    Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
+    // Solves thesis(patches, px), and measures.
+    Solved gather(int patches, int px);
     // A model divided into about so many patches, without rows: for hemicubes and costs.
     Solved divide(int patches);
     // The same, or one that was made for costs and has about as many; `own` keeps it otherwise.
@@ -87,11 +111,15 @@ public:
     double hemicubeSeconds(int px);
 
 private:
-    void show(); // how far it has come
+    std::string command(const std::string &options) const;
+    void compare(const Solution &byRays, const Surroundings &around); // with path tracing
+    void show();                                                      // how far it has come
 
     ProgressBar &bar;
-    double began, afterReference = 0, until = 0;
+    double began, afterReference = 0;
     const char *name = "reference";
+    // The chapter: when it began and has to end, and which part of all it is
+    double chapterBegan = 0, until = 0, shareBefore = 0, share = 0;
     Solved coarse; // divided into kCoarse patches; empty until costs are asked for
     double coarseSeconds = 0;
     std::map<int, double> costs;                   // of hemicubes, by pixels

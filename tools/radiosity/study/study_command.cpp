@@ -2,6 +2,7 @@
 
 #include "tools/common/clock.h"
 #include "tools/common/machine.h"
+#include "tools/common/shell_word.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/generate/generate.h"
@@ -10,6 +11,7 @@
 #include "tools/radiosity/study/study.h"
 
 #include <cstdio>
+#include <span>
 
 namespace odraz {
 
@@ -24,8 +26,15 @@ struct Job {
     SolveOptions options;
 };
 
+// Keeps an option for the commands that the page advises; `last`: its value, or itself if it has none.
+void keep(const std::string &option, const std::string &last, Job &job) {
+    job.settings.words += " " + option;
+    if (last != option) job.settings.words += " " + shellWord(last);
+}
+
 Job readJob(Arguments &words) {
     Job job;
+    bool limited = false;
     while (const char *word = words.next()) {
         std::string w = word;
         // What the study varies itself is not to be set
@@ -37,7 +46,7 @@ Job readJob(Arguments &words) {
         else if (w == "-o")
             job.out = words.value(w);
         else if (w == "--minutes")
-            job.settings.minutes = words.number(w, 0.1, 10000);
+            job.settings.minutes = words.number(w, 0.1, 10000), limited = true;
         else if (w == "--within")
             job.settings.within = words.number(w, 0.01, 100);
         else if (w == "--table41")
@@ -45,7 +54,7 @@ Job readJob(Arguments &words) {
         else if (w == "--progress")
             job.progress = true;
         else if (job.options.take(w, words))
-            continue;
+            keep(w, words.last(), job);
         else if (word[0] != '-' && job.settings.model.empty())
             job.settings.model = w;
         else
@@ -54,6 +63,8 @@ Job readJob(Arguments &words) {
     if (job.table41 != job.settings.model.empty())
         throw Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
                                   : "name a model: radiosity study MODEL.obj -o FOLDER");
+    if (job.table41 && limited)
+        throw Refused("--table41 takes no --minutes: it shoots 8,000 times in each of its cells");
     if (job.out.empty()) throw Refused("name a folder for the page with -o FOLDER");
     job.options.finish();
     job.settings.solve = job.options.settings;
@@ -61,26 +72,42 @@ Job readJob(Arguments &words) {
     return job;
 }
 
-Mesh columns() {
+Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
     TemporaryFolder folder;
     writeWhole(folder / "columns.mtl", generateMtl());
     writeWhole(folder / "columns.obj", "mtllib columns.mtl\n" + generateObj("columns", 0));
-    std::vector<std::string> notes;
-    return readObj(folder / "columns.obj", {}, notes);
+    return readObj(folder / "columns.obj", settings, notes);
 }
 
-void runChapters(Study &study) {
-    // The methods first: they need all rows, which take longest in a model of many polygons
-    study.chapter("methods", 0.45);
-    studyMethods(study);
-    study.chapter("table", 0.65);
-    studyTable(study, false);
-    study.chapter("rasters", 0.85);
-    studyRasters(study);
-    study.chapter("display", 0.91);
-    studyDisplay(study);
-    study.chapter("elements", 0.98);
-    studyElements(study);
+struct Chapter {
+    const char *name;
+    double until; // of the time after the reference
+    void (*write)(Study &study);
+};
+// The methods first: they need all rows, which take longest in a model of many polygons
+constexpr Chapter kChapters[] = {{"methods", 0.4, studyMethods},
+                                 {"table", 0.65, [](Study &s) { studyTable(s, false); }},
+                                 {"rasters", 0.85, studyRasters},
+                                 {"display", 0.91, studyDisplay},
+                                 {"elements", 0.98, studyElements}};
+constexpr Chapter kTable41[] = {{"table", 1, [](Study &s) { studyTable(s, true); }}};
+
+// Whether all chapters are written, or it was interrupted. Throws Interrupted if there is nothing to show.
+bool writeChapters(Study &study, std::span<const Chapter> chapters) {
+    bool some = false;
+    for (const Chapter &c : chapters) try {
+            study.page.keep();
+            study.chapter(c.name, c.until);
+            c.write(study);
+            some = true;
+        } catch (const Interrupted &) {
+            study.page.drop();
+            if (!some && study.page.empty()) throw;
+            for (const Chapter *left = &c; left < chapters.data() + chapters.size(); ++left)
+                study.leftOut.push_back(std::string(left->name) + ": interrupted");
+            return false;
+        }
+    return true;
 }
 
 } // namespace
@@ -91,8 +118,8 @@ int runStudy(Arguments &words) {
     Mesh mesh;
     std::vector<std::string> notes;
     if (job.table41) {
-        mesh = columns();
-        job.settings.model = "columns";
+        mesh = columns(job.options.read, notes);
+        job.settings.model = "columns.obj"; // as `generate columns` writes it
         job.settings.minutes = 60;
     } else {
         mesh = readObj(job.settings.model, job.options.read, notes);
@@ -106,17 +133,13 @@ int runStudy(Arguments &words) {
     double began = wallSeconds();
     Study study(job.settings, mesh, gl, workers, &stop, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
-    if (job.table41) {
-        study.chapter("table", 1);
-        studyTable(study, true);
-    } else {
-        runChapters(study);
-    }
+    bool whole = job.table41 ? writeChapters(study, kTable41) : writeChapters(study, kChapters);
     writeSummary(study);
     page.finish();
-    study.check();
     folder.finish();
     bar.clear();
+    if (!whole)
+        throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
     std::printf("%s/index.html: %.1f minutes, %zu solutions, %zu measurements left out\n", job.out.c_str(),
                 (wallSeconds() - began) / 60, study.measured.size(), study.leftOut.size());
     return 0;

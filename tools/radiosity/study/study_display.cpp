@@ -3,6 +3,7 @@
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/study/gathering.h"
+#include "tools/radiosity/study/rows_by_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,7 +48,8 @@ void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
     // The radiosities of what reflects and does not emit, and the greatest of all
     std::vector<float> all;
-    float most = 0;
+    float most = 0, brightestLamp = 0;
+    for (const Rgb &e : solution.emits) brightestLamp = std::max(brightestLamp, maxComponent(e));
     for (size_t t = 0; t < solution.texels.size(); ++t) {
         auto chart = (size_t)solution.texels[t].chart;
         float light = maxComponent(solution.light[t] * solution.reflects[chart] + solution.emits[chart]);
@@ -79,12 +81,13 @@ void mappings(Study &study, const Solution &solution) {
               shown((double)(most / bright)) +
               " times as bright as what 99 % of all other lit surfaces do not exceed.");
     page.pictures(pictures);
+    std::string times = shown((double)(most / bright)) + " times";
     study.advice.push_back(
-        std::string("Mapping: ") +
-        (most / bright > 4
-             ? "logarithmic, or the film's curve: the lamps outshine what they light by " +
-                   shown((double)(most / bright)) + " times, and a linear mapping leaves that dark."
-             : "any: nothing outshines the rest by more than " + shown((double)(most / bright)) + " times."));
+        most / bright > 4 ? std::string("Mapping: logarithmic, or the film's curve: ") +
+                                (brightestLamp >= most ? "the lamps outshine what they light by "
+                                                       : "the brightest place outshines the others by ") +
+                                times + ", and a linear mapping leaves these dark."
+                          : "Mapping: any: nothing outshines the rest by more than " + times + ".");
 }
 
 // Solutions shown flat and interpolated.
@@ -92,48 +95,32 @@ class Shown {
 public:
     explicit Shown(Study &study) : study(study), camera(cameraOf(study)) { camera.logarithmic = true; }
 
-    // With hemicubes of so many pixels in the middles of patches, and at their corners.
-    Solution byRows(int px) {
-        Solved middle = study.solve(study.thesis(kPatches, px));
-        SolveSettings s = study.thesis(kPatches, px);
-        s.findRows = [this, px](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers,
-                                Arena &arena, FormFactors &factors, const Progress &progress) {
-            EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
-            return rowsByHemicubes(study.gl, px, 4, 0, eyes)(m, scene, lit, workers, arena, factors,
-                                                             progress);
-        };
+    // With hemicubes of so many pixels in the middles of patches, and at their corners; with 0 by rays.
+    Solution solve(int px) {
+        SolveSettings s = study.thesis(kPatches, std::max(px, 16));
+        if (!px) s.findRows = rowsByRays(kRays);
+        Solved middle = study.solve(s);
+        s.findRows = px ? atCorners(px) : rowsByRays(4 * kRays, true);
         Solved corners = study.solve(s);
         Errors one = show("in the middle", "middle", middle),
                four = show("at four corners", "corners", corners);
+        std::string what =
+            px ? "hemicube of " + std::to_string(px) + " pixels"
+               : "point that sends " + std::to_string(kRays) + " rays (hemicubes would take too long)";
         study.page.text(
-            "Every patch has a hemicube of " + std::to_string(px) +
-            " pixels in its middle, or one near each of its corners, a tenth of its side inside, whose mean "
-            "counts. The light of patches is shown flat, or interpolated between their middles within one "
-            "plane; across edges nothing is interpolated.");
+            "Every patch has a " + what +
+            " in its middle, or one near each of its corners, a tenth of its side inside, whose mean "
+            "counts. The light of patches is shown flat, or interpolated between their middles within "
+            "one plane; across edges nothing is interpolated.");
         advise(one);
         bool better = four.interpolated < 0.9 * one.interpolated;
         study.advice.push_back(
             "Middle or corners: the " + std::string(better ? "corners" : "middle") +
-            ": four hemicubes at the corners are " + shown(four.interpolated) + " % off, one in the middle " +
+            ": gathered at four corners light is " + shown(four.interpolated) + " % off, in the middle " +
             shown(one.interpolated) + " %, for " +
             shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
             " times the time.");
         return std::move(middle.solution);
-    }
-
-    // With shots, where all rows take too long.
-    Solution byShots(int px, int shots) {
-        SolveSettings s = study.thesis(kPatches, px);
-        s.shots = shots;
-        Solved b = study.solve(s);
-        Errors errors = show(std::to_string(b.report.shots) + " shots", "shots", b);
-        study.page.text(
-            "The light is shot. It is shown flat, one light for each patch, or interpolated between their "
-            "middles within one plane.");
-        advise(errors);
-        study.leftOut.push_back(
-            "display: hemicubes at corners, whose rows take too long (one gather has them)");
-        return std::move(b.solution);
     }
 
     void finish() const {
@@ -141,7 +128,7 @@ public:
         study.page.pictures(pictures);
     }
 
-    static constexpr int kPatches = 1500;
+    static constexpr int kPatches = 1500, kRays = 128;
 
 private:
     Study &study;
@@ -151,6 +138,15 @@ private:
         "display",
         {"hemicubes", "shown", "patches", "processor_s", "rms_percent", "median_percent"},
         {"hemicubes", "light within a patch", "patches", "processor, s", "error (rms), %", "median, %"}};
+
+    RowFinder atCorners(int px) const {
+        return [this, px](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers,
+                          Arena &arena, FormFactors &factors, const Progress &progress) {
+            EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
+            return rowsByHemicubes(study.gl, px, 4, 0, eyes)(m, scene, lit, workers, arena, factors,
+                                                             progress);
+        };
+    }
 
     struct Errors {
         double flat, interpolated;
@@ -184,17 +180,12 @@ private:
 void studyDisplay(Study &study) {
     study.page.heading("Flat and interpolated; middle and corners");
     Shown shown(study);
-    // Rows in the middles and at four corners, or shots in half of the time
     int px = 0;
     for (int tried : {50, 32, 16})
         if (!px && study.fits(6 * study.patchesFor(Shown::kPatches) * study.hemicubeSeconds(tried) +
                               2 * study.divideSeconds()))
             px = tried;
-    double seconds = (study.left() - study.divideSeconds()) / 2;
-    Solution solution =
-        px ? shown.byRows(px)
-           : shown.byShots(50,
-                           (int)std::clamp(seconds / std::max(study.hemicubeSeconds(50), 1e-6), 50., 4000.));
+    Solution solution = shown.solve(px);
     shown.finish();
     mappings(study, solution);
 }

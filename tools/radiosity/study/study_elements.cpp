@@ -1,7 +1,9 @@
 // Adaptive against uniform elements.
+#include "tools/radiosity/study/rows_by_rays.h"
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace odraz {
 
@@ -19,18 +21,16 @@ void studyElements(Study &study) {
     PageTable table = {"elements",
                        {"elements", "kind", "processor_s", "rms_percent", "median_percent"},
                        {"elements", "", "processor, s", "error (rms), %", "median, %"}};
-    // Rows where they fit, else so many shots as do
-    double hemicube = study.hemicubeSeconds(16), each = study.left() / 7, rest = each - study.divideSeconds();
-    int shots = 0;
-    if (1.5 * hemicube * study.patchesFor(6000) > rest)
-        shots = (int)std::clamp(rest / 2 / std::max(hemicube, 1e-6), 50., 4000.);
+    // Rows by hemicubes where they fit, else by rays
+    constexpr int kRays = 128;
+    double each = study.left() / 7;
+    bool rays = 1.5 * study.hemicubeSeconds(16) * study.patchesFor(6000) > each - study.divideSeconds();
     page.text(
-        "Lamps are seen by shadow rays, patches by hemicubes of 16 pixels" +
-        (shots ? "; " + std::to_string(shots) + " of them shoot the light, since all rows would take too long"
-               : std::string()) +
+        "Lamps are seen by shadow rays, patches by " +
+        (rays ? std::to_string(kRays) + " rays, since hemicubes of all of them would take too long"
+              : std::string("hemicubes of 16 pixels")) +
         ". Adaptive solutions begin with elements of sixteen times the area and divide those over which "
-        "direct light "
-        "changes.");
+        "direct light changes.");
     struct Best {
         double seconds, rms;
         size_t elements;
@@ -42,18 +42,17 @@ void studyElements(Study &study) {
              isAdaptive ? std::vector<int>{30000, 120000, 480000} : std::vector<int>{7500, 30000, 120000}) {
             std::string kind = isAdaptive ? "adaptive" : "uniform";
             if (!study.fits(longest)) {
-                study.leftOut.push_back("elements: " + kind + ", " + std::to_string(elements));
+                study.leftOut.push_back("elements: about " + std::to_string(elements) + ", " + kind);
                 continue;
             }
             SolveSettings s = study.settings.solve;
             s.way = Way::kPatches;
             s.element = study.area / elements;
             s.adaptive = isAdaptive;
-            s.shots = shots;
-            std::string options = "--hemicube 16 --element " + shown(s.element, 6) +
-                                  (isAdaptive ? " --adaptive" : "") +
-                                  (shots ? " --shots " + std::to_string(shots) : "");
-            Solved b = study.measure(std::to_string(elements) + " " + kind + " elements", options, s);
+            if (rays) s.findRows = rowsByRays(kRays);
+            std::string options =
+                "--hemicube 16 --element " + shown(s.element, 6) + (isAdaptive ? " --adaptive" : "");
+            Solved b = study.measure(rays ? kind + ", with rows by rays" : kind, options, s);
             const MeasuredSolution &r = study.measured.back();
             longest = std::max(longest, 1.5 * r.wall);
             size_t count = b.solution.elements();
@@ -65,15 +64,22 @@ void studyElements(Study &study) {
     page.table(table);
     page.plot("elements", plot);
     if (uniform.empty() || adaptive.empty()) return;
-    // The best uniform one, and the cheapest adaptive one that is as good
+    // Of both kinds the cheapest that is as good as the worse kind can be: that error both reach
     constexpr double kAsGood = 1.05;
-    auto less = [](const Best &a, const Best &b) { return a.rms < b.rms; };
-    Best u = *std::min_element(uniform.begin(), uniform.end(), less),
-         a = *std::min_element(adaptive.begin(), adaptive.end(), less);
-    for (const Best &b : adaptive)
-        if (b.rms <= kAsGood * u.rms && (a.rms > kAsGood * u.rms || b.seconds < a.seconds)) a = b;
-    bool better = a.rms <= kAsGood * u.rms && a.seconds < u.seconds;
-    study.advice.push_back("Elements: " + std::string(better ? "adaptive" : "uniform") + ": " +
+    auto least = [](const std::vector<Best> &all) {
+        double rms = INFINITY;
+        for (const Best &b : all) rms = std::min(rms, b.rms);
+        return rms;
+    };
+    double reached = kAsGood * std::max(least(uniform), least(adaptive));
+    auto cheapest = [&](const std::vector<Best> &all) {
+        const Best *best = nullptr;
+        for (const Best &b : all)
+            if (b.rms <= reached && (!best || b.seconds < best->seconds)) best = &b;
+        return best ? *best : all[0];
+    };
+    Best u = cheapest(uniform), a = cheapest(adaptive);
+    study.advice.push_back("Elements: " + std::string(a.seconds < u.seconds ? "adaptive" : "uniform") + ": " +
                            std::to_string(a.elements) + " adaptive ones are " + shown(a.rms) +
                            " % off after " + shown(a.seconds) + " s, " + std::to_string(u.elements) +
                            " uniform ones " + shown(u.rms) + " % after " + shown(u.seconds) + " s.");

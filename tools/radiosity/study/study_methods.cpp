@@ -156,7 +156,8 @@ void studyMethods(Study &study) {
     }
     SolveSettings settings = study.thesis(size.patches, size.px);
     if (rays) settings.findRows = rowsByRays(kRays);
-    Solved base = study.solve(settings);
+    Solved base = rays ? study.solve(settings) : study.gather(size.patches, size.px);
+    if (!rays) study.gathered = {size.px, base.solution, study.measured.back(), base.report.patches};
     Converging converging(study, base);
     std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
     curves.push_back(converging.shooting(size.px, std::max(study.left() * 0.8, 2.)));

@@ -6,6 +6,34 @@
 
 namespace odraz {
 
+namespace {
+
+// How far the reference can be trusted.
+void tellReference(Study &study) {
+    const ReferenceErrors &e = study.referenceErrors;
+    if (!e.unknown.empty()) {
+        study.page.text("How far the reference itself is off is not known: " + e.unknown + ".");
+        return;
+    }
+    // What is smaller than the paths' noise cannot be told from it
+    auto told = [](const MeshErrors &m) {
+        return (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
+               " % off (rms; median " + shown(m.median, 2) + " %)";
+    };
+    std::string text = "The reference itself is " + told(e.reference) +
+                       " path tracing, which has neither its rays nor its elements: at " +
+                       std::to_string(e.places) + " places with " + std::to_string(e.paths) +
+                       " paths from each, whose own noise of " + shown(e.reference.noise, 2) +
+                       " % is subtracted from the rms. Errors in the tables that are smaller tell little.";
+    if (study.finalRays)
+        text += " The solution by rays has rays and elements like the reference's, so its error against that "
+                "is too small; it is " +
+                told(e.byRays) + " the paths.";
+    study.page.text(text);
+}
+
+} // namespace
+
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
@@ -14,25 +42,23 @@ void writeSummary(Study &study) {
               " polygons in one plane each. Errors are against a reference, a solution by rays " +
               (study.finalRays ? "with a final gather of " + std::to_string(study.finalRays) + " rays"
                                : std::string("without a final gather, for which there was no time")) +
-              ", which shares neither hemicubes nor patches with what is measured here, at 2000 places "
-              "spread by area. "
-              "rms is the root mean square of the differences in luminance as a share of that of the "
-              "reference's light.");
+              ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
+              "square of the differences in luminance as a share of that of the reference's light.");
+    tellReference(study);
     std::vector<MeasuredSolution> all = study.measured;
     std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.seconds < b.seconds; });
     PageTable table = {"solutions",
-                       {"solution", "processor_s", "wall_s", "rms_percent", "median_percent", "options"},
-                       {"solution", "processor, s", "clock, s", "error (rms), %", "median, %",
-                        "options of radiosity solve"}};
+                       {"solution", "processor_s", "wall_s", "rms_percent", "median_percent", "command"},
+                       {"solution", "processor, s", "clock, s", "error (rms), %", "median, %", "command"}};
     // Of what was measured, those that nothing beats in both time and error
     double least = INFINITY;
     const MeasuredSolution *cheapest = nullptr;
     PageTable front = table;
     for (const MeasuredSolution &m : all) {
         std::vector<std::string> row = {
-            m.name, shown(m.seconds), shown(m.wall), shown(m.errors.rms), shown(m.errors.median), m.options};
+            m.name, shown(m.seconds), shown(m.wall), shown(m.errors.rms), shown(m.errors.median), m.command};
         table.rows.push_back(row);
-        if (!(m.errors.rms < least)) continue;
+        if (m.command.empty() || !(m.errors.rms < least)) continue;
         least = m.errors.rms;
         front.rows.push_back(row);
         if (!cheapest && m.errors.rms <= study.settings.within) cheapest = &m;
@@ -42,7 +68,7 @@ void writeSummary(Study &study) {
     if (cheapest)
         advice.push_back("The cheapest solution within " + shown(study.settings.within) +
                          " %: " + cheapest->name + ": " + shown(cheapest->errors.rms) + " % off after " +
-                         shown(cheapest->seconds) + " s (radiosity solve " + cheapest->options + ").");
+                         shown(cheapest->seconds) + " s (" + cheapest->command + ").");
     else if (std::isfinite(least))
         advice.push_back("No solution that was measured is within " + shown(study.settings.within) +
                          " %; the best is " + shown(least) + " % off.");
@@ -56,8 +82,10 @@ void writeSummary(Study &study) {
         page.table(table, false);
     }
     if (!study.leftOut.empty()) {
-        page.text("Left out, because " + shown(study.settings.minutes) +
-                  " minutes do not allow it (--minutes):");
+        page.text(__atomic_load_n(study.stop, __ATOMIC_RELAXED)
+                      ? "Left out, because the study was interrupted or had no time:"
+                      : "Left out, because " + shown(study.settings.minutes) +
+                            " minutes do not allow it (--minutes):");
         page.list(study.leftOut);
     }
     if (!study.notes.empty()) {

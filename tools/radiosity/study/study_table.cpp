@@ -8,7 +8,8 @@ namespace odraz {
 
 namespace {
 
-constexpr int kMostShots = 16000, kLeastShots = 200, kThesisShots = 8000;
+constexpr int kFirst = 1500, // patches of the smallest size
+    kMostShots = 16000, kLeastShots = 200, kThesisShots = 8000;
 
 // The thesis's minutes: Athlon X2 4600+, GeForce 7600 GT, 7 passes with a hemicube from every triangle.
 constexpr int kThesisSizes[] = {26360, 136512, 546048}, kThesisRasters[] = {100, 200, 500};
@@ -34,8 +35,7 @@ TableCell shoot(Study &study, int patches, int px, int shots) {
     std::string options = "--direct hemicube --hemicube " + std::to_string(px) + " --patch " +
                           shown(s.patch, 6) + " --element " + shown(s.element, 6) + " --shots " +
                           std::to_string(shots) + " --residual 0.005";
-    Solved b =
-        study.measure(std::to_string(patches) + " patches shot by " + std::to_string(px) + " px", options, s);
+    Solved b = study.measure("shot by " + std::to_string(px) + " px", options, s);
     const MeasuredSolution &m = study.measured.back();
     return {b.report.patches,
             b.report.shots,
@@ -46,24 +46,33 @@ TableCell shoot(Study &study, int patches, int px, int shots) {
             m.errors};
 }
 
-} // namespace
+class Table {
+public:
+    Table(Study &study, bool ofThesis) : study(study), ofThesis(ofThesis) {
+        if (ofThesis) table.columns.push_back("thesis_min"), table.heads.push_back("thesis, min");
+        plot.joined = true;
+    }
 
-void studyTable(Study &study, bool ofThesis) {
-    Page &page = study.page;
-    page.heading(ofThesis ? "The thesis's Table 4.1" : "Three sizes by three rasters");
-    page.text(
-        "Elements that are as large as patches receive light; blocks of them shoot it, through a hemicube at "
-        "one of their patches, those with most light first, until 0.5 % of the light is not shot yet or the "
-        "shots are used up. What is not shot then counts as spread evenly. Hemicubes see the lamps. The last "
-        "time is an estimate: a hemicube from every patch, once, as gathering needs; the thesis draws each "
-        "of "
-        "them again in every pass.");
+    void fill() {
+        for (int row = 0, asked = 0; row < 3; ++row) {
+            asked = ofThesis ? kThesisSizes[row] : sizeAfter(asked);
+            for (int column = 0; column < 3; ++column) fillCell(row, column, asked);
+        }
+    }
+    void finish() {
+        if (table.rows.empty()) return;
+        study.page.table(table);
+        study.page.plot("table", plot);
+    }
+
+private:
+    Study &study;
+    bool ofThesis;
     PageTable table = {"table",
                        {"patches", "px", "shots", "processor_s", "wall_s", "ms_per_shot", "unshot_percent",
                         "rms_percent", "median_percent", "every_patch_min"},
                        {"patches", "pixels", "shots", "processor, s", "clock, s", "ms a shot", "not shot, %",
                         "error (rms), %", "median, %", "every patch, min"}};
-    if (ofThesis) table.columns.push_back("thesis_min"), table.heads.push_back("thesis, min");
     Plot plot = {"light that is shot: error against time, a mark for each raster",
                  "processor time, s",
                  "error (rms), %",
@@ -71,47 +80,79 @@ void studyTable(Study &study, bool ofThesis) {
                  {},
                  true,
                  true};
-    plot.joined = true;
-    for (int row = 0, last = 0; row < 3; ++row) {
-        int patches = ofThesis ? kThesisSizes[row] : 1500 << 2 * row;
-        plot.series.push_back(std::to_string(patches) + " patches");
-        // A model of many polygons has more patches than asked for
-        int real = study.patchesFor(patches);
-        if (!ofThesis && real < 1.2 * last) continue;
-        last = real;
-        for (int column = 0; column < 3; ++column) {
-            int px = kThesisRasters[column], shots = kThesisShots;
-            if (!ofThesis) {
-                double allowed = study.left() / (9 - 3 * row - column) - study.divideSeconds();
-                shots = (int)std::clamp(allowed / std::max(study.hemicubeSeconds(px), 1e-5), 0.,
-                                        (double)kMostShots);
-            }
-            if (shots < kLeastShots) {
-                study.leftOut.push_back("table: " + std::to_string(real) + " patches by " +
-                                        std::to_string(px) + " pixels");
-                continue;
-            }
-            // A shot's time grows as its pixels
-            if (ofThesis) {
-                double before = 0, all = 0;
-                for (int k = 0; k < 9; ++k) {
-                    double work = kThesisRasters[k % 3] * kThesisRasters[k % 3] * (1 + k / 3);
-                    all += work, before += k < 3 * row + column ? work : 0;
-                }
-                study.nextPart(before / all, (before + px * px * (1 + row)) / all);
-            }
-            TableCell cell = shoot(study, patches, px, shots);
-            if (ofThesis) // these take long: each is told when it is done
-                study.say(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
-                          std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
-                          shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
-            table.rows.push_back(rowOf(cell, px));
-            if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
-            plot.points.push_back({cell.processor, cell.errors.rms, std::to_string(px), false, row});
-        }
+    int lastRow = -1; // with a cell
+
+    // Four times as many patches. Where there are many polygons, each of which has one at least, about twice
+    // as many are enough: more would take most of the time for dividing them.
+    int sizeAfter(int asked) const {
+        constexpr int kMost = 1 << 22;
+        if (asked == 0) return kFirst;
+        int now = study.patchesFor(asked), next = now > 3 * asked / 2 ? 2 * asked : 4 * asked;
+        while (next < kMost && study.patchesFor(next) < 1.6 * now) next += next / 2;
+        return next;
     }
-    page.table(table);
-    page.plot("table", plot);
+
+    void fillCell(int row, int column, int asked) {
+        int px = kThesisRasters[column], shots = kThesisShots;
+        if (ofThesis) {
+            showPart(row, column);
+        } else {
+            double allowed = study.left() / (9 - 3 * row - column) -
+                             study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst);
+            shots =
+                (int)std::clamp(allowed / std::max(study.hemicubeSeconds(px), 1e-5), 0., (double)kMostShots);
+        }
+        if (shots < kLeastShots) {
+            study.leftOut.push_back("table: about " + std::to_string(study.patchesFor(asked)) +
+                                    " patches by " + std::to_string(px) + " pixels");
+            return;
+        }
+        TableCell cell = shoot(study, asked, px, shots);
+        if (ofThesis) // these take long: each is told when it is done
+            study.say(std::to_string(cell.patches) + " patches by " + std::to_string(px) +
+                      " pixels: " + std::to_string(cell.shots) + " shots, " + shown(cell.wall) +
+                      " s (processor " + shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
+        table.rows.push_back(rowOf(cell, px));
+        if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
+        if (row != lastRow) plot.series.push_back(std::to_string(cell.patches) + " patches");
+        lastRow = row;
+        plot.points.push_back(
+            {cell.processor, cell.errors.rms, std::to_string(px), false, (int)plot.series.size() - 1});
+    }
+
+    // The work before a cell, and in it: a shot's time grows as its pixels.
+    void showPart(int row, int column) {
+        double before = 0, own = 0, all = 0;
+        for (int k = 0; k < 9; ++k) {
+            double work = kThesisRasters[k % 3] * kThesisRasters[k % 3] * (1 + k / 3);
+            (k < 3 * row + column ? before : k == 3 * row + column ? own : all) += work;
+        }
+        all += before + own;
+        study.nextPart(before / all, (before + own) / all);
+    }
+};
+
+} // namespace
+
+void studyTable(Study &study, bool ofThesis) {
+    Page &page = study.page;
+    page.heading(ofThesis ? "The thesis's Table 4.1" : "Three sizes by three rasters");
+    page.text(
+        "Elements that are as large as patches receive light; blocks of them shoot it, through a hemicube "
+        "at one of their patches, those with most light first, until 0.5 % of the light is not shot yet "
+        "or the shots are used up. What is not shot then counts as spread evenly. Hemicubes see the "
+        "lamps. The last time is an estimate: a hemicube from every patch, once, as gathering needs; the "
+        "thesis draws each of them again in every pass.");
+    Table table(study, ofThesis);
+    try {
+        table.fill();
+    } catch (const Interrupted &) {
+        // What is measured takes long: it stays
+        table.finish();
+        page.keep();
+        throw;
+    }
+    table.finish();
 }
 
 } // namespace odraz
