@@ -16,6 +16,6 @@ cc -c "$WORK/small.c" -o "$WORK/small.o"
 check "pack-link finds it there" prints '^linked$' bash -c './pack-link "$1/small.o" -o "$1/small" >/dev/null && exec "$1/small"' - "$WORK"
 check "radiosity solves from there" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && exec ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
 doc=$prefix/share/doc/$FILM
-check "their READMEs are there" test -s "$doc/pack/README.md" -a -s "$doc/radiosity/README.md" -a -s "$doc/CI.md" -a -s "$doc/LICENSE.txt"
+check "their READMEs are there" test -s "$doc/pack/README.md" -a -s "$doc/radiosity/README.md" -a -s "$doc/radiosity/METHOD.md" -a -s "$doc/CI.md" -a -s "$doc/LICENSE.txt"
 check "... and nothing else of this house" test "$(cd "$prefix" && echo *)" = "bin share"
 finish

@@ -55,7 +55,7 @@ check "the tools unpack" tar -C "$WORK" -xzf "$WORK/one/$tools.tar.gz"
 cd "$WORK/$tools" || exit 1
 check "... whole" sha256sum -c --quiet --strict SHA256SUMS
 check "... all of them in the checksums" test "$(wc -l <SHA256SUMS)" = "$(find . -type f ! -name SHA256SUMS | wc -l)"
-check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc/radiosity/README.md -a -s doc/CI.md -a -s LICENSE.txt -a -s NOTICES.txt
+check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc/radiosity/README.md -a -s doc/radiosity/METHOD.md -a -s doc/CI.md -a -s LICENSE.txt -a -s NOTICES.txt
 check "nothing is left to fill in" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
 check "their README has 80 columns" test "$(wc -L <README.txt)" -le 80
 for program in compare pack radiosity; do

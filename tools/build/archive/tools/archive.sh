@@ -10,7 +10,7 @@ done
 TEXTS=$TEXTS/tools text README.txt
 cp "$TEXTS/LICENSE.txt" "$TEXTS/tools/NOTICES.txt" "$linux"
 cp "$ODRAZ/packer/README.md" "$ODRAZ/packer/report.png" "$linux/doc/pack"
-cp "$ODRAZ/tools/radiosity/README.md" "$linux/doc/radiosity"
+cp "$ODRAZ/tools/radiosity/README.md" "$ODRAZ/tools/radiosity/METHOD.md" "$linux/doc/radiosity"
 cp "$ODRAZ/tools/CI.md" "$linux/doc"
 (cd "$linux" && find . -type f -printf '%P\n' | sort | xargs sha256sum >"$work/sums" && mv "$work/sums" SHA256SUMS)
 find "$linux" -type f -exec chmod 0644 {} +
