@@ -1,39 +1,5 @@
 # pack-link with programs as their makers write them: they must do what they do when cc links them.
-. "$(dirname "$0")/common.sh"
-skip_unless gcc
-needs_built pack-link
-link=$BUILD/pack-link
-cd "$WORK" || exit 1
-
-says() { # says COMMAND...: what it prints, on each output, and its exit status
-    timeout "$PATIENCE" "$@" >said.1 2>said.2
-    echo "status $?" >>said.2
-    cat said.1 said.2
-} 2>/dev/null # where the shell tells of signals
-# takes WAY WORD...: pack-link links them to packed/run, in that way, without a word on stderr
-takes() {
-    local way=$1
-    shift
-    mkdir -p packed
-    "$link" "$@" -o packed/run >told 2>err && [ ! -s err ] && grep -q "^$way .*<- taken" told && return 0
-    cat told err >&2
-    return 1
-}
-# same COMPILER WORD...: packed/run does what the program does that COMPILER links of the words
-same() {
-    local compiler=$1
-    shift
-    mkdir -p plain
-    $compiler "$@" -o plain/run || return 1
-    (cd plain && says ./run a 'b c') >wanted
-    (cd packed && says ./run a 'b c') >got
-    cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
-}
-# every OBJECT...: the program is the same by each way that is possible
-ways() {
-    local way
-    for way in dynamic imports; do takes $way --way $way "$@" && same "gcc -no-pie" "$@" || return 1; done
-}
+. "$(dirname "$0")/linking.sh"
 
 # All that a start has to do with: arguments, environment, constructors in their order, atexit and destructors in
 # theirs, data of libc, exit through main() with what is still in stdout's buffer, pointers to functions of libraries
@@ -82,16 +48,6 @@ check "... imports are smaller" takes imports c.o
 check "... and all ways are told" prints '^dynamic .* hash table of sysv$' cat told
 check "... static, too, which is too large" prints '^static .* far too large$' cat told
 check "... and what each object costs" prints '^c.o +[0-9]+ +[0-9]+$' cat told
-
-cat >small.c <<'END'
-#include <stdio.h>
-int main(int count, char **words) { return printf("%d %s\n", count, words[1]); }
-END
-static=gcc
-command -v musl-gcc >/dev/null && static=musl-gcc # a hundredth of the size
-$static -Os -c small.c
-check "static, where it is asked for" takes static small.o --way static --cc $static
-check "... the same" same "$static -static" small.o
 
 # Libraries: of maths, of threads, of one's own
 cat >libraries.c <<'END'
