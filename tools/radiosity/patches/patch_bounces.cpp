@@ -1,0 +1,109 @@
+#include "tools/radiosity/patches/patch_solver.h"
+
+#include "tools/radiosity/patches/patch_rows.h"
+#include "tools/radiosity/patches/shooting.h"
+#include "tools/radiosity/solution/memory.h"
+
+#include <algorithm>
+
+namespace odraz {
+
+static constexpr int kMostSweeps = 10000;
+
+void PatchSolver::makeSystem() {
+    System &system = r.system;
+    if (!fillSystem(r, m, p.arena, task.workers))
+        refuseMemory(p.arena, (size_t)m.patchCount * kSolveBlock * 4 * sizeof(float));
+    for (size_t i = 0; i < (size_t)m.patchCount; ++i)
+        for (size_t k = 0; k < 9; ++k)
+            if (k % 4) system.reflectance[i * (size_t)system.columns + k] = 0;
+}
+
+void PatchSolver::solveBounces() {
+    makeSystem();
+    System &system = r.system;
+    size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
+    const float *seen = s.analytic ? nullptr : lightOfSeenLamps();
+    for (size_t i = 0; seen && i < all; ++i) system.direct[i] += seen[i];
+    s.bounces < 0 ? solveToResidual() : countBounces();
+    findIndirect(system, task.workers);
+    for (size_t i = 0; seen && i < all; ++i) system.indirect[i] += seen[i];
+    spreadLight(r, m, task.workers);
+    settleLight(r, m, task.workers);
+}
+
+void PatchSolver::shootLight() {
+    makeSystem();
+    System &system = r.system;
+    auto count = (size_t)m.patchCount, columns = (size_t)system.columns;
+    std::vector<Rgb> emits(count), direct(count);
+    for (size_t i = 0; i < count; ++i) {
+        const float *arrives = system.direct + i * columns;
+        direct[i] = {arrives[0], arrives[4], arrives[8]};
+        if (!s.analytic) emits[i] = task.solution.emits[(size_t)m.patches[i].chart];
+    }
+    // A quarter of the shots for the lamps; the others let every block of patches shoot about three times
+    Shooting shooting(m, blocksOfPatches(m, emits, std::max(s.shots / 4, 1)), emits, std::move(direct));
+    HemicubeShooter shooter(gl, m, s.hemicube, s.turn);
+    for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
+        if (task.stopped()) report.whole = false;
+        int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
+        if (shot == 0) break;
+        report.shots += shot;
+        task.tell(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());
+    }
+    report.residual = (float)shooting.left();
+    Rgb ambient = shooting.ambient();
+    r.factors.rows = takeOrRefuse<Row>(p.arena, count);
+    for (size_t i = 0; i < count; ++i) {
+        Rgb arrives = shooting.arrives()[i] + ambient;
+        float *to = system.indirect + i * columns;
+        to[0] = arrives.x, to[4] = arrives.y, to[8] = arrives.z;
+        r.factors.rows[i].known = m.patches[i].share > 0; // hidden patches get their neighbours' light
+    }
+    spreadLight(r, m, task.workers);
+    settleLight(r, m, task.workers);
+}
+
+const float *PatchSolver::lightOfSeenLamps() {
+    const System &system = r.system;
+    size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
+    auto *seen = takeOrRefuse<float>(p.arena, all), *lamps = takeOrRefuse<float>(p.arena, all);
+    for (int i = 0; i < m.patchCount; ++i) {
+        Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
+        float *to = lamps + (size_t)i * columns;
+        to[0] = e.x, to[4] = e.y, to[8] = e.z;
+    }
+    findIndirect(r.factors, m.patchCount, system.columns, lamps, seen, task.workers);
+    return seen;
+}
+
+void PatchSolver::countBounces() {
+    for (Progress progress = tell(SolveStep::kSolving); report.sweeps < s.bounces;
+         progress((float)report.sweeps / (float)s.bounces)) {
+        bounce(r.system, task.workers);
+        ++report.sweeps;
+        watch(r.system.radiosity);
+    }
+}
+
+void PatchSolver::solveToResidual() {
+    report.residual = kInfinity; // it may be stopped before the first sweep
+    task.workers.abort = task.stop;
+    report.sweeps =
+        odraz::solve(r.system, task.workers, s.residual, kMostSweeps,
+                     {[](float residual, void *own) { ((PatchSolver *)own)->afterSweep(residual); }, this});
+    task.workers.abort = &kNever;
+    if (!report.whole || report.residual <= s.residual || !task.stopped()) return;
+    report.whole = false;
+    keepPatchRows(task, p);
+}
+
+void PatchSolver::afterSweep(float residual) {
+    report.residual = residual;
+    task.tell(SolveStep::kSolving, task.solvedShare(residual), residual);
+    // There is one block, whose radiosities solve() keeps there
+    watch(r.system.indirect);
+}
+
+} // namespace odraz

@@ -1,0 +1,77 @@
+// The stages of a solution between patches, as solveByPatches() runs them.
+#pragma once
+
+#include "tools/common/machine.h"
+#include "tools/radiosity/patches/patch_system.h"
+#include "tools/radiosity/solution/solve_task.h"
+
+namespace odraz {
+
+// Finding form factors and solving may be cut short; the other stages always run to their end.
+class PatchSolver {
+public:
+    PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl)
+        : task(task), s(task.settings), report(task.report), p(p), m(*p.model), r(p.radiosity), gl(gl),
+          abort(task.workers.abort) {
+        task.workers.abort = &kNever;
+    }
+    PatchSolver(const PatchSolver &) = delete;
+    ~PatchSolver() { task.workers.abort = abort; }
+
+    void run();
+    // Solves with kept rows and direct light.
+    void relight();
+
+private:
+    SolveTask &task;
+    SolveSettings &s;
+    SolveReport &report;
+    PatchSystem &p;
+    Model &m;
+    Radiosity &r;
+    const Gl &gl;
+    const int *abort; // what the workers watched before
+    SolveStep step = SolveStep::kDividing;
+    DirectShares shares; // for keepRows()
+
+    void keepRows();
+    Progress tell(SolveStep which);
+
+    // --- Patches and elements ---
+    void divide();
+    // The number of cells along a side of a patch.
+    int cellsOfPatch() const;
+    void findPictured(std::vector<std::string> &notes);
+    static size_t texelBytes(size_t texels);
+    void refuseTooMany(int levels);
+
+    // --- Direct light ---
+    // Prepares direct light: by shadow rays from the texels or, where that takes too long, by hemicubes.
+    void findLights();
+    void findDirectLight();
+    void takePlanes();
+    // Adds the light of suns, lamps and sky to that of the model's own lamps.
+    void addOutsideLight();
+
+    // --- Bounces ---
+    // The reflectance of patches, and the direct light that arrives there. The right-hand sides are separate
+    // colours: red light has no green.
+    void makeSystem();
+    // Solves for the light that patches receive and reflect, and from it the texels' reflected light.
+    void solveBounces();
+    // Shoots light instead of solving with rows.
+    void shootLight();
+    // The light of lamps that hemicubes find, for each patch and column.
+    const float *lightOfSeenLamps();
+    void countBounces();
+    void solveToResidual();
+    void afterSweep(float residual);
+
+    // --- The solution ---
+    void fillGeometry();
+    void fillSolution();
+    // Shows the light so far; without radiosities only direct light.
+    void watch(const float *radiosity);
+};
+
+} // namespace odraz
