@@ -92,6 +92,37 @@ ended $pid
 check "ESC ends it with status 0" test $? = 0
 check "... without a word" test ! -s err
 
+# More lamps than there are numbers, and of other strengths than 1
+balls=()
+for k in $(seq 11); do balls+=(--lamp "-1.$((9 - k % 10)),0.$((k % 9 + 1)),-1.$((k % 9)),0.2,$((k % 3)),2,$((k % 2))"); done
+check "a room of 13 lamps" prints '13 ball 11$' "$radiosity" transfer hall.obj -o many.prt --rays 16 --element 0.04 --bands 2 "${balls[@]}"
+many() { "$radiosity" view many.prt "${at[@]}" "$@" >told 2>err; }
+many --screenshot three.png --lamps 1,2=3,12=9
+many --screenshot weak.png --lamps 1,2,12=9
+many --screenshot without.png --lamps 1,2=3
+many --screenshot first.png --lamps 1,12=9
+for other in weak without first; do check "$other.png is another picture" eval "! like $other.png three.png 46"; done
+check "a window" begin "$radiosity" view many.prt "${at[@]}" --lamps 1,2=3,12=9
+await focused
+check "... with three of them" await titled 'lamps 1 2 12 '
+await shows three.png
+xdotool key shift+2
+check "Shift and 2: without the twelfth" await shows without.png
+xdotool key shift+2
+check "... which comes back as strong as it was" await shows three.png
+xdotool key 2
+check "key 2: without the second" await shows first.png
+xdotool key 2
+check "... which comes back, too" await shows three.png
+xdotool key shift+3
+check "Shift and 3: the thirteenth, which was off" await titled 'lamps 1 2 12 13 '
+xdotool key c
+check "key C tells strengths" await grep -qE -- '--lamps 1,2=3,12=9,13$' out
+xdotool key shift+4 shift+9
+check "Shift and numbers of no lamp do nothing" await titled 'lamps 1 2 12 13 '
+xdotool key Escape
+ended $pid
+
 check "a turn of the sky" prints '^[0-9.]+ pictures a second of 320 x 200' "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" --spin 2
 sed -n '$p' printed
 check "... is more than a few pictures" eval 'less 3 "$(sed -nE "s/^([0-9.]+) pictures a second.*/\1/p" printed)"'

@@ -17,6 +17,8 @@ RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*w
       lit(room.model), clusters(room.clusters), wanted(clusters.count), wake(wake) {
     RelightOptions::Light light = options.of(room);
     sky = light.sky, lighting = std::move(light.lighting);
+    strengths = lighting.lamps;
+    for (float &s : strengths) s = s > 0 ? s : 1;
     exactRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
     shown = std::make_shared<const ViewMesh>(lit);
     finder = std::thread([this] { findOthers(); });
@@ -61,17 +63,15 @@ void RelitRoom::setClusters(int count) {
     asked.notify_one();
 }
 
-bool RelitRoom::key(int key) {
+bool RelitRoom::key(int key, bool shift) {
     auto toggle = [&](int lamp) {
         if (lamp < (int)room.lamps.size()) {
             float &strength = lighting.lamps[(size_t)lamp];
-            strength = strength > 0 ? 0.f : 1.f;
+            strength = strength > 0 ? 0.f : strengths[(size_t)lamp];
         }
     };
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-        toggle(key - GLFW_KEY_1);
-    else if (key == GLFW_KEY_0)
-        toggle(9);
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) // 0 stands behind 9
+        toggle((key == GLFW_KEY_0 ? 9 : key - GLFW_KEY_1) + (shift ? 10 : 0));
     else if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET)
         lighting.bands = std::clamp(lighting.bands + (key == GLFW_KEY_LEFT_BRACKET ? -1 : 1), 1, room.bands);
     else if (key == GLFW_KEY_MINUS || key == GLFW_KEY_EQUAL) {
