@@ -26,7 +26,7 @@ render plain.png
 check "a picture" view --screenshot view.png
 check "... is render's" like view.png plain.png 44
 check "... and the loss is told" grep -q 'sky.hdr: 5 bands hold' told
-for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40"; do
+for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40" "--clusters 20" "--clusters 3 --rank 1"; do
     # shellcheck disable=SC2086 # options are several words
     check "with $more" view $more --screenshot view.png
     # shellcheck disable=SC2086
@@ -46,7 +46,7 @@ check "a window" begin "$radiosity" view hall.prt --relight sky.hdr "${at[@]}"
 check "... has the keyboard" await focused
 check "... tells its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
-check "... and what it is" titled 'turn 0  5 bands  exact rows  lamps 1 2'
+check "... and what it is" titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
 xdotool key 1
 check "key 1: without the first lamp" await shows one.png
 check "... tells so" await titled 'lamps 2 '
@@ -91,6 +91,33 @@ xdotool key Escape
 ended $pid
 check "ESC ends it with status 0" test $? = 0
 check "... without a word" test ! -s err
+
+# The line of key C, read by a shell: clusters, a tilt, and a sky with an odd name
+odd="it's a \$sky\" "
+cp sky.hdr "$odd"
+check "a window" begin "$radiosity" view hall.prt --relight "$odd" --tilt 25 "${at[@]}"
+await focused
+check "... tells the tilt" await titled 'turn 0  tilt 25  5 bands'
+xdotool key comma minus
+check "... and other clusters" await titled '20 clusters of 7 axes  lamps'
+xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mouseup 3
+xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
+await titled 'turn 10  tilt 30  '
+xdotool key c
+check "key C tells clusters" await grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
+line=$(grep -e '^--eye' out | tail -n 1)
+again() { eval "\"$radiosity\" $1 $line" >told; }
+check "... for render" again 'render hall.prt -o render.png'
+check "... for view" again 'view hall.prt --screenshot view.png'
+like_both() { shot && like shot.png view.png 46 && like shot.png render.png 44; }
+check "... which show the same" await like_both
+xdotool key Escape
+ended $pid
+check "as many clusters as there are" "$radiosity" render hall.prt -o own.png "${at[@]}" --rank 8 --clusters 40
+"$radiosity" render hall.prt -o axes.png "${at[@]}" --rank 8 >out
+check "... are those" cmp own.png axes.png
+check "clusters for what has none" refuses 2 "--clusters is for a room" "$radiosity" view hall.obj --clusters 3
+check "more clusters than texels" refuses 2 "--clusters: the room has" "$radiosity" render hall.prt -o x.png --clusters 4000
 
 # More lamps than there are numbers, and of other strengths than 1
 balls=()

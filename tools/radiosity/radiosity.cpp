@@ -83,6 +83,7 @@ constexpr char kUsage[] =
     "  --lamps LIST       all, none, or numbers or names with commas between, also NAME=STRENGTH (all)\n"
     "  --bands N          use only the first N bands\n"
     "  --rank N           show the clusters with N axes each, instead of the exact rows\n"
+    "  --clusters K       show K clusters, which are found anew, with --rank axes each\n"
     "\n"
     "render traces a picture. Without --eye and --at the camera shows the whole model, from above and\n"
     "to one side, and its place is printed. The exposure adapts to what the camera sees.\n"

@@ -35,6 +35,7 @@ int runRender(Arguments &words) {
         camera.finish("render");
         Workers workers = allProcessors();
         TransferRoom room = TransferRoom::read(in);
+        relight.changeClusters(room, workers);
         if (!camera.placed()) placeCamera(room.model, camera.settings);
         picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
         return 0;
@@ -51,7 +52,7 @@ int runRender(Arguments &words) {
         }
         return s.eye;
     };
-    Solution solution = readLit(in, relight, eyeFor);
+    Solution solution = readLit(in, relight, workers, eyeFor);
     render(solution, s, workers, out);
     return 0;
 }

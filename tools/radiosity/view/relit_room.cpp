@@ -12,6 +12,16 @@
 
 namespace odraz {
 
+// A word as a shell reads it: between quotes, unless it has none but harmless characters.
+static std::string quoted(const std::string &word) {
+    static constexpr char kHarmless[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@%-";
+    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string::npos) return word;
+    std::string all = "'";
+    for (char c : word) all += c == '\'' ? "'\\''" : std::string(1, c);
+    return all + "'";
+}
+
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
       lit(room.model), clusters(room.clusters), wanted(clusters.count), wake(wake) {
@@ -114,7 +124,8 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
 
 std::string RelitRoom::title() const {
     char text[120];
-    std::snprintf(text, sizeof text, "turn %.0f  %d bands  ", around, lighting.bands);
+    std::snprintf(text, sizeof text, "turn %ld  tilt %ld  %d bands  ", std::lround(around), std::lround(tilt),
+                  lighting.bands);
     std::string all = text;
     if (lighting.rank < 0)
         all += "exact rows";
@@ -132,8 +143,9 @@ std::string RelitRoom::title() const {
 std::string RelitRoom::words() const {
     char text[160];
     std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
-    std::string all = (options.skyWord().empty() ? "" : " --sky " + options.skyWord()) + text, lamps;
-    if (lighting.rank >= 0) all += " --rank " + std::to_string(lighting.rank);
+    std::string all = (options.skyWord().empty() ? "" : " --sky " + quoted(options.skyWord())) + text, lamps;
+    if (lighting.rank >= 0)
+        all += " --clusters " + std::to_string(clusters.count) + " --rank " + std::to_string(lighting.rank);
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
         if (float strength = lighting.lamps[k]; strength > 0) {
             std::snprintf(text, sizeof text, strength == 1 ? ",%zu" : ",%zu=%g", k + 1, (double)strength);
