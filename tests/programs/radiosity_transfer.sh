@@ -71,6 +71,16 @@ awk '/^v/ { print $1, $2, -$4, $3; next } 1' room.obj >tall.obj
 "$radiosity" transfer tall.obj -o tall.prt "${fine[@]}" --up z >out
 check "where z is up" "$radiosity" render tall.prt -o tall.png --size 240x160 --eye 0,-7,1.5 --at 0,0,1.5 --up z --sky ahead.hdr --turn 90 --lamps none
 check "... the same picture" like tall.png turned.png 50
+# Without --up the camera stands as the room does
+for up in "" "--up z" "--up y"; do
+    # shellcheck disable=SC2086 # options are several words
+    "$radiosity" render tall.prt -o "tall$up.png" --size 240x160 $up >"told$up"
+done
+check "... and without --up" cmp "tall.png" "tall--up z.png"
+check "... from the same place" cmp told "told--up z"
+check "... unlike where y is up" eval '! cmp -s told "told--up y"'
+"$radiosity" render tall.prt --pictures tall --size 240x160 >out && "$radiosity" render tall.prt --pictures upright --size 240x160 --up z >out
+check "... in pictures of the bands" cmp tall/bands.png upright/bands.png
 
 # What --check tells: errors, and a table of clusters and one subspace
 for bands in 1 2 3 4 5 6; do

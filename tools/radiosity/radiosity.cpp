@@ -91,7 +91,7 @@ constexpr char kUsage[] =
     "  --lens DEGREES     vertical field of view, 1 to 170 (default 60)\n"
     "  --exposure STOPS   brighter by this many powers of two, -20 to 20 (default 0)\n"
     "  --tone log|film    show the logarithm of the light, or use the film's curve (default film)\n"
-    "  --up y|z           the axis that points up (default y)\n"
+    "  --up y|z           the axis that points up (default y; of a room as transfer was told)\n"
     "  --pictures DIR     of a room: instead, write the functions of its bands, and what each band adds\n"
     "\n"
     "view opens a window to fly through a solution, or through a model while it is solved. It takes\n"

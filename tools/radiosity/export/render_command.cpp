@@ -36,6 +36,7 @@ int runRender(Arguments &words) {
         Workers workers = allProcessors();
         TransferRoom room = TransferRoom::read(in);
         relight.changeClusters(room, workers);
+        camera.upOf(room.upIsZ);
         if (!camera.placed()) placeCamera(room.model, camera.settings);
         picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
         return 0;
@@ -45,7 +46,8 @@ int runRender(Arguments &words) {
     checkWritable(out);
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
-    auto eyeFor = [&](const Solution &solution) {
+    auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {
+        if (room) camera.upOf(room->upIsZ);
         if (!camera.placed()) {
             placeCamera(solution, s);
             std::printf("%s\n", placeOptions(s).c_str());

@@ -97,19 +97,19 @@ void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const 
 }
 
 Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
-                 const std::function<Vec3(const Solution &)> &eyeFor) {
+                 const EyeFor &eyeFor) {
     if (!TransferRoom::is(path)) {
         if (!options.first().empty())
             throw Refused(options.first() + " is for a room that `radiosity transfer` wrote; " + path +
                           " is none");
         Solution solution(path);
-        if (eyeFor) eyeFor(solution);
+        if (eyeFor) eyeFor(solution, nullptr);
         return solution;
     }
     TransferRoom room = TransferRoom::read(path);
     options.changeClusters(room, workers);
     Lighting lighting = options.of(room).lighting;
-    Vec3 eye = eyeFor ? eyeFor(room.model) : Vec3{};
+    Vec3 eye = eyeFor ? eyeFor(room.model, &room) : Vec3{};
     return litModel(room, lighting, eyeFor ? &eye : nullptr);
 }
 

@@ -32,9 +32,12 @@ private:
     int bands = 0, clusters = 0, rank = -1;
 };
 
+// Places the camera for what was read, which is a room or null; returns the eye.
+using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
+
 // Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
 // without gloss). Throws Refused if there are options for a room, but the file is none.
 Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
-                 const std::function<Vec3(const Solution &)> &eyeFor = nullptr);
+                 const EyeFor &eyeFor = nullptr);
 
 } // namespace odraz

@@ -105,6 +105,8 @@ int runView(Arguments &words) {
         TransferRoom given = TransferRoom::read(job.in);
         Workers workers = allProcessors();
         job.relight.changeClusters(given, workers);
+        job.camera.upOf(given.upIsZ);
+        job.view.camera.upIsZ = job.camera.settings.upIsZ;
         RelitRoom room(std::move(given), job.relight, ViewWindow::wake);
         ViewWindow window(job.view);
         keys();
