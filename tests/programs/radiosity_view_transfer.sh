@@ -33,6 +33,12 @@ for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--t
     render render.png $more
     check "... is render's" like view.png render.png 44
 done
+# Where z is up, which the room knows
+awk '/^v/ { print $1, $2, -$4, $3; next } 1' hall.obj >tall.obj
+"$radiosity" transfer tall.obj -o tall.prt --rays 16 --element 0.1 --up z >out
+check "a room whose z is up" "$radiosity" view tall.prt --size 320x200 --screenshot view.png
+"$radiosity" render tall.prt -o render.png --size 320x200 --up z >out
+check "... is seen so without --up" like view.png render.png 44
 # What the window shows is compared with its own screenshots
 view --screenshot plain.png
 view --screenshot one.png --lamps 2
@@ -149,6 +155,30 @@ xdotool key shift+4 shift+9
 check "Shift and numbers of no lamp do nothing" await titled 'lamps 1 2 12 13 '
 xdotool key Escape
 ended $pid
+
+# Clusters for which there is no memory: their axes take 65 MB, and 40 are left
+if command -v prlimit >/dev/null; then
+    check "a room of 2048 clusters" prints '^2048 clusters of 32 axes' "$radiosity" transfer hall.obj -o large.prt --rays 16 --element 0.012 --bands 6 --rank 32 --clusters 2048
+    "$radiosity" view large.prt "${at[@]}" --rank 32 --screenshot large.png >out
+    check "a window" begin "$radiosity" view large.prt "${at[@]}" --rank 32
+    await focused
+    await titled '2048 clusters of 32 axes'
+    size=$(awk '/^VmSize/ { print $2 * 1024 }' /proc/$pid/status)
+    prlimit --pid $pid --as=$((size + 40000000))
+    xdotool key period
+    check "too little memory for more clusters is told" await grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
+    check "... in one line" test "$(wc -l <err)" = 1
+    check "... and the old ones stay" await titled '2048 clusters of 32 axes  lamps'
+    xdotool key p
+    check "... while the window goes on" await titled 'exact rows'
+    xdotool key p
+    check "... and shows them" await shows large.png
+    xdotool key Escape
+    ended $pid
+    check "... until ESC ends it" test $? = 0
+else
+    echo "not checked: prlimit is not installed"
+fi
 
 check "a turn of the sky" prints '^[0-9.]+ pictures a second of 320 x 200' "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" --spin 2
 sed -n '$p' printed

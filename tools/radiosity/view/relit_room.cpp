@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 namespace odraz {
 
@@ -55,12 +56,23 @@ void RelitRoom::findOthers() {
             if (order < 0) return;
             count = order, order = 0;
         }
-        if (rows.empty()) rows = room.rows(), scale = columnScale(room, rows);
-        Clusters others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
-                                       room.clusters.rank, alone);
+        Clusters others;
+        std::string why; // they could not be found
+        try {
+            if (scale.empty()) rows = room.rows(), scale = columnScale(room, rows);
+            others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
+                                  room.clusters.rank, alone);
+        } catch (const std::bad_alloc &) {
+            why = "there is not enough memory";
+        } catch (const std::exception &e) {
+            why = e.what();
+        }
         {
             std::lock_guard held(lock);
-            found = std::move(others), fresh = true;
+            if (why.empty())
+                found = std::move(others), fresh = true;
+            else
+                failed = count, whyFailed = why;
         }
         wake();
     }
@@ -106,6 +118,12 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
     {
         std::lock_guard held(lock);
         if (fresh) clusters = std::move(found), fresh = false, changed = true;
+        if (failed) {
+            std::fprintf(stderr, "radiosity: %d clusters cannot be found: %s; the %d stay\n", failed,
+                         whyFailed.c_str(), clusters.count);
+            if (wanted == failed) wanted = clusters.count;
+            failed = 0;
+        }
     }
     bool moved = !room.gloss.empty() && length(eye - seenFrom) > 0;
     if (!changed && !moved) return nullptr;

@@ -57,6 +57,8 @@ private:
     std::condition_variable asked;
     int order = 0; // clusters to find; 0: none, -1: end
     bool fresh = false;
+    int failed = 0; // clusters that could not be found; 0: none
+    std::string whyFailed;
     Clusters found;
     std::thread finder; // last member: starts when all others exist
 
