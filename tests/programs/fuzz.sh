@@ -77,8 +77,10 @@ seeds_for_hdr() {
     { head 4 2; printf '\200\200\200\201%.0s' $(seq 7); printf '\377\377\200\220'; } >seeds/sun
     { head 8 4; for _ in 1 2 3 4; do printf '\2\2\0\10\210\200\210\200\4\1\2\3\4\204\5\210\201'; done; } >seeds/runs
     { head 8 1; printf '\2\2\0\10\210\200\211\200'; } >seeds/long
+    { head 300 1; printf '\200\200\200\201\1\1\1\53\1\1\1\1'; } >seeds/older
+    { printf '#?RADIANCE\nEXPOSURE=2\nCOLORCORR=1 2 1\nFORMAT=32-bit_rle_xyze\n\n+X 2 +Y 1\n'; printf '\200\200\200\201%.0s' 1 2; } >seeds/xyz
     { head 1 1; printf '\377\377\377\377'; } >seeds/bright
-    { head 1000000 100; printf '\1\1\1\1'; } >seeds/vast
+    { head 1000000 100; printf '\2\1\1\1'; } >seeds/vast
     options=(-max_len=4096)
 }
 

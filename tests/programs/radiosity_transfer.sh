@@ -71,6 +71,16 @@ awk '/^v/ { print $1, $2, -$4, $3; next } 1' room.obj >tall.obj
 "$radiosity" transfer tall.obj -o tall.prt "${fine[@]}" --up z >out
 check "where z is up" "$radiosity" render tall.prt -o tall.png --size 240x160 --eye 0,-7,1.5 --at 0,0,1.5 --up z --sky ahead.hdr --turn 90 --lamps none
 check "... the same picture" like tall.png turned.png 50
+# Without --up the camera stands as the room does
+for up in "" "--up z" "--up y"; do
+    # shellcheck disable=SC2086 # options are several words
+    "$radiosity" render tall.prt -o "tall$up.png" --size 240x160 $up >"told$up"
+done
+check "... and without --up" cmp "tall.png" "tall--up z.png"
+check "... from the same place" cmp told "told--up z"
+check "... unlike where y is up" eval '! cmp -s told "told--up y"'
+"$radiosity" render tall.prt --pictures tall --size 240x160 >out && "$radiosity" render tall.prt --pictures upright --size 240x160 --up z >out
+check "... in pictures of the bands" cmp tall/bands.png upright/bands.png
 
 # What --check tells: errors, and a table of clusters and one subspace
 for bands in 1 2 3 4 5 6; do
@@ -84,6 +94,23 @@ for bands in 1 2 3 4 5 6; do
 done
 "$radiosity" transfer room.obj -o b.prt "${fine[@]}" --clusters 40 --check >told
 check "clusters beat one subspace of the same memory" eval '[ "$(awk "/CPCA/ { on = 1 } on && NF == 7 && \$2 > 0 { ++n; bad += \$3 >= \$6 } END { print (n >= 4 && !bad) }" told)" = 1 ]'
+
+for rank in 1 3 6; do # also where it is no multiple of four
+    "$radiosity" transfer room.obj -o b.prt --element 0.04 --rays 64 --rank $rank --check >told
+    table_rows() { awk '/CPCA/ { on = 1 } on && /^ +[0-9.]+ +[0-9]+ / { all = all $2 " " } END { print all }' told; }
+    check "--rank $rank: the table ends with it" eval '[ "$(table_rows)" = "$([ $rank = 6 ] && echo "4 ")$rank " ]'
+done
+check "the room's own clusters are in it" eval '[ "$(awk "/^    [a-z]/ && \$NF ~ /[0-9]/ { sub(/two /, \"\"); if (\$3 > most) most = \$3 } /CPCA/ { on = 1 } on && \$2 == 6 { print (most == \$4) }" told)" = 1 ]'
+# Ctrl-C while it compares: the room is there
+"$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check >told 2>err &
+PIDS+=($!)
+check "a check that takes long" await grep -qs '^processor seconds' told
+kill -INT ${PIDS[-1]}
+ended ${PIDS[-1]}
+check "Ctrl-C ends it with status 1" test $? = 1
+check "... before its end" eval '! grep -q "^of the rows" told'
+check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is not whole; stopped.prt is saved" ]'
+check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 # The lecture's figures, and gloss
 check "pictures of the bands" "$radiosity" render room.prt --pictures pictures --sky east.hdr --size 400x240 >out

@@ -26,13 +26,19 @@ render plain.png
 check "a picture" view --screenshot view.png
 check "... is render's" like view.png plain.png 44
 check "... and the loss is told" grep -q 'sky.hdr: 5 bands hold' told
-for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40"; do
+for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40" "--clusters 20" "--clusters 3 --rank 1"; do
     # shellcheck disable=SC2086 # options are several words
     check "with $more" view $more --screenshot view.png
     # shellcheck disable=SC2086
     render render.png $more
     check "... is render's" like view.png render.png 44
 done
+# Where z is up, which the room knows
+awk '/^v/ { print $1, $2, -$4, $3; next } 1' hall.obj >tall.obj
+"$radiosity" transfer tall.obj -o tall.prt --rays 16 --element 0.1 --up z >out
+check "a room whose z is up" "$radiosity" view tall.prt --size 320x200 --screenshot view.png
+"$radiosity" render tall.prt -o render.png --size 320x200 --up z >out
+check "... is seen so without --up" like view.png render.png 44
 # What the window shows is compared with its own screenshots
 view --screenshot plain.png
 view --screenshot one.png --lamps 2
@@ -46,7 +52,7 @@ check "a window" begin "$radiosity" view hall.prt --relight sky.hdr "${at[@]}"
 check "... has the keyboard" await focused
 check "... tells its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
-check "... and what it is" titled 'turn 0  5 bands  exact rows  lamps 1 2'
+check "... and what it is" titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
 xdotool key 1
 check "key 1: without the first lamp" await shows one.png
 check "... tells so" await titled 'lamps 2 '
@@ -91,6 +97,88 @@ xdotool key Escape
 ended $pid
 check "ESC ends it with status 0" test $? = 0
 check "... without a word" test ! -s err
+
+# The line of key C, read by a shell: clusters, a tilt, and a sky with an odd name
+odd="it's a \$sky\" "
+cp sky.hdr "$odd"
+check "a window" begin "$radiosity" view hall.prt --relight "$odd" --tilt 25 "${at[@]}"
+await focused
+check "... tells the tilt" await titled 'turn 0  tilt 25  5 bands'
+xdotool key comma minus
+check "... and other clusters" await titled '20 clusters of 7 axes  lamps'
+xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mouseup 3
+xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
+await titled 'turn 10  tilt 30  '
+xdotool key c
+check "key C tells clusters" await grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
+line=$(grep -e '^--eye' out | tail -n 1)
+again() { eval "\"$radiosity\" $1 $line" >told; }
+check "... for render" again 'render hall.prt -o render.png'
+check "... for view" again 'view hall.prt --screenshot view.png'
+like_both() { shot && like shot.png view.png 46 && like shot.png render.png 44; }
+check "... which show the same" await like_both
+xdotool key Escape
+ended $pid
+check "as many clusters as there are" "$radiosity" render hall.prt -o own.png "${at[@]}" --rank 8 --clusters 40
+"$radiosity" render hall.prt -o axes.png "${at[@]}" --rank 8 >out
+check "... are those" cmp own.png axes.png
+check "clusters for what has none" refuses 2 "--clusters is for a room" "$radiosity" view hall.obj --clusters 3
+check "more clusters than texels" refuses 2 "--clusters: the room has" "$radiosity" render hall.prt -o x.png --clusters 4000
+
+# More lamps than there are numbers, and of other strengths than 1
+balls=()
+for k in $(seq 11); do balls+=(--lamp "-1.$((9 - k % 10)),0.$((k % 9 + 1)),-1.$((k % 9)),0.2,$((k % 3)),2,$((k % 2))"); done
+check "a room of 13 lamps" prints '13 ball 11$' "$radiosity" transfer hall.obj -o many.prt --rays 16 --element 0.04 --bands 2 "${balls[@]}"
+many() { "$radiosity" view many.prt "${at[@]}" "$@" >told 2>err; }
+many --screenshot three.png --lamps 1,2=3,12=9
+many --screenshot weak.png --lamps 1,2,12=9
+many --screenshot without.png --lamps 1,2=3
+many --screenshot first.png --lamps 1,12=9
+for other in weak without first; do check "$other.png is another picture" eval "! like $other.png three.png 46"; done
+check "a window" begin "$radiosity" view many.prt "${at[@]}" --lamps 1,2=3,12=9
+await focused
+check "... with three of them" await titled 'lamps 1 2 12 '
+await shows three.png
+xdotool key shift+2
+check "Shift and 2: without the twelfth" await shows without.png
+xdotool key shift+2
+check "... which comes back as strong as it was" await shows three.png
+xdotool key 2
+check "key 2: without the second" await shows first.png
+xdotool key 2
+check "... which comes back, too" await shows three.png
+xdotool key shift+3
+check "Shift and 3: the thirteenth, which was off" await titled 'lamps 1 2 12 13 '
+xdotool key c
+check "key C tells strengths" await grep -qE -- '--lamps 1,2=3,12=9,13$' out
+xdotool key shift+4 shift+9
+check "Shift and numbers of no lamp do nothing" await titled 'lamps 1 2 12 13 '
+xdotool key Escape
+ended $pid
+
+# Clusters for which there is no memory: their axes take 65 MB, and 40 are left
+if command -v prlimit >/dev/null; then
+    check "a room of 2048 clusters" prints '^2048 clusters of 32 axes' "$radiosity" transfer hall.obj -o large.prt --rays 16 --element 0.012 --bands 6 --rank 32 --clusters 2048
+    "$radiosity" view large.prt "${at[@]}" --rank 32 --screenshot large.png >out
+    check "a window" begin "$radiosity" view large.prt "${at[@]}" --rank 32
+    await focused
+    await titled '2048 clusters of 32 axes'
+    size=$(awk '/^VmSize/ { print $2 * 1024 }' /proc/$pid/status)
+    prlimit --pid $pid --as=$((size + 40000000))
+    xdotool key period
+    check "too little memory for more clusters is told" await grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
+    check "... in one line" test "$(wc -l <err)" = 1
+    check "... and the old ones stay" await titled '2048 clusters of 32 axes  lamps'
+    xdotool key p
+    check "... while the window goes on" await titled 'exact rows'
+    xdotool key p
+    check "... and shows them" await shows large.png
+    xdotool key Escape
+    ended $pid
+    check "... until ESC ends it" test $? = 0
+else
+    echo "not checked: prlimit is not installed"
+fi
 
 check "a turn of the sky" prints '^[0-9.]+ pictures a second of 320 x 200' "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" --spin 2
 sed -n '$p' printed

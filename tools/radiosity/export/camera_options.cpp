@@ -48,7 +48,7 @@ bool CameraOptions::take(const std::string &w, Arguments &words) {
     else if (w == "--exposure")
         s.stops = (float)words.number(w, -20, 20);
     else if (w == "--up")
-        s.upIsZ = words.choice(w, "z", "y");
+        s.upIsZ = words.choice(w, "z", "y"), up = true;
     else if (w == "--tone")
         s.logarithmic = words.choice(w, "log", "film");
     else

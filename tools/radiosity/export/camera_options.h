@@ -13,11 +13,16 @@ public:
     // Throws Refused if only half of a camera is given.
     void finish(const std::string &command) const;
 
+    // Of a room, which knows the axis that points up, unless an option gave it.
+    void upOf(bool upIsZ) {
+        if (!up) settings.upIsZ = upIsZ;
+    }
+
     RenderSettings settings;
     bool placed() const { return eye; }
 
 private:
-    bool eye = false, at = false;
+    bool eye = false, at = false, up = false;
 };
 
 // The options that place a camera like this: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.

@@ -1,5 +1,6 @@
 #include "tools/radiosity/export/export_command.h"
 
+#include "tools/common/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/transfer/relight_options.h"
@@ -37,7 +38,8 @@ int runExport(Arguments &words) {
     if (in.empty() || out.empty())
         throw Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
     if (!ofAtlas.empty() && kind != "--atlas") throw Refused(ofAtlas + " belongs to --atlas DIR");
-    Solution solution = readLit(in, relight);
+    Workers workers = allProcessors();
+    Solution solution = readLit(in, relight, workers);
     if (kind == "--atlas") {
         std::vector<std::string> notes;
         exportAtlas(solution, s, out, notes);

@@ -35,6 +35,8 @@ int runRender(Arguments &words) {
         camera.finish("render");
         Workers workers = allProcessors();
         TransferRoom room = TransferRoom::read(in);
+        relight.changeClusters(room, workers);
+        camera.upOf(room.upIsZ);
         if (!camera.placed()) placeCamera(room.model, camera.settings);
         picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
         return 0;
@@ -44,14 +46,15 @@ int runRender(Arguments &words) {
     checkWritable(out);
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
-    auto eyeFor = [&](const Solution &solution) {
+    auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {
+        if (room) camera.upOf(room->upIsZ);
         if (!camera.placed()) {
             placeCamera(solution, s);
             std::printf("%s\n", placeOptions(s).c_str());
         }
         return s.eye;
     };
-    Solution solution = readLit(in, relight, eyeFor);
+    Solution solution = readLit(in, relight, workers, eyeFor);
     render(solution, s, workers, out);
     return 0;
 }

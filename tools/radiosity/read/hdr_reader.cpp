@@ -3,51 +3,187 @@
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 
 namespace odraz {
 
-HdrPicture readHdr(const std::string &path) {
-    std::string file = readWhole(path);
-    HdrPicture picture = {};
-    int &width = picture.width, &height = picture.height;
-    auto refuse = [&](const char *what) { throw Refused(path + ": " + what); };
-    size_t at = file.find("\n\n");
-    int read = 0;
-    if (file.compare(0, 2, "#?") || at == std::string::npos ||
-        std::sscanf(file.c_str() + at + 2, "-Y %d +X %d%n", &height, &width, &read) != 2 || !read)
-        refuse("is not a picture in Radiance's HDR format with rows from the top (-Y) and the left (+X)");
-    if (width < 1 || height < 1 || (int64_t)width * height > 1 << 27)
-        refuse("has no pixels, or more than 2^27");
-    at += 3 + (size_t)read;
-    auto next = [&] {
-        if (at >= file.size()) refuse("ends before its last pixel");
-        return (uint8_t)file[at++];
-    };
-    std::vector<uint8_t> row((size_t)width * 4);
-    for (int j = 0; j < height; ++j) {
-        for (size_t k = 0; k < 4; ++k) row[k] = next();
-        if (width >= 8 && width < 32768 && row[0] == 2 && row[1] == 2 && row[2] * 256 + row[3] == width) {
-            for (size_t k = 0; k < 4; ++k)
-                for (int i = 0; i < width;) {
-                    int count = next(), run = count > 128;
-                    if (run) count -= 128;
-                    if (count == 0 || i + count > width) refuse("is damaged: a run is longer than its row");
-                    uint8_t value = run ? next() : 0;
-                    for (; count; --count, ++i) row[(size_t)i * 4 + k] = run ? value : next();
-                }
-        } else {
-            for (size_t k = 4; k < row.size(); ++k) row[k] = next();
+namespace {
+
+// Radiance keeps CIE XYZ in lumens, and red, green and blue in watts.
+constexpr double kLumensOfWatt = 179;
+constexpr double kMostLight = 1.7e38; // what pixels can hold that were not multiplied
+
+// From CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
+constexpr double kRgbOfXyz[3][3] = {
+    {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
+
+class HdrReader {
+public:
+    explicit HdrReader(const std::string &path) : path(path), file(readWhole(path)) {}
+
+    HdrPicture read() {
+        readHead();
+        readOrder();
+        line.resize((size_t)perLine * 4);
+        for (int i = 0; i < lines; ++i) { // memory grows with what the file has, not with what its head says
+            readLine();
+            for (int j = 0; j < perLine; ++j) addPixel(&line[(size_t)j * 4]);
         }
-        for (size_t i = 0; i < (size_t)width; ++i) {
-            const uint8_t *p = &row[i * 4];
-            for (size_t k = 0; k < 3; ++k)
-                picture.pixels.push_back(p[3] ? std::ldexp((float)p[k], p[3] - 136) : 0);
+        if (first == 'X' || !firstForward || !secondForward) picture.pixels = inOrder();
+        return std::move(picture);
+    }
+
+private:
+    const std::string &path, file;
+    HdrPicture picture = {};
+    size_t at = 0;
+    bool xyz = false;
+    std::array<double, 3> multiplied = {1, 1, 1}; // what the pixels were multiplied with
+    // The axis along which lines follow each other, the axis along them, and whether these go down and right
+    char first = 0, second = 0;
+    bool firstForward = true, secondForward = true;
+    int lines = 0, perLine = 0;
+    std::vector<uint8_t> line;
+
+    [[noreturn]] void refuse(const std::string &what) const { throw Refused(path + ": " + what); }
+
+    // The lines of text up to an empty one.
+    void readHead() {
+        size_t end = file.find("\n\n");
+        if (file.compare(0, 2, "#?") != 0 || end == std::string::npos)
+            refuse("is not a picture in Radiance's HDR format");
+        for (; at < end; at = std::min(file.find('\n', at), end) + 1) {
+            std::string text = file.substr(at, std::min(file.find('\n', at), end) - at);
+            if (text.rfind("FORMAT=", 0) == 0)
+                readFormat(text.substr(7));
+            else if (text.rfind("EXPOSURE=", 0) == 0)
+                readFactors(text, 1);
+            else if (text.rfind("COLORCORR=", 0) == 0)
+                readFactors(text, 3);
+        }
+        at = end + 2;
+    }
+
+    void readFormat(std::string format) {
+        format.erase(format.find_last_not_of(" \t\r") + 1);
+        format.erase(0, format.find_first_not_of(' '));
+        xyz = format == "32-bit_rle_xyze";
+        if (!xyz && format != "32-bit_rle_rgbe")
+            refuse("has pixels of the format " + format +
+                   "; only 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
+    }
+
+    // A line may come several times; then all of its factors count.
+    void readFactors(const std::string &text, int count) {
+        double f[3];
+        int got = std::sscanf(text.c_str() + text.find('=') + 1, "%lf %lf %lf", f, f + 1, f + 2);
+        if (count == 1) f[1] = f[2] = f[0];
+        for (size_t k = 0; k < 3; ++k) {
+            if (got >= count) multiplied[k] *= f[k];
+            if (got < count || !(multiplied[k] > 1e-18 && multiplied[k] < 1e18))
+                refuse("has a damaged line " + text);
         }
     }
-    return picture;
-}
+
+    // The line with the size tells the order of the pixels, too: usually -Y HEIGHT +X WIDTH, lines from above
+    // to below, each from left to right.
+    void readOrder() {
+        char signs[2];
+        int read = 0;
+        std::string text = file.substr(at, file.find('\n', at) - at);
+        if (std::sscanf(text.c_str(), "%c%c %d %c%c %d%n", signs, &first, &lines, signs + 1, &second,
+                        &perLine, &read) != 6 ||
+            !((first == 'X' && second == 'Y') || (first == 'Y' && second == 'X')) ||
+            !std::strchr("+-", signs[0]) || !std::strchr("+-", signs[1]))
+            refuse("has no line like -Y HEIGHT +X WIDTH before its pixels");
+        if (lines < 1 || perLine < 1 || (int64_t)lines * perLine > 1 << 27)
+            refuse("has no pixels, or more than 2^27");
+        firstForward = (signs[0] == '+') == (first == 'X'),
+        secondForward = (signs[1] == '+') == (second == 'X');
+        picture.width = first == 'X' ? lines : perLine, picture.height = first == 'X' ? perLine : lines;
+        at += (size_t)read + 1;
+    }
+
+    uint8_t next() {
+        if (at >= file.size()) refuse("ends before its last pixel");
+        return (uint8_t)file[at++];
+    }
+
+    void readLine() {
+        for (size_t k = 0; k < 4; ++k) line[k] = next();
+        if (perLine >= 8 && perLine < 32768 && line[0] == 2 && line[1] == 2 &&
+            line[2] * 256 + line[3] == perLine)
+            readPlanes();
+        else
+            readPixels();
+    }
+
+    void readPlanes() {
+        for (size_t k = 0; k < 4; ++k)
+            for (int i = 0; i < perLine;) {
+                int count = next(), run = count > 128;
+                if (run) count -= 128;
+                if (count == 0 || i + count > perLine) refuse("is damaged: a run is longer than its row");
+                uint8_t value = run ? next() : 0;
+                for (; count; --count, ++i) line[(size_t)i * 4 + k] = run ? value : next();
+            }
+    }
+
+    // Plain pixels, and the older runs: 1, 1, 1, N repeats the pixel before it N times; another such pixel
+    // right behind it gives the next higher byte of N.
+    void readPixels() {
+        int shift = 0;
+        for (int i = 0; i < perLine;) {
+            uint8_t *p = &line[(size_t)i * 4];
+            if (i || shift)
+                for (size_t k = 0; k < 4; ++k) p[k] = next();
+            if (p[0] != 1 || p[1] != 1 || p[2] != 1) {
+                ++i, shift = 0;
+                continue;
+            }
+            if (i == 0) refuse("is damaged: a row begins with a run");
+            uint64_t count = shift < 32 ? (uint64_t)p[3] << shift : p[3] ? UINT32_MAX : 0;
+            if (count > (uint64_t)(perLine - i)) refuse("is damaged: a run is longer than its row");
+            for (; count; --count, ++i, p += 4) std::memcpy(p, p - 4, 4);
+            shift += 8;
+        }
+    }
+
+    void addPixel(const uint8_t *p) {
+        double scale = p[3] ? std::ldexp(1., p[3] - 136) : 0, c[3];
+        for (size_t k = 0; k < 3; ++k) c[k] = p[k] * scale / multiplied[k];
+        for (size_t k = 0; k < 3; ++k) {
+            double light = c[k];
+            if (xyz) {
+                light = 0;
+                for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
+            }
+            // Below 0 are colours that these primaries cannot mix
+            picture.pixels.push_back((float)std::clamp(light, 0., kMostLight));
+        }
+    }
+
+    // The pixels in rows from above to below, each from left to right.
+    std::vector<float> inOrder() const {
+        std::vector<float> to(picture.pixels.size());
+        const float *from = picture.pixels.data();
+        for (int i = 0; i < lines; ++i)
+            for (int j = 0; j < perLine; ++j, from += 3) {
+                int a = firstForward ? i : lines - 1 - i, b = secondForward ? j : perLine - 1 - j;
+                int x = first == 'X' ? a : b, y = first == 'X' ? b : a;
+                std::copy_n(from, 3, &to[((size_t)y * (size_t)picture.width + (size_t)x) * 3]);
+            }
+        return to;
+    }
+};
+
+} // namespace
+
+HdrPicture readHdr(const std::string &path) { return HdrReader(path).read(); }
 
 } // namespace odraz

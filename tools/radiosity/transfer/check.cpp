@@ -24,12 +24,11 @@ void addLobe(BandLight &to, int bands, const Vec3 &towards, float exponent, cons
 }
 
 std::vector<Rgb> fresh(const Mesh &mesh, const TransferSettings &s, int rays, const Surroundings &around,
-                       Workers &workers) {
+                       Workers &workers, const int *stop) {
     SolveSettings settings = s.solve;
     settings.rays = rays;
     settings.surroundings = around;
-    static const int never = 0;
-    return solveModel(mesh, settings, {}, workers, &never, {}).solution.light;
+    return solveModel(mesh, settings, {}, workers, stop, {}).solution.light;
 }
 
 void printErrors(const char *name, const std::vector<Rgb> &rows, const std::vector<Rgb> &clusters,
@@ -89,15 +88,16 @@ SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ) {
 }
 
 std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
-                            Workers &workers) {
+                            Workers &workers, const int *stop) {
     Mesh dark = mesh;
     for (MeshMaterial &m : dark.materials) m.emits = {};
-    return fresh(dark, settings, rays, {sky.sky, sky.suns, {}}, workers);
+    return fresh(dark, settings, rays, {sky.sky, sky.suns, {}}, workers, stop);
 }
 
-std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers) {
+std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers,
+                            const int *stop) {
     return fresh(mesh, settings, rays,
-                 {{}, settings.solve.surroundings.suns, settings.solve.surroundings.lamps}, workers);
+                 {{}, settings.solve.surroundings.suns, settings.solve.surroundings.lamps}, workers, stop);
 }
 
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
@@ -109,8 +109,9 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
 
-void printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
-                const std::vector<std::string> &skies, Workers &workers) {
+bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
+                const std::vector<std::string> &skies, Workers &workers, const int *stop) {
+    auto stopped = [stop] { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; };
     Relighter relighter(room);
     std::vector<Rgb> rows, clusters, shown;
     Lighting lighting = {
@@ -124,17 +125,20 @@ void printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
     std::vector<TriedSky> tried = bandLimitedSkies(room.bands, room.upIsZ);
     std::vector<std::vector<Rgb>> exact;
     for (const TriedSky &sky : tried) {
-        exact.push_back(freshLight(mesh, settings, rays, sky, workers));
+        exact.push_back(freshLight(mesh, settings, rays, sky, workers, stop));
         relight(sky.light);
         std::vector<Rgb> others; // takes longer, so not for all
-        if (exact.size() % 2) others = freshLight(mesh, settings, 0, sky, workers);
+        if (exact.size() % 2) others = freshLight(mesh, settings, 0, sky, workers, stop);
+        if (stopped()) return false;
         printErrors(("    " + sky.name).c_str(), rows, clusters, exact.back(),
                     others.empty() ? nullptr : &others);
     }
     if (!room.lamps.empty()) {
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 1.f);
         relight({});
-        printErrors("    all lamps", rows, clusters, freshLamps(mesh, settings, rays, workers), nullptr);
+        std::vector<Rgb> lit = freshLamps(mesh, settings, rays, workers, stop);
+        if (stopped()) return false;
+        printErrors("    all lamps", rows, clusters, lit, nullptr);
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
     }
     for (const std::string &path : skies) {
@@ -142,8 +146,9 @@ void printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         TriedSky sky = {path.substr(path.rfind('/') + 1), projected.light, {}, {}};
         sky.sky = readSky(path, room.upIsZ, sky.suns);
         relight(sky.light);
-        printErrors(("    " + sky.name).c_str(), rows, clusters,
-                    freshLight(mesh, settings, rays, sky, workers), nullptr);
+        std::vector<Rgb> lit = freshLight(mesh, settings, rays, sky, workers, stop);
+        if (stopped()) return false;
+        printErrors(("    " + sky.name).c_str(), rows, clusters, lit, nullptr);
         std::printf("        (%s)\n", lossOf(sky.name, projected, room.bands).c_str());
     }
 
@@ -160,10 +165,17 @@ void printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         }
         return most;
     };
-    for (int rank : {4, 8, 12, 16, 20, 24, 28, 32}) {
-        if (rank > room.clusters.rank) break;
-        Clusters many = findClusters(matrix, room.columns(), scale, blocksOf(room.model, room.clusters.count),
-                                     room.clusters.count, rank, workers);
+    std::vector<int> ranks;
+    for (int rank = 4; rank < room.clusters.rank; rank += 4) ranks.push_back(rank);
+    ranks.push_back(room.clusters.rank);
+    Workers stopping = workers;
+    stopping.abort = stop;
+    for (int rank : ranks) {
+        Clusters many = room.clusters;
+        if (rank != many.rank)
+            many = findClusters(matrix, room.columns(), scale, blocksOf(room.model, many.count), many.count,
+                                rank, stopping);
+        if (stopped()) return false;
         size_t floats = many.floats(rank);
         std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
                     100 * lossOf(many, matrix, scale, rank), 100 * worst(many));
@@ -179,11 +191,16 @@ void printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
             std::printf("     more than %d\n", kMostRank);
             continue;
         }
-        one = findClusters(matrix, room.columns(), scale, one.of, 1, same, workers);
+        one = findClusters(matrix, room.columns(), scale, one.of, 1, same, stopping);
+        if (stopped()) {
+            std::printf("\n"); // ends the row
+            return false;
+        }
         std::printf(" %8d %12.3f %13.3f\n", same, 100 * lossOf(one, matrix, scale, same), 100 * worst(one));
     }
     std::printf(
         "of the rows: of the whole matrix (Frobenius); of the light: the worst of the skies above, rms\n");
+    return true;
 }
 
 } // namespace odraz

@@ -1,6 +1,7 @@
 // How far a room's light is from solutions made for that very light: what `transfer --check` tells.
 #pragma once
 
+#include "tools/common/machine.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 #include "tools/radiosity/transfer/relight.h"
 
@@ -24,18 +25,20 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
 SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
 
 // A solution for a sky alone, its lamps dark: from rays like the room's own, or with rays == 0 from others,
-// as many as this light needs.
+// as many as this light needs. A value other than 0 in `stop` ends it early; then the light is useless.
 std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
-                            Workers &workers);
+                            Workers &workers, const int *stop = &kNever);
 // A solution for the model's lamps alone.
-std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers);
+std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers,
+                            const int *stop = &kNever);
 
 // Root mean square of a - b as a share of b's.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
 
 // Prints tables: errors by rows and by clusters under band-limited skies and those given, what the bands lose
-// of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory.
-void printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
-                const std::vector<std::string> &skies, Workers &workers);
+// of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false as soon as
+// there is a value other than 0 in `stop`.
+bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
+                const std::vector<std::string> &skies, Workers &workers, const int *stop);
 
 } // namespace odraz

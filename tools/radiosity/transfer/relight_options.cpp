@@ -1,5 +1,7 @@
 #include "tools/radiosity/transfer/relight_options.h"
 
+#include "tools/radiosity/transfer/find_transfer.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -57,6 +59,8 @@ bool RelightOptions::take(const std::string &w, Arguments &words) {
         lamps = words.value(w);
     else if (w == "--bands")
         bands = words.whole(w, 1, kMostBands);
+    else if (w == "--clusters")
+        clusters = words.whole(w, 1, kMostClusters);
     else if (w == "--rank")
         rank = words.whole(w, 0, kMostRank);
     else
@@ -71,6 +75,7 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     if (rank > room.clusters.rank)
         throw Refused("--rank: the room's clusters have " + std::to_string(room.clusters.rank) + " axes");
     light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
+    if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
     light.lighting.lamps = readLamps(lamps, room);
     if (!sky.empty())
         light.sky = readEnvironment("--sky", sky, room.upIsZ);
@@ -82,19 +87,29 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     return light;
 }
 
-Solution readLit(const std::string &path, const RelightOptions &options,
-                 const std::function<Vec3(const Solution &)> &eyeFor) {
+void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const {
+    if (!clusters || clusters == room.clusters.count) return;
+    if ((size_t)clusters > room.texels())
+        throw Refused("--clusters: the room has " + std::to_string(room.texels()) + " texels");
+    std::vector<float> rows = room.rows();
+    room.clusters = findClusters(rows, room.columns(), columnScale(room, rows),
+                                 blocksOf(room.model, clusters), clusters, room.clusters.rank, workers);
+}
+
+Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
+                 const EyeFor &eyeFor) {
     if (!TransferRoom::is(path)) {
         if (!options.first().empty())
             throw Refused(options.first() + " is for a room that `radiosity transfer` wrote; " + path +
                           " is none");
         Solution solution(path);
-        if (eyeFor) eyeFor(solution);
+        if (eyeFor) eyeFor(solution, nullptr);
         return solution;
     }
     TransferRoom room = TransferRoom::read(path);
+    options.changeClusters(room, workers);
     Lighting lighting = options.of(room).lighting;
-    Vec3 eye = eyeFor ? eyeFor(room.model) : Vec3{};
+    Vec3 eye = eyeFor ? eyeFor(room.model, &room) : Vec3{};
     return litModel(room, lighting, eyeFor ? &eye : nullptr);
 }
 

@@ -13,6 +13,8 @@ public:
     bool take(const std::string &option, Arguments &words);
     const std::string &first() const { return given; } // the first one that was taken; empty: none
     const std::string &skyWord() const { return sky; }
+    // Finds other clusters for the room if the options ask for another number of them, as `view` does.
+    void changeClusters(TransferRoom &room, Workers &workers) const;
     double turn() const { return around; } // degrees
     double tilt() const { return up; }
 
@@ -27,12 +29,15 @@ public:
 private:
     std::string given, sky, lamps;
     double around = 0, up = 0;
-    int bands = 0, rank = -1;
+    int bands = 0, clusters = 0, rank = -1;
 };
+
+// Places the camera for what was read, which is a room or null; returns the eye.
+using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 
 // Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
 // without gloss). Throws Refused if there are options for a room, but the file is none.
-Solution readLit(const std::string &path, const RelightOptions &options,
-                 const std::function<Vec3(const Solution &)> &eyeFor = nullptr);
+Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
+                 const EyeFor &eyeFor = nullptr);
 
 } // namespace odraz

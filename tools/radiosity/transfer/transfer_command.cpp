@@ -8,10 +8,13 @@
 #include "tools/radiosity/transfer/check.h"
 
 #include <cstdio>
+#include <stdexcept>
 
 namespace odraz {
 
 namespace {
+
+int stop = 0; // becomes 1 with Ctrl-C
 
 struct Job {
     std::string model, out;
@@ -108,7 +111,12 @@ int runTransfer(Arguments &words) {
     room.save(job.out);
     printReport(mesh, room, report);
     std::fflush(stdout);
-    if (job.check) printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers);
+    if (!job.check) return 0;
+    stopAt(stop, {SIGINT, SIGTERM});
+    if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, &stop)) {
+        std::fflush(stdout);
+        throw std::runtime_error("interrupted: the check is not whole; " + job.out + " is saved");
+    }
     return 0;
 }
 

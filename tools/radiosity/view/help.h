@@ -34,7 +34,7 @@ inline constexpr ViewKey kRoomKeys[] = {
     {"Shift", "flies faster"},
     {"mouse", "left button looks, right one turns the sky"},
     {"wheel", "exposes"},
-    {"1 .. 9 0", "lamps"},
+    {"1 .. 9 0", "lamps; with Shift 11 to 16"},
     {"[ ]", "bands"},
     {"P", "exact rows, or clusters"},
     {"- =", "axes of the clusters"},

@@ -9,14 +9,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <new>
 
 namespace odraz {
+
+// A word as a shell reads it: between quotes, unless it has none but harmless characters.
+static std::string quoted(const std::string &word) {
+    static constexpr char kHarmless[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@%-";
+    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string::npos) return word;
+    std::string all = "'";
+    for (char c : word) all += c == '\'' ? "'\\''" : std::string(1, c);
+    return all + "'";
+}
 
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
       lit(room.model), clusters(room.clusters), wanted(clusters.count), wake(wake) {
     RelightOptions::Light light = options.of(room);
     sky = light.sky, lighting = std::move(light.lighting);
+    strengths = lighting.lamps;
+    for (float &s : strengths) s = s > 0 ? s : 1;
     exactRank = lighting.rank >= 0 ? lighting.rank : clusters.rank;
     shown = std::make_shared<const ViewMesh>(lit);
     finder = std::thread([this] { findOthers(); });
@@ -43,12 +56,23 @@ void RelitRoom::findOthers() {
             if (order < 0) return;
             count = order, order = 0;
         }
-        if (rows.empty()) rows = room.rows(), scale = columnScale(room, rows);
-        Clusters others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
-                                       room.clusters.rank, alone);
+        Clusters others;
+        std::string why; // they could not be found
+        try {
+            if (scale.empty()) rows = room.rows(), scale = columnScale(room, rows);
+            others = findClusters(rows, room.columns(), scale, blocksOf(room.model, count), count,
+                                  room.clusters.rank, alone);
+        } catch (const std::bad_alloc &) {
+            why = "there is not enough memory";
+        } catch (const std::exception &e) {
+            why = e.what();
+        }
         {
             std::lock_guard held(lock);
-            found = std::move(others), fresh = true;
+            if (why.empty())
+                found = std::move(others), fresh = true;
+            else
+                failed = count, whyFailed = why;
         }
         wake();
     }
@@ -61,17 +85,15 @@ void RelitRoom::setClusters(int count) {
     asked.notify_one();
 }
 
-bool RelitRoom::key(int key) {
+bool RelitRoom::key(int key, bool shift) {
     auto toggle = [&](int lamp) {
         if (lamp < (int)room.lamps.size()) {
             float &strength = lighting.lamps[(size_t)lamp];
-            strength = strength > 0 ? 0.f : 1.f;
+            strength = strength > 0 ? 0.f : strengths[(size_t)lamp];
         }
     };
-    if (key >= GLFW_KEY_1 && key <= GLFW_KEY_9)
-        toggle(key - GLFW_KEY_1);
-    else if (key == GLFW_KEY_0)
-        toggle(9);
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) // 0 stands behind 9
+        toggle((key == GLFW_KEY_0 ? 9 : key - GLFW_KEY_1) + (shift ? 10 : 0));
     else if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET)
         lighting.bands = std::clamp(lighting.bands + (key == GLFW_KEY_LEFT_BRACKET ? -1 : 1), 1, room.bands);
     else if (key == GLFW_KEY_MINUS || key == GLFW_KEY_EQUAL) {
@@ -96,6 +118,12 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
     {
         std::lock_guard held(lock);
         if (fresh) clusters = std::move(found), fresh = false, changed = true;
+        if (failed) {
+            std::fprintf(stderr, "radiosity: %d clusters cannot be found: %s; the %d stay\n", failed,
+                         whyFailed.c_str(), clusters.count);
+            if (wanted == failed) wanted = clusters.count;
+            failed = 0;
+        }
     }
     bool moved = !room.gloss.empty() && length(eye - seenFrom) > 0;
     if (!changed && !moved) return nullptr;
@@ -114,7 +142,8 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
 
 std::string RelitRoom::title() const {
     char text[120];
-    std::snprintf(text, sizeof text, "turn %.0f  %d bands  ", around, lighting.bands);
+    std::snprintf(text, sizeof text, "turn %ld  tilt %ld  %d bands  ", std::lround(around), std::lround(tilt),
+                  lighting.bands);
     std::string all = text;
     if (lighting.rank < 0)
         all += "exact rows";
@@ -132,8 +161,9 @@ std::string RelitRoom::title() const {
 std::string RelitRoom::words() const {
     char text[160];
     std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
-    std::string all = (options.skyWord().empty() ? "" : " --sky " + options.skyWord()) + text, lamps;
-    if (lighting.rank >= 0) all += " --rank " + std::to_string(lighting.rank);
+    std::string all = (options.skyWord().empty() ? "" : " --sky " + quoted(options.skyWord())) + text, lamps;
+    if (lighting.rank >= 0)
+        all += " --clusters " + std::to_string(clusters.count) + " --rank " + std::to_string(lighting.rank);
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
         if (float strength = lighting.lamps[k]; strength > 0) {
             std::snprintf(text, sizeof text, strength == 1 ? ",%zu" : ",%zu=%g", k + 1, (double)strength);

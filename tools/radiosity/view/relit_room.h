@@ -23,8 +23,8 @@ public:
     const Solution &model() const { return lit; }
     std::shared_ptr<const ViewMesh> mesh() const { return shown; }
 
-    // Whether a key of GLFW's means something here.
-    bool key(int key);
+    // Whether a key of GLFW's means something here; `shift`: it is pressed with Shift.
+    bool key(int key, bool shift);
     // Turns and tilts the sky by degrees.
     void turn(double around, double up);
     // Makes the light that an eye sees at each point of the mesh; null if it is as it was.
@@ -40,7 +40,8 @@ private:
     Projected sky;
     Lighting lighting;
     double around, tilt;
-    int exactRank; // the rank to return to from exact rows
+    std::vector<float> strengths; // of each lamp when it is on
+    int exactRank;                // the rank to return to from exact rows
     Solution lit;
     std::shared_ptr<const ViewMesh> shown;
     std::vector<Rgb> points;
@@ -56,6 +57,8 @@ private:
     std::condition_variable asked;
     int order = 0; // clusters to find; 0: none, -1: end
     bool fresh = false;
+    int failed = 0; // clusters that could not be found; 0: none
+    std::string whyFailed;
     Clusters found;
     std::thread finder; // last member: starts when all others exist
 

@@ -1,6 +1,7 @@
 #include "tools/radiosity/view/view_command.h"
 
 #include "host/process.h"
+#include "tools/common/machine.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/solve/solve_options.h"
@@ -101,7 +102,12 @@ int runView(Arguments &words) {
             std::printf("%s\n", viewKeysLine(viewKeys(job.room)).c_str()), std::fflush(stdout);
     };
     if (job.room) {
-        RelitRoom room(TransferRoom::read(job.in), job.relight, ViewWindow::wake);
+        TransferRoom given = TransferRoom::read(job.in);
+        Workers workers = allProcessors();
+        job.relight.changeClusters(given, workers);
+        job.camera.upOf(given.upIsZ);
+        job.view.camera.upIsZ = job.camera.settings.upIsZ;
+        RelitRoom room(std::move(given), job.relight, ViewWindow::wake);
         ViewWindow window(job.view);
         keys();
         RenderSettings camera = job.view.camera;

@@ -42,8 +42,8 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     }
     glfwSwapInterval(s.spin > 0 ? 0 : 1);
     glfwSetWindowUserPointer(window, this);
-    glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int) {
-        if (action != GLFW_RELEASE) of(w).key(key);
+    glfwSetKeyCallback(window, [](GLFWwindow *w, int key, int, int action, int with) {
+        if (action != GLFW_RELEASE) of(w).key(key, with & GLFW_MOD_SHIFT);
     });
     glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
     // Handle events in order: if pictures take long, a whole gesture may happen between two of them
@@ -65,9 +65,9 @@ ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
 // A change of light, tone or numbers alone does not draw the scene again.
-void ViewWindow::key(int key) {
+void ViewWindow::key(int key, bool shift) {
     toned = true;
-    if (room && room->key(key)) return;
+    if (room && room->key(key, shift)) return;
     int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // a room's numbers are its lamps
     if (key >= first && key < first + 4)
         layerKey(key - first);

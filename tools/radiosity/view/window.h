@@ -36,7 +36,7 @@ public:
     static void wake();
 
 private:
-    void key(int key);
+    void key(int key, bool shift);
     void wheel(double notches);
     void pointer(double x, double y);
     void hear(BackgroundSolve &solver);

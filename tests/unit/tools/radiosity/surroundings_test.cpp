@@ -171,7 +171,7 @@ TEST(Sky, RefusesWhatIsNoPicture) {
                                       even.substr(0, even.size() - 1),
                                       head + "-Y 0 +X 0\n",
                                       head + "-Y 40000 +X 40000\n",
-                                      head + "+Y 1 +X 1\nabcd",
+                                      head + "+Y 1 +Z 1\nabcd",
                                       head + "-Y 1 +X 8\n" + std::string("\2\2\0\10\377\1", 6)};
     for (const std::string &file : files)
         EXPECT_THROW(read(file, false, suns), Refused) << file.substr(0, 30);

@@ -1,0 +1,133 @@
+// Pictures in Radiance's format, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
+// pixels.
+#include "tools/common/arguments.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
+#include "tools/radiosity/read/hdr_reader.h"
+
+#include <gtest/gtest.h>
+
+using namespace odraz;
+
+namespace {
+
+HdrPicture read(const std::string &head, const std::string &size, const std::string &pixels) {
+    TemporaryFolder folder;
+    writeWhole(folder / "a.hdr", "#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
+    return readHdr(folder / "a.hdr");
+}
+
+// Pixels of so many bytes; an exponent of 136 leaves the bytes as they are.
+std::string bytes(std::initializer_list<int> list) {
+    std::string all;
+    for (int b : list) all += (char)b;
+    return all;
+}
+
+// The red values, which suffice to tell pixels apart.
+std::vector<int> reds(const HdrPicture &p) {
+    std::vector<int> all;
+    for (size_t i = 0; i < p.pixels.size(); i += 3) all.push_back((int)p.pixels[i]);
+    return all;
+}
+
+std::string whyNot(const std::string &head, const std::string &size, const std::string &pixels) {
+    try {
+        read(head, size, pixels);
+    } catch (const Refused &e) {
+        return e.what();
+    }
+    return "it was read";
+}
+
+} // namespace
+
+TEST(Hdr, ReadsPlainPixels) {
+    HdrPicture p =
+        read("FORMAT=32-bit_rle_rgbe\n", "-Y 1 +X 2", bytes({128, 64, 32, 129, 200, 100, 50, 136}));
+    EXPECT_EQ(p.width, 2);
+    EXPECT_EQ(p.height, 1);
+    EXPECT_EQ(p.pixels, (std::vector<float>{1, 0.5f, 0.25f, 200, 100, 50}));
+}
+
+TEST(Hdr, RepeatsPixelsByOlderRuns) {
+    std::string a = bytes({200, 2, 3, 136}), b = bytes({150, 5, 6, 136});
+    EXPECT_EQ(reds(read("", "-Y 1 +X 5", a + bytes({1, 1, 1, 3}) + b)),
+              (std::vector<int>{200, 200, 200, 200, 150}));
+    EXPECT_EQ(reds(read("", "-Y 2 +X 3", a + bytes({1, 1, 1, 2}) + b + b + bytes({1, 1, 1, 1}))),
+              (std::vector<int>{200, 200, 200, 150, 150, 150}));
+    // 44 and 1 are 44 + 256 pixels; behind another pixel a run counts from its lowest byte again
+    HdrPicture p = read("", "-Y 1 +X 304", a + bytes({1, 1, 1, 44, 1, 1, 1, 1}) + b + bytes({1, 1, 1, 2}));
+    std::vector<int> wanted(304, 200);
+    wanted[301] = wanted[302] = wanted[303] = 150;
+    EXPECT_EQ(reds(p), wanted);
+    EXPECT_EQ(p.pixels[3 * 300 + 2], 3);
+    // 0 and 1 are 256
+    EXPECT_EQ(reds(read("", "-Y 1 +X 257", a + bytes({1, 1, 1, 0, 1, 1, 1, 1}))), std::vector<int>(257, 200));
+}
+
+TEST(Hdr, RefusesRunsThatDoNotFit) {
+    std::string a = bytes({200, 2, 3, 136});
+    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 3})).find("longer than its row"),
+              std::string::npos);
+    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 9}))
+                  .find("longer than its row"),
+              std::string::npos);
+    EXPECT_NE(whyNot("", "-Y 1 +X 3", bytes({1, 1, 1, 3})).find("begins with a run"), std::string::npos);
+    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 1})).find("ends before"), std::string::npos);
+}
+
+TEST(Hdr, DividesByAllFactors) {
+    std::string pixel = bytes({200, 100, 50, 136});
+    EXPECT_EQ(read("EXPOSURE=4\n", "-Y 1 +X 1", pixel).pixels, (std::vector<float>{50, 25, 12.5f}));
+    EXPECT_EQ(read("EXPOSURE=4\nSOFTWARE=x\nEXPOSURE= 0.5\n", "-Y 1 +X 1", pixel).pixels,
+              (std::vector<float>{100, 50, 25}));
+    EXPECT_EQ(read("COLORCORR=2 1 0.5\nEXPOSURE=2\nCOLORCORR= 1 5 1\n", "-Y 1 +X 1", pixel).pixels,
+              (std::vector<float>{50, 10, 50}));
+    for (const char *line : {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "EXPOSURE=x\n",
+                             "COLORCORR=1 2\n", "COLORCORR=1 0 1\n"})
+        EXPECT_NE(whyNot(line, "-Y 1 +X 1", pixel).find("has a damaged line"), std::string::npos) << line;
+}
+
+// The primaries of sRGB in CIE XYZ (IEC 61966-2-1) in Radiance's lumens: 179 times what the channels are.
+TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
+    std::string pixels = bytes({206, 106, 10, 136, 107, 215, 36, 136, 45, 18, 238, 136, 190, 200, 218, 136});
+    HdrPicture p = read("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
+    const double wanted[4][3] = {{500, 0, 0}, {0, 300, 0}, {0, 0, 250}, {200, 200, 200}};
+    for (size_t i = 0; i < 4; ++i)
+        for (size_t k = 0; k < 3; ++k)
+            EXPECT_NEAR((double)p.pixels[3 * i + k], wanted[i][k] / 179, 3. / 179) << i << " " << k;
+    for (float c : p.pixels) EXPECT_GE(c, 0);
+    // What Radiance makes of its own pictures: XYZ in watts, and a factor that says so
+    p = read("EXPOSURE=5.586592e-03\nFORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
+    EXPECT_NEAR(p.pixels[0], 500, 3);
+    EXPECT_NE(whyNot("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels).find("format 32-bit_rle_spec"),
+              std::string::npos);
+}
+
+// One picture of three columns and two rows, 10 11 12 above 20 21 22, in all orders.
+TEST(Hdr, ReadsAllOrders) {
+    struct Order {
+        const char *size;
+        std::vector<int> reds;
+    };
+    for (const Order &order : {Order{"-Y 2 +X 3", {10, 11, 12, 20, 21, 22}},
+                               {"+Y 2 +X 3", {20, 21, 22, 10, 11, 12}},
+                               {"-Y 2 -X 3", {12, 11, 10, 22, 21, 20}},
+                               {"+Y 2 -X 3", {22, 21, 20, 12, 11, 10}},
+                               {"+X 3 -Y 2", {10, 20, 11, 21, 12, 22}},
+                               {"+X 3 +Y 2", {20, 10, 21, 11, 22, 12}},
+                               {"-X 3 -Y 2", {12, 22, 11, 21, 10, 20}},
+                               {"-X 3 +Y 2", {22, 12, 21, 11, 20, 10}}}) {
+        std::string pixels;
+        for (int red : order.reds) pixels += bytes({red, 0, 0, 136});
+        HdrPicture p = read("", order.size, pixels);
+        EXPECT_EQ(p.width, 3) << order.size;
+        EXPECT_EQ(p.height, 2) << order.size;
+        EXPECT_EQ(reds(p), (std::vector<int>{10, 11, 12, 20, 21, 22})) << order.size;
+    }
+    for (const char *size : {"-Y 1 -Y 1", "-X 1 +X 1", "Y 1 X 1", "-Z 1 +X 1", "1 1", "-Y 1", ""})
+        EXPECT_NE(whyNot("", size, bytes({1, 2, 3, 136})).find("no line like -Y HEIGHT +X WIDTH"),
+                  std::string::npos)
+            << size;
+}
