@@ -15,6 +15,9 @@ namespace odraz {
 
 namespace {
 
+// What has less than this share of the mean light counts as dark: its relative error tells nothing
+constexpr double kDark = 1e-3;
+
 Vec3d colour(const std::array<float, 3> &c) { return {(double)c[0], (double)c[1], (double)c[2]}; }
 double brightness(Vec3d c) { return (double)luminance(toFloat(c)); }
 double largest(Vec3d c) { return std::max({c.x, c.y, c.z}); }
@@ -207,7 +210,7 @@ std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool
         Found found = middles ? middleOf(parts, k) : randomPlace(parts[k], sampler);
         auto chart = (size_t)parts[k].chart;
         // What arrives: what leaves, minus what the place emits, divided by its reflectance
-        Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflects[chart];
+        Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(parts[k].cell);
         auto share = [](float x, float y) { return y > 0 ? x / y : 0; };
         Rgb arrives = {share(leaves.x, r.x), share(leaves.y, r.y), share(leaves.z, r.z)};
         probes.push_back({(int)chart, found.p, solution.charts[chart].n, arrives, {}, 0});
@@ -249,13 +252,16 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
 
 MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
     std::vector<float> relative;
-    double error = 0, all = 0, solved = 0, traced = 0, noise = 0;
+    double error = 0, all = 0, solved = 0, traced = 0, noise = 0, sum = 0;
+    for (const MeshProbe &p : probes) sum += (double)luminance(p.traced);
+    const double dark = kDark * sum / (double)std::max(probes.size(), (size_t)1);
     for (const MeshProbe &p : probes) {
         double a = (double)luminance(p.solved), b = (double)luminance(p.traced);
-        relative.push_back((float)(std::fabs(a - b) / std::max(b, 1e-12)));
+        if (b > dark) relative.push_back((float)(std::fabs(a - b) / b));
         error += (a - b) * (a - b), all += b * b, noise += p.noise2;
         solved += a, traced += b;
     }
+    if (relative.empty()) return {NAN, NAN, NAN, NAN, NAN};
     return {100 * (double)quantile(relative, 0.5), 100 * (double)quantile(relative, 0.95),
             100 * std::sqrt(std::max(0., error - noise) / all), 100 * (solved / traced - 1),
             100 * std::sqrt(noise / all)};

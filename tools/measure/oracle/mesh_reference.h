@@ -30,7 +30,9 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop = nullptr);
 
-// Errors in percent; the rms is without the noise of the paths, which is subtracted in quadrature.
+// Errors in percent; the rms is without the noise of the paths, which is subtracted in quadrature. Median and
+// worst20 are relative, and of places that are not dark: that have a thousandth of the mean light at least.
+// Not numbers where all are dark.
 struct MeshErrors {
     double median, worst20, rms, bias, noise;
 };

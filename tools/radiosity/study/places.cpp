@@ -50,13 +50,15 @@ LightErrors Places::errorsOf(const Solution &solution) const {
 LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference) {
     if (values.empty()) return {NAN, NAN};
     std::vector<double> relative;
-    double error = 0, all = 0;
+    double error = 0, all = 0, sum = 0;
+    for (float b : reference) sum += (double)b;
+    const double dark = 1e-3 * sum / (double)reference.size();
     for (size_t i = 0; i < values.size(); ++i) {
         double a = (double)values[i], b = (double)reference[i];
         error += (a - b) * (a - b), all += b * b;
-        relative.push_back(std::fabs(a - b) / std::max(std::fabs(b), 1e-12));
+        if (b > dark) relative.push_back(std::fabs(a - b) / b);
     }
-    if (all == 0) return {error == 0 ? 0 : NAN, error == 0 ? 0 : NAN};
+    if (all == 0 || relative.empty()) return {error == 0 ? 0 : NAN, error == 0 ? 0 : NAN};
     return {100 * std::sqrt(error / all), 100 * median(std::move(relative))};
 }
 

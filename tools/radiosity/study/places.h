@@ -6,7 +6,8 @@
 namespace odraz {
 
 // In percent. rms: the root mean square of the differences as a share of that of the reference's light;
-// median: of the relative differences. Of luminance.
+// median: of the relative differences, at places that have a thousandth of the mean light at least. Of
+// luminance.
 struct LightErrors {
     double rms, median;
 };

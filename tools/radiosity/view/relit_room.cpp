@@ -1,6 +1,7 @@
 #include "tools/radiosity/view/relit_room.h"
 
 #include "tools/common/machine.h"
+#include "tools/common/shell_word.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 
 #define GLFW_INCLUDE_NONE
@@ -12,16 +13,6 @@
 #include <new>
 
 namespace odraz {
-
-// A word as a shell reads it: between quotes, unless it has none but harmless characters.
-static std::string quoted(const std::string &word) {
-    static constexpr char kHarmless[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_./,:=+@%-";
-    if (!word.empty() && word.find_first_not_of(kHarmless) == std::string::npos) return word;
-    std::string all = "'";
-    for (char c : word) all += c == '\'' ? "'\\''" : std::string(1, c);
-    return all + "'";
-}
 
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
@@ -161,7 +152,8 @@ std::string RelitRoom::title() const {
 std::string RelitRoom::words() const {
     char text[160];
     std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
-    std::string all = (options.skyWord().empty() ? "" : " --sky " + quoted(options.skyWord())) + text, lamps;
+    std::string all = (options.skyWord().empty() ? "" : " --sky " + shellWord(options.skyWord())) + text,
+                lamps;
     if (lighting.rank >= 0)
         all += " --clusters " + std::to_string(clusters.count) + " --rank " + std::to_string(lighting.rank);
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
