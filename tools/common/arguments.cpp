@@ -1,6 +1,7 @@
 #include "tools/common/arguments.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -67,7 +68,10 @@ int runProgram(const char *name, const char *usage, int argc, char **argv, int (
     if (all.find('\n') == all.size() - 1) hint = all.substr(0, all.size() - 1);
     Arguments arguments(argc, argv, hint);
     try {
-        return body(arguments);
+        int status = body(arguments);
+        if (std::fflush(stdout) || std::ferror(stdout))
+            throw std::runtime_error(std::string("cannot write what it tells: ") + std::strerror(errno));
+        return status;
     } catch (const Refused &e) {
         return complain(name, e, 2);
     } catch (const std::exception &e) {

@@ -57,16 +57,19 @@ struct Axis {
     double place(double v) const { return from + (scale(v) - low) / (high - low) * (to - from); }
     std::vector<double> ticks() const {
         std::vector<double> all;
+        auto inside = [&](double v) { return scale(v) >= low && scale(v) <= high; };
         if (logarithmic)
             for (double decade = std::floor(low); decade <= high; ++decade)
-                for (double m : {1.0, 2.0, 5.0}) all.push_back(m * std::pow(10, decade));
-        else {
-            double step = std::pow(10, std::floor(std::log10((high - low) / 4)));
-            while ((high - low) / step > 8) step *= (high - low) / step > 16 ? 5 : 2;
-            for (double v = std::ceil(low / step) * step; v <= high; v += step)
-                all.push_back(v + 0.0); // no -0
-        }
-        std::erase_if(all, [&](double v) { return scale(v) < low || scale(v) > high; });
+                for (double m : {1.0, 2.0, 5.0})
+                    if (double v = m * std::pow(10, decade); inside(v)) all.push_back(v);
+        if (all.size() > 2) return all;
+        // Of a part of a decade, equal steps are told, too
+        all.clear();
+        double first = logarithmic ? std::pow(10, low) : low, last = logarithmic ? std::pow(10, high) : high,
+               step = std::pow(10, std::floor(std::log10((last - first) / 4)));
+        while ((last - first) / step > 8) step *= (last - first) / step > 16 ? 5 : 2;
+        for (double v = std::ceil(first / step) * step; v <= last; v += step)
+            if (inside(v)) all.push_back(v + 0.0); // no -0
         return all;
     }
 };

@@ -211,8 +211,11 @@ std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool
         auto chart = (size_t)parts[k].chart;
         // What arrives: what leaves, minus what the place emits, divided by its reflectance
         Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(parts[k].cell);
-        auto share = [](float x, float y) { return y > 0 ? x / y : 0; };
-        Rgb arrives = {share(leaves.x, r.x), share(leaves.y, r.y), share(leaves.z, r.z)};
+        // In a colour that it does not reflect, nothing leaves
+        Rgb light = solution.lightAt((int)chart, found.p);
+        auto share = [](float x, float y, float other) { return y > 0 ? x / y : other; };
+        Rgb arrives = {share(leaves.x, r.x, light.x), share(leaves.y, r.y, light.y),
+                       share(leaves.z, r.z, light.z)};
         probes.push_back({(int)chart, found.p, solution.charts[chart].n, arrives, {}, 0});
     }
     return probes;

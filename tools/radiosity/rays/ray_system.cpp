@@ -249,11 +249,11 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
     return done;
 }
 
-void RaySystem::finalGather(int count, const std::vector<Rgb> &texels,
+void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> &texels,
                             const std::function<Rgb(int)> &reflects, Workers &workers) {
     const std::vector<Vec3> spiral = spiralOf(count);
-    parallelRanges(workers, (int)grid.sites.size(), 32, [&](int first, int end, int) {
-        for (int site = first; site < end; ++site) {
+    parallelRanges(workers, to - from, 32, [&](int first, int end, int) {
+        for (int site = from + first; site < from + end; ++site) {
             Rgb sum = {};
             cast((size_t)site, count, spiral, [&](int, uint32_t place, const Vec3 &d, const RayHit &hit) {
                 if (hit.triangle < 0) {

@@ -57,8 +57,8 @@ public:
               int sweeps, Workers &workers, const std::function<bool(float residual)> &afterSweep);
 
     // The final gather: `rays` more rays from every site collect the interpolated light of the texels.
-    void finalGather(int rays, const std::vector<Rgb> &texels, const std::function<Rgb(int cell)> &reflects,
-                     Workers &workers);
+    void finalGather(int first, int end, int rays, const std::vector<Rgb> &texels,
+                     const std::function<Rgb(int cell)> &reflects, Workers &workers);
 
     // What arrives at all visible texels, without direct light: the light of sites, shared between neighbours
     // where that changes it by less than `share`.

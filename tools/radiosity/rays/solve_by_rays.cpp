@@ -223,9 +223,20 @@ private:
     void finalGather() {
         task.tell(SolveStep::kFinalRays, 0);
         auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
-        system.finalGather(s.finalRays, task.solution.light, reflectsAt, task.workers);
+        // In parts, to be told how far it is, and to be stopped
+        constexpr int kParts = 64;
+        auto sites = (int64_t)grid.sites.size();
+        for (int k = 0; k < kParts && !task.stopped(); ++k) {
+            system.finalGather((int)(sites * k / kParts), (int)(sites * (k + 1) / kParts), s.finalRays,
+                               task.solution.light, reflectsAt, task.workers);
+            task.tell(SolveStep::kFinalRays, (float)(k + 1) / kParts);
+        }
+        if (task.stopped()) { // the light of all sweeps stays
+            report.whole = false;
+            keep(s.rays == 0);
+            return;
+        }
         task.solution.light = lightOfTexels(kFinalShared);
-        task.tell(SolveStep::kFinalRays, 1);
     }
 
     // Direct and reflected light of all texels; hidden ones are filled from those around them.

@@ -150,6 +150,8 @@ void SolveOptions::finish() {
     char rest;
     if (std::sscanf(sky.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) == 3)
         to.sky = evenSky(readLight("--sky", n));
+    else if (!sky.empty() && sky.find_first_not_of("0123456789.,+-eE") == std::string::npos)
+        throw Refused("--sky takes R,G,B or a picture, not '" + sky + "'");
     else if (!sky.empty())
         to.sky = readSky(sky, upIsZ, to.suns);
     for (const std::string &text : suns) {

@@ -33,6 +33,8 @@ void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &se
     if (r.shots > 0)
         std::printf("%d shots, %.2g %% of the light is not shot%s\n", r.shots, 100 * (double)r.residual,
                     r.whole ? "" : ": stopped");
+    else if (!r.whole && r.sweeps > 0)
+        std::printf("stopped: the light of %d sweeps\n", r.sweeps);
     else if (!r.whole)
         std::printf("stopped: direct light, and the rows of %d %s\n", r.rows, byRays ? "sites" : "patches");
     else

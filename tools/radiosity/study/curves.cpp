@@ -101,6 +101,11 @@ Curve Converging::shootingRows() {
     double seconds = rowSeconds + watch.processor(), before = 0;
     int shots = 0, next = 64;
     double most = 60. * model.patchCount;
+    auto tell = [&] {
+        if (!curve.steps.empty() && curve.steps.back().number == shots) return;
+        curve.steps.push_back(stepOf(
+            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+    };
     while (shooting.left() > 1e-6 && shots < most) {
         study.tick();
         Stopwatch batch;
@@ -112,15 +117,15 @@ Curve Converging::shootingRows() {
         seconds += batch.processor();
         if (shots < next) continue;
         next = shots + shots / 4;
-        curve.steps.push_back(stepOf(
-            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+        tell();
         if (curve.steps.back().error < kDone) break;
     }
+    if (shots > 0) tell();
     return curve;
 }
 
-Curve Converging::shooting(int px, double limit) {
-    Curve curve = {"shooting by hemicubes", {}};
+Curve Converging::shooting(int px, double limit, bool blocks) {
+    Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches", {}};
     std::vector<Rgb> emits, direct;
     // What the rows brought from the lamps is shot here: only what comes from outside is direct
     const System &s = patches.radiosity.system;
@@ -131,21 +136,32 @@ Curve Converging::shooting(int px, double limit) {
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
     Stopwatch clock;
-    Shooting shooting(model, patchesAlone(model), emits, direct);
+    // As many blocks as let each shoot some times
+    int shotsAllowed = (int)std::clamp(limit / std::max(study.hemicubeSeconds(px), 1e-6), 16., 1e6);
+    Shooters shooters =
+        blocks ? blocksOfPatches(model, emits, std::max(shotsAllowed / 4, 1)) : patchesAlone(model);
+    Shooting shooting(model, std::move(shooters), emits, direct);
     HemicubeShooter shooter(study.gl, model, px, 0);
     double seconds = 0, before = 0;
     int shots = 0, next = 16;
-    while (shooting.left() > 1e-4 && clock.wall() < limit) {
+    auto tell = [&] {
+        if (!curve.steps.empty() && curve.steps.back().number == shots) return;
+        curve.steps.push_back(stepOf(
+            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+    };
+    while (shooting.left() > 1e-4) {
         study.tick();
+        if (clock.wall() >= limit) curve.stopped = true;
+        if (curve.stopped) break;
         Stopwatch batch;
         int shot = shooter.shoot(shooting, shooter.batch(), study.workers);
         if (shot == 0) break;
         shots += shot, seconds += batch.processor();
         if (shots < next) continue;
         next = shots + shots / 4;
-        curve.steps.push_back(stepOf(
-            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+        tell();
     }
+    if (shots > 0) tell();
     return curve;
 }
 

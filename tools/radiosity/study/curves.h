@@ -16,6 +16,7 @@ struct Step {
 struct Curve {
     std::string name;
     std::vector<Step> steps;
+    bool stopped = false; // its time was up
 };
 
 // The system of a solution by patches, and its converged light.
@@ -30,8 +31,11 @@ public:
     Curve atOnce();
     // Shots over the form factors of the rows.
     Curve shootingRows();
-    // Shots with a hemicube for each, from the lamps on; no rows are needed. Until `seconds` have passed.
-    Curve shooting(int px, double seconds);
+    // Shots with a hemicube for each, from the lamps on, by single patches or by blocks of them, as `solve
+    // --shots` does; no rows are needed. Until `seconds` have passed.
+    Curve shooting(int px, double seconds, bool blocks);
+    // Whether no light is reflected.
+    bool dark() const { return !(power > 0); }
 
 private:
     Study &study;

@@ -16,6 +16,8 @@ public:
     // `divided`: Study::divide()'s, which stays. Up to `count` patches gather.
     Gathering(Study &study, const Solved &divided, int count);
 
+    size_t count() const { return patches.size(); }
+
     // The hemicubes of a patch: one, several that are turned differently, or four at its corners.
     struct Way {
         int px, turns;

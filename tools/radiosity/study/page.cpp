@@ -60,6 +60,10 @@ std::string shown(double number, int digits) {
     return text;
 }
 
+std::string counted(size_t count, const std::string &what) {
+    return std::to_string(count) + " " + what + (count == 1 ? "" : what.back() == 's' ? "es" : "s");
+}
+
 void Page::write(const std::string &file, const std::string &content) {
     folder.write(file, content);
     fresh.push_back(folder / file);

@@ -14,6 +14,9 @@ namespace odraz {
 // A number as text, with so many significant digits; empty if it is not finite, for what was not measured.
 std::string shown(double number, int digits = 3);
 
+// "1 pass" or "2 passes".
+std::string counted(size_t count, const std::string &what);
+
 // Cells are text or numbers. `columns`: the names in the CSV; `heads`: those on the page.
 struct PageTable {
     std::string file; // the CSV's name without ending

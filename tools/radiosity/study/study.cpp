@@ -2,6 +2,7 @@
 
 #include "tools/common/clock.h"
 #include "tools/common/shell_word.h"
+#include "tools/radiosity/divide/regions.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
 
@@ -12,7 +13,7 @@
 namespace odraz {
 
 static constexpr int kCoarse = 1500;
-static constexpr double kReferenceShare = 0.1; // of the time, for the progress bar
+static constexpr double kReferenceShare = 0.1; // of the time
 
 Stopwatch::Stopwatch() : startProcessor(processorSeconds()), startWall(wallSeconds()) {}
 double Stopwatch::processor() const { return processorSeconds() - startProcessor; }
@@ -22,6 +23,13 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
              Page &page, ProgressBar &progressBar)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
       bar(progressBar), began(wallSeconds()) {
+    Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
+    if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
+        throw ModelError(
+            settings.model + ": " + std::to_string(most) +
+            " polygons are left after joining those in one plane; a study needs hemicubes, which "
+            "take " +
+            std::to_string(kMaxFacets) + ": give it a part of the model");
     chapter("reference", kReferenceShare);
     // The tool's default first: it is compared, too, and its time tells what a final gather would take: three
     // times as long with 256 rays in a model of many polygons. With too few rays it would be worse than none
@@ -77,10 +85,7 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
 void Study::chapter(const char *named, double end) {
     name = named;
     double from = afterReference > 0 ? afterReference : began, last = began + settings.minutes * 60;
-    shareBefore = share;
-    share = afterReference > 0 ? kReferenceShare + (1 - kReferenceShare) * end : end;
     until = from + end * std::max(last - from, 0.);
-    chapterBegan = wallSeconds();
     tick();
 }
 
@@ -96,10 +101,8 @@ void Study::tick() {
 }
 
 void Study::show() {
-    // A chapter that ends before its time takes the bar on to the next one
-    double ofChapter = (wallSeconds() - chapterBegan) / std::max(until - chapterBegan, 1e-6),
-           done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
-                             : shareBefore + (share - shareBefore) * std::min(ofChapter, 1.);
+    double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
+                             : (wallSeconds() - began) / (settings.minutes * 60);
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 

@@ -116,10 +116,8 @@ private:
     void show();                                                      // how far it has come
 
     ProgressBar &bar;
-    double began, afterReference = 0;
+    double began, afterReference = 0, until = 0;
     const char *name = "reference";
-    // The chapter: when it began and has to end, and which part of all it is
-    double chapterBegan = 0, until = 0, shareBefore = 0, share = 0;
     Solved coarse; // divided into kCoarse patches; empty until costs are asked for
     double coarseSeconds = 0;
     std::map<int, double> costs;                   // of hemicubes, by pixels

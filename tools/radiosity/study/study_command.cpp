@@ -95,18 +95,22 @@ constexpr Chapter kTable41[] = {{"table", 1, [](Study &s) { studyTable(s, true);
 // Whether all chapters are written, or it was interrupted. Throws Interrupted if there is nothing to show.
 bool writeChapters(Study &study, std::span<const Chapter> chapters) {
     bool some = false;
-    for (const Chapter &c : chapters) try {
+    for (const Chapter &c : chapters) {
+        const size_t advice = study.advice.size(), leftOut = study.leftOut.size();
+        try {
             study.page.keep();
             study.chapter(c.name, c.until);
             c.write(study);
             some = true;
         } catch (const Interrupted &) {
             study.page.drop();
+            study.advice.resize(advice), study.leftOut.resize(leftOut);
             if (!some && study.page.empty()) throw;
             for (const Chapter *left = &c; left < chapters.data() + chapters.size(); ++left)
                 study.leftOut.push_back(std::string(left->name) + ": interrupted");
             return false;
         }
+    }
     return true;
 }
 

@@ -48,15 +48,16 @@ void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
     // The radiosities of what reflects and does not emit, and the greatest of all
     std::vector<float> all;
-    float most = 0, brightestLamp = 0;
-    for (const Rgb &e : solution.emits) brightestLamp = std::max(brightestLamp, maxComponent(e));
+    float most = 0;
+    bool isLamp = false; // what is brightest
     for (size_t t = 0; t < solution.texels.size(); ++t) {
         auto chart = (size_t)solution.texels[t].chart;
         float light = maxComponent(solution.light[t] * solution.reflects[chart] + solution.emits[chart]);
-        most = std::max(most, light);
+        if (light > most) most = light, isLamp = maxComponent(solution.emits[chart]) > 0;
         if (maxComponent(solution.emits[chart]) <= 0 && light > 0) all.push_back(light);
     }
-    float bright = all.empty() ? 1 : quantile(all, 0.99);
+    if (all.empty()) return;
+    float bright = quantile(all, 0.99);
     struct Mapping {
         const char *file, *caption;
         float constant;
@@ -64,7 +65,9 @@ void mappings(Study &study, const Solution &solution) {
     };
     RenderSettings camera = cameraOf(study);
     std::vector<PagePicture> pictures;
-    for (Mapping m : {Mapping{"mapping-linear.png", "linear: the brightest surface is white",
+    for (Mapping m : {Mapping{"mapping-linear.png",
+                              isLamp ? "linear: the brightest surface, a lamp, is white"
+                                     : "linear: the brightest surface is white",
                               1 / std::max(most, 1e-20f), false},
                       {"mapping-constant.png", "times a constant: 1 % of what is lit is brighter than white",
                        1 / bright, false},
@@ -82,12 +85,12 @@ void mappings(Study &study, const Solution &solution) {
               " times as bright as what 99 % of all other lit surfaces do not exceed.");
     page.pictures(pictures);
     std::string times = shown((double)(most / bright)) + " times";
-    study.advice.push_back(
-        most / bright > 4 ? std::string("Mapping: logarithmic, or the film's curve: ") +
-                                (brightestLamp >= most ? "the lamps outshine what they light by "
-                                                       : "the brightest place outshines the others by ") +
-                                times + ", and a linear mapping leaves these dark."
-                          : "Mapping: any: nothing outshines the rest by more than " + times + ".");
+    study.advice.push_back(most / bright > 4
+                               ? std::string("Mapping: logarithmic, or the film's curve: ") +
+                                     (isLamp ? "the lamps outshine what they light by "
+                                             : "the brightest place outshines the others by ") +
+                                     times + ", and a linear mapping leaves these dark."
+                               : "Mapping: any: nothing outshines the rest by more than " + times + ".");
 }
 
 // Solutions shown flat and interpolated.
@@ -114,12 +117,13 @@ public:
             "one plane; across edges nothing is interpolated.");
         advise(one);
         bool better = four.interpolated < 0.9 * one.interpolated;
-        study.advice.push_back(
-            "Middle or corners: the " + std::string(better ? "corners" : "middle") +
-            ": gathered at four corners light is " + shown(four.interpolated) + " % off, in the middle " +
-            shown(one.interpolated) + " %, for " +
-            shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
-            " times the time.");
+        if (tells(four.interpolated, one.interpolated))
+            study.advice.push_back(
+                "Middle or corners: the " + std::string(better ? "corners" : "middle") +
+                ": gathered at four corners light is " + shown(four.interpolated) + " % off, in the middle " +
+                shown(one.interpolated) + " %, for " +
+                shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
+                " times the time.");
         return std::move(middle.solution);
     }
 
@@ -166,7 +170,12 @@ private:
         return {flat, one(b.solution, "interpolated")};
     }
 
+    // Whether errors, in percent, are more than rounding.
+    static bool tells(double a, double b) {
+        return std::isfinite(a) && std::isfinite(b) && std::max(a, b) > 0.01;
+    }
     void advise(const Errors &e) const {
+        if (!tells(e.flat, e.interpolated)) return;
         bool smooth = e.interpolated < e.flat;
         study.advice.push_back("Display: " + std::string(smooth ? "interpolated" : "flat") + ": " +
                                shown(std::min(e.interpolated, e.flat)) + " % off instead of " +

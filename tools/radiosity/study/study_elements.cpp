@@ -37,33 +37,43 @@ void studyElements(Study &study) {
     };
     std::vector<Best> uniform, adaptive;
     double longest = 0;
-    for (bool isAdaptive : {false, true})
-        for (int elements :
-             isAdaptive ? std::vector<int>{30000, 120000, 480000} : std::vector<int>{7500, 30000, 120000}) {
-            std::string kind = isAdaptive ? "adaptive" : "uniform";
-            if (!study.fits(longest)) {
-                study.leftOut.push_back("elements: about " + std::to_string(elements) + ", " + kind);
-                continue;
-            }
-            SolveSettings s = study.settings.solve;
-            s.way = Way::kPatches;
-            s.element = study.area / elements;
-            s.adaptive = isAdaptive;
-            if (rays) s.findRows = rowsByRays(kRays);
-            std::string options =
-                "--hemicube 16 --element " + shown(s.element, 6) + (isAdaptive ? " --adaptive" : "");
-            Solved b = study.measure(rays ? kind + ", with rows by rays" : kind, options, s);
-            const MeasuredSolution &r = study.measured.back();
-            longest = std::max(longest, 1.5 * r.wall);
-            size_t count = b.solution.elements();
-            table.rows.push_back(
-                {std::to_string(count), kind, shown(r.seconds), shown(r.errors.rms), shown(r.errors.median)});
-            plot.points.push_back({r.seconds, r.errors.rms, std::to_string(count), false, isAdaptive});
-            (isAdaptive ? adaptive : uniform).push_back({r.seconds, r.errors.rms, count});
+    struct Size {
+        bool adaptive;
+        int elements; // of an adaptive one, if all were as fine as its finest
+    };
+    for (auto [isAdaptive, elements] : {Size{false, 7500},
+                                        {true, 30000},
+                                        {false, 30000},
+                                        {true, 120000},
+                                        {false, 120000},
+                                        {true, 480000}}) {
+        std::string kind = isAdaptive ? "adaptive" : "uniform";
+        if (!study.fits(longest)) {
+            study.leftOut.push_back("elements: about " + std::to_string(elements) + ", " + kind);
+            continue;
         }
+        SolveSettings s = study.settings.solve;
+        s.way = Way::kPatches;
+        s.element = study.area / elements;
+        s.adaptive = isAdaptive;
+        if (rays) s.findRows = rowsByRays(kRays);
+        std::string options =
+            "--hemicube 16 --element " + shown(s.element, 6) + (isAdaptive ? " --adaptive" : "");
+        Solved b = study.measure(rays ? kind + ", with rows by rays" : kind, options, s);
+        const MeasuredSolution &r = study.measured.back();
+        longest = std::max(longest, 1.5 * r.wall);
+        size_t count = b.solution.elements();
+        table.rows.push_back(
+            {std::to_string(count), kind, shown(r.seconds), shown(r.errors.rms), shown(r.errors.median)});
+        plot.points.push_back({r.seconds, r.errors.rms, std::to_string(count), false, isAdaptive});
+        (isAdaptive ? adaptive : uniform).push_back({r.seconds, r.errors.rms, count});
+    }
     page.table(table);
     page.plot("elements", plot);
-    if (uniform.empty() || adaptive.empty()) return;
+    if (uniform.empty() || adaptive.empty()) {
+        study.advice.push_back("Elements: there was no time to compare adaptive with uniform ones.");
+        return;
+    }
     // Of both kinds the cheapest that is as good as the worse kind can be: that error both reach
     constexpr double kAsGood = 1.05;
     auto least = [](const std::vector<Best> &all) {

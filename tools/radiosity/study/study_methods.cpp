@@ -79,7 +79,7 @@ void tellOrders(Study &study, const Curve &next, const Curve &once) {
     const Step *a = firstWithin(next, 1), *b = firstWithin(once, 1);
     if (a && b)
         study.advice.push_back("Update: " + std::string(b->number < a->number ? "at once" : "either order") +
-                               ": " + std::to_string(b->number) + " passes at once and " +
+                               ": " + counted((size_t)b->number, "pass") + " at once and " +
                                std::to_string(a->number) +
                                " in the next pass bring the light within 1 % of the converged one.");
 }
@@ -132,6 +132,11 @@ void tellMethods(Study &study, const std::vector<Curve> &curves) {
         if (fastest[k])
             study.advice.push_back("Method, to within " + std::string(to[k]) + " % of the converged light: " +
                                    fastest[k]->name + ", " + shown(best[k]) + " s.");
+    for (const Curve &c : curves)
+        if (c.stopped && !c.steps.empty())
+            study.advice.push_back("Method: " + c.name + " had no more time; it was " +
+                                   shown(c.steps.back().error) + " % off the converged light after " +
+                                   shown(c.steps.back().seconds) + " s.");
 }
 
 } // namespace
@@ -144,7 +149,7 @@ void studyMethods(Study &study) {
     };
     // Hemicubes where they fit, else rays
     Size size = {};
-    for (Size tried : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 32}, {1500, 16}}) {
+    for (Size tried : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 25}, {1500, 16}}) {
         double rows = study.patchesFor(tried.patches) * study.hemicubeSeconds(tried.px);
         if (size.px || !study.fits(1.3 * rows + study.divideSeconds() + 5)) continue;
         size = tried;
@@ -159,8 +164,11 @@ void studyMethods(Study &study) {
     Solved base = rays ? study.solve(settings) : study.gather(size.patches, size.px);
     if (!rays) study.gathered = {size.px, base.solution, study.measured.back(), base.report.patches};
     Converging converging(study, base);
+    if (converging.dark()) return page.text("No light is reflected: there is nothing to compare.");
     std::vector<Curve> curves = {converging.gathering(), converging.atOnce(), converging.shootingRows()};
-    curves.push_back(converging.shooting(size.px, std::max(study.left() * 0.8, 2.)));
+    for (bool blocks : {false, true})
+        curves.push_back(
+            converging.shooting(size.px, std::max(study.left() * (blocks ? 0.8 : 0.4), 1.), blocks));
     std::string px = std::to_string(size.px) + " pixels";
     page.text(
         std::to_string(base.report.patches) + " patches" +
@@ -175,7 +183,8 @@ void studyMethods(Study &study) {
         "through "
         "hemicubes of their own do not quite: by reciprocity they use the form factors from the other side, "
         "and where "
-        "a hemicube is coarse these differ.");
+        "a hemicube is coarse these differ. Patches shoot singly, or in blocks of which one patch draws the "
+        "hemicube for all, as radiosity solve --shots does: light is there sooner, but less exact.");
     tellMethods(study, curves);
     tellPasses(study, curves[0], curves[1]);
     tellOrders(study, curves[0], curves[1]);

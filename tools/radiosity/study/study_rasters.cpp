@@ -57,7 +57,7 @@ const Tried *cheapest(const std::vector<Tried> &tried, double percent) {
     return best;
 }
 
-// More pixels or anti-aliasing: of as many pixels in total, and of the same costs.
+// More pixels or anti-aliasing: of as many pixels in total.
 void adviseFour(Study &study, const std::vector<Tried> &tried) {
     int ahead = 0, all = 0;
     double ratio = 0;
@@ -103,14 +103,20 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
     study.page.table(table);
     study.page.plot("gathering", plot);
     // A raster may be wrong by a fifth of what a whole solution may be
-    double allowed = study.settings.within / 5;
-    if (const Tried *t = cheapest(tried, allowed))
+    double allowed = study.settings.within / 5, most = 0;
+    for (const Tried &t : tried) most = std::max(most, std::isfinite(t.fromFinest) ? t.fromFinest : 0);
+    if (most < 0.01) // in percent; one plane sees nothing, for instance
+        study.advice.push_back("Hemicubes: any: rasters make no difference in this model.");
+    else if (const Tried *t = cheapest(tried, allowed))
         study.advice.push_back("Hemicubes: " + t->name() + ": " + shown(t->fromFinest) +
                                " % off the finest raster for " + shown(t->ms()) +
                                " ms a patch, the cheapest within " + shown(allowed) +
                                " %. Against the reference the least error of all is " + shown(least) +
-                               " %: the rest is the patches' size, not the raster.");
-    adviseFour(study, tried);
+                               " %, by pixels and by patches that have one light each.");
+    else
+        study.advice.push_back("Hemicubes: no raster that was tried is within " + shown(allowed) +
+                               " % of the finest one.");
+    if (most >= 0.01) adviseFour(study, tried);
 }
 
 // Whole solutions, with pictures.
@@ -154,6 +160,8 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
     }
     page.pictures(seen);
     if (table.rows.empty()) return;
+    page.text(
+        "Whole solutions, every patch with its hemicube. An odd raster has half faces of half a row more.");
     page.table(table);
     page.pictures(pictures);
 }
@@ -178,15 +186,14 @@ void studyRasters(Study &study) {
     // A fifth of the time for one gather
     int count = (int)std::clamp(all / 5 / std::max(6 * ofOne, 1e-9), 48., 1000.);
     Gathering gathering(study, divided, count);
-    page.text("First, one gather: " + std::to_string(count) + " patches of " + std::to_string(m.patchCount) +
+    page.text("First, one gather: " + std::to_string(gathering.count()) + " patches of " +
+              std::to_string(m.patchCount) +
               " collect the light of the reference, lamps among it. The error against the reference has two "
               "causes: the raster, and patches that have one light each. The plot shows the first alone, as "
               "the difference from one hemicube with most pixels. Four hemicubes of half the pixels are "
               "anti-aliasing with as many samples; at the corners they show what a patch's middle does not "
               "stand for.");
     gatherAt(study, gathering, count, all * 0.55);
-    page.text("Then whole solutions, every patch with its hemicube. An odd raster has half faces of half a "
-              "row more.");
     solveAt(study, asked, gathering);
 }
 

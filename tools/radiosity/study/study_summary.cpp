@@ -17,18 +17,19 @@ void tellReference(Study &study) {
     }
     // What is smaller than the paths' noise cannot be told from it
     auto told = [](const MeshErrors &m) {
-        return (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
-               " % off (rms; median " + shown(m.median, 2) + " %)";
+        return "by " + (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
+               " % (rms; median " + shown(m.median, 2) + " %)";
     };
-    std::string text = "The reference itself is " + told(e.reference) +
-                       " path tracing, which has neither its rays nor its elements: at " +
-                       std::to_string(e.places) + " places with " + std::to_string(e.paths) +
-                       " paths from each, whose own noise of " + shown(e.reference.noise, 2) +
+    std::string text = "The reference itself differs from path tracing, which has neither its rays nor its "
+                       "elements, " +
+                       told(e.reference) + ": at " + std::to_string(e.places) + " places with " +
+                       std::to_string(e.paths) + " paths from each, whose own noise of " +
+                       shown(e.reference.noise, 2) +
                        " % is subtracted from the rms. Errors in the tables that are smaller tell little.";
     if (study.finalRays)
         text += " The solution by rays has rays and elements like the reference's, so its error against that "
-                "is too small; it is " +
-                told(e.byRays) + " the paths.";
+                "is too small; it differs from the paths " +
+                told(e.byRays) + ".";
     study.page.text(text);
 }
 
@@ -37,9 +38,9 @@ void tellReference(Study &study) {
 void writeSummary(Study &study) {
     Page &page = study.page;
     page.toFront();
-    page.text(study.settings.model + ": " + std::to_string(study.mesh.triangles.size()) + " triangles, " +
-              std::to_string(study.reference.charts.size()) +
-              " polygons in one plane each. Errors are against a reference, a solution by rays " +
+    page.text(study.settings.model + ": " + counted(study.mesh.triangles.size(), "triangle") + ", " +
+              counted(study.reference.charts.size(), "polygon") +
+              " in one plane each. Errors are against a reference, a solution by rays " +
               (study.finalRays ? "with a final gather of " + std::to_string(study.finalRays) + " rays"
                                : std::string("without a final gather, for which there was no time")) +
               ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
@@ -66,19 +67,20 @@ void writeSummary(Study &study) {
     page.heading("What to choose");
     std::vector<std::string> advice;
     if (cheapest)
-        advice.push_back("The cheapest solution within " + shown(study.settings.within) +
+        advice.push_back("The cheapest setting of radiosity solve within " + shown(study.settings.within) +
                          " %: " + cheapest->name + ": " + shown(cheapest->errors.rms) + " % off after " +
                          shown(cheapest->seconds) + " s (" + cheapest->command + ").");
     else if (std::isfinite(least))
-        advice.push_back("No solution that was measured is within " + shown(study.settings.within) +
-                         " %; the best is " + shown(least) + " % off.");
+        advice.push_back("No setting of radiosity solve that was measured is within " +
+                         shown(study.settings.within) + " %; the best is " + shown(least) + " % off.");
     advice.insert(advice.end(), study.advice.begin(), study.advice.end());
     page.list(advice);
     if (!front.rows.empty()) {
-        page.text("Solutions that nothing beats in both time and error:");
+        page.text("Settings of radiosity solve that no other one beats in both time and error:");
         front.file = "front";
         page.table(front);
-        page.text("All solutions that were measured:");
+        page.text("All solutions that chapters compare by time; those without a command are made by a study "
+                  "alone:");
         page.table(table, false);
     }
     if (!study.leftOut.empty()) {

@@ -17,15 +17,22 @@ constexpr double kThesisMinutes[3][3] = {{4.667, 8.75, 39.667}, {58.333, 81.667,
 
 struct TableCell {
     int patches = 0, shots = 0;
-    double processor = 0, wall = 0, unshot = 0, everyPatch = 0;
+    double processor = 0, wall = 0, unshot = 0;
+    double ofShot = 0; // processor seconds
     LightErrors errors = {NAN, NAN};
 };
 
 std::vector<std::string> rowOf(const TableCell &c, int px) {
-    return {std::to_string(c.patches),  std::to_string(px),  std::to_string(c.shots),
-            shown(c.processor),         shown(c.wall),       shown(1000 * c.processor / std::max(c.shots, 1)),
-            shown(100 * c.unshot, 2),   shown(c.errors.rms), shown(c.errors.median),
-            shown(c.everyPatch / 60, 2)};
+    return {std::to_string(c.patches),
+            std::to_string(px),
+            std::to_string(c.shots),
+            shown(c.processor),
+            shown(c.wall),
+            shown(1000 * c.ofShot),
+            shown(100 * c.unshot, 2),
+            shown(c.errors.rms),
+            shown(c.errors.median),
+            shown(c.ofShot * c.patches / 60, 2)};
 }
 
 TableCell shoot(Study &study, int patches, int px, int shots) {
@@ -42,7 +49,7 @@ TableCell shoot(Study &study, int patches, int px, int shots) {
             m.seconds,
             m.wall,
             (double)b.report.residual,
-            m.wall / std::max(b.report.shots, 1) * b.report.patches,
+            b.report.seconds[(int)SolveStep::kSolving] / std::max(b.report.shots, 1),
             m.errors};
 }
 
@@ -56,7 +63,14 @@ public:
     void fill() {
         for (int row = 0, asked = 0; row < 3; ++row) {
             asked = ofThesis ? kThesisSizes[row] : sizeAfter(asked);
-            for (int column = 0; column < 3; ++column) fillCell(row, column, asked);
+            int columns = 3, shots = ofThesis ? kThesisShots : shotsOf(row, asked, columns);
+            for (int column = 0; column < 3; ++column)
+                if (column < columns && shots >= kLeastShots)
+                    fillCell(row, column, asked, shots);
+                else
+                    study.leftOut.push_back("table: about " + std::to_string(study.patchesFor(asked)) +
+                                            " patches by " + std::to_string(kThesisRasters[column]) +
+                                            " pixels");
         }
     }
     void finish() {
@@ -71,8 +85,8 @@ private:
     PageTable table = {"table",
                        {"patches", "px", "shots", "processor_s", "wall_s", "ms_per_shot", "unshot_percent",
                         "rms_percent", "median_percent", "every_patch_min"},
-                       {"patches", "pixels", "shots", "processor, s", "clock, s", "ms a shot", "not shot, %",
-                        "error (rms), %", "median, %", "every patch, min"}};
+                       {"patches", "pixels", "shots", "processor, s", "clock, s", "processor, ms a shot",
+                        "not shot, %", "error (rms), %", "median, %", "every patch, processor min"}};
     Plot plot = {"light that is shot: error against time, a mark for each raster",
                  "processor time, s",
                  "error (rms), %",
@@ -92,21 +106,22 @@ private:
         return next;
     }
 
-    void fillCell(int row, int column, int asked) {
-        int px = kThesisRasters[column], shots = kThesisShots;
-        if (ofThesis) {
-            showPart(row, column);
-        } else {
-            double allowed = study.left() / (9 - 3 * row - column) -
-                             study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst);
-            shots =
-                (int)std::clamp(allowed / std::max(study.hemicubeSeconds(px), 1e-5), 0., (double)kMostShots);
+    // How often the rasters of a row may shoot, all as often: else what is not shot would hide what the
+    // raster does. Where that is too seldom, the finest ones are left out.
+    int shotsOf(int row, int asked, int &columns) const {
+        double fixed = study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst),
+               allowed = study.left() / (3 - row);
+        for (columns = 3;; --columns) {
+            double each = 0;
+            for (int k = 0; k < columns; ++k) each += study.hemicubeSeconds(kThesisRasters[k]);
+            double shots = (allowed - columns * fixed) / std::max(each, 1e-5);
+            if (shots >= kLeastShots || columns == 1) return (int)std::clamp(shots, 0., (double)kMostShots);
         }
-        if (shots < kLeastShots) {
-            study.leftOut.push_back("table: about " + std::to_string(study.patchesFor(asked)) +
-                                    " patches by " + std::to_string(px) + " pixels");
-            return;
-        }
+    }
+
+    void fillCell(int row, int column, int asked, int shots) {
+        int px = kThesisRasters[column];
+        if (ofThesis) showPart(row, column);
         TableCell cell = shoot(study, asked, px, shots);
         if (ofThesis) // these take long: each is told when it is done
             study.say(std::to_string(cell.patches) + " patches by " + std::to_string(px) +
@@ -140,8 +155,9 @@ void studyTable(Study &study, bool ofThesis) {
     page.text(
         "Elements that are as large as patches receive light; blocks of them shoot it, through a hemicube "
         "at one of their patches, those with most light first, until 0.5 % of the light is not shot yet "
-        "or the shots are used up. What is not shot then counts as spread evenly. Hemicubes see the "
-        "lamps. The last time is an estimate: a hemicube from every patch, once, as gathering needs; the "
+        "or the shots are used up, of which all rasters of a size have as many. What is not shot then counts "
+        "as spread evenly; where much is, the error is due to that. Hemicubes see the lamps. The last time "
+        "is an estimate: a hemicube from every patch, once, as gathering needs; the "
         "thesis draws each of them again in every pass.");
     Table table(study, ofThesis);
     try {
