@@ -32,7 +32,8 @@ struct Intro {
     Slot slots[kSlots];
     // false: there is only slot 0, with the frame above and the film's scene
     bool pairs;
-    Between between; // what making in-betweens needs
+    Between between;        // what making in-betweens needs
+    uint8_t *made[kPlaces]; // in-betweens as they are shown; the first one is frame.rgba
 };
 
 struct Sound {

@@ -21,7 +21,8 @@ bool needsHall(double from, double to) {
 
 size_t memoryNeeded(const IntroSettings &s, int workers, bool hall) {
     size_t pixels = ((size_t)s.width + 7) * (size_t)s.height, bytes = 0;
-    if (s.pairs) bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 18) + 4096;
+    if (s.pairs)
+        bytes = kBetweenBytes + 2 * (sizeof(Scene) + pixels * 22) + (kPlaces - 1) * pixels * 4 + 8192;
     bytes += glareBytes(s.width, s.height);
     return bytes + pixels * 20 + sizeof(Intro) + sizeof(Scene) + (size_t)workers * kTileScratchBytes + 4096 +
            (hall ? sizeof(Hall) + kRoomBytes : 0);
@@ -41,12 +42,18 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
         t.scene = arena.take<Scene>(1);
         makeFrame(t.frame, arena, s.width, s.height);
         t.frame.shapes = arena.take<uint16_t>((size_t)t.frame.stride * (size_t)s.height);
+        t.frame.owners = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
+    for (uint8_t *&made : intro->made)
+        if (s.pairs && &made > intro->made)
+            made = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) +
+                   kPictureMargin;
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height) ||
         !makeGlare(intro->glare, arena, s.width, s.height))
         return "not enough memory: try a smaller --size";
+    intro->made[0] = intro->frame.rgba;
     if (!s.pairs) intro->slots[0].traced = {intro->frame, scene, {}};
     makeCurve(intro->curve);
     intro->workers = &workers;
@@ -64,7 +71,10 @@ const char *sceneName(int scene) { return kScenes[scene].name; }
 
 Pace paceOf(int scene) {
     const SceneEntry &s = kScenes[scene];
-    return {s.fewerPixels * 0.1f, s.thirty * 0.1f, s.leastWidth * 16};
+    Pace pace = {s.fewerPixels * 0.1f, s.leastWidth * 16, {}};
+    static_assert(sizeof s.lost == kWays - 1);
+    for (int w = 1; w < kWays; ++w) pace.lost[w] = s.lost[w - 1] * 0.1f;
+    return pace;
 }
 
 CameraKey cameraAt(double seconds) {
@@ -111,22 +121,29 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
     s.seconds = seconds;
     s.quality = quality;
     traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, now.frame);
+    if (now.frame.owners) markOwners(now.frame, *intro.workers);
     return finish(intro, posed, now.view, seconds, now.scene->exposure, now.frame, now.frame.rgba);
 }
 
-Picture between(Intro &intro, int earlier, int later) {
-    const Slot &a = intro.slots[earlier], &b = intro.slots[later];
+Picture between(Intro &intro, int earlier, int later, double share, int place) {
+    const Slot *a = &intro.slots[earlier], *b = &intro.slots[later];
+    const Quality &quality = b->quality; // of what is too small to be made between
     Frame &frame = intro.frame;
-    resize(frame, b.traced.frame.width, b.traced.frame.height);
+    resize(frame, b->traced.frame.width, b->traced.frame.height);
     Traced now = {frame, intro.film.scene, {}};
-    double seconds = (a.seconds + b.seconds) * 0.5;
+    double apart = b->seconds - a->seconds, seconds = a->seconds + apart * share;
     Posed posed = poseAt(intro.film, seconds);
     now.view = posed.view(frame.width, frame.height);
-    if (a.shot == b.shot && min(frame.width, frame.height) > 1)
-        traceBetween(intro.between, intro.tracer, *intro.workers, a.traced, b.traced, b.quality, now);
+    // Beside a cut, that of its own shot serves for both
+    const Shot *shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
+    if (a->shot != shot) a = b;
+    if (b->shot != shot) b = a;
+    if (min(frame.width, frame.height) > 1)
+        traceBetween(intro.between, intro.tracer, *intro.workers, a->traced, b->traced, (float)share,
+                     (float)(apart * 60), now);
     else
-        traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, b.quality, frame);
-    return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, frame.rgba);
+        traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, frame);
+    return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, intro.made[place]);
 }
 
 int64_t samplesTaken(const Intro &intro) { return tracedSamples(intro.tracer); }

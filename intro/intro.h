@@ -42,12 +42,14 @@ inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
-// What a scene would rather do without, where there is no time for everything (play/governor.h): from which
-// coarseness on fewer pixels are traced, but no fewer than so many across; and from which on thirty pictures
-// a second are better than sixty.
+// What a scene would rather do without, where there is no time for everything (play/governor.h). From the
+// coarseness `pixels` on fewer pixels are traced, but at least leastWidth across. By the governor's ways it
+// loses as much as `lost` says, a squared error in units of that of a picture of `play`.
+inline constexpr int kWays = 5;
 struct Pace {
-    float pixels = 2, thirty = 9; // the latter: never
+    float pixels = 2;
     int leastWidth = 640;
+    float lost[kWays] = {0, 0.2f, 0.8f, 1.5f, 6};
 };
 Pace paceOf(int scene);
 
@@ -62,7 +64,8 @@ struct Picture {
     uint8_t *rgba;
 };
 inline constexpr int kHeaderRoom = 64;
-inline constexpr int kSlots = 2; // places for pictures, 0 and 1
+inline constexpr int kSlots = 2;  // places for pictures, 0 and 1
+inline constexpr int kPlaces = 5; // places for in-betweens
 
 // How many pixels of a picture are traced; 0: as many as it has.
 struct TracedSize {
@@ -76,10 +79,11 @@ inline constexpr int kMostEnlarged = 2560; // width of pictures that may be trac
 Picture picture(Intro &intro, int slot, double seconds, const Quality &quality,
                 const CameraKey *camera = nullptr, TracedSize traced = {});
 
-// Makes the picture half-way in time between those of two slots: from these two or, if they are of different
-// shots, by tracing it. It depends on nothing but these two, which stay as they are. What must be traced has
-// the quality and the size of the later one.
-Picture between(Intro &intro, int earlier, int later);
+// Makes the picture that is `share` of the way in time, 0 .. 1, between those of two slots: from these two
+// or, if they are of different shots, from the one of its own shot. It depends on nothing but these two,
+// which stay as they are, and has the size of the later one. It stays valid until another one is made in its
+// place.
+Picture between(Intro &intro, int earlier, int later, double share = 0.5, int place = 0);
 
 // About the last picture: the number of samples that it took; and null, or the constant of scene.h that is
 // too small for its scene, so that the picture is wrong.

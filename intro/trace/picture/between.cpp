@@ -1,19 +1,31 @@
 #include "trace/picture/between.h"
 
 #include "trace/picture/adaptive.h"
+#include "trace/picture/carry.h"
 #include "trace/picture/tiles.h"
 
 namespace odraz {
 
+// How far two pictures are trusted where they show a shape.
+struct Trust {
+    float alike; // differences below this count as none
+    int alone;   // -1: what one of them shows counts where the other one does not show it; 0: it does not
+};
+
 namespace {
 
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a border of one, and room behind
-constexpr int kApart = 8; // how far those rows are apart that are always looked at; a power of two
-constexpr uint16_t kNone = 0xffff;
-// Differences of what is shown below this count as none. What glass shows moves unlike the glass: where that
-// moves fast, as when a ball crosses the lens, little is taken for alike
+constexpr int kApart = 16; // how far those rows are apart that are always looked at; a power of two
+constexpr int kBlock = 8;  // pixels along a side that are carried by their corners
+// Differences below this count as none in pictures two sixtieths of a second apart; further apart, more does.
+// What glass shows moves unlike the glass: where that moves fast, as when a ball crosses the lens, little is
+// taken for alike
 constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f;
-constexpr float kFast = 0.05f;    // of a ball, in radii from picture to picture
+constexpr float kFast = 0.05f; // of a ball, in radii in a sixtieth of a second
+// How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. From
+// kTorn on its outlines are torn, and where one picture does not show the ball, the other one is wrong by
+// half of it; from kGhosts on what agrees may be what lies on either side of it.
+constexpr float kTorn = 0.0028f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down
 constexpr int kSamples = 3;
@@ -24,118 +36,44 @@ constexpr int kMostAnew = kTile * kTile / 8; // pixels; a tile with more is trac
 
 } // namespace
 
-// Maps a pixel (x, y) of an in-between to a pixel of a traced picture. If the shape is hit at s times
-// direction(x, y) from the eye, the homogeneous coordinates there are s * (h[0] + h[1] x + h[2] y) + h[3].
-struct Carry {
-    float h[3][4];
-    float alike;    // differences of what it shows below this count as none
-    uint16_t shape; // its index in that picture's scene; kNone: it is not there
-};
-
 struct BetweenScratch {
     int64_t anew;
     // From one pixel up and left of the tile on: the shape seen, and how far along direction()
     int32_t shape[kRows * kRow];
     float along[kRows * kRow];
-    uint16_t anewAt[kTile * kTile]; // numbers of pixels
+    uint16_t anewAt[kMostAnew + kBlock * kBlock]; // numbers of pixels
 };
 
 namespace {
 
-// How all shapes of `now`, and behind the last of them the sky, map to another picture. Its scene may have
-// some more shapes and lack some others, but their order is the same. A shape that is in both has hardly
-// moved.
-[[gnu::cold]] void carryTo(const Traced &to, const Traced &now, Carry *carry) {
-    constexpr int kMostNew = 200;
-    const View &v = to.view, &w = now.view;
-    Vec3 rows[3] = {v.right * (v.width / dot(v.right, v.right)) + v.forward * (v.width * 0.5f),
-                    v.down * (v.height / dot(v.down, v.down)) + v.forward * (v.height * 0.5f), v.forward};
-    Vec3 from[3] = {w.direction(0.f, 0.f), w.right * (1 / w.width), w.down * (1 / w.height)};
-    int next = 0;
-    for (int i = 0; i <= now.scene->shapeCount; ++i) {
-        const Shape &a = now.scene->shapes[i];
-        Carry &c = carry[i];
-        c = {};
-        bool sky = i == now.scene->shapeCount;
-        c.shape = sky ? kSkyShown : kNone;
-        for (int j = next; !sky && j < min(next + kMostNew, to.scene->shapeCount); ++j) {
-            Vec3 way = a.centre - to.scene->shapes[j].centre;
-            if (a.kind != to.scene->shapes[j].kind || dot(way, way) > a.half.x * a.half.x * 0.25f) continue;
-            c.shape = (uint16_t)j;
-            next = j + 1;
-            break;
-        }
-        if (c.shape == kNone) continue;
-        c.alike = kAlike;
-        const Shape &b = to.scene->shapes[sky ? 0 : c.shape];
-        Vec3 moved = b.centre - v.eye - (a.centre - w.eye);
-        if (!sky && now.scene->materials[a.material].ior > 0 &&
-            dot(moved, moved) > a.half.x * a.half.x * (kFast * kFast))
-            c.alike = kAlikeInGlass;
-        for (int k = 0; k < 3; ++k) {
-            Vec3 r = rows[k], turned = r;
-            if (!sky) {
-                // What a ball mirrors does not roll with it, nor do lights and shadows on it. So a ball turns
-                // only if it has a texture
-                if (a.traits().extents && !(a.isBall() && now.scene->materials[a.material].plain()))
-                    turned = transposeTimes(a.frame, b.frame * r);
-                if (a.half.x > 0) turned *= Vec3{1, 1, 1} * (b.half.x / a.half.x);
-                c.h[k][3] = dot(turned, w.eye - a.centre) + dot(r, b.centre - v.eye);
-            }
-            for (int m = 0; m < 3; ++m) c.h[k][m] = dot(turned, from[m]);
-        }
-    }
-}
-
-// What a traced picture shows at eight places of a shape: radiance, and whether it is the shape's: 0 no, 1
-// partly, 2 entirely.
-struct Fetched {
-    Rgb8 radiance;
-    Int8 worth;
+// The two pictures, and how every shape is carried to them.
+struct Sides {
+    const Frame &before, &after;
+    Carry *const (&carry)[2];
+    const Trust *trust;
+    float share; // of the later one
+    float exposure;
 };
 
-[[gnu::noinline]] Fetched fetch(const Frame &f, const Carry &c, Float8 px, float py, Float8 along) {
-    auto row = [&](const float(&h)[4]) {
-        return fmadd(along, fmadd(px, h[1], broadcast(fmadd(py, h[2], h[0]))), h[3]);
-    };
-    Float8 ahead = row(c.h[2]);
-    Int8 mine = ahead > 1e-6f;
-    Float8 inverse = 1.f / select(mine, ahead, 1.f);
-    Float8 x = fmadd(row(c.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1]), inverse, -0.5f);
-    float right = (float)(f.width - 1) - 0.001f, bottom = (float)(f.height - 1) - 0.001f;
-    Float8 inX = clamp(x, 0.f, right), inY = clamp(y, 0.f, bottom);
-    mine &= max(abs(x - inX), abs(y - inY)) < 0.5f;
-    Float8 left = floor(inX), top = floor(inY), u = inX - left, w = inY - top;
-    // Neighbouring pixels are mostly neighbours there, too. So loads replace gathers, one round for each
-    // distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
-    Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes, others = {};
-    Fetched found = {Rgb8{}, Int8{}};
-    for (int rest = 255; rest;) {
-        ptrdiff_t first = step[__builtin_ctz((unsigned)rest)];
-        Int8 here = step == (int32_t)first;
-        rest &= ~laneBits(here);
-        // Find which shapes the four pixels around show, and interpolate their radiance
-        Int8 owned = here;
-        auto take = [&](const uint16_t *p) {
-            Int8 id = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)(p + first)));
-            Int8 many = id == kManyShapes;
-            owned &= many | (id == c.shape);
-            others |= many & here;
-        };
-        take(f.shapes), take(f.shapes + 1), take(f.shapes + f.stride), take(f.shapes + f.stride + 1);
-        auto mix = [&](const float *p) {
-            p += first;
-            Float8 a = load(p), b = load(p + f.stride);
-            a = fmadd(u, load(p + 1) - a, a);
-            b = fmadd(u, load(p + f.stride + 1) - b, b);
-            return fmadd(w, b - a, a);
-        };
-        found.radiance =
-            select(owned, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
-        found.worth |= owned;
+[[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
+                             Carry *const (&carry)[2], Trust *trust) {
+    const Scene &scene = *now.scene;
+    for (int i = 0; i <= scene.shapeCount; ++i) {
+        const Shape &a = scene.shapes[i];
+        trust[i] = {kAlike * gap * 0.5f, -1};
+        if (i == scene.shapeCount || !a.isBall() || carry[0][i].shape == kNone || carry[1][i].shape == kNone)
+            continue;
+        const Material &m = scene.materials[a.material];
+        Vec3 u = before.scene->shapes[carry[0][i].shape].centre - before.view.eye,
+             v = after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
+        float perLength = 1 / length(u);
+        if (m.ior > 0 && length(u - v) > a.half.x * kFast * gap) trust[i].alike *= kAlikeInGlass / kAlike;
+        if (m.reflect <= 0) continue;
+        // The normal turns by half the angle by which the eye goes round the ball
+        float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
+        trust[i].alike *= clamp(kGhosts / max(moves, 1e-6f), 2 / max(gap, 2.f), 1.f);
+        trust[i].alone = -(moves < kTorn);
     }
-    found.worth &= mine & (2 + others);
-    return found;
 }
 
 // Traces pixels: with one sample in the middle where one shape fills them, else with kSamples, each in a row
@@ -180,11 +118,9 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
     }
 }
 
-Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
-
 // Finds what every pixel of a tile and around it shows. Most rows lie between two that show the same, and
-// take it from them. On planes 1 / along is linear. Something
-// small that is missed so stands in the traced pictures, and is traced anew.
+// take it from them. On planes 1 / along is linear. Something small that is missed in this way stands in the
+// traced pictures, and is traced anew.
 ODRAZ_INLINE void findShown(const Tile &t, BetweenScratch &b) {
     const int sky = t.scene.shapeCount;
     const View &v = t.view;
@@ -213,11 +149,20 @@ ODRAZ_INLINE void findShown(const Tile &t, BetweenScratch &b) {
     }
 }
 
-// The two pictures, and how every shape is carried to them.
-struct Sides {
-    const Frame &before, &after;
-    Carry *const (&carry)[2];
+Float8 brightest(const Rgb8 &v) { return max(v.x, max(v.y, v.z)); }
+
+// Between what both pictures show, and where that differs by roughly less than the eye sees.
+struct Blend {
+    Rgb8 radiance;
+    Int8 agrees;
 };
+ODRAZ_INLINE Blend blend(const Sides &sides, const Trust &trust, const Fetched &before,
+                         const Fetched &after) {
+    Rgb8 off = after.radiance - before.radiance, radiance = before.radiance + off * broadcast(sides.share);
+    Float8 bright = brightest(radiance) * sides.exposure,
+           differs = max(brightest(off), -min(off.x, min(off.y, off.z))) * sides.exposure;
+    return {radiance, differs <= fmadd(bright, fmadd(bright, 2.5f, broadcast(4.f)), 0.1f) * trust.alike};
+}
 
 // What eight pixels show, as far as it is known without tracing; and kInside where one shape fills them.
 struct Known {
@@ -225,35 +170,22 @@ struct Known {
     Int8 done = {}, inside = {};
 };
 
-// Fetches from both pictures what the lanes show, `far` along their directions.
-// At a rim only pixels of several shapes count.
-ODRAZ_INLINE void fetchBoth(const Sides &sides, Int8 whose, Int8 lanes, bool rim, Float8 px, float py,
-                            Float8 far, float exposure, Known &known) {
-    for (int left = laneBits(lanes); left;) {
-        int id = whose[__builtin_ctz((unsigned)left)];
-        Int8 mine = lanes & (whose == id);
-        left &= ~laneBits(mine);
-        const float alike = sides.carry[0][id].alike;
-        Fetched v = fetch(sides.before, sides.carry[0][id], px, py, far),
-                w = fetch(sides.after, sides.carry[1][id], px, py, far);
-        Int8 before = v.worth, after = w.worth;
-        // Only pixels that it shares with other shapes tell how far it extends
-        if (rim) before &= before == 1, after &= after == 1;
-        Rgb8 more = v.radiance + w.radiance, off = v.radiance - w.radiance;
-        // They agree if they differ by roughly less than the eye sees
-        Float8 bright = brightest(more) * (0.5f * exposure);
-        Int8 agree = (before > 0) & (after > 0) &
-                     (max(brightest(off), -min(off.x, min(off.y, off.z))) * exposure <=
-                      fmadd(bright, fmadd(bright, 2.5f, broadcast(4.f)), 0.1f) * alike);
-        more = select(agree | (before == after), more * broadcast(0.5f),
-                      select(before > after, v.radiance, w.radiance));
-        // A pixel is white as soon as a little of something much brighter than white extends into it.
-        // Interpolation would widen the outline of such a thing
-        Int8 blinding = ((before == 1) | (after == 1)) & (brightest(more) * exposure > kBlinding);
-        known.radiance = select(mine, more, known.radiance);
-        known.inside = select(mine, (before & after) >> 1 << 12, known.inside);
-        known.done |= mine & (agree | (before != after)) & ~blinding;
-    }
+// Joins what both pictures show of a shape. At a rim only pixels of several shapes count.
+[[gnu::noinline]] void join(const Sides &sides, const Trust &trust, Int8 mine, bool rim, const Fetched &v,
+                            const Fetched &w, Known &known) {
+    Int8 before = v.worth, after = w.worth;
+    // Only pixels that it shares with other shapes show how far it extends
+    if (rim) before &= before == 1, after &= after == 1;
+    Blend both = blend(sides, trust, v, w);
+    Int8 agree = (before > 0) & (after > 0) & both.agrees;
+    Rgb8 radiance =
+        select(agree | (before == after), both.radiance, select(before > after, v.radiance, w.radiance));
+    // A pixel is white as soon as a little of something much brighter than white extends into it.
+    // Interpolation would widen the outline of such a thing
+    Int8 blinding = ((before == 1) | (after == 1)) & (brightest(radiance) * sides.exposure > kBlinding);
+    known.radiance = select(mine, radiance, known.radiance);
+    known.inside = select(mine, (before & after) >> 1 << 12, known.inside);
+    known.done |= mine & (agree | ((before != after) & trust.alone)) & ~blinding;
 }
 
 // Eight pixels of a tile from (x, y) on: first nearer shapes that extend into them from the pixels beside
@@ -281,57 +213,137 @@ ODRAZ_INLINE Known fetchPixels(const Sides &sides, const Tile &t, const BetweenS
     Int8 whose = rim ? front : shape, lanes = rim ? front != shape : kLanes >= 0;
     Float8 far = rim ? nearest : along;
     for (;;) {
-        fetchBoth(sides, whose, lanes, rim, px, py, far, t.scene.exposure, known);
+        for (int left = laneBits(lanes); left;) {
+            int id = whose[__builtin_ctz((unsigned)left)];
+            Int8 mine = lanes & (whose == id);
+            left &= ~laneBits(mine);
+            Fetched before = fetchFar(sides.before, sides.carry[0][id], px, py, far),
+                    after = fetchFar(sides.after, sides.carry[1][id], px, py, far);
+            join(sides, sides.trust[id], mine, rim, before, after, known);
+        }
         if (!rim) return known;
         rim = false;
         whose = shape, lanes = ~known.done, far = along;
     }
 }
 
-// Traces the pixels that anewAt lists, or the whole tile if there are many.
-ODRAZ_INLINE void retrace(Tile &t, BetweenScratch &b, int count) {
-    b.anew += count;
-    if (count > kMostAnew)
-        traceAdaptive(t);
-    else
-        traceAnew(t, b.anewAt, count);
+// Whether a block and those around it show the same shape.
+ODRAZ_INLINE bool isPlain(const int32_t *shape) {
+    Int8 first = broadcast(*shape), edge = {};
+    for (int y = 0; y < kBlock + 2; ++y, shape += kRow)
+        edge |= (loadInts(shape) ^ first) | (loadInts(shape + 2) ^ first);
+    return !any(edge != 0);
+}
+
+// Where the corners of a plain block lie in both pictures: upper left and right, lower left and right; then
+// in the later one.
+struct Corners {
+    float x[8], y[8];
+
+    // Places of a row of the block, from corner `first` on.
+    ODRAZ_INLINE static Float8 row(const float *v, float down) {
+        float left = v[0] + (v[2] - v[0]) * down, right = v[1] + (v[3] - v[1]) * down;
+        return fmadd(toFloat(kLanes), (right - left) * (1.f / (kBlock - 1)), broadcast(left));
+    }
+};
+// False if one lies outside.
+ODRAZ_INLINE bool carryCorners(const Sides &sides, int id, float px, float py, const float *along,
+                               Corners &corners) {
+    constexpr int kEnd = kBlock - 1;
+    const Carry &c = sides.carry[0][id], &d = sides.carry[1][id];
+    Float8 x = px + Float8{0, kEnd, 0, kEnd, 0, kEnd, 0, kEnd},
+           y = py + Float8{0, 0, kEnd, kEnd, 0, 0, kEnd, kEnd};
+    __m128 four = {along[0], along[kEnd], along[kEnd * kRow], along[kEnd * kRow + kEnd]};
+    Float8 far = _mm256_set_m128(four, four);
+    auto row = [&](const float(&h)[4], const float(&k)[4]) {
+        Float8 both = _mm256_set_m128(_mm_loadu_ps(k), _mm_loadu_ps(h));
+        Float8 way = fmadd(y, (Float8)_mm256_permute_ps(both, 0xaa), (Float8)_mm256_permute_ps(both, 0));
+        return fmadd(far, fmadd(x, (Float8)_mm256_permute_ps(both, 0x55), way),
+                     (Float8)_mm256_permute_ps(both, 0xff));
+    };
+    Float8 ahead = row(c.h[2], d.h[2]);
+    if (any(ahead <= kAhead)) return false;
+    Float8 inverse = 1.f / ahead;
+    x = fmadd(row(c.h[0], d.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1], d.h[1]), inverse, -0.5f);
+    store(corners.x, x);
+    store(corners.y, y);
+    const Frame &f = sides.before, &g = sides.after;
+    return !any((min(x, y) < 0.f) | (x > (float)min(f.width, g.width) - 1.01f) |
+                (y > (float)min(f.height, g.height) - 1.01f));
+}
+
+ODRAZ_INLINE void put(const Tile &t, int x, int y, const Rgb8 &v) {
+    size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
+    store(t.frame.plane[0] + out, v.x);
+    store(t.frame.plane[1] + out, v.y);
+    store(t.frame.plane[2] + out, v.z);
+}
+
+// Makes a block, and adds the numbers of the pixels that must be traced.
+ODRAZ_INLINE int makeBlock(const Sides &sides, const Tile &t, BetweenScratch &b, int x, int top, int count) {
+    const int at = top * kRow + x, id = b.shape[at];
+    Corners c;
+    bool plain =
+        isPlain(b.shape + at) && carryCorners(sides, id, (float)(t.x0 + x) + 0.5f, (float)(t.y0 + top) + 0.5f,
+                                              b.along + at + kRow + 1, c);
+    for (int y = top; y < min(top + kBlock, t.height); ++y) {
+        Known known;
+        if (plain) {
+            float down = (float)(y - top) * (1.f / (kBlock - 1));
+            Fetched before = fetch(sides.before, sides.carry[0][id].shape, Corners::row(c.x, down),
+                                   Corners::row(c.y, down)),
+                    after = fetch(sides.after, sides.carry[1][id].shape, Corners::row(c.x + 4, down),
+                                  Corners::row(c.y + 4, down));
+            Blend both = blend(sides, sides.trust[id], before, after);
+            if (laneBits(both.agrees & ((before.worth & after.worth) > 1)) == 255) {
+                put(t, x, y, both.radiance);
+                continue;
+            }
+            join(sides, sides.trust[id], kLanes >= 0, false, before, after, known);
+        } else
+            known = fetchPixels(sides, t, b, x, y);
+        put(t, x, y, known.radiance);
+        for (int left = laneBits(~known.done & (kLanes < t.width - x)); left; left &= left - 1) {
+            int lane = __builtin_ctz((unsigned)left);
+            b.anewAt[count++] = (uint16_t)(y * kTile + x + lane + known.inside[lane]);
+        }
+    }
+    return count;
 }
 
 void makeTile(const Sides &sides, Tile &t, BetweenScratch &b) {
     int count = 0;
     findShown(t, b);
-    for (int y = 0; y < t.height; ++y)
-        for (int x = 0; x < t.width; x += 8) {
-            Known known = fetchPixels(sides, t, b, x, y);
-            size_t out = (size_t)(t.y0 + y) * (size_t)t.frame.stride + (size_t)(t.x0 + x);
-            const Float8 *channel[3] = {&known.radiance.x, &known.radiance.y, &known.radiance.z};
-            for (int k = 0; k < 3; ++k) store(t.frame.plane[k] + out, *channel[k]);
-            for (int left = laneBits(~known.done & (kLanes < t.width - x)); left; left &= left - 1) {
-                int lane = __builtin_ctz((unsigned)left);
-                b.anewAt[count++] = (uint16_t)(y * kTile + x + lane + known.inside[lane]);
-            }
-        }
-    retrace(t, b, count);
+    for (int y = 0; y < t.height; y += kBlock)
+        for (int x = 0; x < t.width && count <= kMostAnew; x += kBlock)
+            count = makeBlock(sides, t, b, x, y, count);
+    if (count > kMostAnew)
+        traceAdaptive(t), count = t.width * t.height;
+    else
+        traceAnew(t, b.anewAt, count);
+    b.anew += count;
 }
 
 } // namespace
 
-const size_t kBetweenBytes =
-    2 * (kMaxShapes + 1) * sizeof(Carry) + kMaxWorkers * (sizeof(BetweenScratch) + 64);
+const size_t kBetweenBytes = (kMaxShapes + 1) * (2 * sizeof(Carry) + sizeof(Trust)) +
+                             kMaxWorkers * (sizeof(BetweenScratch) + 64) + 256;
 
 bool makeBetween(Between &between, Arena &arena, int workers) {
     between.workers = workers;
     between.scratch = arena.take<BetweenScratch>((size_t)workers);
     for (Carry *&carry : between.carry) carry = arena.take<Carry>(kMaxShapes + 1);
+    between.trust = arena.take<Trust>(kMaxShapes + 1);
     return !arena.full;
 }
 
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, const Quality &quality, Traced &now) {
+                  const Traced &after, float share, float gap, Traced &now) {
     carryTo(before, now, between.carry[0]);
     carryTo(after, now, between.carry[1]);
-    Sides sides = {before.frame, after.frame, between.carry};
-    forTiles(tracer, workers, *now.scene, now.view, quality, now.frame,
+    findTrust(before, after, now, gap, between.carry, between.trust);
+    Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
+    forTiles(tracer, workers, *now.scene, now.view, kQualities[(int)QualityName::Draft], now.frame,
              [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
 }
 

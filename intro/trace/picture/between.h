@@ -1,4 +1,4 @@
-// In-betweens: the picture half-way in time between two traced ones, made from both.
+// In-betweens: a picture between two traced ones in time, made from both.
 //
 // A ray finds exactly what a pixel shows at that moment. The point that it hits is moved with its shape to
 // the moments of both pictures, and the colours seen there are fetched. A colour counts if the picture shows
@@ -18,13 +18,18 @@ struct Traced {
     View view;
 };
 
+// Fills frame.owners, which traceBetween() needs of both pictures.
+void markOwners(Frame &frame, Workers &workers);
+
 struct BetweenScratch;
 struct Carry;
+struct Trust;
 
 // What in-betweens need besides a Tracer; allocated once.
 struct Between {
     BetweenScratch *scratch; // one for every worker
     Carry *carry[2];         // to either picture: for every shape, and behind the last one for the sky
+    Trust *trust;            // of every shape, and of the sky
     int workers;
 };
 
@@ -32,11 +37,12 @@ extern const size_t kBetweenBytes; // that makeBetween() takes at most, of the a
 // False if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
-// Fills the frame of `now`, whose scene and view are those of its moment, from pictures equally long before
-// and after it. Pixels that must be traced have the quality given. The result does not depend on the number
-// of workers.
+// Fills the frame of `now`, whose scene and view are those of its moment, from pictures before and after it,
+// which may be the same: `share` is how far it is on the way from one to the other, 0 .. 1; `gap` is how many
+// sixtieths of a second they are apart. What must be traced has the quality `draft`. The result does not
+// depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, const Quality &quality, Traced &now);
+                  const Traced &after, float share, float gap, Traced &now);
 
 // The number of pixels that had to be traced since the last call.
 int64_t tracedAnew(Between &between);

@@ -1,0 +1,107 @@
+#include "trace/picture/carry.h"
+
+#include "base/parallel.h"
+
+namespace odraz {
+
+[[gnu::cold]] void carryTo(const Traced &to, const Traced &now, Carry *carry) {
+    constexpr int kMostNew = 200;
+    const View &v = to.view, &w = now.view;
+    Vec3 rows[3] = {v.right * (v.width / dot(v.right, v.right)) + v.forward * (v.width * 0.5f),
+                    v.down * (v.height / dot(v.down, v.down)) + v.forward * (v.height * 0.5f), v.forward};
+    Vec3 from[3] = {w.direction(0.f, 0.f), w.right * (1 / w.width), w.down * (1 / w.height)};
+    int next = 0;
+    for (int i = 0; i <= now.scene->shapeCount; ++i) {
+        const Shape &a = now.scene->shapes[i];
+        Carry &c = carry[i];
+        c = {};
+        bool sky = i == now.scene->shapeCount;
+        c.shape = sky ? kSkyShown : kNone;
+        for (int j = next; !sky && j < min(next + kMostNew, to.scene->shapeCount); ++j) {
+            Vec3 way = a.centre - to.scene->shapes[j].centre;
+            if (a.kind != to.scene->shapes[j].kind || dot(way, way) > a.half.x * a.half.x * 0.25f) continue;
+            c.shape = (uint16_t)j;
+            next = j + 1;
+            break;
+        }
+        if (c.shape == kNone) continue;
+        const Shape &b = to.scene->shapes[sky ? 0 : c.shape];
+        for (int k = 0; k < 3; ++k) {
+            Vec3 r = rows[k], turned = r;
+            if (!sky) {
+                // What a ball mirrors does not roll with it, nor do lights and shadows on it. So a ball turns
+                // only if it has a texture
+                if (a.traits().extents && !(a.isBall() && now.scene->materials[a.material].plain()))
+                    turned = transposeTimes(a.frame, b.frame * r);
+                if (a.half.x > 0) turned *= Vec3{1, 1, 1} * (b.half.x / a.half.x);
+                c.h[k][3] = dot(turned, w.eye - a.centre) + dot(r, b.centre - v.eye);
+            }
+            for (int m = 0; m < 3; ++m) c.h[k][m] = dot(turned, from[m]);
+        }
+    }
+}
+
+void markOwners(Frame &f, Workers &workers) {
+    parallelRanges(workers, f.height, 16, [&](int first, int end, int) {
+        for (int y = first; y < end; ++y) {
+            const uint16_t *p = f.shapes + (ptrdiff_t)y * f.stride;
+            const ptrdiff_t below = y + 1 < f.height ? f.stride : 0;
+            int32_t *to = f.owners + (ptrdiff_t)y * f.stride;
+            for (int x = 0; x < f.width; x += 8, p += 8) {
+                Int8 four[4], least = broadcast((int)kManyShapes), many = {}, same = kLanes >= 0;
+                for (int k = 0; k < 4; ++k) {
+                    const uint16_t *from = p + (k & 1) + (k & 2 ? below : 0);
+                    four[k] = (Int8)_mm256_cvtepu16_epi32(_mm_loadu_si128((const __m128i *)from));
+                    least = select(four[k] < least, four[k], least);
+                    many |= four[k] == kManyShapes;
+                }
+                for (Int8 v : four) same &= (v == least) | (v == kManyShapes);
+                store(to + x, least | (same & (2 + many)) << 16);
+            }
+        }
+    });
+}
+
+Fetched fetch(const Frame &f, int shape, Float8 x, Float8 y) {
+    Float8 left = floor(x), top = floor(y), u = x - left, w = y - top;
+    // Neighbouring pixels are mostly neighbours there, too. So loads replace gathers, one round for each
+    // distinct offset. (What lanes read beyond the end of a plane belongs to the next one.)
+    const ptrdiff_t stride = f.stride;
+    Int8 step = toInt(fmadd(top, (float)f.stride, left)) - kLanes;
+    Fetched found = {Rgb8{}, Int8{}};
+    for (int rest = 255; rest;) {
+        const ptrdiff_t first = step[__builtin_ctz((unsigned)rest)];
+        Int8 here = step == (int32_t)first;
+        rest &= ~laneBits(here);
+        // Which shapes the four pixels around show, and their radiance, interpolated
+        Int8 owner = loadInts(f.owners + first), id = owner & 0xffff;
+        auto mix = [&](const float *p) {
+            p += first;
+            Float8 a = load(p), b = load(p + stride);
+            a = fmadd(u, load(p + 1) - a, a);
+            b = fmadd(u, load(p + stride + 1) - b, b);
+            return fmadd(w, b - a, a);
+        };
+        found.radiance =
+            select(here, Rgb8{mix(f.plane[0]), mix(f.plane[1]), mix(f.plane[2])}, found.radiance);
+        found.worth |= here & ((id == shape) | (id == kManyShapes)) & (owner >> 16);
+    }
+    return found;
+}
+
+Fetched fetchFar(const Frame &f, const Carry &c, Float8 px, float py, Float8 far) {
+    auto row = [&](const float(&h)[4]) {
+        return fmadd(far, fmadd(px, h[1], broadcast(fmadd(py, h[2], h[0]))), h[3]);
+    };
+    Float8 ahead = row(c.h[2]);
+    Int8 mine = ahead > kAhead;
+    Float8 inverse = 1.f / select(mine, ahead, 1.f);
+    Float8 x = fmadd(row(c.h[0]), inverse, -0.5f), y = fmadd(row(c.h[1]), inverse, -0.5f);
+    Float8 inX = clamp(x, 0.f, (float)(f.width - 1) - 0.001f),
+           inY = clamp(y, 0.f, (float)(f.height - 1) - 0.001f);
+    Fetched found = fetch(f, c.shape, inX, inY);
+    found.worth &= mine & (max(abs(x - inX), abs(y - inY)) < 0.5f);
+    return found;
+}
+
+} // namespace odraz
