@@ -20,7 +20,7 @@ struct Live {
     CameraKey (*cameraAt)(double seconds);
     Picture (*picture)(Intro &intro, int slot, double seconds, const Quality &quality,
                        const CameraKey *camera, TracedSize traced);
-    Picture (*between)(Intro &intro, int earlier, int later);
+    Picture (*between)(Intro &intro, int earlier, int later, double share, int place);
     int64_t (*samplesTaken)(const Intro &intro);
     const char *(*outgrown)(const Intro &intro);
     size_t (*soundMemory)();

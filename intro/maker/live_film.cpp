@@ -55,7 +55,9 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
                 TracedSize traced) {
     return live().picture(intro, slot, seconds, quality, camera, traced);
 }
-Picture between(Intro &intro, int earlier, int later) { return live().between(intro, earlier, later); }
+Picture between(Intro &intro, int earlier, int later, double share, int place) {
+    return live().between(intro, earlier, later, share, place);
+}
 int64_t samplesTaken(const Intro &intro) { return live().samplesTaken(intro); }
 const char *outgrown(const Intro &intro) { return live().outgrown(intro); }
 size_t soundMemory() { return live().soundMemory(); }

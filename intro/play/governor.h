@@ -2,18 +2,20 @@
 // so that any machine keeps up. All times are in seconds. It has no clock of its own: the same times in, the
 // same decisions out.
 //
-// It changes two things. The coarseness tells how much each traced picture does without: first quality, from
+// It changes two things. The coarseness says how much each traced picture does without: first quality, from
 // `film` over `play` down to a level at which the scene would rather do without pixels; then pixels, which
 // are scaled up; then the rest of quality, down to `draft`. It changes a little with every picture, so that
-// nobody sees a step. The way tells how the sixty pictures a second that a screen shows are made:
+// nobody sees a step. The way says which pictures are traced, and how many are made between two of them:
 //
-//   kSixty    all are traced, if that can be done at `play` or better
-//   kPairs    every other one is traced; the in-between of two of them is made from both, which is less work
-//   kThirty   thirty are shown, and every other one of these is traced: where the scene would rather do
-//             without half of its pictures than be coarser; and where pairs are too slow, as making one
-//             takes as long as tracing it
+//   kSixty           all sixty of a second are traced
+//   kPairs           every other one is traced, and one is made between two
+//   kFours, kSixes   every fourth or sixth one is traced, and three or five are made between two
+//   kThirty          every fourth one is traced, and one is made between two: thirty are shown
 //
-// If even that is too much, next() leaves pictures out.
+// The fewer are traced, the better each of them is, and the worse are those between, by how the scene moves.
+// So choose() estimates the error of each way: that of the coarseness that it would have on this machine, by
+// what tracing and making took, and what the scene loses by it (Pace in intro.h). If even the coarsest
+// pictures take too long, next() leaves some out.
 #pragma once
 
 #include "base/maths.h"
@@ -22,36 +24,34 @@
 namespace odraz {
 
 struct Governor {
-    enum Way { kSixty, kPairs, kThirty };
+    enum Way { kSixty, kPairs, kFours, kSixes, kThirty };
+    static constexpr int kApart[kWays] = {1, 2, 4, 6, 4};   // sixtieths from one traced picture to the next
+    static constexpr int kBetween[kWays] = {0, 1, 3, 5, 1}; // pictures made between two
+    static_assert(kBetween[kSixes] <= kPlaces);
 
-    // What a traced picture may take, with its in-between: 87 % of the time until the next one. The rest is
-    // for showing it, and for pictures that take longer than those before them.
-    static constexpr float kBudget[] = {0.0145f, 0.029f, 0.058f}; // by way
-    // Each new picture counts a quarter in the averages: they are those of the last four or so, a seventh of
-    // a second. Fewer would follow noise, more would see a costly scene too late.
+    // What a traced picture may take, with those made before it: a share of the time until the next one. The
+    // rest is for showing them, and for pictures that take longer than those before them.
+    static constexpr float kShare = 0.87f;
+    // Each new picture counts a quarter in the averages: they are those of the last four or so. Fewer would
+    // follow noise, more would see a costly scene too late.
     static constexpr float kFollow = 0.25f;
-    // Tracing one picture counts as at most so many times the average, and making one as so many times
-    // tracing. What takes longer is a hiccup of the system or of another program, and tells nothing about the
-    // pictures after it.
-    static constexpr float kMostTracing = 4, kMostMaking = 1.5f;
-    // How far the coarseness moves at a picture that takes twice its budget; from `play` to `draft` that is
-    // six pictures. It improves at half that speed at most: viewers notice a late picture, but hardly a
-    // coarse one. At pictures that take kFarTooLong times their budget it moves by a whole step, which is
-    // expected to halve their time.
-    static constexpr float kMove = 0.16f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
+    // Tracing or making a picture counts as at most this many times the average. What takes longer is a
+    // hiccup of the system or of another program, and says nothing about the pictures after it.
+    static constexpr float kMost = 4;
+    // How far the coarseness moves in a sixtieth of a second, where a picture takes twice its budget; from
+    // `play` to `draft` that is a fifth of a second. It improves at half that speed at most: viewers notice a
+    // late picture, but hardly a coarse one. At pictures that take kFarTooLong times their budget it moves by
+    // a whole step, which is expected to halve the time of tracing.
+    static constexpr float kMove = 0.12f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
     // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
-    // All sixty are traced once a picture of at least `play` takes less than kSixtyBelow, and for as long as
-    // the coarseness stays at `play` or a little above. The gap between these two conditions is 25 % of a
-    // picture's time. That is more than noise of 30 % leaves in an average, so the way does not swing.
-    static constexpr float kSixtyBelow = 0.0125f, kPlay = 1, kLittleCoarser = 1.25f;
-    // Pairs are too slow once one at the coarsest takes kLate times its budget and kNearlyTwice times what
-    // tracing alone takes.
-    static constexpr float kLate = 1.1f, kNearlyTwice = 1.8f;
-    // Sixty are shown again once thirty are so much better than where they began, or once the best thirty
-    // take less than half of their time. Sooner, sixty would soon be too coarse, and the ways would swing.
-    static constexpr float kBack = 1.6f, kHalf = 0.5f;
-    // The next picture may be so much late before pictures are left out for it.
+    static constexpr float kPlay = 1;
+    // Another way is taken where its error is less than this share of that of now, for kWait sixtieths of a
+    // second; at the first picture of a scene at once. Each change in a scene makes the next one harder, so
+    // the way cannot swing.
+    static constexpr float kClearly = 0.75f;
+    static constexpr int kWait = 20;
+    // The next picture may be this late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
     static constexpr double kSixtieth = 1 / 60.0;
     static constexpr double kNotBegun = -1e9; // the film's time before it begins: no picture is late
@@ -63,7 +63,7 @@ struct Governor {
     static constexpr float kShrink = 0.35f;
     // Pixels. Where fewer are traced than shown, quality stays as it is, and the coarseness does not move
     // while pictures take within kCalm of their budget, so that their size does not go to and fro. Better
-    // quality is tried where all are traced in so much of the budget: the best of `draft` and the worst above
+    // quality is tried where all are traced in kSpare of the budget: the best of `draft` and the worst above
     // it are up to 19 % apart, since only the latter samples within pixels.
     static constexpr int kWidthStep = 16;
     static constexpr float kCalm = 0.06f, kSpare = 0.78f;
@@ -73,14 +73,19 @@ struct Governor {
 
     Way way = kPairs;
     float coarseness = kPlay; // kBest .. coarsest()
-    // Of the last pictures, and of tracing them alone
-    float average = kBudget[kPairs], tracing = kBudget[kPairs];
-    bool fewer = false; // whether fewer pixels are traced, if it should be coarser than pace.pixels
+    // Averages of tracing a picture and of making one, at the coarseness of now
+    float tracing = 0.05f, making = 0.02f;
+    float weight = 1;         // that the next picture has in them
+    int waited = kWait;       // for how many sixtieths another way was better
+    float clearly = kClearly; // in this scene
+    bool fewer = false;       // whether fewer pixels are traced, if it should be coarser than pace.pixels
     int scene = -1;
 
-    bool pairs() const { return way != kSixty; }
     // From one traced picture to the next.
-    double step() const { return kSixtieth * (1 << way); }
+    double step() const { return kSixtieth * kApart[way]; }
+    // What a traced picture takes of the time until the next one, with all that are made before it.
+    float average() const { return tracing + kBetween[way] * making; }
+    float budget(int w) const { return kShare * (float)kSixtieth * (float)kApart[w]; }
     // How far pixels may go, in steps of coarseness.
     float pixelSteps() const {
         return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
@@ -99,53 +104,75 @@ struct Governor {
         return {w, width ? (w * height + width / 2) / width : 0};
     }
 
+    // The squared error of a way, in units of that of `play`. A step of coarseness halves the work and
+    // doubles the error, to which the scene adds what it loses by the way. Beyond the coarsest pictures are
+    // left out: that counts twice.
+    float error(int w) const {
+        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f);
+        float error = max(exp2(coarseness - kPlay) * more, exp2(kBest - kPlay));
+        error *= max(exp2(coarseness - coarsest()) * more, 1.f);
+        return error * error + pace.lost[w];
+    }
+    // Takes the best way, once it was clearly better for a while.
+    void choose() {
+        Way best = way;
+        float least = error(way) * clearly;
+        for (int w = 0; w < kWays; ++w) {
+            float its = error(w);
+            if (its < least) least = its, best = (Way)w;
+        }
+        waited = best == way ? 0 : waited + kApart[way];
+        if (waited < kWait) return;
+        way = best, waited = 0;
+        clearly *= kClearly;
+    }
+
     // The picture to trace next is of this scene.
     void enter(int next, const Pace &itsPace) {
         if (scene == next) return;
-        scene = next;
         pace = itsPace;
         coarseness = min(coarseness, coarsest());
-        if (way == kThirty) way = kPairs, average = tracing;
-        if (way == kPairs && coarseness > pace.thirty) way = kThirty;
         fewer = coarseness >= pace.pixels;
+        weight = 1;
+        waited = kWait;
+        scene = next;
+        clearly = kClearly;
     }
 
-    // The times that the last picture took: to trace it, and to make the in-between before it, or 0.
-    void spent(float trace, float make) {
-        float budget = kBudget[way];
-        trace = min(trace, kMostTracing * tracing);
-        make = min(make, kMostMaking * tracing);
-        tracing += (trace - tracing) * kFollow;
-        average += (trace + make - average) * kFollow;
-        float off = average / budget - 1;
+    // The times that the last picture took: to trace it, and to make each of `count` pictures before it.
+    void spent(float trace, float make, int count) {
+        auto follow = [&](float &average, float time) {
+            average += (min(time, kMost * average) - average) * weight;
+        };
+        follow(tracing, trace);
+        if (count) follow(making, make);
+        weight = max(weight / (1 + weight), kFollow);
+        float off = average() / budget(way) - 1;
         if (fewer) off -= clamp(off, -kCalm, kCalm);
-        float move = clamp(off, kMostBetter, kMostWorse) * kMove;
-        if (average > kFarTooLong * budget && coarseness + 1 < coarsest())
-            move = 1, average *= 0.5f, tracing *= 0.5f;
-        if (fewer && coarseness <= pace.pixels && average < kSpare * budget) fewer = false;
+        float move = clamp(off, kMostBetter, kMostWorse) * kMove * (float)kApart[way];
+        if (off > kFarTooLong - 1 && coarseness + 1 < coarsest()) move = 1;
+        if (fewer && coarseness <= pace.pixels && off < kSpare - 1) fewer = false;
+        float was = coarseness;
         coarseness = clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest());
+        tracing *= exp2(was - coarseness);
         fewer |= coarseness >= pace.pixels;
-        Way next = way;
-        if (way == kSixty) {
-            if (coarseness > kLittleCoarser) next = kPairs;
-        } else if (way == kThirty) {
-            if (coarseness < pace.thirty - kBack || (coarseness == kBest && average < kHalf * budget))
-                next = kPairs, coarseness = pace.thirty, average *= 0.5f;
-        } else if (coarseness <= kPlay && tracing < kSixtyBelow)
-            next = kSixty;
-        else if (coarseness > pace.thirty)
-            next = kThirty;
-        else if (coarseness == coarsest() && average > kLate * budget && average > kNearlyTwice * tracing)
-            next = kThirty, pace.thirty = 0; // until the next scene
-        if (next != way) average = next == kSixty ? tracing : average, way = next;
+        choose();
     }
+
+    // How many pictures are made between two that are `gap` sixtieths apart: none after a hiccup.
+    int between(int gap) const { return gap > 2 * kApart[way] ? 0 : kBetween[way]; }
+    // The sixtieths from the i-th of them to the traced one behind them.
+    int ahead(int i) const { return (kBetween[way] + 1 - i) * kApart[way] / (kBetween[way] + 1); }
 
     // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.
-    // The picture must be ready when its time comes; in pairs it must be ready earlier, as the in-between is
-    // made from it. Pictures that are left out leave whole sixtieths out: else all later ones would come
-    // between those of the screen, and wait there for the next.
+    // All that are made between the two must be ready when their time comes. Pictures that are left out leave
+    // whole sixtieths out: else all later ones would come between those of the screen, and wait there for the
+    // next.
     double next(double time, double now) const {
-        double soonest = now + average + (pairs() ? 0.5 * step() : 0) - kTolerance;
+        double soonest =
+            now +
+            max(tracing + (float)ahead(1) * (float)kSixtieth + (kBetween[way] ? making : 0), average()) -
+            kTolerance;
         for (time += step(); time < soonest;) time += kSixtieth;
         return time;
     }

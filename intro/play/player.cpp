@@ -47,7 +47,9 @@ struct Player {
         if (kForTools) m.level = governor.level();
         m.samples = (float)samplesTaken(*intro) / (float)(m.size.width * m.size.height);
     }
-    void between(Made &m, int earlier, int later) { m.picture = odraz::between(*intro, earlier, later); }
+    void between(Made &m, int earlier, int later, double share, int place) {
+        m.picture = odraz::between(*intro, earlier, later, share, place);
+    }
     unsigned add(const Made &m) { return queue.add(m); }
     void await(unsigned number) const {
         while (!queue.passed(number) && !leaves()) sleepFor(kNap);

@@ -20,16 +20,18 @@ struct Made {
 // the start.
 struct Queue {
     unsigned made, shown; // numbers of pictures, since the start
-    Made ring[4];         // those not shown yet; makePictures() never has more
+    static constexpr unsigned kRing = 8;
+    Made ring[kRing]; // those not shown yet; makePictures() never has more than its slots and places
+    static_assert(kSlots + kPlaces <= kRing);
 
     // The film begins when so many are ready.
     static constexpr unsigned kAhead = 3;
 
     unsigned ready() const { return __atomic_load_n(&made, __ATOMIC_ACQUIRE); }
-    const Made &first() const { return ring[shown % 4]; }
+    const Made &first() const { return ring[shown % kRing]; }
     // Returns how many were made.
     unsigned add(const Made &m) {
-        ring[made % 4] = m;
+        ring[made % kRing] = m;
         __atomic_store_n(&made, made + 1, __ATOMIC_RELEASE);
         return made;
     }
@@ -39,7 +41,7 @@ struct Queue {
     Turn turn(double time) const {
         unsigned waiting = ready() - shown;
         if (!waiting || first().time > time) return kWaits;
-        return waiting < 2 || ring[(shown + 1) % 4].time > time ? kShows : kPasses;
+        return waiting < 2 || ring[(shown + 1) % kRing].time > time ? kShows : kPasses;
     }
     // The first one was shown, or passed over: its place may be used again.
     void pass() { __atomic_store_n(&shown, shown + 1, __ATOMIC_RELEASE); }
@@ -57,13 +59,15 @@ struct Queue {
 //   int sceneOf(time); Pace paceOf(scene)
 //   trace(made, slot, governor)     traces the picture of made.time in slot 0 or 1, with the governor's
 //                                   quality and size
-//   between(made, earlier, later)   makes the one of made.time, half-way between those of two slots
+//   between(made, earlier, later, share, place)
+//                                   makes the one of made.time, `share` of the way between those of two slots
 //   unsigned add(made)              adds to the queue, and returns how many were added
 //   await(number)                   waits until that many have been shown
 template <class Stage> void makePictures(Stage &stage, Governor &governor, double time) {
-    // How many pictures must have been shown before each slot, and the frame of in-betweens, may be used
+    // How many pictures must have been shown before each slot, and each place of in-betweens, may be used
     // again
-    unsigned until[2] = {}, untilBetween = 0;
+    unsigned until[2] = {}, untilBetween[kPlaces] = {};
+    int place = 0;
     double last = time;
     for (int n = 0; stage.wants(time); ++n) {
         int slot = n & 1;
@@ -74,22 +78,25 @@ template <class Stage> void makePictures(Stage &stage, Governor &governor, doubl
         int scene = stage.sceneOf(time);
         governor.enter(scene, stage.paceOf(scene));
         stage.trace(m, slot, governor);
-        int64_t traced = stage.now(), waited = traced, ended = traced;
-        m.trace = (float)(traced - began) * 1e-9f;
-        if (n && governor.pairs()) {
-            stage.await(untilBetween);
-            waited = stage.now();
+        m.trace = (float)(stage.now() - began) * 1e-9f;
+        int gap = (int)((time - last) / Governor::kSixtieth + 0.5), count = n ? governor.between(gap) : 0;
+        float make = 0;
+        for (int i = 1; i <= count; ++i) {
+            stage.await(untilBetween[place]);
+            int64_t waited = stage.now();
+            double share = 1 - (double)governor.ahead(i) / gap;
             Made b = {};
-            b.time = time - (time - last) * 0.5;
-            stage.between(b, !slot, slot);
-            ended = stage.now();
-            b.make = (float)(ended - waited) * 1e-9f;
-            untilBetween = stage.add(b);
+            b.time = last + (time - last) * share;
+            stage.between(b, !slot, slot, share, place);
+            b.make = (float)(stage.now() - waited) * 1e-9f;
+            make += b.make;
+            untilBetween[place] = stage.add(b);
+            place = (place + 1) % kPlaces;
         }
         until[slot] = stage.add(m);
-        governor.spent(m.trace, (float)(ended - waited) * 1e-9f);
+        if (n) governor.spent(m.trace, make / (float)max(count, 1), count);
         last = time;
-        time = governor.next(time, stage.filmAt(ended));
+        time = governor.next(time, stage.filmAt(stage.now()));
     }
 }
 

@@ -11,23 +11,12 @@ namespace odraz {
 // of most are worth more than half of the pictures.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint},
-    {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19, .thirty = 12},
-    {.name = "flake", .pose = poseFlake, .id = kFlake, .fewerPixels = 15, .thirty = 12},
-    {.name = "patches",
-     .pose = posePatches,
-     .letter = letterPatches,
-     .id = kPatches,
-     .needsHall = true,
-     .fewerPixels = 15,
-     .thirty = 10},
-    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .fewerPixels = 19, .thirty = 10},
-    {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true, .thirty = 12, .leastWidth = 80},
-    {.name = "credits",
-     .pose = poseCredits,
-     .letter = letterCredits,
-     .id = kCredits,
-     .thirty = 15,
-     .leastWidth = 80},
+    {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19},
+    {.name = "flake", .pose = poseFlake, .id = kFlake, .fewerPixels = 19},
+    {.name = "patches", .pose = posePatches, .letter = letterPatches, .id = kPatches, .needsHall = true},
+    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .fewerPixels = 19},
+    {.name = "odraz", .pose = poseOdraz, .id = kOdraz, .needsHall = true, .leastWidth = 80},
+    {.name = "credits", .pose = poseCredits, .letter = letterCredits, .id = kCredits, .leastWidth = 80},
 };
 static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 

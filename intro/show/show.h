@@ -34,7 +34,8 @@ struct SceneEntry {
     void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
     SceneId id;
     bool needsHall = false;
-    uint8_t fewerPixels = 20, thirty = 20, leastWidth = 40; // its Pace (intro.h), in tenths; 16 pixels
+    // Its Pace (intro.h): in tenths; in 16 pixels; in tenths, by pairs, fours, sixes and thirty
+    uint8_t fewerPixels = 20, leastWidth = 40, lost[4] = {2, 8, 15, 60};
 };
 
 extern const SceneEntry kScenes[kSceneCount];
