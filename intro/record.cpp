@@ -27,12 +27,14 @@ struct Row {
 void tell(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows)->push_back({made, at}); }
 
 std::string listOf(std::vector<Row> rows) {
-    // An in-between is told with the two that it is made of, and has the level and size of the later one
+    // An in-between needs the traced ones on both sides, and has the level and size of the later one
     while (!rows.empty() && rows.back().between()) rows.pop_back();
     std::string text = "at,time,kind,level,width,height\n";
     for (size_t i = 0; i < rows.size(); ++i) {
         const Row &row = rows[i];
-        const Made &traced = rows[i + row.between()].made;
+        size_t later = i;
+        while (rows[later].between()) ++later;
+        const Made &traced = rows[later].made;
         char line[160];
         std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d\n", row.at, row.made.time,
                       row.between() ? "between" : "traced", (double)traced.level, traced.size.width,

@@ -10,23 +10,24 @@ using namespace odraz;
 
 namespace {
 
-constexpr char kHead[] = "seconds,kind,level,width,height,serial,parallel\n";
+constexpr char kHead[] = "seconds,gap,level,width,height,serial,parallel\n";
 
 // A moment: all costs are multiples of `unit` millions.
 std::string momentAt(double seconds, int unit) {
     std::string rows;
-    auto add = [&](const char *kind, const char *level, const char *size, int serial, int parallel) {
-        rows += std::to_string(seconds) + "," + kind + "," + level + "," + size + "," +
+    auto add = [&](const char *gap, const char *level, const char *size, int serial, int parallel) {
+        rows += std::to_string(seconds) + "," + gap + "," + level + "," + size + "," +
                 std::to_string(serial * unit * 1000) + "," + std::to_string(parallel * unit * 1000) + "\n";
     };
     for (const char *size : {"640,360", "1280,720"}) {
         int more = size[0] == '1' ? 3 : 1;
-        add("between", "2", size, 2, 30 * more);
-        add("between", "1", size, 2, 40 * more);
-        add("picture", "2", size, 1, 50 * more);
-        add("picture", "1", size, 1, 100 * more);
+        add("2", "2", size, 2, 30 * more);
+        add("2", "1", size, 2, 40 * more);
+        add("4", "1", size, 3, 48 * more);
+        add("0", "2", size, 1, 50 * more);
+        add("0", "1", size, 1, 100 * more);
     }
-    add("picture", "0", "640,360", 1, 400);
+    add("0", "0", "640,360", 1, 400);
     return rows;
 }
 // Two moments of the shot up to 16 s, one of the next, up to 24 s.
@@ -35,36 +36,48 @@ constexpr double kSmall = 640 * 360, kLarge = 1280 * 720;
 
 TEST(Costs, AreThoseCounted) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({4, 1, kSmall, false}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({4, 1, kLarge, false}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({12, 2, kLarge, false}).parallel, 300e6, 1);
-    EXPECT_NEAR(costs.of({4, 2, kSmall, true}).parallel, 30e6, 1);
-    EXPECT_NEAR(costs.of({4, 2, kSmall, true}).serial, 2e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, kSmall, 0}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, kLarge, 0}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({12, 2, kLarge, 0}).parallel, 300e6, 1);
+    EXPECT_NEAR(costs.of({4, 2, kSmall, 2}).parallel, 30e6, 1);
+    EXPECT_NEAR(costs.of({4, 2, kSmall, 2}).serial, 2e6, 1);
 }
 
 TEST(Costs, AreInterpolated) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({8, 1, kSmall, false}).parallel, 150e6, 1) << "time, linear";
-    EXPECT_NEAR(costs.of({4, 1.5f, kSmall, false}).parallel, 100e6 / std::sqrt(2.), 1)
-        << "level, by logarithm";
-    EXPECT_NEAR(costs.of({4, 0.5f, kSmall, false}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({4, 1, 2 * kSmall, false}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
-    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, false}).parallel, 900e6, 1) << "... and beyond";
-    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, false}).serial, 1e6, 1);
-    EXPECT_NEAR(costs.of({4, 0, kLarge, false}).parallel, 1200e6, 1)
-        << "a level of one size grows as play does";
-    EXPECT_NEAR(costs.of({4, 0.2f, kSmall, true}).parallel, 40e6, 1) << "beyond the best one counted";
+    EXPECT_NEAR(costs.of({8, 1, kSmall, 0}).parallel, 150e6, 1) << "time, linear";
+    EXPECT_NEAR(costs.of({4, 1.5f, kSmall, 0}).parallel, 100e6 / std::sqrt(2.), 1) << "level, by logarithm";
+    EXPECT_NEAR(costs.of({4, 0.5f, kSmall, 0}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({4, 1, 2 * kSmall, 0}).parallel, 100e6 * std::sqrt(3.), 1) << "pixels, a power";
+    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, 0}).parallel, 900e6, 1) << "... and beyond";
+    EXPECT_NEAR(costs.of({4, 1, 4 * kLarge, 0}).serial, 1e6, 1);
+    EXPECT_NEAR(costs.of({4, 0, kLarge, 0}).parallel, 1200e6, 1) << "a level of one size grows as play does";
+    EXPECT_NEAR(costs.of({4, 0.2f, kSmall, 2}).parallel, 40e6, 1) << "beyond the best one counted";
+}
+
+// In-betweens are of the gap at which they are made.
+TEST(Costs, OfInBetweensGoByTheirGap) {
+    Costs costs = sample();
+    auto parallel = [&](double gap) { return costs.of({4, 1, kSmall, gap}).parallel; };
+    EXPECT_NEAR(parallel(2), 40e6, 1);
+    EXPECT_NEAR(parallel(4), 48e6, 1);
+    EXPECT_NEAR(parallel(3), 44e6, 1) << "linear";
+    EXPECT_NEAR(parallel(6), 48e6, 1) << "the nearest, beyond those counted";
+    EXPECT_NEAR(parallel(1.5), 40e6, 1) << "... not towards that of a traced picture";
+    EXPECT_NEAR(costs.of({4, 2, kSmall, 4}).parallel, 48e6, 1) << "of a level not counted at that gap";
+    EXPECT_NEAR(costs.of({4, 2, kSmall, 3}).parallel, 39e6, 1) << "... each gap has its own levels";
+    EXPECT_NEAR(costs.of({8, 1, kSmall, 4}).parallel, 72e6, 1) << "time, too";
 }
 
 TEST(Costs, NeverCrossACut) {
     Costs costs = sample();
-    EXPECT_NEAR(costs.of({0, 1, kSmall, false}).parallel, 100e6, 1);
-    EXPECT_NEAR(costs.of({15.9, 1, kSmall, false}).parallel, 200e6, 1);
-    EXPECT_NEAR(costs.of({16.1, 1, kSmall, false}).parallel, 700e6, 1);
-    EXPECT_THROW(costs.of({30, 1, kSmall, false}), Refused);
+    EXPECT_NEAR(costs.of({0, 1, kSmall, 0}).parallel, 100e6, 1);
+    EXPECT_NEAR(costs.of({15.9, 1, kSmall, 0}).parallel, 200e6, 1);
+    EXPECT_NEAR(costs.of({16.1, 1, kSmall, 0}).parallel, 700e6, 1);
+    EXPECT_THROW(costs.of({30, 1, kSmall, 0}), Refused);
 }
 
-TEST(Costs, WhatIsWrongIsTold) {
+TEST(Costs, WhatIsWrongIsReported) {
     auto wrongIn = [](const std::string &text) -> std::string {
         try {
             Costs costs(text);
@@ -76,12 +89,18 @@ TEST(Costs, WhatIsWrongIsTold) {
     std::string good = kHead + momentAt(20, 1);
     EXPECT_EQ(wrongIn(good), "");
     EXPECT_EQ(wrongIn("seconds\n").substr(0, 7), "line 1:");
-    EXPECT_EQ(wrongIn(good + "1\n").substr(0, 8), "line 11:");
-    for (const char *row : {"20,made,1,64,36,1,1", "20,picture,3,64,36,1,1", "20,picture,play,64,36,1,1",
-                            "20,picture,1,0,36,1,1", "20,picture,1,64,36,-1,1", "20,picture,1,64,36,1,nan",
-                            "1,picture,1,64,36,1,1", "1e9,picture,1,64,36,1,1", "20,picture,1,64,36,1,1,1"})
-        EXPECT_NE(wrongIn(good + row + "\n"), "") << row;
-    EXPECT_NE(wrongIn(good + "30,picture,1,64,36,1,1\n"), "") << "too few counts";
+    EXPECT_EQ(wrongIn(good + "1\n").substr(0, 8), "line 13:");
+    for (const char *row :
+         {"20,picture,1,64,36,1,1", "20,-2,1,64,36,1,1", "20,0.5,1,64,36,1,1", "20,61,1,64,36,1,1",
+          "20,nan,1,64,36,1,1", "20,0,3,64,36,1,1", "20,0,play,64,36,1,1", "20,0,1,0,36,1,1",
+          "20,0,1,64,36,-1,1", "20,0,1,64,36,1,nan", "1,0,1,64,36,1,1", "1e9,0,1,64,36,1,1",
+          "20,0,1,64,36,1,1,1"})
+        EXPECT_EQ(wrongIn(good + row + "\n").substr(0, 8), "line 13:") << row;
+    // Too few counts
+    EXPECT_NE(wrongIn(good + "20,6,1,64,36,1,1\n"), "") << "one size of a gap";
+    std::string traced = "30,0,1,640,360,1,1\n30,0,1,1280,720,1,1\n";
+    EXPECT_NE(wrongIn(good + traced), "") << "no in-between";
+    EXPECT_EQ(wrongIn(good + traced + "30,2,1,640,360,1,1\n30,2,1,1280,720,1,1\n"), "");
 }
 
 // The table that the repository has is whole.
@@ -90,12 +109,12 @@ TEST(Costs, EveryMomentOfTheFilmIsCounted) {
     for (double s = 0; s < 162; s += 0.25) {
         double last = 1e18;
         for (float level : {0.1f, 1.f, 1.5f, 2.f}) {
-            Cost c = costs.of({s, level, kLarge, false});
+            Cost c = costs.of({s, level, kLarge, 0});
             EXPECT_LT(c.parallel, last) << s << ' ' << level;
             EXPECT_LT(c.serial, 0.2 * c.parallel) << s << ' ' << level;
             last = c.parallel;
         }
-        EXPECT_GT(costs.of({s, 1.5f, kLarge, true}).parallel, 1e6);
+        for (double gap : {2, 4, 6}) EXPECT_GT(costs.of({s, 1.5f, kLarge, gap}).parallel, 1e6);
     }
 }
 

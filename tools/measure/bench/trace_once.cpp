@@ -26,9 +26,10 @@ namespace {
 
 constexpr char kUsage[] =
     "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
-    "       trace_once film FILE SECONDS LEVEL [WIDTH HEIGHT]\n"
-    "                                                    keeps the film, and its pictures a sixtieth of a\n"
-    "                                                    second before and after a moment\n"
+    "       trace_once film FILE SECONDS LEVEL GAP SHARE [WIDTH HEIGHT]\n"
+    "                                                    keeps the film, and two of its pictures, which are\n"
+    "                                                    GAP sixtieths of a second apart; the moment is\n"
+    "                                                    SHARE, 0 .. 1, of the way from one to the other\n"
     "       trace_once again FILE                        poses it once more, as every picture does\n"
     "       trace_once trace FILE SETTING                traces what FILE keeps\n"
     "       trace_once develop FILE                      develops what was never traced: a black picture\n"
@@ -41,14 +42,14 @@ constexpr char kUsage[] =
     "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n"
     "LEVEL: a quality as the player blends them: 0 film, 1 play, 2 draft, and all between\n";
 
-constexpr double kStep = 1 / 60.0; // seconds
+constexpr double kSixtieth = 1 / 60.0; // seconds
 
 struct Kept {
     Intro *intro; // stands after this header
     View view;
     IntroSettings settings;
     char scene[64];
-    double seconds; // of the film, if that is kept
+    double seconds, share; // of the film, if that is kept
 };
 
 size_t bytesFor(const IntroSettings &settings) { return sizeof(Kept) + memoryNeeded(settings, 1, true); }
@@ -95,14 +96,18 @@ void pose(const std::string &file, const std::string &scene, const IntroSettings
     kept.view = poseSubject(name, camera, settings, kept.intro->film);
 }
 
-// An in-between is made from pictures that stand as far apart as in the film.
-void keepFilm(const std::string &file, double seconds, const Quality &setting, IntroSettings settings) {
+// The two pictures that the one of a moment is made between.
+struct Around {
+    double seconds, gap, share; // sixtieths from one to the other; how far it is on the way
+};
+void keepFilm(const std::string &file, const Around &at, const Quality &setting, IntroSettings settings) {
     settings.pairs = true;
     Workers workers = serialWorkers();
-    Kept &kept = keep(file, settings, workers, needsHall(seconds - kStep, seconds + kStep));
-    kept.seconds = seconds;
-    picture(*kept.intro, 0, seconds - kStep, setting);
-    picture(*kept.intro, 1, seconds + kStep, setting);
+    double from = at.seconds - kSixtieth * at.gap * at.share, to = from + kSixtieth * at.gap;
+    Kept &kept = keep(file, settings, workers, needsHall(from, to));
+    kept.seconds = at.seconds, kept.share = at.share;
+    picture(*kept.intro, 0, from, setting);
+    picture(*kept.intro, 1, to, setting);
 }
 
 Quality levelAfter(Arguments &words) {
@@ -160,9 +165,11 @@ int run(Arguments &words) {
         return 0;
     }
     if (what == "film") {
-        double seconds = words.number("film", 0, duration());
+        Around at = {.seconds = words.number("SECONDS", 0, duration())};
         Quality level = levelAfter(words);
-        keepFilm(file, seconds, level, sizeAfter(words));
+        at.gap = words.number("GAP", 1, 60);
+        at.share = words.number("SHARE", 0, 1);
+        keepFilm(file, at, level, sizeAfter(words));
         return 0;
     }
     Quality setting = what == "trace"     ? settingOf(needed())
@@ -177,7 +184,7 @@ int run(Arguments &words) {
     else if (what == "picture")
         picture(intro, 0, kept.seconds, setting);
     else if (what == "between")
-        between(intro, 0, 1);
+        between(intro, 0, 1, kept.share);
     else if (what == "again") {
         auto [name, camera] = findPicture(kept.scene);
         poseSubject(name, camera, kept.settings, intro.film);

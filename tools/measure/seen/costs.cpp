@@ -13,7 +13,7 @@ namespace odraz {
 
 namespace {
 
-constexpr char kHead[] = "seconds,kind,level,width,height,serial,parallel";
+constexpr char kHead[] = "seconds,gap,level,width,height,serial,parallel";
 
 const Shot *shotAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot; }
 
@@ -46,14 +46,13 @@ Costs::Costs(const std::string &csv) {
         ++number;
         if (number == 1 && line != kHead) throw wrong("it must be \"" + std::string(kHead) + "\"");
         if (number == 1 || line.empty()) continue;
-        double seconds, level, serial, parallel;
-        char kind[16], behind;
+        double seconds, gap, level, serial, parallel;
+        char behind;
         int width, height;
-        if (std::sscanf(line.c_str(), "%lf,%15[a-z],%lf,%d,%d,%lf,%lf%c", &seconds, kind, &level, &width,
-                        &height, &serial, &parallel, &behind) != 7)
+        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width, &height,
+                        &serial, &parallel, &behind) != 7)
             throw wrong("it needs the seven values \"" + std::string(kHead) + "\"");
-        bool between = std::string(kind) == "between";
-        if (!between && std::string(kind) != "picture") throw wrong("a kind is picture or between");
+        if (!(gap == 0 || (gap >= 1 && gap <= 60))) throw wrong("a gap is 0, or 1 to 60 sixtieths");
         if (!(level >= 0 && level <= Governor::kSteps)) throw wrong("levels are 0 to 2");
         if (!(seconds >= 0 && seconds < duration())) throw wrong("no moment of the film");
         if (width < 16 || height < 16) throw wrong("no size of a picture");
@@ -62,18 +61,21 @@ Costs::Costs(const std::string &csv) {
             throw wrong("it is earlier than the one before");
         if (moments.empty() || seconds > moments.back().seconds)
             moments.push_back({seconds, shotAt(seconds), {}});
-        moments.back().kinds[between][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};
+        moments.back().gaps[gap][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};
     }
-    for (const Moment &m : moments)
-        for (const Levels &levels : m.kinds) {
+    for (const Moment &m : moments) {
+        std::string at = "at " + std::to_string(m.seconds) + " s ";
+        if (!m.gaps.count(0) || m.gaps.size() < 2)
+            throw Refused(at + "a traced picture or an in-between is not counted");
+        for (const auto &[gap, levels] : m.gaps) {
             auto play = levels.find(Governor::kPlay);
             if (play == levels.end() || play->second.size() < 2)
-                throw Refused("at " + std::to_string(m.seconds) + " s level 1 is not counted in two sizes");
+                throw Refused(at + "level 1 is not counted in two sizes");
         }
+    }
 }
 
-Cost Costs::at(const Moment &moment, const Pictured &asked) {
-    const Levels &levels = moment.kinds[asked.between];
+Cost Costs::at(const Levels &levels, const Pictured &asked) {
     auto counted = [&](const Sizes &sizes) {
         auto [pixels, cost] = *sizes.begin();
         Cost more = growth(sizes.size() > 1 ? sizes : levels.at(Governor::kPlay), pixels, asked.pixels);
@@ -85,6 +87,17 @@ Cost Costs::at(const Moment &moment, const Pictured &asked) {
     auto before = std::prev(after);
     return mixed(counted(before->second), counted(after->second),
                  (asked.level - before->first) / (after->first - before->first), mixLogarithms);
+}
+
+Cost Costs::at(const Moment &moment, const Pictured &asked) {
+    const auto &gaps = moment.gaps;
+    if (!asked.gap) return at(gaps.at(0), asked);
+    auto after = gaps.lower_bound(asked.gap);
+    if (after == gaps.end()) return at(gaps.rbegin()->second, asked);
+    auto before = std::prev(after);
+    if (!before->first) return at(after->second, asked); // no in-between is counted at a smaller gap
+    return mixed(at(before->second, asked), at(after->second, asked),
+                 (asked.gap - before->first) / (after->first - before->first), mix);
 }
 
 Cost Costs::of(const Pictured &asked) const {

@@ -16,25 +16,26 @@ struct Cost {
     double serial, parallel;
 };
 
-// What is asked for: a picture of the film's time, of a level of quality (0 film, 1 play, 2 draft) and of so
-// many pixels, traced or made half-way between two of that level.
+// What is asked for: a picture of the film's time, of a level of quality (0 film, 1 play, 2 draft) and of a
+// number of pixels. It is traced, or made between two of that level.
 struct Pictured {
     double seconds;
     float level;
     double pixels;
-    bool between;
+    double gap; // 0: traced; else the sixtieths of a second from one of these two to the other
 };
 
 class Costs {
 public:
-    // Reads the table, as `costs` writes it: "seconds,kind,level,width,height,serial,parallel", counts in
-    // thousands, where the kind is "picture" or "between". Each moment needs a picture and an in-between of
-    // level 1, both in two sizes. Throws Refused, with the line's number if it is a line's fault.
+    // Reads the table, as `costs` writes it: "seconds,gap,level,width,height,serial,parallel", counts in
+    // thousands. Each moment needs traced pictures and in-betweens, and level 1 in two sizes for each gap.
+    // Throws Refused, with the line's number if it is a line's fault.
     explicit Costs(const std::string &csv);
 
-    // Linear in time within a shot, and level outside of its counted moments; logarithms are linear in level
-    // between counted ones, level outside, and linear in the logarithm of pixels. A level counted at one size
-    // grows as level 1 does. Throws Refused if no moment of this shot was counted.
+    // Linear in time within a shot and in the gap of in-betweens, and the same beyond what was counted.
+    // Logarithms are linear in level between counted ones, the same beyond them, and linear in the logarithm
+    // of pixels. A level counted at one size grows as level 1 does. Throws Refused if no moment of this shot
+    // was counted.
     Cost of(const Pictured &asked) const;
 
 private:
@@ -43,8 +44,9 @@ private:
     struct Moment {
         double seconds;
         const Shot *shot;
-        Levels kinds[2]; // of pictures; of in-betweens
+        std::map<double, Levels> gaps; // 0: of traced pictures
     };
+    static Cost at(const Levels &levels, const Pictured &asked);
     static Cost at(const Moment &moment, const Pictured &asked);
     std::vector<Moment> moments; // in order of time
 };

@@ -69,8 +69,7 @@ std::vector<Shown> parseShown(const std::string &csv) {
         if (!list.empty() && s.time < list.back().time) throw wrong("it is earlier than the one before");
         if (s.at >= 0 && s.at < lastAt) throw wrong("it came on the screen earlier than the one before");
         lastAt = std::max(s.at, lastAt);
-        if (s.between && (list.empty() || list.back().between))
-            throw wrong("an in-between needs a traced picture before it");
+        if (s.between && list.empty()) throw wrong("an in-between needs a traced picture before it");
         if (!list.empty() && list.back().between &&
             (list.back().width != s.width || list.back().height != s.height))
             throw wrong("the in-between before it must have its size");
@@ -81,6 +80,15 @@ std::vector<Shown> parseShown(const std::string &csv) {
     return list;
 }
 
+double MadeFrom::gap() const { return (later.time - earlier.time) * 60; }
+
+MadeFrom madeFrom(const std::vector<Shown> &list, size_t i) {
+    size_t before = i, after = i;
+    while (list[before].between) --before;
+    while (list[after].between) ++after;
+    return {list[before], list[after]};
+}
+
 int standsAt(const std::vector<Shown> &list, double seconds) {
     int found = -1;
     for (size_t i = 0; i < list.size(); ++i)
@@ -88,14 +96,14 @@ int standsAt(const std::vector<Shown> &list, double seconds) {
     return found;
 }
 
-std::vector<Shown> steady(double from, double to, double rate, bool pairs, float level, int width,
+std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width,
                           int height) {
     std::vector<Shown> list;
     // Counted from the film's start, so that the same pictures are made wherever it begins
     long first = std::max(0l, (long)std::floor(from * rate)), last = (long)std::ceil(to * rate);
-    if (pairs) first -= first % 2, last += last % 2;
+    first -= first % every, last += (every - last % every) % every;
     for (long n = first; n <= last; ++n)
-        list.push_back({(double)n / rate, (double)n / rate, pairs && n % 2, level, width, height});
+        list.push_back({(double)n / rate, (double)n / rate, n % every != 0, level, width, height});
     return list;
 }
 

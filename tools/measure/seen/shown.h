@@ -12,7 +12,7 @@ namespace odraz {
 struct Shown {
     double at;         // seconds of the film when it came on the screen; negative: it never did
     double time;       // seconds of the film that it shows
-    bool between;      // made half-way between the traced ones before and after it in the list
+    bool between;      // made from the traced ones before and after it in the list, by its time
     float level;       // of quality, if it was traced: 0 film, 1 play, 2 draft, and all between these
     int width, height; // pixels traced; an in-between has those of the picture behind it
 };
@@ -26,12 +26,19 @@ Quality qualityOf(float level);
 std::string printShown(const std::vector<Shown> &list);
 std::vector<Shown> parseShown(const std::string &csv);
 
+// The traced pictures that a picture of the list was made from: the last one before it and the first one
+// after it. Of a traced one both are itself.
+struct MadeFrom {
+    const Shown &earlier, &later;
+    double gap() const; // in sixtieths of a second
+};
+MadeFrom madeFrom(const std::vector<Shown> &list, size_t i);
+
 // Which picture of the list stands on the screen at a moment; -1 before the first one.
 int standsAt(const std::vector<Shown> &list, double seconds);
 
 // A player that never misses: `rate` pictures a second from one moment to another, each shown when its time
-// comes, for as long as it lasts. In pairs every other one is made between.
-std::vector<Shown> steady(double from, double to, double rate, bool pairs, float level, int width,
-                          int height);
+// comes, for as long as it lasts. One of `every` is traced, and those between two of them are made.
+std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width, int height);
 
 } // namespace odraz

@@ -14,13 +14,11 @@ namespace {
 
 constexpr double kScreenRate = 60;
 
-const Shot *shotAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).shot; }
-
 int64_t nanosecondsOf(double seconds) { return std::llround(seconds * 1e9); }
 
-// What making a picture takes, with scaling it up.
-Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s) {
-    Cost cost = costOf({s.time, s.level, (double)s.width * s.height, s.between});
+// What making a picture takes, with scaling it up; `from` is what it is made from.
+Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, const MadeFrom &from) {
+    Cost cost = costOf({s.time, s.level, (double)s.width * s.height, from.gap()});
     if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;
     return cost;
 }
@@ -52,13 +50,12 @@ public:
         before = traced;
         TracedSize size = governor.size();
         traced = {-1, m.time, false, governor.level(), size.width, size.height};
-        make(traced);
+        make(traced, {traced, traced});
     }
-    void between(Made &m, int, int) {
+    void between(Made &m, int, int, double, int) {
         Shown s = traced;
         s.time = m.time;
-        s.between = shotAt(before.time) == shotAt(traced.time); // else it is traced
-        make(s);
+        make(s, {before, traced});
     }
     unsigned add(const Made &m) {
         showUntil(moment);
@@ -81,8 +78,8 @@ private:
     double core() const { return machine.rate / machine.cores; }
 
     // Passes the time that a picture takes. Showing others meanwhile takes its share of all cores.
-    void make(const Shown &s) {
-        Cost cost = costWith(costOf, machine, s);
+    void make(const Shown &s, const MadeFrom &madeFrom) {
+        Cost cost = costWith(costOf, machine, s, madeFrom);
         int64_t end = moment + nanosecondsOf(cost.serial / core() + cost.parallel / machine.rate);
         for (int already = -1; already != presented;) {
             already = presented;
@@ -143,13 +140,14 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &c
         scenes.back().seconds += end - begin;
     }
     for (PlayedScene &scene : scenes) {
-        for (const Shown &s : list) {
+        for (size_t i = 0; i < list.size(); ++i) {
+            const Shown &s = list[i];
             if (sceneAt(s.time) != scene.scene) continue;
             ++(s.between ? scene.between : scene.traced);
             scene.shown += s.at >= 0;
             scene.level += s.between ? 0 : (double)s.level;
             scene.width += s.between ? 0 : s.width;
-            Cost cost = costWith(costOf, machine, s);
+            Cost cost = costWith(costOf, machine, s, madeFrom(list, i));
             scene.rate += cost.serial + cost.parallel + (s.at >= 0) * presenting(machine);
         }
         scene.rate /= scene.seconds;
@@ -159,11 +157,11 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &c
     return scenes;
 }
 
-std::string printSummary(const std::vector<PlayedScene> &scenes) {
-    std::string text = "scene,seconds,traced,between,shown,a_second,level,width,giga\n";
+std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before) {
+    std::string text;
     for (const PlayedScene &s : scenes)
-        print(text, "%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", sceneName(s.scene), s.seconds, s.traced,
-              s.between, s.shown, s.shown / s.seconds, s.level, s.width, s.rate / 1e9);
+        print(text, "%s%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", before.c_str(), sceneName(s.scene), s.seconds,
+              s.traced, s.between, s.shown, s.shown / s.seconds, s.level, s.width, s.rate / 1e9);
     return text;
 }
 

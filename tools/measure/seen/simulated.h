@@ -11,7 +11,7 @@
 namespace odraz {
 
 // Uploading a picture and drawing it: 1.3 ms of a core of 7 G instructions a second at 1280x720, as --stats
-// tells for OpenGL in software.
+// prints for OpenGL in software.
 inline constexpr double kPresenting = 10;
 
 // Scaling up, of all threads together: callgrind counts 13 M for 1280x720 from 960x540.
@@ -47,7 +47,8 @@ struct PlayedScene {
 // The scenes that a list shows, in the film's order, from its first picture to its last one.
 std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &costOf,
                                  const Machine &machine);
-// ... as CSV: "scene,seconds,traced,between,shown,a_second,level,width,giga", the last in 10^9 a second.
-std::string printSummary(const std::vector<PlayedScene> &scenes);
+// ... as rows of a CSV, each behind `before`; the last column is in 10^9 a second.
+inline constexpr char kSummaryHead[] = "scene,seconds,traced,between,shown,a_second,level,width,giga";
+std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before);
 
 } // namespace odraz
