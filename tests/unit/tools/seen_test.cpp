@@ -23,13 +23,13 @@ std::string wrongIn(const std::string &rows) {
 }
 
 TEST(Shown, ListsAreWrittenAndRead) {
-    std::vector<Shown> list = steady(3, 4, 30, true, 1.25f, 640, 360);
+    std::vector<Shown> list = steady(3, 4, 30, 4, 1.25f, 640, 360);
     list[4].at = -1; // it was left out
     EXPECT_EQ(printShown(parseShown(printShown(list))), printShown(list));
     EXPECT_TRUE(parseShown(kHead).empty());
 }
 
-TEST(Shown, WhatIsWrongIsTold) {
+TEST(Shown, WhatIsWrongIsReported) {
     EXPECT_THROW(parseShown(""), Refused);
     EXPECT_THROW(parseShown("at,time\n"), Refused);
     EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n1,1\n").substr(0, 7), "line 3:");
@@ -38,7 +38,13 @@ TEST(Shown, WhatIsWrongIsTold) {
           "1,1,traced,1,64,36,7", "nan,1,traced,1,64,36", "1,-1,traced,1,64,36", "1,1,between,1,64,36"})
         EXPECT_NE(wrongIn(std::string(row) + "\n"), "") << row;
     EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,64,36\n"), "");
+    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n2.5,2.5,between,1,64,36\n"
+                      "3,3,traced,1,64,36\n"),
+              "");
     EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,32,36\n2.5,2.5,between,1,64,36\n"
+                      "3,3,traced,1,64,36\n"),
+              "");
     EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,32,36\n"), "");
     EXPECT_NE(wrongIn("2,1,traced,1,64,36\n1,2,traced,1,64,36\n"), "");
     EXPECT_NE(wrongIn("2,2,traced,1,64,36\n1,1,traced,1,64,36\n"), "");
@@ -52,22 +58,40 @@ TEST(Shown, TheLastOneThatCameStands) {
     EXPECT_EQ(standsAt(list, 9), 2);
 }
 
-TEST(Shown, SteadyPlayersMakePairs) {
-    std::vector<Shown> list = steady(10.01, 10.2, 60, true, 2, 64, 36);
-    EXPECT_LE(list.front().time, 10.01);
-    EXPECT_GE(list.back().time, 10.2);
-    for (size_t i = 0; i < list.size(); ++i) EXPECT_EQ(list[i].between, i % 2 == 1);
+TEST(Shown, SteadyPlayersTraceOneOfN) {
+    for (int every : {1, 2, 4, 6}) {
+        std::vector<Shown> list = steady(10.01, 10.2, 60, every, 2, 64, 36);
+        EXPECT_LE(list.front().time, 10.01);
+        EXPECT_GE(list.back().time, 10.2);
+        EXPECT_FALSE(list.back().between);
+        for (size_t i = 0; i < list.size(); ++i)
+            EXPECT_EQ(list[i].between, i % (size_t)every != 0) << every << ' ' << i;
+    }
+}
+
+// Each in-between is made from the traced ones on both sides, however many lie between them.
+TEST(Shown, InBetweensKnowTheirGap) {
+    std::vector<Shown> list = steady(10, 10.2, 60, 4, 2, 64, 36);
+    for (size_t i = 0; i < list.size(); ++i) {
+        MadeFrom from = madeFrom(list, i);
+        EXPECT_NEAR(from.gap(), list[i].between ? 4 : 0, 1e-6) << i;
+        EXPECT_EQ(&from.earlier, &list[i - i % 4]);
+        EXPECT_EQ(&from.later, &list[(i + 3) / 4 * 4]);
+    }
+    // Some were left out
+    list = {{1, 1, false, 1, 64, 36}, {1.05, 1.05, true, 1, 64, 36}, {1.15, 1.15, false, 1, 64, 36}};
+    EXPECT_NEAR(madeFrom(list, 1).gap(), 9, 1e-6);
 }
 
 struct Steady {
     double rate;
-    bool pairs;
+    int every;
     float level;
     int width;
 };
 Seen seenOf(Viewer &viewer, Steady s, double from, double to) {
     Seen seen;
-    viewer.look(steady(from, to, s.rate, s.pairs, s.level, s.width, s.width * 9 / 16), from, to, seen);
+    viewer.look(steady(from, to, s.rate, s.every, s.level, s.width, s.width * 9 / 16), from, to, seen);
     return seen;
 }
 
@@ -75,28 +99,56 @@ Seen seenOf(Viewer &viewer, Steady s, double from, double to) {
 TEST(Viewer, SeesWhatCostsWhat) {
     constexpr double kFrom = 52.5, kTo = 52.7;
     Viewer viewer(320, 180, kFrom, kTo);
-    Seen film = seenOf(viewer, {60, false, 0, 320}, kFrom, kTo);
+    Seen film = seenOf(viewer, {60, 1, 0, 320}, kFrom, kTo);
     EXPECT_EQ(film.sixtieths, 12);
     EXPECT_EQ(film.fresh, 11);
     EXPECT_EQ(film.flip, 0);
     EXPECT_EQ(film.srgbPsnr(), kMostPsnr);
-    Seen play = seenOf(viewer, {60, false, 1, 320}, kFrom, kTo),
-         half = seenOf(viewer, {30, false, 1, 320}, kFrom, kTo),
-         quarter = seenOf(viewer, {15, false, 1, 320}, kFrom, kTo),
-         pairs = seenOf(viewer, {60, true, 1, 320}, kFrom, kTo),
-         small = seenOf(viewer, {60, false, 1, 160}, kFrom, kTo);
+    Seen play = seenOf(viewer, {60, 1, 1, 320}, kFrom, kTo),
+         half = seenOf(viewer, {30, 1, 1, 320}, kFrom, kTo),
+         quarter = seenOf(viewer, {15, 1, 1, 320}, kFrom, kTo),
+         pairs = seenOf(viewer, {60, 2, 1, 320}, kFrom, kTo),
+         fours = seenOf(viewer, {60, 4, 1, 320}, kFrom, kTo),
+         thirty = seenOf(viewer, {30, 2, 1, 320}, kFrom, kTo),
+         small = seenOf(viewer, {60, 1, 1, 160}, kFrom, kTo);
     EXPECT_EQ(half.fresh, 5);
     EXPECT_GT(play.srgbPsnr(), pairs.srgbPsnr());
     EXPECT_GT(pairs.srgbPsnr(), half.srgbPsnr() + 1);
+    EXPECT_GT(pairs.srgbPsnr(), fours.srgbPsnr());
+    EXPECT_GT(fours.srgbPsnr(), thirty.srgbPsnr() + 1);
+    EXPECT_GT(half.srgbPsnr(), thirty.srgbPsnr());
     EXPECT_GT(half.srgbPsnr(), quarter.srgbPsnr() + 1);
     EXPECT_GT(play.srgbPsnr(), small.srgbPsnr() + 1);
     EXPECT_LT(play.meanFlip(), pairs.meanFlip());
     EXPECT_LT(pairs.meanFlip(), half.meanFlip());
     EXPECT_LT(half.meanFlip(), quarter.meanFlip());
     // Pictures larger than the screen cannot be shown
-    EXPECT_THROW(seenOf(viewer, {60, false, 1, 640}, kFrom, kTo), Refused);
-    // A late start is told
-    EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, false, 1, 320, 180), kFrom, kTo, film), Refused);
+    EXPECT_THROW(seenOf(viewer, {60, 1, 1, 640}, kFrom, kTo), Refused);
+    // A late start is reported
+    EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, 1, 1, 320, 180), kFrom, kTo, film), Refused);
+}
+
+// What was seen does not depend on what was looked at before, though pictures are kept.
+TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
+    constexpr double kFrom = 30, kTo = 30.2;
+    auto seenBy = [&](Viewer &viewer, std::vector<std::vector<uint8_t>> &all) {
+        Seen seen;
+        viewer.look(steady(kFrom, kTo, 60, 4, 1, 160, 90), kFrom, kTo, seen,
+                    [&](const auto &stands, const auto &truth) {
+                        all.push_back(stands);
+                        all.push_back(truth);
+                    });
+        return seen;
+    };
+    std::vector<std::vector<uint8_t>> first, again;
+    Viewer viewer(160, 90, kFrom, kTo);
+    Seen a = seenBy(viewer, first);
+    seenOf(viewer, {60, 6, 1.5f, 128}, kFrom, kTo);
+    Seen b = seenBy(viewer, again);
+    EXPECT_EQ(first.size(), 24u);
+    EXPECT_TRUE(first == again);
+    EXPECT_EQ(a.srgb, b.srgb);
+    EXPECT_EQ(a.flip, b.flip);
 }
 
 // A machine that is twice as fast is never seen to do worse.

@@ -1,7 +1,6 @@
 #include "tools/measure/seen/viewer.h"
 
 #include "tools/common/statistics.h"
-#include "tools/measure/detect/flip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,10 +10,17 @@ namespace odraz {
 namespace {
 
 constexpr int kScreenRate = 60;
+constexpr long kTruePixels = 8 << 20; // of all truths that are kept, of 23 bytes each
+
 std::vector<uint8_t> rgbOf(const Picture &p) {
     std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
     for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
     return rgb;
+}
+
+// Whether two pictures of lists are traced alike.
+bool same(const Shown &a, const Shown &b) {
+    return a.time == b.time && a.level == b.level && a.width == b.width && a.height == b.height;
 }
 
 } // namespace
@@ -35,20 +41,42 @@ static const Workers &oneSet() {
 }
 
 Viewer::Viewer(int width, int height, double from, double to)
-    : workers(oneSet()), theatre(inPairs(width, height), workers, from, to) {}
+    : workers(oneSet()), theatre(inPairs(width, height), workers, from, to),
+      mostTruths(std::max(1l, kTruePixels / width / height)) {}
 
-// A picture of the list, as it stands on the screen.
-Picture Viewer::made(const std::vector<Shown> &list, int i) {
-    auto traced = [&](int slot, const Shown &s) {
-        return picture(*theatre.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height});
-    };
-    if (!list[(size_t)i].between) return traced(0, list[(size_t)i]);
-    traced(0, list[(size_t)i - 1]);
-    traced(1, list[(size_t)i + 1]);
-    return between(*theatre.intro, 0, 1);
+// A traced picture, in a slot.
+Picture Viewer::traced(int slot, const Shown &s) {
+    Held &h = held[slot];
+    if (!same(h.shown, s))
+        h = {s, picture(*theatre.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height})};
+    return h.picture;
 }
 
-void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen &seen) {
+// A picture of the list, as it stands on the screen.
+Picture Viewer::made(const std::vector<Shown> &list, size_t i) {
+    MadeFrom from = madeFrom(list, i);
+    int slot = same(held[1].shown, from.earlier);
+    Picture earlier = traced(slot, from.earlier);
+    if (!list[i].between) return earlier;
+    traced(!slot, from.later);
+    double share = (list[i].time - from.earlier.time) / (from.later.time - from.earlier.time);
+    return between(*theatre.intro, slot, !slot, share);
+}
+
+// Keeps the film's pictures from one sixtieth to another, at most mostTruths.
+void Viewer::keepTruth(long from, long to) {
+    for (long n = from; n < to; ++n) {
+        if (truths.count(n)) continue;
+        if ((long)truths.size() + to - n > mostTruths) truths.clear(), n = from;
+        held[0] = {};
+        Truth &truth = truths[n];
+        truth.rgb =
+            rgbOf(picture(*theatre.intro, 0, (double)n / kScreenRate, kQualities[(int)QualityName::Film]));
+        truth.perceived = see(truth.rgb, theatre.intro->width, theatre.intro->height);
+    }
+}
+
+void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen &seen, const Each &each) {
     int width = theatre.intro->width, height = theatre.intro->height;
     for (const Shown &s : list)
         if (s.width > width || s.height > height || (s.width < width && width > kMostEnlarged))
@@ -58,20 +86,23 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
     std::vector<uint8_t> standing;
     SeenPicture perceived;
     int last = -1;
-    for (long n = (long)std::ceil(begin * kScreenRate - 1e-6); (double)n < end * kScreenRate - 1e-6; ++n) {
+    // (0.1334 s are eight sixtieths)
+    auto sixtieth = [](double seconds) { return std::lround(std::ceil(seconds * kScreenRate - 0.01)); };
+    long first = sixtieth(begin), behind = sixtieth(end);
+    for (long n = first; n < behind; ++n) {
         // What stands there in the middle of its sixtieth: a picture that took some milliseconds to come on
         // the screen has come, as on a screen that shows it a little later than it was given
         double moment = (double)n / kScreenRate;
         int i = standsAt(list, moment + 0.5 / kScreenRate + 1e-6);
         if (i < 0) throw Refused("nothing was shown before " + std::to_string(moment) + " s");
+        if ((n - first) % mostTruths == 0) keepTruth(n, std::min(n + mostTruths, behind));
         if (i != last) {
-            standing = rgbOf(made(list, i));
+            standing = rgbOf(made(list, (size_t)i));
             perceived = see(standing, width, height);
             seen.fresh += last >= 0;
             last = i;
         }
-        std::vector<uint8_t> truth =
-            rgbOf(picture(*theatre.intro, 0, moment, kQualities[(int)QualityName::Film]));
+        const auto &[truth, perceivedTruth] = truths.at(n);
         double linear = 0, srgb = 0;
         for (size_t k = 0; k < truth.size(); ++k) {
             double a = (linearOfSrgb(truth[k]) - linearOfSrgb(standing[k])) * 255, b = truth[k] - standing[k];
@@ -80,8 +111,9 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
         }
         seen.linear += linear / (double)truth.size();
         seen.srgb += srgb / (double)truth.size();
-        seen.flip += odraz::meanFlip(see(truth, width, height), perceived);
+        seen.flip += odraz::meanFlip(perceivedTruth, perceived);
         ++seen.sixtieths;
+        if (each) each(standing, truth);
     }
 }
 

@@ -3,8 +3,12 @@
 // seldom count, as well as coarse ones.
 #pragma once
 
+#include "tools/measure/detect/flip.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/seen/shown.h"
+
+#include <functional>
+#include <map>
 
 namespace odraz {
 
@@ -27,19 +31,35 @@ inline constexpr double kMostPsnr = 99; // of pictures that are the same
 
 class Viewer {
 public:
-    // Looks at a screen of so many pixels, while the film plays from one second to another. Throws
+    // Looks at a screen of width x height pixels, while the film plays from one second to another. Throws
     // std::runtime_error.
     Viewer(int width, int height, double from, double to);
 
     // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing stands on
-    // the screen at one of them, or if a picture has more pixels than the screen.
-    void look(const std::vector<Shown> &list, double from, double to, Seen &seen);
+    // the screen at one of them, or if a picture has more pixels than the screen. What stands there and the
+    // truth are given to `each`, in sRGB, 3 bytes a pixel.
+    using Each = std::function<void(const std::vector<uint8_t> &stands, const std::vector<uint8_t> &truth)>;
+    void look(const std::vector<Shown> &list, double from, double to, Seen &seen, const Each &each = {});
 
 private:
-    Picture made(const std::vector<Shown> &list, int i);
+    Picture made(const std::vector<Shown> &list, size_t i);
+    Picture traced(int slot, const Shown &shown);
+    void keepTruth(long from, long to);
 
     Workers workers;
     Theatre theatre;
+    // What the slots hold, which is not traced again
+    struct Held {
+        Shown shown;
+        Picture picture;
+    } held[kSlots] = {};
+    // The film's pictures by sixtieths: lists that are looked at one after the other have the same ones
+    struct Truth {
+        std::vector<uint8_t> rgb;
+        SeenPicture perceived;
+    };
+    std::map<long, Truth> truths;
+    long mostTruths;
 };
 
 } // namespace odraz
