@@ -1,59 +1,32 @@
-// bench_between: in-betweens, compared with `draft` and `play` traced at the same moment.
-//
-//   build/bench_between [--size WxH] [--step SECONDS] [SECONDS...]
-// For every moment of the film (default: three of each scene) it traces two pictures at `play`, 1/60 s before
-// and after, and makes the picture between them. It writes a CSV: PSNR against 64 samples in every pixel, in
-// linear light (exposed, clipped at 1) and as shown (film curve and sRGB); milliseconds of one thread; the
-// share of pixels that was traced again.
-#include "inside.h"
+// bench_between: in-betweens at every fraction, compared with `draft` and `play` traced at the same moment.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/heap_arena.h"
-#include "tools/common/machine.h"
-#include "trace/picture/development.h"
+#include "tools/common/print.h"
+#include "tools/common/statistics.h"
+#include "tools/measure/detect/screening.h"
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <vector>
 
 using namespace odraz;
 
 namespace {
 
-constexpr char kUsage[] = "usage: bench_between [--size WxH] [SECONDS...]\n";
-constexpr double kStep = 1 / 60.0;
-
-using Planes = std::vector<float>;
-
-Planes planesOf(const Frame &f) {
-    Planes all;
-    for (const float *p : f.plane)
-        for (int y = 0; y < f.height; ++y)
-            all.insert(all.end(), p + (size_t)y * (size_t)f.stride,
-                       p + (size_t)y * (size_t)f.stride + f.width);
-    return all;
-}
-
-struct Decibels {
-    double linear, shown;
-};
-Decibels compare(const Planes &a, const Planes &truth, float exposure) {
-    double linear = 0, shown = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        double d = std::fmin(a[i] * exposure, 1.f) - std::fmin(truth[i] * exposure, 1.f);
-        linear += d * d;
-        auto show = [&](float v) { return encodeSrgb(filmic(broadcast(v * exposure)))[0]; };
-        d = show(a[i]) - show(truth[i]);
-        shown += d * d;
-    }
-    auto decibels = [&](double sum) { return -10 * std::log10(sum / (double)a.size() + 1e-12); };
-    return {decibels(linear), decibels(shown)};
-}
+constexpr char kUsage[] =
+    "usage: bench_between [--size WxH=1280x720] [--gap N]... [SECONDS...]\n"
+    "For every moment of the film (default: three of each scene) it makes the picture between two of `play`\n"
+    "that are N sixtieths of a second apart (default: 2, 4 and 6), with the moment at each sixtieth between\n"
+    "them; and traces it as `draft` and as `play`. Writes a CSV to stdout: \"1/4\" is a quarter of the way\n"
+    "between two that are four sixtieths apart; PSNR is of the picture as it is shown, against 64 samples "
+    "in\n"
+    "every pixel, in linear light and in sRGB, in dB; milliseconds are those of one thread for all of the\n"
+    "picture; anew is the share of an in-between's pixels that was traced.\n";
+constexpr double kSixtieth = 1 / 60.0;
 
 struct Asked {
-    int width = 1280, height = 720;
-    bool once = false; // one run, for programs that count instructions
+    std::string size = "1280x720";
+    std::vector<int> gaps;
     std::vector<double> moments;
 };
 
@@ -61,84 +34,68 @@ Asked read(Arguments &words) {
     Asked asked;
     while (const char *word = words.next()) {
         std::string option = word;
-        if (option == "--once")
-            asked.once = true;
-        else if (option != "--size") {
+        if (option == "--size")
+            asked.size = words.value(option);
+        else if (option == "--gap")
+            asked.gaps.push_back(words.whole(option, 2, 60));
+        else {
             char *end;
             asked.moments.push_back(std::strtod(word, &end));
             if (end == word || *end) words.refuse(option);
-        } else if (std::sscanf(words.value(option).c_str(), "%dx%d", &asked.width, &asked.height) != 2)
-            words.refuse(option);
+        }
     }
+    if (asked.gaps.empty()) asked.gaps = {2, 4, 6};
     if (asked.moments.empty())
-        asked.moments = {8,  11.5, 16,  20,  30,  44,  52,  64,  70.5, 76, 84,
-                         93, 98,   108, 121, 131, 138, 144, 150, 156,  159};
+        asked.moments = {8,  11.5, 18,  20,  30,  44,  52,  62,  70.5, 78, 84,
+                         93, 98,   110, 121, 131, 138, 144, 150, 156,  159};
     return asked;
 }
 
-// The two pictures that another is made between
-void pictureBoth(Intro &intro, double s) {
-    const Quality &play = kQualities[(int)QualityName::Play];
-    picture(intro, 0, s - kStep, play);
-    picture(intro, 1, s + kStep, play);
-}
-
-// One row of the CSV
-void measure(Intro &intro, double s, Workers &workers) {
+// The rows of a moment
+void measure(Intro &intro, double s, const std::vector<int> &gaps) {
     const Quality &play = kQualities[(int)QualityName::Play], &draft = kQualities[(int)QualityName::Draft];
-    Quality truth = kQualities[(int)QualityName::Reference];
-    truth.depth = 8, truth.cutoff = 1 / 256.f;
-    int width = intro.frame.width, height = intro.frame.height;
-    Film film = intro.film;
-    float exposure = 1;
-    auto trace = [&](const Quality &q, double &ms) {
-        View view = poseAt(film, s).view(width, height);
-        exposure = film.scene->exposure;
-        double began = threadSeconds();
-        traceFrame(intro.tracer, workers, *film.scene, view, q, intro.frame);
-        ms = (threadSeconds() - began) * 1e3;
-        return planesOf(intro.frame);
+    Quality exact = kQualities[(int)QualityName::Reference];
+    exact.depth = 8, exact.cutoff = 1 / 256.f;
+    std::vector<uint8_t> truth = rgbOf(picture(intro, 0, s, exact));
+    auto row = [&](const std::string &name, int tries, auto &&make) {
+        tracedAnew(intro.between);
+        double ms = 1e9; // the fastest counts
+        std::vector<uint8_t> rgb;
+        for (int i = 0; i < tries; ++i) {
+            double began = threadSeconds();
+            Picture made = make();
+            ms = std::min(ms, (threadSeconds() - began) * 1e3);
+            rgb = rgbOf(made);
+        }
+        double anew = (double)tracedAnew(intro.between) / tries / (intro.width * intro.height);
+        std::printf("%s,%g,%s,%.2f,%.2f,%.1f,%.4f\n", sceneName(sceneAt(s)), s, name.c_str(),
+                    linearPsnr(rgb, truth), psnr(rgb, truth), ms, anew);
+        std::fflush(stdout);
     };
-    double ms[4] = {1e9, 0, 0, 0};
-    Planes exact = trace(truth, ms[3]), cheap = trace(draft, ms[1]), dear = trace(play, ms[2]);
-    pictureBoth(intro, s);
-    Traced now = {intro.frame, film.scene, poseAt(film, s).view(width, height)};
-    constexpr int kTries = 3; // the fastest counts
-    for (int i = 0; i < kTries; ++i) {
-        double began = threadSeconds();
-        traceBetween(intro.between, intro.tracer, workers, intro.slots[0].traced, intro.slots[1].traced, play,
-                     now);
-        ms[0] = std::fmin(ms[0], (threadSeconds() - began) * 1e3);
-    }
-    Decibels a = compare(planesOf(intro.frame), exact, exposure), b = compare(cheap, exact, exposure),
-             c = compare(dear, exact, exposure);
-    std::printf("%s,%g,%.2f,%.2f,%.2f,%.2f,%.2f,%.2f,%.1f,%.1f,%.1f,%.4f\n", sceneName(sceneAt(s)), s,
-                a.linear, b.linear, c.linear, a.shown, b.shown, c.shown, ms[0], ms[1], ms[2],
-                (double)tracedAnew(intro.between) / kTries / (width * height));
-    std::fflush(stdout);
+    row("draft", 1, [&] { return picture(intro, 0, s, draft); });
+    row("play", 1, [&] { return picture(intro, 0, s, play); });
+    for (int gap : gaps)
+        for (int k = 1; k < gap; ++k) {
+            picture(intro, 0, s - k * kSixtieth, play);
+            picture(intro, 1, s + (gap - k) * kSixtieth, play);
+            std::string name;
+            print(name, "%d/%d", k, gap);
+            row(name, 3, [&] { return between(intro, 0, 1, (double)k / gap); });
+        }
 }
 
 int run(Arguments &words) {
     Asked asked = read(words);
-    bool hall = false;
-    for (double s : asked.moments) hall |= needsHall(s - kStep, s + kStep);
-    IntroSettings settings = {asked.width, asked.height};
+    IntroSettings settings = sizeFrom(asked.size);
     settings.pairs = true;
     Workers workers = serialWorkers();
-    HeapArena memory(memoryNeeded(settings, 1, hall));
-    Gl gl = hall ? openGl() : Gl{};
-    Intro *intro;
-    if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
-        throw std::runtime_error(wrong);
-    if (!asked.once)
-        std::printf("scene,seconds,between_linear,draft_linear,play_linear,between_shown,draft_shown,"
-                    "play_shown,between_ms,draft_ms,play_ms,anew\n");
-    for (double s : asked.moments)
-        if (asked.once) {
-            pictureBoth(*intro, s);
-            between(*intro, 0, 1);
-        } else
-            measure(*intro, s, workers);
+    auto [first, last] = std::minmax_element(asked.moments.begin(), asked.moments.end());
+    double most = *std::max_element(asked.gaps.begin(), asked.gaps.end()) * kSixtieth;
+    if (*first < most || *last > duration() - most)
+        throw Refused("such a moment is not between two pictures");
+    Theatre theatre(settings, workers, *first - most, *last + most);
+    std::puts("scene,seconds,picture,linear_db,srgb_db,ms,anew");
+    for (double s : asked.moments) measure(*theatre.intro, s, asked.gaps);
     return 0;
 }
 

@@ -15,6 +15,12 @@ Theatre::Theatre(const IntroSettings &settings, Workers &workers, double from, d
         throw std::runtime_error(wrong);
 }
 
+std::vector<uint8_t> rgbOf(const Picture &p) {
+    std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
+    for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
+    return rgb;
+}
+
 Screening::Screening(IntroSettings settings, double from, double to)
     : workers(allProcessors()), theatre(settings, workers, from, to) {}
 

@@ -1,4 +1,4 @@
-// Gives tools any picture of the film, traced on all processors, and tells when its scenes play.
+// Gives tools any picture of the film, traced on all processors, and the times of its scenes.
 #pragma once
 
 #include "inside.h"
@@ -17,6 +17,9 @@ struct Theatre {
     HeapArena memory;
     Intro *intro = nullptr; // in the arena
 };
+
+// A picture without its fourth bytes.
+std::vector<uint8_t> rgbOf(const Picture &picture);
 
 class Screening {
 public:

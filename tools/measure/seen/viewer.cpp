@@ -12,12 +12,6 @@ namespace {
 constexpr int kScreenRate = 60;
 constexpr long kTruePixels = 8 << 20; // of all truths that are kept, of 23 bytes each
 
-std::vector<uint8_t> rgbOf(const Picture &p) {
-    std::vector<uint8_t> rgb((size_t)p.width * (size_t)p.height * 3);
-    for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = p.rgba[i / 3 * 4 + i % 3];
-    return rgb;
-}
-
 // Whether two pictures of lists are traced alike.
 bool same(const Shown &a, const Shown &b) {
     return a.time == b.time && a.level == b.level && a.width == b.width && a.height == b.height;
