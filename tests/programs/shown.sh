@@ -15,9 +15,25 @@ check "... which shows the film in order, nothing before its time" table "$list"
     '!wrong && shown > 20 && lines <= 181 && last > 53 && last < 53.5'
 check "seen sums it up" prints '^flake,[0-9.]+,[0-9]+,[0-9]+,[0-9]+,' "$BUILD/seen" "$list" --summary
 check "... and looks at it" prints '^flake,30,[0-9]+,0\.[0-9]+,[0-9.]+,[0-9.]+$' "$BUILD/seen" "$list" --at 51.75 --screen 160x90
+check "... and writes what stands on the screen, and the truth" eval \
+    '"$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$WORK/pictures" >"$WORK/out" &&
+    [ "$(ls "$WORK/pictures" | tr "\n" " ")" = "$(for n in 0 1 2 3; do printf "051750-$n-truth.png 051750-$n.png "; done)" ]'
+
+# A steady player, and simulated ones
+check "one of four is traced" eval \
+    '[ "$("$BUILD/seen" --steady 60 --every 4 --at 52 --length 0.13 --list | cut -d, -f3 | tr "\n" " ")" = "kind$(for n in 1 2; do printf " traced between between between"; done) traced " ]'
+players=("$BUILD/seen" --machine 8 --machine 64 --screen 640x360 --screen 1280x720)
+check "each machine with each screen" eval \
+    '[ "$("${players[@]}" --summary | cut -d, -f 1,2 | uniq | tr "\n" " ")" = "screen,machine 640x360,8 640x360,64 1280x720,8 1280x720,64 " ]'
+check "... is looked at" eval \
+    '[ "$("${players[@]}" --judged 64x36 --at 52 --length 0.05 | cut -d, -f 1-4 | tr "\n" " ")" = "screen,machine,scene,sixtieths 640x360,8,flake,3 640x360,64,flake,3 1280x720,8,flake,3 1280x720,64,flake,3 " ]'
+check "several screens are judged on none" refuses 2 "several screens need --judged" "${players[@]}"
+check "three losses" refuses 2 "takes four numbers" "$BUILD/seen" --machine 8 --lost 1,2,3
+check "a folder that cannot be" refuses 1 "$list" "$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$list/none"
+
 check "writes to standard output" eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'
 
-# What is wrong is told in one line
+# What is wrong is reported in one line
 debug=("$BUILD/odraz-debug" --size 64x36 --mute --from 50 --to 50.3 --shown)
 check "no folder" refuses 1 "cannot write $WORK/none/list" "${debug[@]}" "$WORK/none/list"
 check "a folder" refuses 1 "cannot write $WORK" "${debug[@]}" "$WORK"
