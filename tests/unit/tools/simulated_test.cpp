@@ -85,8 +85,10 @@ TEST(Simulated, InBetweensAreChargedAtTheirGap) {
         Charged c = charged(way, 20, 30);
         int expected = 10 * 60 / Governor::kApart[way] * Governor::kBetween[way];
         EXPECT_EQ(c.summed, c.making) << way;
-        EXPECT_EQ(c.making.count(2), way == Governor::kPairs) << way;
-        EXPECT_GT(c.making[Governor::kApart[way]], 0.9 * expected) << way;
+        if (way != Governor::kPairs) {
+            EXPECT_LE(c.making[2], 1) << way << " (every film begins in pairs)";
+        }
+        EXPECT_GT(c.making[Governor::kApart[way]], 0.85 * expected) << way;
     }
 }
 

@@ -165,7 +165,8 @@ int run(Arguments &words) {
         return 0;
     }
     if (what == "film") {
-        Around at = {.seconds = words.number("SECONDS", 0, duration())};
+        Around at = {};
+        at.seconds = words.number("SECONDS", 0, duration());
         Quality level = levelAfter(words);
         at.gap = words.number("GAP", 1, 60);
         at.share = words.number("SHARE", 0, 1);
