@@ -13,8 +13,8 @@ counted() {
     posing) of='odraz::poseSubject*' words=(again "$2") ;;
     finish) of='odraz::Scene::finish*' words=(again "$2") ;;
     trace) of='odraz::traceFrame*' words=(trace "$2" "$4") ;;
-    development) of='odraz::develop(*' words=(develop "$2") ;;
-    bare) of='odraz::develop(*' words=(bare "$2") ;;
+    development) of='odraz::develop(*const&)' words=(develop "$2") ;;
+    bare) of='odraz::develop(*const&)' words=(bare "$2") ;;
     glare) of='odraz::spreadGlare*' words=(develop "$2") ;;
     esac
     log=$(mktemp)
