@@ -14,20 +14,6 @@ Float8 encodeSrgb(Float8 x) {
     return select(x <= 0.0031308f, x * 12.92f, fmadd(pow(x, 1 / 2.4f), 1.055f, -0.055f));
 }
 
-// Looks up eight entries of a table, one by one. On processors with the mitigation against Downfall, one
-// gather instruction takes half as long again as all other work on a pixel.
-static Int8 lookUp(const int32_t *table, Int8 index) {
-    auto four = [&](__m128i at) {
-        uint64_t low = (uint64_t)_mm_cvtsi128_si64(at), high = (uint64_t)_mm_extract_epi64(at, 1);
-        __m128i v = _mm_cvtsi32_si128(table[(uint32_t)low]);
-        v = _mm_insert_epi32(v, table[low >> 32], 1);
-        v = _mm_insert_epi32(v, table[(uint32_t)high], 2);
-        return _mm_insert_epi32(v, table[high >> 32], 3);
-    };
-    return (Int8)_mm256_set_m128i(four(_mm256_extracti128_si256((__m256i)index, 1)),
-                                  four(_mm256_castsi256_si128((__m256i)index)));
-}
-
 void makeCurve(Curve &curve) {
     int32_t next = 0;
     for (int i = (int)(sizeof(curve.place) / sizeof(*curve.place)); i-- > 0;) {
@@ -40,19 +26,43 @@ void makeCurve(Curve &curve) {
 
 namespace {
 
+// Keeps x in a register or on the stack. A constant is else made anew in every round of a loop, in up to
+// three steps.
+template <class T> ODRAZ_INLINE T kept(T x) {
+    asm("" : "+x"(x));
+    return x;
+}
+
+// The eight entries of a curve for the bits of values, one by one. On processors with the mitigation against
+// Downfall, one gather instruction takes half as long again as all other work on a pixel.
+ODRAZ_INLINE Int8 lookUp(const int32_t *place, Int8 values) {
+    const size_t kFirst = bits(Curve::kFoot) >> Curve::kShift;
+    alignas(32) int32_t at[8];
+    store(at, values >> Curve::kShift);
+    asm("" : "+m"(at)); // without memory each index takes two steps more
+    auto entry = [&](int k) { return place[(uint32_t)at[k] - kFirst]; };
+    auto four = [&](int k) {
+        __m128i v = _mm_cvtsi32_si128(entry(k));
+        v = _mm_insert_epi32(v, entry(k + 1), 1);
+        v = _mm_insert_epi32(v, entry(k + 2), 2);
+        return _mm_insert_epi32(v, entry(k + 3), 3);
+    };
+    return (Int8)_mm256_set_m128i(four(4), four(0));
+}
+
 // Interpolates eight pixels of a row from a level that is a quarter as wide and high.
 struct GlareRow {
     const float *near[3], *far[3]; // the two nearest rows
-    float share;                   // of the far one
+    Float8 share;                  // of the far one
 
     GlareRow(const Glare::Level &l, int y) {
         // The middles of pixels lie at odd eighths of the level's pixels
         int eighth = 2 * y - 3, row = eighth >> 3;
-        share = (float)(eighth & 7) * 0.125f;
+        share = broadcast((float)(eighth & 7) * 0.125f);
         ptrdiff_t a = (ptrdiff_t)max(row, 0) * l.stride, b = (ptrdiff_t)min(row + 1, l.height - 1) * l.stride;
         for (int c = 0; c < 3; ++c) near[c] = l.plane[c] + a, far[c] = l.plane[c] + b;
     }
-    ODRAZ_INLINE Float8 at(int c, int x) const {
+    ODRAZ_INLINE Float8 at(int c, ptrdiff_t x) const {
         const Float8 kWeight = {0.625f, 0.875f, 0.125f, 0.375f, 0.625f, 0.875f, 0.125f, 0.375f};
         const Int8 kFirst = {0, 0, 1, 1, 1, 1, 2, 2};
         Float8 v = load(near[c] + x / 4 - 1);
@@ -70,55 +80,74 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
     uint32_t salt = pcg(seed);
     const float midX = (float)frame.width * 0.5f, midY = (float)frame.height * 0.5f,
                 darker = look.vignette / fmadd(midX, midX, midY * midY);
-    parallelRanges(workers, frame.height, 16, [&](int first, int end, int) {
+    auto rows = [&](int first, int end, int) __attribute__((flatten)) {
+        // Copies: what a reference leads to is loaded again after each write to the picture
+        const Frame f = frame;
+        const int32_t *place = curve.place;
+        const bool spread = glare;
+        const Float8 fall = broadcast(-darker * exposure), spreadShare = broadcast(look.glare),
+                     foot = kept(broadcast(Curve::kFoot)), head = kept(broadcast(Curve::kHead));
+        const Uint8 salts = salt - Uint8{};
+        const Int8 amplitude = kept(broadcast(look.grain * 0x10001)), half = kept(broadcast(look.grain)),
+                   signs = kept(broadcast((int32_t)0x80008000)), low14 = kept(broadcast(0x3fff)),
+                   one = kept(broadcast(1 << 30)), opaque = kept(broadcast(255)), eight = kept(broadcast(8));
         for (int y = first; y < end; ++y) {
-            uint8_t *out = frame.rgba + (size_t)y * (size_t)frame.width * 4;
-            float down = (float)y + 0.5f - midY, rest = fmadd(down * down, -darker, 1.f) * exposure;
-            // At the picture's edges, neighbours are asked twice; in pictures of one row or of eight columns,
-            // pixels themselves
-            ptrdiff_t below = y + 1 < frame.height ? frame.stride : -(ptrdiff_t)(y > 0) * frame.stride,
-                      above = y > 0 ? -frame.stride : below;
-            GlareRow of(glare ? glare->level[1] : Glare::Level{}, y);
-            for (int x = 0; x < frame.width; x += 8) {
-                Uint8 noise = pcg((Uint8)(kLanes + (x + y * kMaxWidth)) ^ salt), grain = pcg(noise);
-                Int8 grains = ((Int8)((grain >> 16) + (grain & 0xffff)) - 0xffff) * look.grain;
-                Int8 pixels = broadcast((int32_t)0xff000000);
-                Float8 aside = toFloat(kLanes) + ((float)x + 0.5f - midX),
-                       gain = fmadd(aside * aside, -darker * exposure, rest);
-                ptrdiff_t right = x + 8 < frame.width ? 1 : -(ptrdiff_t)(x > 0), left = x > 0 ? -1 : right;
+            uint8_t *out = f.rgba + (size_t)y * (size_t)f.width * 4;
+            float down = (float)y + 0.5f - midY;
+            const Float8 rest = broadcast(fmadd(down * down, -darker, 1.f) * exposure);
+            // At the picture's edges, neighbours are asked twice; in pictures of one row or of eight
+            // columns, pixels themselves
+            ptrdiff_t below = y + 1 < f.height ? f.stride : -(ptrdiff_t)(y > 0) * f.stride,
+                      above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
+            GlareRow of(spread ? glare->level[1] : Glare::Level{}, y);
+            Uint8 pixel = (Uint8)(kLanes + y * kMaxWidth);
+            Float8 aside = toFloat(kLanes) + (0.5f - midX);
+            for (ptrdiff_t x = 0; x < f.width; x += 8) {
+                Uint8 noise = pcg(pixel ^ salts);
+                // The sum of two 16-bit numbers, each as often negative as not
+                Int8 grain = (Int8)_mm256_madd_epi16((__m256i)((Int8)pcg(noise) ^ signs), (__m256i)amplitude);
+                grain += half;
+                Float8 gain = fmadd(aside * aside, fall, rest);
+                ptrdiff_t right = x + 8 < f.width ? 1 : left;
+                Int8 shown[3];
                 for (int c = 0; c < 3; ++c) {
-                    const float *at = frame.plane[c] + (size_t)y * (size_t)frame.stride + x;
-                    // What is brighter than all of its neighbours is mostly a sample that met something thin
-                    // by chance, which the next picture lacks
+                    const float *at = f.plane[c] + (row + x);
+                    // What is brighter than all of its neighbours is mostly a sample that met something
+                    // thin by chance, which the next picture lacks
                     auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
                     const float *up = at + above, *under = at + below;
                     Float8 beside = max(max(most(up), most(under)), max(load(up), load(under)));
                     Float8 v = min(max(most(at), beside), load(at));
-                    if (glare) v = fmadd(of.at(c, x) - v, look.glare, v);
+                    if (spread) v = fmadd(of.at(c, x) - v, spreadShare, v);
                     // NaN becomes the first entry
-                    v = clamp(fmadd(v, gain, Curve::kFoot), Curve::kFoot, Curve::kHead);
-                    Int8 entry = bits(v) - bits(Curve::kFoot);
-                    Int8 place = lookUp(curve.place, entry >> Curve::kShift);
-                    // The value times 2^14, plus the difference to the next one times the 14 bits that follow
-                    // the index
-                    Int8 share = (entry >> (Curve::kShift - 14) & 0x3fff) | 1 << 30;
-                    Int8 shown = (Int8)_mm256_madd_epi16((__m256i)place, (__m256i)share);
+                    v = min(max(fmadd(v, gain, foot), foot), head);
+                    // The value times 2^14, plus the difference to the next one times the 14 bits that
+                    // follow the index
+                    Int8 share = (bits(v) >> (Curve::kShift - 14) & low14) | one;
+                    Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(place, bits(v)), (__m256i)share);
                     // Each colour has its own noise: 10 bits that no other one uses
-                    shown += (Int8)(noise >> 11);
-                    shown = (Int8)_mm256_max_epi32((__m256i)(shown + grains), __m256i{});
-                    pixels |= (Int8)_mm256_min_epi32((__m256i)(shown >> 21), (__m256i)broadcast(255))
-                              << (8 * c);
+                    shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;
                     noise <<= 10;
                 }
+                // Packing clamps to 0 .. 255
+                const Int8 kOrder = {0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703,
+                                     0x0c080400, 0x0d090501, 0x0e0a0602, 0x0f0b0703};
+                __m256i pixels = _mm256_packus_epi16(_mm256_packs_epi32((__m256i)shown[0], (__m256i)shown[1]),
+                                                     _mm256_packs_epi32((__m256i)shown[2], (__m256i)opaque));
+                pixels = _mm256_shuffle_epi8(pixels, (__m256i)kOrder);
                 // Do not write beyond the row's end: another worker writes the next row
-                if (x + 8 <= frame.width)
-                    _mm256_storeu_si256((__m256i *)(out + x * 4), (__m256i)pixels);
+                if (x + 8 <= f.width)
+                    _mm256_storeu_si256((__m256i *)(out + x * 4), pixels);
                 else
-                    for (int k = 0; k < frame.width - x; ++k)
-                        for (int c = 0; c < 4; ++c) out[(x + k) * 4 + c] = (uint8_t)(pixels[k] >> (8 * c));
+                    _mm256_maskstore_epi32((int *)(out + x * 4), (__m256i)(kLanes < (int)(f.width - x)),
+                                           pixels);
+                left = -1;
+                pixel += (Uint8)eight;
+                aside += 8;
             }
         }
-    });
+    };
+    parallelRanges(workers, frame.height, 16, rows);
 }
 
 } // namespace odraz
