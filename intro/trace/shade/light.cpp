@@ -126,9 +126,9 @@ struct Lobe {
         }
         return towards;
     }
-    // Its value at that cosine.
-    ODRAZ_INLINE Float8 at(Float8 towards, const Material &m) const {
-        Int8 near = towards > end;
+    // Its value at that cosine, in active lanes.
+    ODRAZ_INLINE Float8 at(Float8 towards, const Material &m, Int8 active) const {
+        Int8 near = active & (towards > end);
         if (!any(near)) return Float8{};
         Float8 lobe = exp2(log2(clamp(towards, 0.01f, 1.f)) * wider * m.exponent) * wider;
         return select(near, lobe * m.specular, 0.f);
@@ -176,16 +176,17 @@ ODRAZ_INLINE void addLight(const Lit &all, const Places &at, const Lobe &phong, 
     Float8 square = max(dot(to, to), 1e-8f), far = sqrt(square), inverse = 1.f / far;
     Vec3x8 l = to * inverse;
     Float8 cosine = dot(at.n, l), strength = inverse * inverse, lobe = {}, towards = {};
+    Int8 facing = at.active & (cosine > 0.f);
+    if (!any(facing)) return;
     if (all.m.specular > 0) {
         towards = phong.towards(light, l, cosine, inverse);
-        lobe = phong.at(towards, all.m);
+        lobe = phong.at(towards, all.m, facing);
     }
     // Light that adds less than a fifth of the cutoff to the picture needs no shadow; from there to twice as
     // much the shadow fades in
     Float8 promised =
         fmadd(cosine, all.reflectance, lobe) * (strength * at.share) * maxComponent(light.intensity);
     Int8 close = towards > phong.reach;
-    Int8 facing = at.active & (cosine > 0.f);
     Float8 faint = select(close, 0.f, saturate(2.f - promised * all.counts));
     Int8 lit = facing & (faint < 1.f);
     sum.diffuse += light.intensity * select(facing & ~lit, strength * cosine, 0.f);
