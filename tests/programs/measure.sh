@@ -37,6 +37,10 @@ check "a commit that is not named" refuses 2 "--same-code needs a commit;" "$all
 check "a folder that is not there" refuses 2 "cannot write" "$all" --to "$WORK/none/results.md"
 check "quick figures stay out of the repository" refuses 2 "--quick goes with --to" "$all" --quick
 
+machine=$SOURCE/tools/measure/bench/machine
+check "a machine is measured in no other way" refuses 2 "cannot use '--fast'" "$machine" --fast
+check "... nor by programs that are missing" refuses 2 "odraz-safe is missing: cmake" env BUILD="$WORK/none" "$machine"
+
 # --- What --check tells ---
 scratch=$WORK/scratch
 mkdir -p "$scratch"
