@@ -75,7 +75,7 @@ void layOutHemicube(Writer &out, const Model &model, const Eye &eye, float x0, f
         // are
         if (abs(height) <= scale && abs(dot(c.n, eye.frame.w)) > 0.9999f) continue;
         bool back = height < -scale;
-        if (back && model.solid) continue;
+        if (back && model.noBacks()) continue;
         // Into the hemicube's frame; what lies beyond one border of a face is not on it
         Vec3 local[4];
         uint32_t all = ~0u, some = 0;
@@ -131,7 +131,7 @@ size_t hemicubeBytes(int px) {
 bool openHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     h = {};
     h.gl = &gl;
-    if (px % 2 || px < 4 || px > kMaxHemicube) return false;
+    if (kForTools && (px % 2 || px < 4 || px > kMaxHemicube)) return false;
     shapeAtlas(h, px);
     h.vertices = arena.take<float>((size_t)kVertices * kFloats);
     h.ids = arena.take<uint32_t>((size_t)h.batch * (size_t)(3 * px * px));

@@ -5,7 +5,7 @@
 namespace odraz {
 
 int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int material, float cell, Kind kind) {
-    if (chartCount == kMaxCharts) {
+    if (kForTools && chartCount == kMaxCharts) {
         overflow = true;
         return chartCount - 1;
     }
@@ -29,7 +29,7 @@ int Model::addRect(const Vec3 &corner, const Vec3 &u, const Vec3 &v, int materia
 }
 
 void Model::addFacet(const float *u, const float *v) {
-    if (facetCount == kMaxFacets) {
+    if (kForTools && facetCount == kMaxFacets) {
         overflow = true;
         return;
     }
@@ -85,7 +85,7 @@ static void place(const Model &model, int index, Patch &patch) {
 }
 
 bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block, int levels) {
-    if (overflow) return false;
+    if (kForTools && overflow) return false;
     texelCount = cellCount = patchCount = tieCount = freshCount = 0;
     for (int i = 0; i < chartCount; ++i) {
         // Charts hold whole patches: take the number of blocks nearest to what is asked, and the number of

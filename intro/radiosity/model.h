@@ -56,6 +56,8 @@ struct Model {
     bool overflow; // something did not fit
     bool solid;    // no back is visible from where there is light: hemicubes leave backs out, which is faster
 
+    bool noBacks() const { return !kForTools || solid; } // the film's hall is solid
+
     // Made by divide(), refined by split()
     Patch *patches;
     Texel *texels;

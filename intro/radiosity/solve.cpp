@@ -1,5 +1,7 @@
 #include "radiosity/solve.h"
 
+#include "base/for_tools.h"
+
 #include <initializer_list>
 
 namespace odraz {
@@ -55,7 +57,7 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
                 store(value, b);
             }
         }
-        if (block == 0 && told.report) {
+        if (kForTools && block == 0 && told.report) {
             float left = 0;
             for (int k = 0; k < 16; ++k)
                 if (put[k / 8][k % 8] > 0) left = max(left, changed[k / 8][k % 8] / put[k / 8][k % 8]);
@@ -83,7 +85,7 @@ int solve(System &s, Workers &workers, float residual, int most, const Progress 
     int worst = 0;
     parallelFor(workers, s.columns / kSolveBlock, [&](int block, int) {
         int sweeps = solveBlock(s, block * kSolveBlock, workers, residual, most, told);
-        for (int was = 0; was < sweeps;)
+        for (int was = 0; kForTools && was < sweeps;)
             if (__atomic_compare_exchange_n(&worst, &was, sweeps, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
                 break;
     });

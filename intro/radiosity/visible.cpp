@@ -23,15 +23,15 @@ Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
 // other things, because tubes have no lids.
 Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
     Int8 some = {}, all = places.active;
-    for (int i = 0; i < (model.solid ? 4 : any(all) ? 8 : 0); ++i) {
-        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.solid ? 0.004f : 0.5f) : 1;
+    for (int i = 0; i < (model.noBacks() ? 4 : any(all) ? 8 : 0); ++i) {
+        float side = i & 1 ? -0.08f : 0.08f, slant = i & 2 ? (model.noBacks() ? 0.004f : 0.5f) : 1;
         float a = side * 10 * slant, b = side * 8 * slant;
         Vec3x8 d = normalize(t.n + t.u * broadcast(i < 4 ? a : -b) + t.v * broadcast(i < 4 ? b : a));
         Int8 sees = seesBack(scene, t.at(places.x + side, places.y + side), d, places.active);
         some |= sees;
         all &= sees;
     }
-    return model.solid ? some : all;
+    return model.noBacks() ? some : all;
 }
 
 // Whether a place lies on a facet of its chart.
