@@ -105,13 +105,7 @@ void prepareHall(Hall &hall, Scene &scene) {
 }
 
 RoomSettings hallSettings(const Hall &hall) {
-    RoomSettings s = {kHallSettings, {}, hall.floor, {}, lightVector({kNoon, {}, {}, 0}), {0.5f, 0, 0.6f}};
-    for (int hour = 0; hour < kHours; ++hour) {
-        LightVector v = lightVector({(float)hour, {1, 1, 1}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
-        for (int k = 0; k < kHallBases.count(); ++k) s.importance[k] += length(v.bounced[k]);
-    }
-    for (int i = 0; i < kSuns; ++i) s.importance[kFirstSun + i] = 1;
-    return s;
+    return {kHallSettings, kGlossExponent, hall.floor, lightVector({kNoon, {}, {}, 0}), {0.5f, 0, 0.6f}};
 }
 
 void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, Scene &scene) {

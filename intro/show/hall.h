@@ -44,8 +44,9 @@ inline constexpr RadiositySettings kHallSettings = {.px = 16,
                                                     .contrast = 0.3f,
                                                     .traced = basesBetween(kFirstSun, kFirstStrip),
                                                     .residual = 1e-2f};
-// Settings for solveRoom(), for a prepared hall: kHallSettings, how strong each basis becomes in the course
-// of a day, the light that scene 4 follows and the place of the patch that it visits.
+// Settings for solveRoom(), for a prepared hall: kHallSettings, the lobe of its gloss, the light that scene 4
+// follows and the place of the patch that it visits.
+inline constexpr float kGlossExponent = 16;
 RoomSettings hallSettings(const Hall &hall);
 
 // Fills a scene with the hall and its lights, lit for an eye: the sun and the two strongest lanterns are left

@@ -32,7 +32,7 @@ struct Arriving {
 };
 
 // The matrix of one patch, from all the links in its row of form factors.
-void findMatrix(const Model &m, const Radiosity &r, int patch, float *matrix) {
+void findMatrix(const Model &m, const Radiosity &r, int patch, float exponent, float *matrix) {
     const Row &row = r.factors.rows[patch];
     Vec3 p = m.patches[patch].p, n = m.patches[patch].n;
     int bases = r.bases.count();
@@ -69,14 +69,17 @@ void findMatrix(const Model &m, const Radiosity &r, int patch, float *matrix) {
             all.add(coefficients, radiances, 3 * bases);
         }
     }
-    for (int i = 0; i < 3 * bases; ++i)
-        for (int j = 0; j < kSh; ++j) matrix[i / 3 * kGlossOutputs + i % 3 * kSh + j] = all.sum[i][j];
+    for (int j = 0; j < kSh; ++j) {
+        float lobe = window((int)sqrt((float)j + 0.5f), exponent);
+        for (int i = 0; i < 3 * bases; ++i)
+            matrix[i / 3 * kGlossOutputs + i % 3 * kSh + j] = all.sum[i][j] * lobe;
+    }
 }
 
 } // namespace
 
-bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const float *importance,
-                const GlossySettings &settings, Arena &arena, Workers &workers) {
+bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, float exponent, Arena &arena,
+                Workers &workers) {
     const Chart &c = m.charts[chart];
     int patchesAcross = c.patchesAcross, patchesDown = c.patchesDown, patches = patchesAcross * patchesDown;
     g.chart = &c;
@@ -84,10 +87,9 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
     g.across = (patchesAcross + 1) / 2, g.down = (patchesDown + 1) / 2;
     int count = g.across * g.down, columns = g.bases * kGlossOutputs;
     size_t width = (size_t)columns;
-    float *each = arena.take<float>((size_t)patches * width), *scale = arena.take<float>(width),
-          *inverse = arena.take<float>(width);
-    g.matrices = arena.take<float>((size_t)count * width);
-    g.pca.cluster = arena.take<int>((size_t)count);
+    float *each = arena.take<float>((size_t)patches * width),
+          *matrices = arena.take<float>((size_t)count * width);
+    g.matrices = matrices;
     for (float *&plane : g.plane) plane = arena.take<float>((size_t)count);
     if (arena.full) return false;
 
@@ -98,64 +100,27 @@ bool findGlossy(Glossy &g, const Model &m, const Radiosity &r, int chart, const 
                 for (int channel = 0; channel < 3; ++channel)
                     r.system.radiosity[i * r.system.columns + 3 * (r.bases.firstLamp() + k) + channel] = 1;
     parallelFor(workers, patches,
-                [&](int i, int) { findMatrix(m, r, c.firstPatch + i, each + (size_t)i * width); });
+                [&](int i, int) { findMatrix(m, r, c.firstPatch + i, exponent, each + (size_t)i * width); });
     fillPatches(m, r.factors, columns, each, c.firstPatch, patches);
 
-    // Each square gets the mean of its patches. The first clusters are blocks, about as wide as high
-    int clusters = settings.pca.clusters, wide = 1;
-    while (wide < g.across && (wide + 1) * (wide + 1) * g.down <= clusters * g.across) ++wide;
-    int high = min(clusters / wide, g.down);
-    parallelFor(workers, count, [&](int i, int) {
+    // Each square gets the mean of its patches
+    for (int i = 0; i < count; ++i) {
         int x = i % g.across, y = i / g.across, u = x * patchesAcross / g.across,
             v = y * patchesDown / g.down, uEnd = (x + 1) * patchesAcross / g.across,
             vEnd = (y + 1) * patchesDown / g.down;
-        float *to = g.matrices + (size_t)i * width, share = 1.f / (float)((uEnd - u) * (vEnd - v));
+        float *to = matrices + (size_t)i * width, share = 1.f / (float)((uEnd - u) * (vEnd - v));
         for (; v < vEnd; ++v)
             for (int k = u; k < uEnd; ++k) {
                 const float *from = each + (size_t)(v * patchesAcross + k) * width;
                 for (int j = 0; j < columns; j += 8)
                     store(to + j, fmadd(load(from + j), share, load(to + j)));
             }
-        g.pca.cluster[i] = y * high / g.down * wide + x * wide / g.across;
-    });
-
-    // Weights every entry by the importance of its light and by the lobe; skies, suns and lamps count alike
-    const int ends[] = {0, r.bases.firstSun(), r.bases.firstLamp(), g.bases};
-    auto multiply = [&](float *rows, int rowCount, const float *factors) {
-        for (int i = 0; i < rowCount; ++i, rows += width)
-            for (int k = 0; k < columns; k += 8) store(rows + k, load(rows + k) * load(factors + k));
-    };
-    auto lobe = [&](int column) {
-        return window((int)sqrt((float)(column % kGlossOutputs % kSh) + 0.5f), settings.exponent);
-    };
-    for (int k = 0; k < columns; ++k) scale[k] = importance[k / kGlossOutputs] * lobe(k);
-    multiply(g.matrices, count, scale);
-    for (int kind = 0; kind < 3; ++kind) {
-        Float8 square = {};
-        int begin = ends[kind] * kGlossOutputs, end = ends[kind + 1] * kGlossOutputs;
-        for (int i = 0; i < count; ++i)
-            for (int k = begin; k < end; k += 8) {
-                Float8 v = load(g.matrices + (size_t)i * width + k);
-                square = fmadd(v, v, square);
-            }
-        float size = sqrt(total(square)) + 1e-20f;
-        for (int k = begin; k < end; ++k) {
-            inverse[k] = scale[k] > 0 ? lobe(k) * size / scale[k] : 0;
-            scale[k] = 1 / size;
-        }
     }
-    multiply(g.matrices, count, scale);
-    g.pca.rows = count;
-    g.pca.columns = columns;
-    g.pca.data = g.matrices;
-    if (!compress(g.pca, settings.pca, arena, workers)) return false;
-    multiply(g.pca.axes, clusters * (1 + g.pca.dimensions), inverse);
     return true;
 }
 
 void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, float reflect,
                    float strength) {
-    const ClusteredPca &pca = g.pca;
     const Chart &chart = *g.chart;
     // The strength of each entry
     float weights[kMaxBases][kGlossOutputs] = {};
@@ -165,44 +130,35 @@ void relightGlossy(const Glossy &g, const LightVector &light, const Vec3 &eye, f
             weights[k][kSh + j] = light.bounced[k].y;
             weights[k][2 * kSh + j] = light.bounced[k].z;
         }
-    for (int c = 0; c < pca.clusters; ++c) {
-        // The means and axes of the clusters under this light
-        float shown[1 + kMaxDimensions][kGlossOutputs];
-        const float *axis = pca.axesOf(c);
-        for (int d = 0; d <= pca.dimensions; ++d) {
-            for (float &s : shown[d]) s = 0;
-            for (int k = 0; k < g.bases; ++k, axis += kGlossOutputs) {
-                if (weights[k][0] == 0 && weights[k][kSh] == 0 && weights[k][2 * kSh] == 0) continue;
+    // The squares, eight at a time
+    int count = g.across * g.down;
+    for (int first = 0; first < count; first += 8) {
+        float arriving[8][kGlossOutputs] = {};
+        Int8 square = {};
+        for (int l = 0; l < 8; ++l) {
+            square[l] = min(first + l, count - 1);
+            const float *entry = g.matrices + (size_t)(square[l] * g.bases) * kGlossOutputs;
+            for (int k = 0; k < g.bases; ++k, entry += kGlossOutputs) {
+                if (maxComponent(light.bounced[k]) == 0) continue;
                 for (int j = 0; j < kGlossOutputs; j += 8)
-                    store(shown[d] + j, fmadd(load(axis + j), load(weights[k] + j), load(shown[d] + j)));
+                    store(arriving[l] + j,
+                          fmadd(load(entry + j), load(weights[k] + j), load(arriving[l] + j)));
             }
         }
-        // The squares, eight at a time
-        for (int first = pca.first[c]; first < pca.first[c + 1]; first += 8) {
-            Int8 square = {};
-            for (int k = 0; k < 8; ++k) square[k] = pca.members[min(first + k, pca.first[c + 1] - 1)];
-            Float8 line = floor((toFloat(square) + 0.5f) / (float)g.across);
-            Float8 s = (toFloat(square) - line * (float)g.across + 0.5f) * (chart.width / (float)g.across),
-                   t = (line + 0.5f) * (chart.height / (float)g.down);
-            Vec3x8 d = normalize(chart.u * s + chart.v * t + (chart.corner - eye));
-            Float8 cosine = dot(d, chart.n), y[kSh], weight[kMaxDimensions];
-            evaluate(fmadd(broadcast(chart.n), cosine * -2.f, d), y);
-            for (int k = 0; k < pca.dimensions; ++k)
-                weight[k] = gather(pca.weights + k, square * pca.dimensions);
-            Float8 grazing = 1.f - saturate(abs(cosine)), twice = grazing * grazing;
-            Float8 mirrored = fmadd(twice * twice * grazing, 1 - reflect, broadcast(reflect)) * strength;
-            for (int channel = 0; channel < 3; ++channel) {
-                Float8 sum = {};
-                for (int j = 0; j < kSh; ++j) {
-                    int at = channel * kSh + j;
-                    Float8 arriving = broadcast(shown[0][at]);
-                    for (int k = 0; k < pca.dimensions; ++k)
-                        arriving = fmadd(weight[k], shown[1 + k][at], arriving);
-                    sum = fmadd(arriving, y[j], sum);
-                }
-                sum = max(sum, 0.f) * mirrored;
-                for (int k = 0; k < 8; ++k) g.plane[channel][square[k]] = sum[k];
-            }
+        Float8 line = floor((toFloat(square) + 0.5f) / (float)g.across);
+        Float8 s = (toFloat(square) - line * (float)g.across + 0.5f) * (chart.width / (float)g.across),
+               t = (line + 0.5f) * (chart.height / (float)g.down);
+        Vec3x8 d = normalize(chart.u * s + chart.v * t + (chart.corner - eye));
+        Float8 cosine = dot(d, chart.n), y[kSh];
+        evaluate(fmadd(broadcast(chart.n), cosine * -2.f, d), y);
+        Float8 grazing = 1.f - saturate(abs(cosine)), twice = grazing * grazing;
+        Float8 mirrored = fmadd(twice * twice * grazing, 1 - reflect, broadcast(reflect)) * strength;
+        for (int channel = 0; channel < 3; ++channel) {
+            Float8 sum = {};
+            for (int j = 0; j < kSh; ++j)
+                sum = fmadd(gather(arriving[0] + channel * kSh + j, kLanes * kGlossOutputs), y[j], sum);
+            sum = max(sum, 0.f) * mirrored;
+            for (int k = 0; k < 8; ++k) g.plane[channel][square[k]] = sum[k];
         }
     }
 }

@@ -4,14 +4,13 @@
 // 25 coefficients of the light that arrives there from the upper half-space, in red, green and blue. That is
 // the light of skies through the windows, of suns and lamps after all bounces, and of charts that are lamps
 // themselves. The direct light of suns and balls is left out, because the tracer draws highlights for them.
-// Clustered PCA compresses the matrices. For a given eye the coefficients are multiplied with those of a lobe
-// around the mirrored direction and added up.
+// For a given eye the coefficients are multiplied with those of a lobe around the mirrored direction and
+// added up.
 //
 // Source: Kautz, Sloan and Snyder, "Fast, Arbitrary BRDF Shading for Low-Frequency Lighting Using Spherical
 // Harmonics", Eurographics Workshop on Rendering 2002.
 #pragma once
 
-#include "transfer/clustered_pca.h"
 #include "transfer/relight.h"
 #include "transfer/spherical_harmonics.h"
 
@@ -19,23 +18,17 @@ namespace odraz {
 
 inline constexpr int kGlossOutputs = (3 * kSh + 7) & ~7; // coefficients of red, then green, then blue
 
-struct GlossySettings {
-    PcaSettings pca = {.clusters = 8, .dimensions = 16, .rounds = 1, .iterations = 3, .tried = 3};
-    float exponent = 16; // of the lobe: see window()
-};
-
 struct Glossy {
     const Chart *chart;
     int bases, across, down; // squares along the chart's u and v
-    float *matrices;         // [squares][bases][kGlossOutputs], with the compression's weighting
-    ClusteredPca pca;
-    float *plane[3]; // one value for each square: the light that the eye gets
+    const float *matrices;   // [squares][bases][kGlossOutputs], every coefficient times its band's window
+    float *plane[3];         // one value for each square: the light that the eye gets
 };
 
-// Finds the matrices of a chart in a solved room and compresses them. `importance` says how strong each basis
-// may become, so that the compression keeps what will be visible. False when the arena is full.
-bool findGlossy(Glossy &g, const Model &model, const Radiosity &r, int chart, const float *importance,
-                const GlossySettings &settings, Arena &arena, Workers &workers);
+// Finds the matrices of a chart in a solved room, for a lobe of some exponent (window()). False when the
+// arena is full.
+bool findGlossy(Glossy &g, const Model &model, const Radiosity &r, int chart, float exponent, Arena &arena,
+                Workers &workers);
 
 // Fills the planes with the radiance that a mirror blurred by the lobe sends to an eye, times `strength`. The
 // mirror's reflectance rises from `reflect` at normal incidence to 1 (Schlick).

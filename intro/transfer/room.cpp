@@ -76,8 +76,7 @@ const char *solveRoom(Room &room, Scene &scene, const RoomSettings &s, const Gl 
     for (int i = 0; i < scene.materialCount; ++i) room.mean[i] = scene.mean[i];
     bool solved =
         solveRadiosity(room.radiosity, room.model, scene, s.radiosity, gl, arena, workers, progress) &&
-        findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.importance, s.gloss, arena,
-                   workers) &&
+        findGlossy(room.gloss, room.model, room.radiosity, s.polished, s.exponent, arena, workers) &&
         followBounces(room, s.followed, arena, workers) && visit(room, s.visited, gl, arena) &&
         wire(room, arena);
     if (!solved) return "the hall cannot be lit: OpenGL 3.3 draws no integers here, or memory is short";

@@ -14,11 +14,10 @@ inline constexpr int kSeen =
 
 struct RoomSettings {
     RadiositySettings radiosity;
-    GlossySettings gloss;
-    int polished;                // the chart that has gloss
-    float importance[kMaxBases]; // how strong each basis may become: gloss is compressed accordingly
-    LightVector followed;        // the light whose bounces are kept; only `bounced` counts
-    Vec3 visited;                // a place; the hemicube of the nearest patch is kept
+    float exponent;       // of the gloss's lobe: see window()
+    int polished;         // the chart that has gloss
+    LightVector followed; // the light whose bounces are kept; only `bounced` counts
+    Vec3 visited;         // a place; the hemicube of the nearest patch is kept
 };
 
 struct Room {

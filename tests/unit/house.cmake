@@ -39,13 +39,13 @@ endif()
 # Clustered PCA is compared with Eigen's eigenvalues. Eigen is compiled once, with little optimisation and without
 # sanitizers: otherwise its templates would take minutes and gigabytes
 find_path(EIGEN_INCLUDE Eigen/Eigenvalues PATH_SUFFIXES eigen3)
-if(EIGEN_INCLUDE)
-    odraz_test(transfer clustered_pca_test 1 engine eigenvalues)
+if(EIGEN_INCLUDE AND TARGET solving)
+    odraz_test(tools/radiosity clustered_pca_test 1 solving eigenvalues)
     add_library(eigenvalues STATIC ${CMAKE_SOURCE_DIR}/tests/support/eigenvalues.cpp)
     target_include_directories(eigenvalues PRIVATE ${CMAKE_SOURCE_DIR})
     target_include_directories(eigenvalues SYSTEM PRIVATE ${EIGEN_INCLUDE})
     target_compile_options(eigenvalues PRIVATE -O1 -g0 -fno-sanitize=all)
-else()
+elseif(NOT EIGEN_INCLUDE)
     message(STATUS "clustered_pca_test is left out: Eigen (libeigen3-dev) is not installed")
 endif()
 # The same tests where OpenGL has no reversed depth: under sanitizers the one that calls all of it

@@ -19,14 +19,10 @@ SolvedHall &solved() {
     return hall;
 }
 
-// The floor's gloss, compressed or not.
+// The floor's gloss.
 struct Floor {
     HeapArena memory{(size_t)64 << 20};
-    explicit Floor(bool compress) {
-        GlossySettings settings;
-        if (!compress) settings.pca = uncompressedFloor(*solved().hall);
-        solved().polish(settings, memory.arena, serial);
-    }
+    Floor() { solved().polish(memory.arena, serial); }
     std::vector<float> seen(const LightVector &light, Vec3 eye, float reflect = 1) const {
         const Glossy &g = solved().hall->gloss;
         relightGlossy(g, light, eye, reflect, 1);
@@ -60,7 +56,7 @@ TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
 // Rays from the four patches of a square, by the cosine law, bring the radiosity of the patches that they
 // hit, or the sky's. Their light is projected, blurred by the lobe and mirrored towards an eye, all by hand.
 TEST(Gloss, IsWhatRaysBring) {
-    Floor floor(false);
+    Floor floor;
     const Hall &hall = *solved().hall;
     const Model &m = hall.model;
     ModelRays rays(m);
@@ -115,7 +111,7 @@ TEST(Gloss, IsWhatRaysBring) {
             for (int l = 0; l < kBands; ++l)
                 for (int k = l * l; k < (l + 1) * (l + 1); ++k)
                     exact += coefficients[k] / patches * (double)mirrored[k][0] *
-                             (double)window(l, GlossySettings().exponent);
+                             (double)window(l, kGlossExponent);
             exact = std::fmax(exact, 0);
             double seen = (double)got[(size_t)(g.across * g.down + square)];
             error += (seen - exact) * (seen - exact), all += exact * exact;
@@ -125,30 +121,9 @@ TEST(Gloss, IsWhatRaysBring) {
     }
 }
 
-TEST(Gloss, SurvivesItsCompression) {
-    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    std::vector<float> exact, got;
-    LightVector noon = lightVector({kNoon, {}, {}, 1}), lamps = lightVector({kNight, {1, 1, 1}, {}, 1});
-    for (const LightVector &light : {noon, lamps}) {
-        {
-            Floor floor(false);
-            exact = floor.seen(light, {3, 1.6f, 3});
-        }
-        Floor floor(true);
-        got = floor.seen(light, {3, 1.6f, 3});
-        double error = 0, all = 0;
-        for (size_t i = 0; i < got.size(); ++i) {
-            error += std::pow((double)(got[i] - exact[i]), 2);
-            all += std::pow((double)exact[i], 2);
-        }
-        std::printf("gloss by clustered PCA: %.1f %% rms of gloss without\n", 100 * std::sqrt(error / all));
-        EXPECT_LT(std::sqrt(error / all), 0.1);
-    }
-}
-
 // From every height, below the floor and on it; no light; light from a millionth to a million.
 TEST(Gloss, AtTheExtremes) {
-    Floor floor(true);
+    Floor floor;
     LightVector noon = lightVector({kNoon, {}, {}, 1});
     const Glossy &g = solved().hall->gloss;
     const Chart &c = *g.chart;

@@ -44,7 +44,6 @@ std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) 
     std::vector<std::pair<std::string, std::vector<double>>> steps;
     for (const Clock::Step &step : Clock().steps) steps.push_back({step.name, {}});
     steps.push_back({"the floor's matrices", {}});
-    steps.push_back({"their clustered PCA", {}});
     std::unique_ptr<SolvedHall> solved;
     for (int round = 0; round < rounds; ++round) {
         Clock clock;
@@ -55,17 +54,10 @@ std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) 
         for (size_t i = 1; i < clock.steps.size(); ++i) clock.steps[0].seconds -= clock.steps[i].seconds;
         size_t at = 0;
         for (const Clock::Step &step : clock.steps) steps[at++].second.push_back(step.seconds);
-        double before = 0;
-        for (bool pca : {false, true}) {
-            HeapArena memory((size_t)64 << 20);
-            GlossySettings settings;
-            if (!pca) settings.pca = {.clusters = 1, .dimensions = 0, .rounds = 0};
-            double began = processorSeconds();
-            solved->polish(settings, memory.arena, workers);
-            double took = processorSeconds() - began;
-            steps[at++].second.push_back(took - before);
-            before = took;
-        }
+        HeapArena memory((size_t)64 << 20);
+        double began = processorSeconds();
+        solved->polish(memory.arena, workers);
+        steps[at].second.push_back(processorSeconds() - began);
     }
     const Hall &hall = *solved->hall;
     std::printf("%d texels, %d patches, %d lights, each in red, green and blue.\n\n"
@@ -84,7 +76,7 @@ void everyPicture(SolvedHall &solved, Workers &workers) {
     const Hall &hall = *solved.hall;
     TexelPlanes planes(hall.model.texelCount);
     HeapArena memory((size_t)64 << 20);
-    solved.polish({}, memory.arena, workers);
+    solved.polish(memory.arena, workers);
     std::printf("\n| a picture, ms of one thread | light vector | all texels | the floor's gloss |\n"
                 "|---|---|---|---|\n");
     auto show = [&](const char *name, const HallLight &light) {

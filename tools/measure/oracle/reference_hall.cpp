@@ -21,9 +21,8 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     seconds = processorSeconds() - began;
 }
 
-void SolvedHall::polish(const GlossySettings &settings, Arena &arena, Workers &workers) {
-    if (!findGlossy(hall->gloss, hall->model, hall->radiosity, hall->floor, hallSettings(*hall).importance,
-                    settings, arena, workers))
+void SolvedHall::polish(Arena &arena, Workers &workers) {
+    if (!findGlossy(hall->gloss, hall->model, hall->radiosity, hall->floor, kGlossExponent, arena, workers))
         throw std::runtime_error("memory is short");
 }
 

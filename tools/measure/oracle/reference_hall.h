@@ -27,7 +27,7 @@ struct SolvedHall {
                const std::function<void(LightBases &)> &change = {}, const Progress &progress = {});
 
     // Computes the floor's gloss. Throws std::runtime_error if the arena is full.
-    void polish(const GlossySettings &settings, Arena &arena, Workers &workers);
+    void polish(Arena &arena, Workers &workers);
 
     HeapArena memory;
     std::unique_ptr<Scene> scene;

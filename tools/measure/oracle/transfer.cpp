@@ -106,11 +106,6 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
     return c;
 }
 
-PcaSettings uncompressedFloor(const Hall &hall) {
-    const Chart &c = hall.model.charts[hall.floor];
-    return {.clusters = (c.patchesAcross + 1) / 2 * ((c.patchesDown + 1) / 2), .dimensions = 0, .rounds = 0};
-}
-
 void relightRows(const ClusteredPca &p, const float *light, float *const plane[3]) {
     for (int c = 0; c < p.clusters; ++c) {
         // The representatives' colours. Columns run red, green, blue, so every three vectors hold eight of

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tools/measure/oracle/reference_hall.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 
 #include <memory>
 #include <string>
@@ -46,8 +47,5 @@ struct DayError {
 };
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
                                 Workers &workers);
-
-// Settings that leave the floor's gloss uncompressed: one cluster for each of its squares.
-PcaSettings uncompressedFloor(const Hall &hall);
 
 } // namespace odraz

@@ -15,7 +15,7 @@ struct TransferTable : Table {
                 {"transfer: PCA, fixed blocks and clustered PCA",
                  "relighting, ms",
                  "error, %",
-                 {"pca", "blocks", "cpca", "floor blocks", "floor cpca"},
+                 {"pca", "blocks", "cpca"},
                  {},
                  true,
                  true,
@@ -31,21 +31,11 @@ struct TransferTable : Table {
     }
 };
 
-// The light of an hour, of all lanterns, or of all strips.
-LightVector lightOf(int which) {
-    HallLight light = {(float)std::min(which, kHours - 1), {}, {}, 1};
-    if (which == kHours)
-        for (float &lantern : light.lanterns) lantern = 1;
-    if (which == kHours + 1)
-        for (float &strip : light.strips) strip = 1;
-    return lightVector(light);
-}
-
 void sweepRows(TransferTable &table, const SolvedHall &solved, const Sweep &sweep, Workers &workers) {
     const Hall &hall = *solved.hall;
     size_t texels = (size_t)hall.model.texelCount;
     TexelPlanes planes(hall.model.texelCount);
-    LightVector noon = lightOf(kNoon);
+    LightVector noon = lightVector({kNoon, {}, {}, 1});
     TransferRows rows = rowsOf(solved, false);
     table.put("uncompressed", kBands, 0, 0, true, texels * (size_t)rows.columns * sizeof(float),
               medianMs([&] { relight(hall.radiosity, hall.model, noon, planes.plane); }), 0, -1);
@@ -67,55 +57,6 @@ void sweepRows(TransferTable &table, const SolvedHall &solved, const Sweep &swee
         }
 }
 
-// The floor's gloss as the eye sees it under all lights, compared with uncompressed matrices.
-void sweepFloor(TransferTable &table, SolvedHall &solved, const Sweep &sweep, Workers &workers) {
-    Hall &hall = *solved.hall;
-    constexpr int kLights = kHours + 2;
-    Vec3 eye = {3, 1.55f, 3};
-    std::vector<float> exact[kLights];
-    auto measure = [&](const char *method, PcaSettings settings, bool shipped, int series) {
-        HeapArena own((size_t)64 << 20);
-        GlossySettings glossy;
-        glossy.pca = settings;
-        solved.polish(glossy, own.arena, workers);
-        const Glossy &floor = hall.gloss;
-        double error = 0, all = 0;
-        for (int i = 0; i < kLights; ++i) {
-            relightGlossy(floor, lightOf(i), eye, 0.06f, 1);
-            std::vector<float> got;
-            for (const float *plane : floor.plane)
-                got.insert(got.end(), plane, plane + floor.across * floor.down);
-            if (!settings.dimensions) exact[i] = got;
-            double e = 0, a = 0;
-            for (size_t k = 0; k < got.size(); ++k) {
-                e += std::pow((double)(got[k] - exact[i][k]), 2);
-                a += std::pow((double)exact[i][k], 2);
-            }
-            error += e / a, all += 1;
-        }
-        LightVector noon = lightOf(kNoon);
-        double ms = medianMs([&] { relightGlossy(floor, noon, eye, 0.06f, 1); });
-        size_t rows = (size_t)settings.clusters * (size_t)(1 + settings.dimensions),
-               width = (size_t)floor.pca.columns;
-        table.put(method, kBands, settings.dimensions ? settings.clusters : 0, settings.dimensions, shipped,
-                  (rows * width + (size_t)floor.pca.rows * (size_t)settings.dimensions) * sizeof(float), ms,
-                  100 * std::sqrt(error / all), series);
-    };
-    PcaSettings uncompressed = uncompressedFloor(hall);
-    measure("floor uncompressed", uncompressed, false, -1);
-    PcaSettings shipped = GlossySettings().pca;
-    measure("floor cpca", shipped, true, 4);
-    std::vector<int> dimensions = {8, 16, 24, 32}, clusters = {1, 4, 8, 16};
-    if (sweep.quick) dimensions = {16}, clusters = {1, 8};
-    for (int k : clusters)
-        for (int d : dimensions) {
-            if (k * (1 + d) >= uncompressed.clusters) continue; // no saving
-            measure("floor blocks", {.clusters = k, .dimensions = d, .rounds = 0}, false, 3);
-            if (k > 1 && (k != shipped.clusters || d != shipped.dimensions))
-                measure("floor cpca", {.clusters = k, .dimensions = d, .rounds = 3}, false, 4);
-        }
-}
-
 } // namespace
 
 void odraz::tradeoffTransfer(const Sweep &sweep) {
@@ -125,7 +66,6 @@ void odraz::tradeoffTransfer(const Sweep &sweep) {
     {
         SolvedHall solved(kHallSettings, gl, workers);
         sweepRows(table, solved, sweep, workers);
-        sweepFloor(table, solved, sweep, workers);
     }
     // The error of the day's light with fewer bands, the sun's own light included
     std::vector<float> hours;

@@ -2,7 +2,7 @@
 
 #include "tools/common/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
-#include "transfer/clustered_pca.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
-// A room's rows, compressed by the film's clustered PCA (transfer/clustered_pca.h): each texel has a cluster
-// and a few weights, and each cluster a mean and axes.
+// A room's rows, compressed by clustered PCA (clustered_pca.h): each texel has a cluster and a few weights,
+// and each cluster a mean and axes.
 //
 // Axes are put in the order of what they explain, so that the first few of them are the best few, and any
 // number of them can be used. A cluster with fewer axes has zeros for the others.

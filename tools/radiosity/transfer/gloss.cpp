@@ -3,6 +3,7 @@
 #include "tools/common/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
 #include "tools/radiosity/transfer/bands.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +58,32 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
                 sums[(size_t)(k * kPadded + j)] * window(bandOf(j), exponent);
 }
 
+// What arrives at the squares under a light: [squares][kGlossOutputs].
+std::vector<float> arriving(const GlossyChart &g, const LightVector &light) {
+    auto dimensions = (size_t)g.dimensions;
+    std::vector<float> all(g.members.size() * kGlossOutputs);
+    for (size_t c = 0; c < (size_t)g.clusters; ++c) {
+        // The mean and axes of the cluster under this light
+        std::vector<float> shown((1 + dimensions) * kGlossOutputs);
+        const float *axis = &g.axes[c * (1 + dimensions) * (size_t)g.bases * kGlossOutputs];
+        for (size_t d = 0; d <= dimensions; ++d)
+            for (int k = 0; k < g.bases; ++k, axis += kGlossOutputs) {
+                Rgb l = light.bounced[k];
+                for (size_t j = 0; j < 3 * kSh; ++j)
+                    shown[d * kGlossOutputs + j] += axis[j] * (j < kSh ? l.x : j < 2 * kSh ? l.y : l.z);
+            }
+        for (int i = g.first[c]; i < g.first[c + 1]; ++i) {
+            auto square = (size_t)g.members[(size_t)i];
+            float *to = &all[square * kGlossOutputs];
+            for (size_t d = 0; d <= dimensions; ++d) {
+                float weight = d ? g.weights[square * dimensions + d - 1] : 1;
+                for (size_t j = 0; j < kGlossOutputs; ++j) to[j] += weight * shown[d * kGlossOutputs + j];
+            }
+        }
+    }
+    return all;
+}
+
 } // namespace
 
 GlossyChart squaresOf(const Chart &c, int number, int bases, float side) {
@@ -107,20 +134,11 @@ void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const Lig
         const Chart &c = model.charts[(size_t)chart.chart];
         int count = chart.across * chart.down;
         std::vector<float> planes((size_t)(3 * count));
-        Glossy g = {};
-        g.chart = &c, g.bases = chart.bases, g.across = chart.across, g.down = chart.down;
-        g.pca = {count,
-                 chart.bases * kGlossOutputs,
-                 chart.clusters,
-                 chart.dimensions,
-                 nullptr,
-                 nullptr,
-                 const_cast<float *>(chart.axes.data()),
-                 const_cast<float *>(chart.weights.data()),
-                 const_cast<int *>(chart.members.data()),
-                 const_cast<int *>(chart.first.data())};
+        // The light is in the matrices already: one basis is left, with a strength of 1
+        std::vector<float> matrices = arriving(chart, light);
+        Glossy g = {&c, 1, chart.across, chart.down, matrices.data(), {}};
         for (int k = 0; k < 3; ++k) g.plane[k] = &planes[(size_t)(k * count)];
-        if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, light, eye, polish, 1);
+        if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, {{{1, 1, 1}}, {}}, eye, polish, 1);
         // From the squares' middles to the texels
         for (int j = 0; j <= c.down; ++j)
             for (int i = 0; i <= c.across; ++i) {

@@ -1,8 +1,9 @@
 // A polished material, by the film's way (transfer/glossy.h): a matrix in every square of its charts.
 //
 // The matrix turns light into the 25 coefficients of what arrives from the upper half-space, after all
-// bounces: multiplied with those of a lobe around the mirrored direction, they give what the eye gets. Light
-// that the polished surface itself mirrors onto others is not followed: there its share counts as lost.
+// bounces: multiplied with those of a lobe around the mirrored direction, they give what the eye gets.
+// Clustered PCA compresses the matrices. Light that the polished surface itself mirrors onto others is not
+// followed: there its share counts as lost.
 #pragma once
 
 #include "base/parallel.h"

@@ -2,6 +2,7 @@
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 #include "tools/radiosity/transfer/transfer_room.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Compares clustered PCA with the eigenvalues of the covariance in double precision (Eigen), on data of known
 // structure, and at extremes.
-#include "transfer/clustered_pca.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 
 #include "tests/support/eigenvalues.h"
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "transfer/clustered_pca.h"
+#include "tools/radiosity/transfer/clustered_pca.h"
 
 #include "base/random.h"
 
