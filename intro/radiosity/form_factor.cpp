@@ -1,44 +1,28 @@
 #include "radiosity/form_factor.h"
 
+#include "base/maths.h"
+
 namespace odraz {
 
-namespace {
-
-double root(double x) { return __builtin_sqrt(x); }
-
-// Halving the angle three times leaves |x| < 0.2 for a series.
-double arcTangent(double x) {
-    for (int i = 0; i < 3; ++i) x /= 1 + root(1 + x * x);
-    double square = x * x, sum = 0;
-    for (int k = 23; k > 0; k -= 2) sum = 1.0 / k - square * sum;
-    return 8 * x * sum;
-}
-
-constexpr double kTwoPi = 6.283185307179586;
-
-// Integrals of the hemicube's kernels, 1 / (pi (1 + a^2 + b^2)^2) on the top face and b times that on a side,
-// over [0, a] x [0, b], except for terms that cancel in the differences below.
-double topIntegral(double a, double b) {
-    double ra = root(1 + a * a), rb = root(1 + b * b);
-    return (a / ra * arcTangent(b / ra) + b / rb * arcTangent(a / rb)) / kTwoPi;
-}
-double sideIntegral(double a, double b) {
-    double rb = root(1 + b * b);
-    return -arcTangent(a / rb) / (kTwoPi * rb);
-}
-
-} // namespace
-
+// A pixel's form factor is the integral of 1 / (pi (1 + a^2 + b^2)^2) over it on the top face, and of b times
+// that on a side. Gauss's rule with two points takes it over squares, at least 64 along a face.
 void deltaFormFactors(int px, float *delta) {
-    for (int row = 0; row < px + px / 2; ++row)
-        for (int column = 0; column < px; ++column) {
-            bool top = row < px;
-            auto *integral = top ? topIntegral : sideIntegral;
-            double size = 2.0 / px, a = column * size - 1, b = top ? row * size - 1 : (row - px) * size;
-            double d =
-                integral(a + size, b + size) - integral(a, b + size) - integral(a + size, b) + integral(a, b);
-            for (int side = 0; side < (top ? 1 : 4); ++side)
-                delta[(row + side * (px / 2)) * px + column] = (float)d;
+    int squares = 64 / px + 1; // along a pixel's side
+    float size = 2 / (float)(px * squares);
+    auto at = [&](int pixel, int k) {
+        return ((float)(pixel * squares + k / 2) + (k % 2 ? 0.78867513f : 0.21132487f)) * size;
+    };
+    for (int y = 0; y < 3 * px; ++y)
+        for (int x = 0; x < px; ++x) {
+            bool top = y < px;
+            float sum = 0;
+            for (int k = 0; k < 2 * squares; ++k)
+                for (int l = 0; l < 2 * squares; ++l) {
+                    float a = at(x, k) - 1, b = top ? at(y, l) - 1 : at((y - px) % (px / 2), l);
+                    float far = 1 + a * a + b * b;
+                    sum += (top ? 1 : b) / (far * far);
+                }
+            *delta++ = sum * (size * size / (4 * kPi));
         }
 }
 

@@ -1,8 +1,7 @@
 // Form factors from hemicubes: what share of its light a patch gets from every other patch.
 //
-// Each pixel of a hemicube has the exact form factor of the solid angle that it covers. It is computed from
-// differences of an integral at the pixel's corners (see form_factor.cpp), so the pixels of a hemicube sum to
-// 1 within 1e-6. Rows are sparse and stored one after the other.
+// Each pixel of a hemicube has the form factor of the solid angle that it covers, integrated so finely that
+// those of a hemicube sum to 1 within 1e-6. Rows are sparse and stored one after the other.
 #pragma once
 
 #include "base/parallel.h"
