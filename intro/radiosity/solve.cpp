@@ -12,22 +12,17 @@ struct Pair {
     Float8 a, b;
 };
 
-// F B of one patch, for a block of columns. Links are added four at a time to four separate sums, so that
-// additions need not wait for each other.
+// F B of one patch, for a block of columns.
 Pair multiplyRow(const FormFactors &f, int patch, const float *values, int columns) {
     static_assert(kSolveBlock == 16);
     const Link *link = f.rows[patch].links, *end = link + f.rows[patch].count;
-    Pair sum[4] = {};
-    auto add = [&](Pair &s, const Link &l) {
-        const float *v = values + (size_t)l.patch * (size_t)columns;
-        Float8 share = broadcast(l.share);
-        s.a = fmadd(share, load(v), s.a);
-        s.b = fmadd(share, load(v + 8), s.b);
-    };
-    for (; link + 4 <= end; link += 4)
-        for (int i = 0; i < 4; ++i) add(sum[i], link[i]);
-    for (; link < end; ++link) add(sum[0], *link);
-    return {(sum[0].a + sum[1].a) + (sum[2].a + sum[3].a), (sum[0].b + sum[1].b) + (sum[2].b + sum[3].b)};
+    Pair sum = {};
+    for (; link < end; ++link) {
+        const float *v = values + (size_t)link->patch * (size_t)columns;
+        sum.a = fmadd(load(v), link->share, sum.a);
+        sum.b = fmadd(load(v + 8), link->share, sum.b);
+    }
+    return sum;
 }
 
 int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
