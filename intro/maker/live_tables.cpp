@@ -6,10 +6,10 @@
 
 namespace odraz {
 
-float realValue(Track track, double row) __asm__("__real__ZN5odraz5valueENS_5TrackEd");
-CameraKey realPose(CameraPath path, double row) __asm__("__real__ZN5odraz4poseENS_10CameraPathEd");
-float readValue(Track track, double row) __asm__("__wrap__ZN5odraz5valueENS_5TrackEd");
-CameraKey readPose(CameraPath path, double row) __asm__("__wrap__ZN5odraz4poseENS_10CameraPathEd");
+float realValue(Track track, float row) __asm__("__real__ZN5odraz5valueENS_5TrackEf");
+CameraKey realPose(CameraPath path, float row) __asm__("__real__ZN5odraz4poseENS_10CameraPathEf");
+float readValue(Track track, float row) __asm__("__wrap__ZN5odraz5valueENS_5TrackEf");
+CameraKey readPose(CameraPath path, float row) __asm__("__wrap__ZN5odraz4poseENS_10CameraPathEf");
 
 namespace {
 
@@ -39,7 +39,7 @@ const Replaced *replaced(const void *keys) {
 
 } // namespace
 
-float readValue(Track track, double row) {
+float readValue(Track track, float row) {
     meet(track.keys, track.count, false, row);
     if (const Replaced *r = replaced(track.keys)) track = r->track;
     int i = -1;
@@ -47,11 +47,11 @@ float readValue(Track track, double row) {
     if (i < 0 || i + 1 == track.count || track.keys[i].interpolation < kStep) return realValue(track, row);
     const Key &a = track.keys[i], &b = track.keys[i + 1];
     if (a.interpolation == kStep) return a.value;
-    float t = (float)((row - a.row) / ((double)b.row - a.row));
+    float t = (row - a.row) / (b.row - a.row);
     return a.value + (b.value - a.value) * t * t;
 }
 
-CameraKey readPose(CameraPath path, double row) {
+CameraKey readPose(CameraPath path, float row) {
     meet(path.keys, path.count, true, row);
     CameraKey result = realPose(path, row);
     if (const Replaced *r = replaced(path.keys))

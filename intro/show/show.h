@@ -22,7 +22,7 @@ struct Facts {
 
 // What a scene is told when it is posed.
 struct Cue {
-    double row;       // of the scene's story
+    float row;        // of the scene's story
     CameraKey camera; // that looks at the scene, scripted or flown
     Hall *hall;       // null where no scene needs it
     Facts facts;

@@ -27,15 +27,15 @@ static float velocity(CameraPath path, int i, int channel) {
     return here * 1.5f - velocity(path, i ? last - 1 : 1, channel) * 0.5f;
 }
 
-CameraKey pose(CameraPath path, double row) {
-    if (path.count == 0) return {(float)row, {0, 0, 0}, {0, 0, -1}, 0, 45};
+CameraKey pose(CameraPath path, float row) {
+    if (path.count == 0) return {row, {0, 0, 0}, {0, 0, -1}, 0, 45};
     int i = -1;
     while (i + 1 < path.count && path.keys[i + 1].row <= row) ++i;
     CameraKey result = path.keys[i < 0 ? 0 : i];
     if (i >= 0 && i + 1 < path.count) {
         const CameraKey &a = path.keys[i], &b = path.keys[i + 1];
         float h = b.row - a.row;
-        float t = (float)((row - a.row) / h);
+        float t = (row - a.row) / h;
         float *out = &result.row + 1;
         for (int c = 0; c < kChannels; ++c) {
             // Hermite as a + t (v0 + t (..)), which is exact at t = 0
@@ -45,7 +45,7 @@ CameraKey pose(CameraPath path, double row) {
             out[c] = p0 + t * (v0 + t * ((3 * d - 2 * v0 - v1) + t * (v0 + v1 - 2 * d)));
         }
     }
-    result.row = (float)row;
+    result.row = row;
     return result;
 }
 

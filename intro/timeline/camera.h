@@ -26,6 +26,6 @@ struct CameraPath {
 template <int N> constexpr CameraPath path(const CameraKey (&keys)[N]) { return {keys, N}; }
 
 // The pose at any finite row, returned as a key of that row. An empty path looks from the origin along -z.
-CameraKey pose(CameraPath path, double row);
+CameraKey pose(CameraPath path, float row);
 
 } // namespace odraz

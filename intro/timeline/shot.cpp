@@ -2,12 +2,13 @@
 
 namespace odraz {
 
-static float ramp(double rows, float over) {
+static float ramp(float rows, float over) {
     if (over <= 0 || rows >= over) return 1;
-    return rows <= 0 ? 0 : (float)(rows / over);
+    return rows <= 0 ? 0 : rows / over;
 }
 
-Moment momentAt(ShotList list, double row) {
+Moment momentAt(ShotList list, double at) {
+    float row = (float)at;
     if (row < list.shots[0].row) row = list.shots[0].row;
     if (row > list.endRow) row = list.endRow;
     int i = 0;

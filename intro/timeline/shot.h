@@ -26,12 +26,12 @@ struct ShotList {
 
 struct Moment {
     const Shot *shot;
-    double storyRow; // rows since the scene's story began
-    float fade;      // 0 black .. 1 full
+    float storyRow; // rows since the scene's story began
+    float fade;     // 0 black .. 1 full
 };
 
 // What plays at a film row. Before the start this is the first picture of the first shot, after the end the
 // last picture of the last shot.
-Moment momentAt(ShotList list, double row);
+Moment momentAt(ShotList list, double at);
 
 } // namespace odraz

@@ -12,7 +12,7 @@ static float ease(Interpolation interpolation, float t) {
     return 0;
 }
 
-float value(Track track, double row) {
+float value(Track track, float row) {
     if (track.count == 0) return 0;
     // Find the last key at or before the row
     int i = -1;
@@ -22,7 +22,7 @@ float value(Track track, double row) {
     if (i + 1 == track.count) return a.value;
 
     const Key &b = track.keys[i + 1];
-    float t = (float)((row - a.row) / ((double)b.row - a.row));
+    float t = (row - a.row) / (b.row - a.row);
     return a.value + (b.value - a.value) * ease(a.interpolation, t);
 }
 

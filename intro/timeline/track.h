@@ -29,6 +29,6 @@ struct Track {
 template <int N> constexpr Track track(const Key (&keys)[N]) { return {keys, N}; }
 
 // The track's value at any finite row.
-float value(Track track, double row);
+float value(Track track, float row);
 
 } // namespace odraz

@@ -17,11 +17,11 @@ struct ShotSeen {
     int scene;
     CameraPath path; // its keys, as they stand in the film's tables
     // How it is followed, and which keys it has: the film's own code may take others, which are being edited
-    CameraKey (*follow)(CameraPath path, double row) = pose;
+    CameraKey (*follow)(CameraPath path, float row) = pose;
     CameraPath (*edited)(CameraPath path) = nullptr;
 
     CameraPath keys() const { return edited ? edited(path) : path; }
-    CameraKey at(double seconds) const { return follow(path, (seconds - story) * kRowsPerSecond); }
+    CameraKey at(double seconds) const { return follow(path, (float)((seconds - story) * kRowsPerSecond)); }
 };
 struct EventSeen {
     double at;               // seconds of the film

@@ -16,7 +16,7 @@ static constexpr float kLastBeat = 76; // then all is black, and the room rings 
 void poseCredits(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
     // The light wanders over the stone until the end
-    float way = (float)cue.row * 0.03f;
+    float way = cue.row * 0.03f;
     scene.add(Light{{way - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
     scene.add(Light{{2.6f, 1.7f, -2.6f + way}, {3.2f, 4.4f, 6.8f}, 0.2f});
     scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's

@@ -52,7 +52,7 @@ struct Flake {
 } // namespace
 
 void poseFlake(const Cue &cue, Scene &scene) {
-    Flake flake = {scene, cue.camera, {}, (float)cue.row * 0.002f, 0, {}};
+    Flake flake = {scene, cue.camera, {}, cue.row * 0.002f, 0, {}};
     for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), cue.row);
     flake.silver = scene.add(kMirror);
     for (int i = 0; i < kShades; ++i)
@@ -69,7 +69,7 @@ void poseFlake(const Cue &cue, Scene &scene) {
                     Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.05f), 0.1f});
     scene.ambientLow = {0.05f, 0.05f, 0.05f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = duskSky((float)cue.row + 192);
+    scene.sky = duskSky(cue.row + 192);
     scene.exposure = 0.75f;
 }
 

@@ -46,7 +46,7 @@ constexpr uint8_t kSides[2][kRows] = {{kRed, kSilver, kPale, kRed, kPale, kRed},
                                       {kClear, kPale, kRed, kPale, kRed, kPale}};
 
 // Adds a ball of a lane, rolled by the way that it has come.
-static void addBall(Scene &scene, double row, float x, float z, float radius, float comes, float goes,
+static void addBall(Scene &scene, float row, float x, float z, float radius, float comes, float goes,
                     int material) {
     float left = value(track(kLeft), row - comes), back = value(track(kBack), row - goes);
     float way = 1 - left * left - back * back;
@@ -90,7 +90,7 @@ void poseOdraz(const Cue &cue, Scene &scene) {
                 rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     // It glows up when it is large enough to be read
-    float since = (float)cue.row - rowOf(kWordIsFound);
+    float since = cue.row - rowOf(kWordIsFound);
     if (since > 12) scene.middleCoarse = 8;
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.06f * since - 0.75f);
     standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));

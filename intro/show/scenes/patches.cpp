@@ -53,10 +53,10 @@ struct Step {
     int number; // -1: there is no light yet
     float rise, join;
 
-    explicit Step(double row) {
+    explicit Step(float row) {
         number = -1;
-        while (number + 1 < kStageCount && (float)row >= kStages[number + 1].row) ++number;
-        float at = (float)row - kStages[max(number, 0)].row;
+        while (number + 1 < kStageCount && row >= kStages[number + 1].row) ++number;
+        float at = row - kStages[max(number, 0)].row;
         rise = smoothstep(0.f, 3.f, at);
         join = smoothstep(11.f, 14.f, at);
     }
@@ -79,7 +79,7 @@ static Rgb patchLight(const Hall &hall, int i, const Step &step, float lit) {
 }
 
 void posePatches(const Cue &cue, Scene &scene) {
-    double row = cue.row;
+    float row = cue.row;
     Hall *hall = cue.hall;
     float melt = value(track(kMelt), row), real = value(track(kReal), row);
     Step step(row);
@@ -95,7 +95,7 @@ void posePatches(const Cue &cue, Scene &scene) {
     // Colour the patches. Light spreads over them from the visited one
     const Model &m = hall->model;
     Vec3 from = m.patches[hall->visited].p;
-    float reach = ((float)row - rowOf(kDirectLight)) * kWave;
+    float reach = (row - rowOf(kDirectLight)) * kWave;
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
@@ -106,7 +106,7 @@ void posePatches(const Cue &cue, Scene &scene) {
         // Use the patch's own reflectance, not that of the common grey, until its own material is shown
         own = own * lerp(Rgb{1, 1, 1}, lerp(hall->mean[c.material] * (1 / kGrey), Rgb{1, 1, 1}, real), lit);
         if (i == hall->visited && row > rowOf(kPatchIsVisited) && row < rowOf(kDirectLight)) {
-            float pulse = 0.5f - 0.5f * cos(((float)row - rowOf(kPatchIsVisited)) * (kPi / 4));
+            float pulse = 0.5f - 0.5f * cos((row - rowOf(kPatchIsVisited)) * (kPi / 4));
             own = lerp(own, kCopperLight * 0.45f,
                        row < rowOf(kHalfCubeRises) ? pulse : 1 - value(track(kTaken), row));
         }

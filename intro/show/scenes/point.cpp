@@ -35,7 +35,7 @@ static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kCle
 
 void posePoint(const Cue &cue, Scene &scene) {
     float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row),
-          word = value(track(kWord), cue.row), written = (float)cue.row - rowOf(kWordComes);
+          word = value(track(kWord), cue.row), written = cue.row - rowOf(kWordComes);
     scene.addAll(kMaterials);
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (80 * (0.2f + key))));
     int tube = scene.add(lamp(Rgb{3.0f, 0.8f, 0.18f} * (0.6f + word)));

@@ -49,7 +49,7 @@ constexpr float kBeat = 4, kSpeed = 0.03f; // rows; radians a row
 constexpr Light kFill = {{6, 5, -4}, {9, 14, 24}};
 // The sun; and as it stands for the second shot, a macro under glass: so high that the board lies in the
 // focus of the balls
-constexpr double kMacroFrom = 64, kMacroTo = 128; // rows
+constexpr float kMacroFrom = 64, kMacroTo = 128; // rows
 constexpr Light kKeyLights[] = {
     {kDuskSun, {620, 390, 210}, 0.6f},
     {{-13.7f, 10.5f, 10.6f}, {620, 390, 210}, 0.6f},
@@ -62,7 +62,7 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.addAll(kShapes);
     scene.add(kKeyLights[cue.row >= kMacroFrom && cue.row < kMacroTo]);
     scene.add(kFill);
-    float rows = (float)cue.row - rowOf(kBallsSetOff);
+    float rows = cue.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // It sets off from rest and reaches its speed within a beat
         float speeds = clamp(rows, 0.f, kBeat),
@@ -82,7 +82,7 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.ballsOcclude = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = duskSky((float)cue.row);
+    scene.sky = duskSky(cue.row);
     scene.exposure = 0.93f;
 }
 

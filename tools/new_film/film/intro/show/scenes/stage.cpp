@@ -38,7 +38,7 @@ static float height(float row) {
 void poseStage(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
-    float row = (float)cue.row;
+    float row = cue.row;
     // It falls from where it began at rest; later it leaps
     float falls = rowOf(kBallLands) - row, since = falls / (float)kRowsPerSecond;
     float high = falls > 0 ? 4.9f * since * since : height(row);
