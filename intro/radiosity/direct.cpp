@@ -37,7 +37,7 @@ Float8 polygonFormFactor(Vec3x8 p, Vec3x8 n, const Part &part) {
 }
 constexpr float kNear = 16; // distance^2 over a part's area below which a disc is too inexact
 
-constexpr int kParts = 32; // of a window or of a lamp's chart
+constexpr int kWindowParts = 32, kLampParts = 16; // of a chart
 
 // A part, as seen from eight places.
 struct Seen {
@@ -135,10 +135,10 @@ struct Context {
     }
 
     // Calls `take` for all parts that a shining chart has.
-    template <class Take> void lookAtChart(const Places &at, int chart, Seen *seen, Take &&take) {
+    template <class Take> void lookAtChart(const Places &at, int chart, int most, Seen *seen, Take &&take) {
         const Chart &c = model.charts[chart];
         for (int f = c.firstFacet; f < c.firstFacet + c.facetsCount; ++f)
-            for (int i = look(at, f, kParts, seen) - 1; i >= 0; --i) take(seen[i]);
+            for (int i = look(at, f, most, seen) - 1; i >= 0; --i) take(seen[i]);
     }
     void add(const Places &at, Float8 *sums);
 };
@@ -147,7 +147,7 @@ void Context::add(const Places &at, Float8 *sums) {
     Seen seen[kMaxLampCells];
     for (int w = 0; w < model.chartCount && bases.skyCount; ++w)
         if (model.charts[w].open)
-            lookAtChart(at, w, seen, [&](const Seen &s) {
+            lookAtChart(at, w, kWindowParts, seen, [&](const Seen &s) {
                 if (!any(s.factor > 0.f)) return;
                 Float8 sky[kMaxSkies];
                 bases.sky(bases.skies, s.d, sky);
@@ -172,7 +172,7 @@ void Context::add(const Places &at, Float8 *sums) {
         const Lamp &lamp = bases.lamps[k];
         Float8 &sum = sums[bases.firstLamp() + k];
         if (lamp.radius == 0) {
-            lookAtChart(at, lamp.chart, seen, [&](const Seen &s) { sum += s.factor; });
+            lookAtChart(at, lamp.chart, kLampParts, seen, [&](const Seen &s) { sum += s.factor; });
             continue;
         }
         // Aim at a point of the ball's disc, a different one from every place

@@ -24,12 +24,6 @@ struct BasisOrder {
     }
 };
 
-using BasisSet = unsigned __int128; // a bit for each basis
-static_assert(kMaxBases <= 128);
-
-// The bases from `first` up to, but without, `end`.
-constexpr BasisSet basesBetween(int first, int end) { return ((BasisSet)1 << end) - ((BasisSet)1 << first); }
-
 // Something that shines with radiance 1: a ball, or if radius is 0 the lit side of a chart.
 struct Lamp {
     Vec3 centre;

@@ -1,5 +1,6 @@
 #include "radiosity/radiosity.h"
 
+#include "base/for_tools.h"
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 
@@ -22,12 +23,12 @@ void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiosityS
     for (int level = 0;; ++level) {
         findDirectLight(model, scene, bases, workers, r.direct, level ? Progress{} : progress);
         settleFresh(model);
+        if (!kForTools || level == settings.levels) break; // the film's hall has fine cells everywhere
         // Measure the light on undivided cells: it tells which change is large. Of skies that are functions,
         // only the first one counts
         for (int k = 0; k < bases.count() && level == 0; ++k)
-            if ((k == 0 || k >= bases.functions()) && !(settings.traced >> k & 1))
+            if (k == 0 || k >= bases.functions())
                 count += measure(model, r.direct[k], settings.contrast, measures[count]);
-        if (level == settings.levels) break;
         refine(model, level, measures, count, settings.contrast);
         findVisible(model, scene, workers);
     }
@@ -90,7 +91,7 @@ bool solveRadiosity(Radiosity &r, Model &model, Scene &scene, const RadiositySet
     if (!findFormFactors(r.hemicubes, model, lit, workers, arena, r.factors, progress.part(0.05f, 0.635f)))
         return false;
 
-    findDirect(r, model, scene, settings, workers, progress.part(0.635f, 0.8f));
+    findDirect(r, model, scene, settings, workers, progress.part(0.635f, 0.92f));
     progress(0.92f);
     if (workers.aborted() || !fillSystem(r, model, arena, workers)) return false;
     solve(r.system, workers, settings.residual, settings.sweeps);

@@ -24,11 +24,9 @@ struct RadiositySettings {
     int px = 32;   // pixels along the top face of a hemicube
     int block = 3; // a patch is so many undivided cells wide and high
     // Cells are divided up to `levels` times (kFinest at most) where some basis changes over them by more
-    // than `contrast`, as a share of the root mean square of its light. The bases in `traced`, suns and
-    // lamps, do not count, because the tracer draws them
+    // than `contrast`, as a share of the root mean square of its light. The film's are not divided
     int levels = 0;
     float contrast = 0.3f;
-    BasisSet traced = 0;
     float residual = 1e-4f;
     int sweeps = 100;       // at most so many
     size_t links = 6 << 20; // room for form factors

@@ -52,7 +52,7 @@ void tie(Model &m) {
     for (int i = 0; i < m.cellCount; ++i)
         if (!m.cells[i].divided()) m.patches[m.cells[i].patch].area += visibleArea(m, m.cells[i]);
     // Texels that hang
-    for (int i = 0; i < m.cellCount; ++i) {
+    for (int i = 0; kForTools && i < m.cellCount; ++i) {
         const int *c = m.cells[i].corner;
         if (c[0] < 0) continue;
         tieBetween(m, c[0], c[1]);

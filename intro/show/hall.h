@@ -38,12 +38,7 @@ LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 void prepareHall(Hall &hall, Scene &scene);
 
 // The settings that ship: `tradeoff radiosity` shows how they were chosen.
-inline constexpr RadiositySettings kHallSettings = {.px = 16,
-                                                    .block = 1,
-                                                    .levels = 1,
-                                                    .contrast = 0.3f,
-                                                    .traced = basesBetween(kFirstSun, kFirstStrip),
-                                                    .residual = 1e-2f};
+inline constexpr RadiositySettings kHallSettings = {.px = 16, .block = 2, .residual = 1e-2f};
 // Settings for solveRoom(), for a prepared hall: kHallSettings, the lobe of its gloss, the light that scene 4
 // follows and the place of the patch that it visits.
 inline constexpr float kGlossExponent = 16;

@@ -36,9 +36,9 @@ struct Room {
     Model model;
 };
 
-// Size of the arena for solving. It suffices for a room of 12,000 texels, 3,500 patches and 64 bases, with a
-// tenth to spare.
-inline constexpr size_t kRoomBytes = (size_t)224 << 20;
+// Size of the arena for solving. It suffices for a room of 26,000 texels, 5,300 patches and 64 bases, with a
+// quarter to spare.
+inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 
 // Solves room.model, lit by room.radiosity.bases. The scene must hold the posed, finished model; solving
 // traces rays in it. Returns null, or a line that says what is missing and what to do.

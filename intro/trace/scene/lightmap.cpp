@@ -43,13 +43,14 @@ Rgb8 lightAt(const Lightmap &map, const Chart &c, const Vec3x8 &p) {
     x -= toFloat(i), y -= toFloat(j);
     // Descend to the smallest cell
     static_assert(sizeof(Cell) == 32);
-    Int8 cell = j * c.across + i + c.firstCell, corner;
-    while (any((corner = gatherInts(map.cells, cell * 8)) < 0)) {
+    Int8 cell = j * c.across + i + c.firstCell, corner = gatherInts(map.cells, cell * 8);
+    while (kForTools && any(corner < 0)) {
         Int8 divided = corner < 0;
         x = select(divided, x + x, x), y = select(divided, y + y, y);
         Int8 right = divided & (x >= 1.f), below = divided & (y >= 1.f);
         x -= select(right, 1.f, 0.f), y -= select(below, 1.f, 0.f);
         cell = select(divided, ~corner - right - 2 * below, cell);
+        corner = gatherInts(map.cells, cell * 8);
     }
     Rgb8 light =
         bilinear(map.plane, x, y, [&](int k) { return k ? gatherInts(map.cells, cell * 8 + k) : corner; });

@@ -7,6 +7,7 @@
 // light is continuous over the whole chart.
 #pragma once
 
+#include "base/for_tools.h"
 #include "base/vec3.h"
 
 namespace odraz {
@@ -44,7 +45,7 @@ struct Cell {
     float area; // square world units
     int level;  // how many divisions led to it, 0 .. kFinest
 
-    bool divided() const { return corner[0] < 0; }
+    bool divided() const { return kForTools && corner[0] < 0; }
 };
 
 struct Lightmap {

@@ -35,7 +35,7 @@ struct Floor {
 } // namespace
 
 // The sky, its clouds and the sun at every hour. The error stays below one per cent; it comes from bands
-// beyond the fourth. Fewer bands lose more.
+// beyond the fourth. Fewer bands lose more, up to what the windows' parts miss.
 TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     double last[2] = {1e9, 1e9};
@@ -46,8 +46,8 @@ TEST(Day, IsWithinOnePerCentOfSolutionsForItsLight) {
             EXPECT_LT(e.whole, 1) << e.hour;
         }
         if (e.bands > 1) {
-            EXPECT_LT(e.lightmap, last[0] * 1.02);
-            EXPECT_LT(e.whole, last[1] * 1.02);
+            EXPECT_LT(e.lightmap, last[0] * 1.04);
+            EXPECT_LT(e.whole, last[1] * 1.04);
         }
         last[0] = e.lightmap, last[1] = e.whole;
     }

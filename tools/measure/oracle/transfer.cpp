@@ -139,9 +139,9 @@ void relightRows(const ClusteredPca &p, const float *light, float *const plane[3
 namespace {
 
 // The hall, solved for the exact skies and suns of some days: each sky in red, green and blue, then the suns.
-SolvedHall solvedFor(const std::vector<Sky> &skies, const std::vector<Daylight> &days,
-                     const RadiositySettings &settings, const Gl &gl, Workers &workers) {
-    return SolvedHall(settings, gl, workers, kRoomBytes, [&](LightBases &l) {
+SolvedHall solvedFor(const std::vector<Sky> &skies, const std::vector<Daylight> &days, const Gl &gl,
+                     Workers &workers) {
+    return SolvedHall(kHallSettings, gl, workers, kRoomBytes, [&](LightBases &l) {
         l.skyCount = 3 * (int)skies.size();
         l.skies = &skies;
         l.sky = [](const void *from, const Vec3x8 &d, Float8 *values) {
@@ -181,9 +181,7 @@ DayError errorOf(const TexelPlanes &got, const TexelPlanes &exact, const float *
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
                                 Workers &workers) {
     constexpr size_t kMost = 10; // skies at once
-    RadiositySettings settings = kHallSettings;
-    settings.levels = 0; // the same elements for all lights
-    SolvedHall relit(settings, gl, workers);
+    SolvedHall relit(kHallSettings, gl, workers);
     const Model &m = relit.hall->model;
     TexelPlanes got(m.texelCount), exact(m.texelCount);
     std::vector<DayError> all;
@@ -194,7 +192,7 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
             days.push_back(daylightAt(hours[i]));
             skies.push_back(days.back().sky);
         }
-        SolvedHall very = solvedFor(skies, days, settings, gl, workers);
+        SolvedHall very = solvedFor(skies, days, gl, workers);
         for (size_t i = 0; i < days.size(); ++i) {
             LightVector own = {};
             int sky = 3 * (int)i, sun = very.hall->radiosity.bases.firstSun() + (int)i;

@@ -68,13 +68,9 @@ std::vector<HallSetting> hallKnobs(bool quick) {
     };
     for (int px : quick ? std::vector<int>{32} : std::vector<int>{8, 32, 64})
         with("hemicube " + std::to_string(px), [&](RadiositySettings &s) { s.px = px; });
-    for (int block : quick ? std::vector<int>{2} : std::vector<int>{2, 3})
+    for (int block : quick ? std::vector<int>{4} : std::vector<int>{3, 4})
         with("patches of " + std::to_string(block * block), [&](RadiositySettings &s) { s.block = block; });
-    for (int levels : quick ? std::vector<int>{0} : std::vector<int>{0, 2})
-        with("levels " + std::to_string(levels), [&](RadiositySettings &s) { s.levels = levels; });
-    for (float contrast : quick ? std::vector<float>{} : std::vector<float>{0.1f, 0.6f})
-        with("contrast " + std::to_string(contrast).substr(0, 3),
-             [&](RadiositySettings &s) { s.contrast = contrast; });
+    with("divided where light changes", [&](RadiositySettings &s) { s.levels = 1; });
     for (float residual : quick ? std::vector<float>{} : std::vector<float>{1e-3f, 1e-4f})
         with(residual < 1e-3f ? "residual 1e-4" : "residual 1e-3",
              [&](RadiositySettings &s) { s.residual = residual; });
@@ -124,8 +120,8 @@ void odraz::tradeoffRadiosity(const Sweep &sweep) {
         }
         ++series;
     }
-    RadiositySettings fine = {.px = 64, .levels = 2, .contrast = 0.05f};
-    fine.block = 1, fine.links = (size_t)48 << 20;
+    RadiositySettings fine = {.px = 64, .block = 2, .levels = 1, .contrast = 0.05f};
+    fine.links = (size_t)48 << 20;
     if (sweep.quick) fine.px = 32;
     SolvedHall best(fine, gl, workers, (size_t)1200 << 20);
     auto probes = gatherHall(best, sweep.quick ? 300 : 1000, sweep.quick ? 32 : 96, workers);
