@@ -50,13 +50,13 @@ inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality
 }
 
 // The film's own camera; scenes choose their detail for it.
-inline CameraKey scripted(int scene, double row) {
+inline CameraKey scripted(int scene, float row) {
     const Shot *shot = kFilm.shots;
     while (shot->scene != scene) ++shot;
     return pose(shot->path, row);
 }
 
-inline std::unique_ptr<Scene> posed(int scene, double row) {
+inline std::unique_ptr<Scene> posed(int scene, float row) {
     auto s = std::make_unique<Scene>();
     s->clear();
     kScenes[scene].pose({row, scripted(scene, row), nullptr, {}}, *s);
@@ -64,7 +64,7 @@ inline std::unique_ptr<Scene> posed(int scene, double row) {
     return s;
 }
 
-inline TracedPicture traced(int scene, double row, const CameraKey &camera, const Quality &quality, int width,
+inline TracedPicture traced(int scene, float row, const CameraKey &camera, const Quality &quality, int width,
                             int height, int threads = 2) {
     return traced(*posed(scene, row), camera, quality, width, height, threads);
 }

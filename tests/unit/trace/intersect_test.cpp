@@ -313,7 +313,7 @@ TEST(Tree, CullsNothingThatAnActiveRayHits) {
             Hit8 h = intersect(*scene, r, active);
             Float8 nearest = broadcast(kInfinity);
             for (int s = 0; s < scene->shapeCount; ++s) nearest = min(nearest, distance(scene->shapes[s], r));
-            Float8 end = nearest * 1.001f;
+            Float8 end = min(nearest * 1.001f, kInfinity);
             Rgb8 open = transmittance(*scene, r, end, active, broadcast(-1));
             for (int k = 0; k < 8; ++k) {
                 if (!(lanes >> k & 1)) continue;
