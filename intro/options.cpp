@@ -87,27 +87,24 @@ constexpr Option kOptions[] = {
     {"--mute", "", "play without music", "", [](const char *, Options &o) { return o.mute = true; }},
     {"--stats", "", "print at the end how fast every scene was traced and shown", "",
      [](const char *, Options &o) { return o.stats = true; }},
-    {"--dump", "DIR|-", "a directory, or - for standard output",
-     "; DIR/frame-NNNNNN.ppm are numbered from the film's start",
+    {"--dump", "DIR|-", "a directory, or - for standard output", "",
      [](const char *p, Options &o) { return *(o.dump = p) != 0; }},
-    {"--wav", "FILE|-", "a file, or - for standard output", "; the music, 48 kHz, 16 bits, stereo",
+    {"--wav", "FILE|-", "a file, or - for standard output", "; the music",
      [](const char *p, Options &o) { return *(o.wav = p) != 0; }},
     {"--fps", "N|N/M", "frames a second from 1/1000 to 1000, like 25, 23.976 or 30000/1001", " (default 25)",
      [](const char *p, Options &o) { return readRate(p, o.fps); }},
-    {"--from", "S", "seconds, like 12.5", ": play or dump only [--from, --to); a frame's time n/fps decides",
+    {"--from", "S", "seconds, like 12.5", ": play or dump only from here to --to",
      [](const char *p, Options &o) { return readSeconds(p, o.from); }},
     {"--to", "S", "seconds, like 12.5", "", [](const char *p, Options &o) { return readSeconds(p, o.to); }},
-    {"--size", "WxH", "pixels to trace, 1x1 to 7680x4320",
-     " (default 1280x720; played: what the window has and the processor can)",
+    {"--size", "WxH", "pixels to trace, 1x1 to 7680x4320", " (default 1280x720; played: the window's)",
      [](const char *p, Options &o) {
          o.sized = true;
          return readCount(p, kMaxWidth, o.width) && *p++ == 'x' && readCount(p, kMaxHeight, o.height) && !*p;
      }},
     {"--quality", "NAME", "draft, play, film, reference or live",
-     " (default: what keeps up; film for dumps);\n                     live: 60 a second as played, every "
-     "other one made from its neighbours",
+     " (default: what keeps up; film for dumps);\n                     live: as played, for --fps 60",
      readQuality},
-    {"--threads", "N", "1 to 64", " (default: as many as there are processors); pictures do not depend on it",
+    {"--threads", "N", "1 to 64", " (default: as many as there are processors)",
      [](const char *p, Options &o) { return readCount(p, kMaxWorkers, o.threads) && !*p; }},
     {"--doctor", "", "tell what this machine has and lacks", "",
      [](const char *, Options &o) { return o.doctor = true; }},
@@ -121,8 +118,7 @@ bool isStdout(const char *path) { return same(path, "-"); }
 
 void writeHelp(AnyText &t) {
     t << "usage: " FILM_NAME " [--window] [--mute]       watch the film; ESC leaves\n"
-         "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM, as in\n"
-         "       " FILM_NAME " --dump - | ffmpeg -f image2pipe -c:v ppm -r 25 -i - film.mp4\n" FILM_PACE "\n";
+         "       " FILM_NAME " --dump DIR|- [--fps N]    write its frames as binary PPM\n";
     for (const Option &o : kOptions) {
         int line = t.size;
         t << "  " << o.name;

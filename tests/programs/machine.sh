@@ -17,7 +17,7 @@ check "without a driver: one line, though Mesa says more" refuses 1 "no headless
 check "with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04
 if can_be_unwritten; then
     check "where written memory may not be executed, odraz-safe draws scenes without the hall" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
-    check "... and tells why it cannot draw the hall" refuses 1 "as software OpenGL must: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
+    check "... and tells why it cannot draw the hall" refuses 1 "SELinux forbids what software OpenGL does: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
 # dumped FILE COMMAND...: a picture of 64x36

@@ -20,10 +20,9 @@ static bool mayMap(size_t bytes, sys::Protection protection) {
 }
 
 const char *jitForbidden() {
-    return mayMap(4096, sys::kReadWriteExecute) ? nullptr
-                                                : "nothing may run here that was written "
-                                                  "(MemoryDenyWriteExecute, SELinux), as software OpenGL "
-                                                  "must: allow it, or dump what needs no hall";
+    return mayMap(4096, sys::kReadWriteExecute)
+               ? nullptr
+               : "MemoryDenyWriteExecute or SELinux forbids what software OpenGL does: allow it";
 }
 
 bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
