@@ -43,12 +43,14 @@ int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
 // What a scene would rather do without, where there is no time for everything (play/governor.h). From the
-// coarseness `pixels` on fewer pixels are traced, but at least leastWidth across. By the governor's ways it
-// loses as much as `lost` says, a squared error in units of that of a picture of `play`.
+// coarseness `pixels` on fewer pixels are traced, but at least leastWidth across. `halving` steps of
+// coarseness halve the work. By the governor's ways it loses as much as `lost` says, a squared error in units
+// of that of a picture of `play`.
 inline constexpr int kWays = 5;
 struct Pace {
     float pixels = 2;
     int leastWidth = 640;
+    float halving = 1;
     float lost[kWays] = {0, 0.2f, 0.8f, 1.5f, 6};
 };
 Pace paceOf(int scene);

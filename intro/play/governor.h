@@ -38,6 +38,9 @@ struct Governor {
     // Tracing or making a picture counts as at most this many times the average. What takes longer is a
     // hiccup of the system or of another program, and says nothing about the pictures after it.
     static constexpr float kMost = 4;
+    // Where none are made, what making one took is forgotten within a second, for what it mostly takes: this
+    // share of tracing.
+    static constexpr float kForget = 0.03f, kGuess = 0.5f;
     // How far the coarseness moves in a sixtieth of a second, where a picture takes twice its budget; from
     // `play` to `draft` that is a fifth of a second. It improves at half that speed at most: viewers notice a
     // late picture, but hardly a coarse one. At pictures that take kFarTooLong times their budget it moves by
@@ -46,10 +49,13 @@ struct Governor {
     // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
     static constexpr float kPlay = 1;
+    // Squared error grows by 2 to this power in a step of coarseness: by 7.5 dB, the mean of the film's
+    // scenes.
+    static constexpr float kGrowth = 2.5f;
     // Another way is taken where its error is less than this share of that of now, for kWait sixtieths of a
     // second; at the first picture of a scene at once. Each change in a scene makes the next one harder, so
     // the way cannot swing.
-    static constexpr float kClearly = 0.75f;
+    static constexpr float kClearly = 0.65f;
     static constexpr int kWait = 20;
     // The next picture may be this late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
@@ -75,10 +81,10 @@ struct Governor {
     float coarseness = kPlay; // kBest .. coarsest()
     // Averages of tracing a picture and of making one, at the coarseness of now
     float tracing = 0.05f, making = 0.02f;
-    float weight = 1;         // that the next picture has in them
-    int waited = kWait;       // for how many sixtieths another way was better
-    float clearly = kClearly; // in this scene
-    bool fewer = false;       // whether fewer pixels are traced, if it should be coarser than pace.pixels
+    float weight = 1;   // that the next picture has in them
+    int waited = kWait; // for how many sixtieths another way was better
+    float clearly = 1;  // better, in this scene
+    bool fewer = false; // whether fewer pixels are traced, if it should be coarser than pace.pixels
     int scene = -1;
 
     // From one traced picture to the next.
@@ -92,6 +98,7 @@ struct Governor {
     }
     float coarsest() const { return kSteps + (pace.pixels <= kSteps ? pixelSteps() : 0); }
     float withoutPixels() const { return fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0; }
+    bool wantsFewer() const { return coarseness >= pace.pixels && coarsest() > pace.pixels; }
     // Along kRange.
     float level() const { return coarseness - withoutPixels(); }
     Quality quality() const {
@@ -104,14 +111,13 @@ struct Governor {
         return {w, width ? (w * height + width / 2) / width : 0};
     }
 
-    // The squared error of a way, in units of that of `play`. A step of coarseness halves the work and
-    // doubles the error, to which the scene adds what it loses by the way. Beyond the coarsest pictures are
-    // left out: that counts twice.
+    // The squared error of a way, in units of that of `play`: it grows with the coarseness that the way would
+    // have here, and the scene adds what it loses by the way. Beyond the coarsest, pictures are left out:
+    // that counts twice.
     float error(int w) const {
-        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f);
-        float error = max(exp2(coarseness - kPlay) * more, exp2(kBest - kPlay));
-        error *= max(exp2(coarseness - coarsest()) * more, 1.f);
-        return error * error + pace.lost[w];
+        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f),
+              c = max(coarseness + log2(more) * pace.halving, kBest);
+        return exp2((c - kPlay + max(c - coarsest(), 0.f)) * kGrowth) + pace.lost[w];
     }
     // Takes the best way, once it was clearly better for a while.
     void choose() {
@@ -132,11 +138,11 @@ struct Governor {
         if (scene == next) return;
         pace = itsPace;
         coarseness = min(coarseness, coarsest());
-        fewer = coarseness >= pace.pixels;
+        fewer = wantsFewer();
         weight = 1;
         waited = kWait;
         scene = next;
-        clearly = kClearly;
+        clearly = 1;
     }
 
     // The times that the last picture took: to trace it, and to make each of `count` pictures before it.
@@ -145,18 +151,22 @@ struct Governor {
             average += (min(time, kMost * average) - average) * weight;
         };
         follow(tracing, trace);
-        if (count) follow(making, make);
+        if (count)
+            follow(making, make);
+        else
+            making += (tracing * kGuess - making) * kForget;
         weight = max(weight / (1 + weight), kFollow);
         float off = average() / budget(way) - 1;
         if (fewer) off -= clamp(off, -kCalm, kCalm);
         float move = clamp(off, kMostBetter, kMostWorse) * kMove * (float)kApart[way];
         if (off > kFarTooLong - 1 && coarseness + 1 < coarsest()) move = 1;
-        if (fewer && coarseness <= pace.pixels && off < kSpare - 1) fewer = false;
+        if (fewer && coarseness <= pace.pixels && off * pace.halving < kSpare - 1) fewer = false;
         float was = coarseness;
         coarseness = clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest());
-        tracing *= exp2(was - coarseness);
-        fewer |= coarseness >= pace.pixels;
+        tracing *= exp2((was - coarseness) / pace.halving);
+        fewer |= wantsFewer();
         choose();
+        clearly = min(clearly, kClearly);
     }
 
     // How many pictures are made between two that are `gap` sixtieths apart: none after a hiccup.

@@ -34,8 +34,8 @@ struct SceneEntry {
     void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
     SceneId id;
     bool needsHall = false;
-    // Its Pace (intro.h): in tenths; in 16 pixels; in tenths, by pairs, fours, sixes and thirty
-    uint8_t fewerPixels = 20, leastWidth = 40, lost[4] = {2, 8, 15, 60};
+    // Its Pace (intro.h), in tenths; leastWidth in 16 pixels; `lost` by pairs, fours, sixes and thirty
+    uint8_t fewerPixels = 20, leastWidth = 40, halving = 10, lost[4] = {2, 8, 15, 60};
 };
 
 extern const SceneEntry kScenes[kSceneCount];

@@ -219,7 +219,7 @@ TEST(Governor, TakesSteps) {
                         Seen whole = seen(all, step * 5, step * 5 + 5),
                              then = seen(all, step * 5 + 1.5, step * 5 + 5);
                         EXPECT_LE(whole.changes, 2) << cores << ' ' << seed << ' ' << step;
-                        EXPECT_LE(then.changes, noise > 0 || cores < 1.1)
+                        EXPECT_LE(then.changes, noise > 0 || cores < 1.15)
                             << cores << ' ' << seed << ' ' << step;
                         if (noise == 0 && cores >= 6.5) {
                             EXPECT_LT(then.most - then.least, 0.1f) << cores << ' ' << step;

@@ -102,14 +102,17 @@ TEST(Simulated, CheaperIsAsGoodAsFaster) {
     EXPECT_FALSE(printShown(played(14)) == printShown(played(28)));
 }
 
-TEST(Simulated, FasterMachinesShowNoLess) {
+// A faster machine shows as many pictures, or better ones.
+TEST(Simulated, FasterMachinesAreNoWorse) {
     for (double giga = 2; giga <= 64; giga *= 1.3) {
         Machine machine = {giga * 1e9, 4, 1280, 720};
         std::vector<PlayedScene> slow = summary(played(giga), cost, machine),
                                  fast = summary(played(2 * giga), cost, machine);
         ASSERT_EQ(slow.size(), 3u); // point, table, flake
         for (size_t i = 0; i < slow.size(); ++i)
-            EXPECT_GE(fast[i].shown, 0.99 * slow[i].shown) << giga << ' ' << slow[i].scene;
+            EXPECT_TRUE(fast[i].shown >= 0.99 * slow[i].shown || fast[i].level < slow[i].level - 0.3 ||
+                        fast[i].width > 1.2 * slow[i].width)
+                << giga << ' ' << slow[i].scene;
         EXPECT_LE(slow[1].rate, giga * 1e9 * 1.01) << "no more is done than it can";
     }
 }
