@@ -179,10 +179,10 @@ struct Governor {
     // whole sixtieths out: else all later ones would come between those of the screen, and wait there for the
     // next.
     double next(double time, double now) const {
-        double soonest =
-            now +
-            max(tracing + (float)ahead(1) * (float)kSixtieth + (kBetween[way] ? making : 0), average()) -
-            kTolerance;
+        int count = kBetween[way];
+        float first = tracing, last = average();
+        if (count) first += making + (float)(ahead(1) * kSixtieth), last += (float)(ahead(count) * kSixtieth);
+        double soonest = now + max(first, last) - kTolerance;
         for (time += step(); time < soonest;) time += kSixtieth;
         return time;
     }

@@ -45,7 +45,7 @@ check "without a driver" finds 1 "OpenGL" "^no OpenGL 3.3 on this display: insta
 check "... of which Mesa may tell more here" grep -q 'swrast' "$WORK/err"
 check "in little memory" finds 1 "memory" "^too little" bash -c "ulimit -v 500000; exec '$odraz' --doctor"
 if can_be_unwritten; then
-    check "where written memory may not be executed" finds 1 "write and run" "^nothing may run here" "${UNWRITTEN[@]}" "$odraz" --doctor
+    check "where written memory may not be executed" finds 1 "write and run" "^MemoryDenyWriteExecute" "${UNWRITTEN[@]}" "$odraz" --doctor
 fi
 check "on a full disk" refuses 1 "no space left" bash -c "exec '$odraz' --doctor >/dev/full"
 check "on a closed stdout" refuses 1 "it is closed" bash -c "exec '$odraz' --doctor >&-"

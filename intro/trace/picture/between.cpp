@@ -15,12 +15,13 @@ struct Trust {
 namespace {
 
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a border of one, and room behind
-constexpr int kApart = 16; // how far those rows are apart that are always looked at; a power of two
-constexpr int kBlock = 8;  // pixels along a side that are carried by their corners
-// Differences below this count as none in pictures two sixtieths of a second apart; further apart, more does.
+constexpr int kApart = 8; // how far those rows are apart that are always looked at; a power of two
+constexpr int kBlock = 8; // pixels along a side that are carried by their corners
+// Differences below this count as none in pictures two sixtieths of a second apart; in those further apart
+// larger ones do, but in a flat mirror only up to kAlikeInFloor.
 // What glass shows moves unlike the glass: where that moves fast, as when a ball crosses the lens, little is
 // taken for alike
-constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f;
+constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f, kAlikeInFloor = 0.09f;
 constexpr float kFast = 0.05f; // of a ball, in radii in a sixtieth of a second
 // How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. From
 // kTorn on its outlines are torn, and where one picture does not show the ball, the other one is wrong by
@@ -58,21 +59,30 @@ struct Sides {
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
                              Carry *const (&carry)[2], Trust *trust) {
     const Scene &scene = *now.scene;
+    // Beside a cut one picture serves for both: what counts is how far it is from now
+    const bool one = before.scene == after.scene;
     for (int i = 0; i <= scene.shapeCount; ++i) {
         const Shape &a = scene.shapes[i];
-        trust[i] = {kAlike * gap * 0.5f, -1};
-        if (i == scene.shapeCount || !a.isBall() || carry[0][i].shape == kNone || carry[1][i].shape == kNone)
-            continue;
         const Material &m = scene.materials[a.material];
+        trust[i] = {kAlike * gap * 0.5f, -1};
+        if (i == scene.shapeCount || carry[0][i].shape == kNone || carry[1][i].shape == kNone) continue;
+        // What slides over a flat mirror is not known
+        if (!a.isBall() && m.reflect > 0) trust[i].alike = min(trust[i].alike, kAlikeInFloor);
+        if (!a.isBall() || max(m.reflect, m.ior) <= 0) continue;
         Vec3 u = before.scene->shapes[carry[0][i].shape].centre - before.view.eye,
-             v = after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
+             v = one ? a.centre - now.view.eye
+                     : after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
         float perLength = 1 / length(u);
-        if (m.ior > 0 && length(u - v) > a.half.x * kFast * gap) trust[i].alike *= kAlikeInGlass / kAlike;
-        if (m.reflect <= 0) continue;
-        // The normal turns by half the angle by which the eye goes round the ball
-        float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
-        trust[i].alike *= clamp(kGhosts / max(moves, 1e-6f), 2 / max(gap, 2.f), 1.f);
-        trust[i].alone = -(moves < kTorn);
+        bool fast = m.ior > 0 && length(u - v) > a.half.x * kFast * gap;
+        if (fast) trust[i].alike *= kAlikeInGlass / kAlike;
+        if (m.reflect > 0) {
+            // The normal turns by half the angle by which the eye goes round the ball
+            float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
+            trust[i].alike *= min(kGhosts / max(moves, 1e-6f), 1.f);
+            fast |= moves > kTorn;
+            trust[i].alone = -(moves <= kTorn);
+        }
+        if (one && fast) trust[i].alike = -1;
     }
 }
 
