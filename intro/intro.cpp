@@ -45,10 +45,9 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
         t.frame.owners = arena.take<int32_t>((size_t)t.frame.stride * (size_t)s.height + 8);
     }
     if (s.pairs) makeBetween(intro->between, arena, workers.count);
-    for (uint8_t *&made : intro->made)
-        if (s.pairs && &made > intro->made)
-            made = arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) +
-                   kPictureMargin;
+    for (int k = 1; s.pairs && k < kPlaces; ++k)
+        intro->made[k] =
+            arena.take<uint8_t>((size_t)s.width * (size_t)s.height * 4 + 2 * kPictureMargin) + kPictureMargin;
     if (arena.full || !makeTracer(intro->tracer, arena, workers.count) ||
         !makeFrame(intro->frame, arena, s.width, s.height) ||
         !makeGlare(intro->glare, arena, s.width, s.height))

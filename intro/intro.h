@@ -26,7 +26,7 @@ struct IntroSettings {
 // Whether some scene in [from, to) seconds plays in the hall, which must then be solved.
 bool needsHall(double from, double to);
 
-// Bytes of arena that load() needs, for so many workers.
+// Bytes of arena that load() needs with this many workers.
 size_t memoryNeeded(const IntroSettings &settings, int workers, bool hall);
 
 // Prepares the film. With a table of OpenGL, whose context must be current, it solves the hall and reports
@@ -44,8 +44,8 @@ const char *sceneName(int scene);
 
 // What a scene would rather do without, where there is no time for everything (play/governor.h). From the
 // coarseness `pixels` on fewer pixels are traced, but at least leastWidth across. `halving` steps of
-// coarseness halve the work. By the governor's ways it loses as much as `lost` says, a squared error in units
-// of that of a picture of `play`.
+// coarseness halve the work. `lost` is the squared error that each of the governor's ways adds, in units of
+// that of a picture of `play`.
 inline constexpr int kWays = 5;
 struct Pace {
     float pixels = 2;

@@ -24,7 +24,7 @@ struct Queue {
     Made ring[kRing]; // those not shown yet; makePictures() never has more than its slots and places
     static_assert(kSlots + kPlaces <= kRing);
 
-    // The film begins when so many are ready.
+    // The film begins when this many are ready.
     static constexpr unsigned kAhead = 3;
 
     unsigned ready() const { return __atomic_load_n(&made, __ATOMIC_ACQUIRE); }

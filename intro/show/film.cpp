@@ -7,8 +7,8 @@
 
 namespace odraz {
 
-// What scenes would rather do without was found by build/seen, with two cores and 1280x720 in mind: details
-// of most are worth more than half of the pictures.
+// What scenes lose was measured by build/seen at `play` and nearly `film`, and how much work a step of
+// coarseness saves by tools/measure/seen/costs.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint, .halving = 17, .lost = {4, 7, 7, 12}},
     {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19, .lost = {4, 11, 16, 26}},

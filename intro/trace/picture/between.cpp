@@ -23,9 +23,9 @@ constexpr int kBlock = 8; // pixels along a side that are carried by their corne
 // taken for alike
 constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f, kAlikeInFloor = 0.09f;
 constexpr float kFast = 0.05f; // of a ball, in radii in a sixtieth of a second
-// How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. From
-// kTorn on its outlines are torn, and where one picture does not show the ball, the other one is wrong by
-// half of it; from kGhosts on what agrees may be what lies on either side of it.
+// How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. Beyond
+// kTorn what only one picture shows of the ball does not count. Beyond kGhosts the allowance shrinks: both
+// pictures may show the same colour on either side of a thing that they show elsewhere.
 constexpr float kTorn = 0.0028f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down

@@ -1,8 +1,8 @@
 // In-betweens: a picture between two traced ones in time, made from both.
 //
-// A ray finds exactly what a pixel shows at that moment. The point that it hits is moved with its shape to
-// the moments of both pictures, and the colours seen there are fetched. A colour counts if the picture shows
-// the same shape there. If both count, they must agree. All other pixels are traced. After Herzog, Eisemann,
+// Rays find what pixels show at that moment. The point that is hit is moved with its shape to the moments of
+// both pictures, and the colours seen there are fetched. A colour counts if the picture shows the same shape
+// there. If both count, they must agree. All other pixels are traced. After Herzog, Eisemann,
 // Myszkowski and Seidel, "Spatio-Temporal Upsampling on the GPU", I3D 2010, and Yang et al., "Image-Based
 // Bidirectional Scene Reprojection", SIGGRAPH Asia 2011.
 #pragma once

@@ -184,7 +184,7 @@ TEST(Between, StaysInItsPlace) {
 // Beside a cut it shows its own shot, made of the picture that is in it.
 TEST(Between, BesideACutIsOfItsOwnShot) {
     Intro &intro = film();
-    double cut = kFilm.shots[4].row / kRowsPerSecond; // inside a scene
+    double cut = kFilm.shots[4].row / kRowsPerSecond; // to another scene
     picture(intro, 0, cut - 2.5 * kStep, named(QualityName::Play));
     picture(intro, 1, cut + 1.5 * kStep, named(QualityName::Play));
     for (double share : {0.25, 0.5, 0.75}) {
