@@ -19,14 +19,12 @@ constexpr int kApart = 8; // how far those rows are apart that are always looked
 constexpr int kBlock = 8; // pixels along a side that are carried by their corners
 // Differences below this count as none in pictures two sixtieths of a second apart; in those further apart
 // larger ones do, but in a flat mirror only up to kAlikeInFloor.
-// What glass shows moves unlike the glass: where that moves fast, as when a ball crosses the lens, little is
-// taken for alike
-constexpr float kAlike = 0.06f, kAlikeInGlass = 0.03f, kAlikeInFloor = 0.09f;
-constexpr float kFast = 0.05f; // of a ball, in radii in a sixtieth of a second
+constexpr float kAlike = 0.06f, kAlikeInFloor = 0.09f;
 // How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. Beyond
 // kTorn what only one picture shows of the ball does not count. Beyond kGhosts the allowance shrinks: both
-// pictures may show the same colour on either side of a thing that they show elsewhere.
-constexpr float kTorn = 0.0028f, kGhosts = 0.0055f;
+// pictures may show the same colour on either side of a thing that they show elsewhere. What glass shows
+// moves up to twenty times as fast.
+constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down
 constexpr int kSamples = 3;
@@ -66,23 +64,20 @@ struct Sides {
         const Material &m = scene.materials[a.material];
         trust[i] = {kAlike * gap * 0.5f, -1};
         if (i == scene.shapeCount || carry[0][i].shape == kNone || carry[1][i].shape == kNone) continue;
+        const bool glass = m.ior > 0;
         // What slides over a flat mirror is not known
-        if (!a.isBall() && m.reflect > 0) trust[i].alike = min(trust[i].alike, kAlikeInFloor);
-        if (!a.isBall() || max(m.reflect, m.ior) <= 0) continue;
+        if (m.reflect > 0 && !a.isBall()) trust[i].alike = min(trust[i].alike, kAlikeInFloor);
+        if (!glass && (m.reflect <= 0 || !a.isBall())) continue;
         Vec3 u = before.scene->shapes[carry[0][i].shape].centre - before.view.eye,
              v = one ? a.centre - now.view.eye
                      : after.scene->shapes[carry[1][i].shape].centre - after.view.eye;
         float perLength = 1 / length(u);
-        bool fast = m.ior > 0 && length(u - v) > a.half.x * kFast * gap;
-        if (fast) trust[i].alike *= kAlikeInGlass / kAlike;
-        if (m.reflect > 0) {
-            // The normal turns by half the angle by which the eye goes round the ball
-            float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
-            trust[i].alike *= min(kGhosts / max(moves, 1e-6f), 1.f);
-            fast |= moves > kTorn;
-            trust[i].alone = -(moves <= kTorn);
-        }
-        if (one && fast) trust[i].alike = -1;
+        // The normal turns by half the angle by which the eye goes round the ball
+        float moves = length(u * perLength - v * (1 / length(v))) * 0.5f * a.half.x * perLength;
+        if (!glass) trust[i].alike *= min(kGhosts / max(moves, 1e-6f), 1.f);
+        if (moves <= (glass ? kTornInGlass : kTorn)) continue;
+        trust[i].alone = 0;
+        if (one) trust[i].alike = -1;
     }
 }
 
