@@ -53,10 +53,10 @@ struct Governor {
     // scenes.
     static constexpr float kGrowth = 2.5f;
     // Another way is taken where its error is less than this share of that of now, for kWait sixtieths of a
-    // second; at the first picture of a scene at once. Each change in a scene makes the next one harder, so
-    // the way cannot swing.
+    // second; at the first picture of a scene at once. From kSettled sixtieths of a scene on, each change
+    // makes the next one harder, so the way cannot swing.
     static constexpr float kClearly = 0.65f;
-    static constexpr int kWait = 20;
+    static constexpr int kWait = 20, kSettled = 90;
     // The next picture may be this late before pictures are left out for it.
     static constexpr double kTolerance = 0.004;
     static constexpr double kSixtieth = 1 / 60.0;
@@ -68,11 +68,11 @@ struct Governor {
     // quality does.
     static constexpr float kShrink = 0.35f;
     // Pixels. Where fewer are traced than shown, quality stays as it is, and the coarseness does not move
-    // while pictures take within kCalm of their budget, so that their size does not go to and fro. Better
-    // quality is tried where all are traced in kSpare of the budget: the best of `draft` and the worst above
-    // it are up to 19 % apart, since only the latter samples within pixels.
+    // while pictures take within kCalm of their budget, so that their size does not go to and fro. Scaling up
+    // blurs all alike, so kLeastFewer steps are the least that is worth it. Better quality than `draft` is
+    // tried where there is time for tracing that takes kCliff times as long: only it samples within pixels.
     static constexpr int kWidthStep = 16;
-    static constexpr float kCalm = 0.06f, kSpare = 0.78f;
+    static constexpr float kCalm = 0.06f, kLeastFewer = 0.06f, kCliff = 1.28f;
 
     int width = 0, height = 0; // of the pictures that are shown, where fewer pixels may be traced; else 0
     Pace pace = {};            // of the scene
@@ -84,6 +84,7 @@ struct Governor {
     float weight = 1;   // that the next picture has in them
     int waited = kWait; // for how many sixtieths another way was better
     float clearly = 1;  // better, in this scene
+    int played = 0;     // sixtieths of this scene
     bool fewer = false; // whether fewer pixels are traced, if it should be coarser than pace.pixels
     int scene = -1;
 
@@ -97,10 +98,13 @@ struct Governor {
         return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
     }
     float coarsest() const { return kSteps + (pace.pixels <= kSteps ? pixelSteps() : 0); }
-    float withoutPixels() const { return fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0; }
+    float withoutPixels() const {
+        float steps = fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0;
+        return steps < kLeastFewer ? 0 : steps;
+    }
     bool wantsFewer() const { return coarseness >= pace.pixels && coarsest() > pace.pixels; }
     // Along kRange.
-    float level() const { return coarseness - withoutPixels(); }
+    float level() const { return fewer ? max(pace.pixels, coarseness - pixelSteps()) : coarseness; }
     Quality quality() const {
         int from = min((int)level(), kSteps - 1);
         return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level() - (float)from);
@@ -111,12 +115,15 @@ struct Governor {
         return {w, width ? (w * height + width / 2) / width : 0};
     }
 
-    // The squared error of a way, in units of that of `play`: it grows with the coarseness that the way would
-    // have here, and the scene adds what it loses by the way. Beyond the coarsest, pictures are left out:
-    // that counts twice.
+    // The coarseness that a way would have here.
+    float expected(int w) const {
+        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f);
+        return max(coarseness + log2(more) * pace.halving, kBest);
+    }
+    // The squared error of a way, in units of that of `play`: it grows with that coarseness, and the scene
+    // adds what it loses by the way. Beyond the coarsest, pictures are left out: that counts twice.
     float error(int w) const {
-        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f),
-              c = max(coarseness + log2(more) * pace.halving, kBest);
+        float c = expected(w);
         return exp2((c - kPlay + max(c - coarsest(), 0.f)) * kGrowth) + pace.lost[w];
     }
     // Takes the best way, once it was clearly better for a while.
@@ -127,10 +134,19 @@ struct Governor {
             float its = error(w);
             if (its < least) least = its, best = (Way)w;
         }
+        played += kApart[way];
         waited = best == way ? 0 : waited + kApart[way];
         if (waited < kWait) return;
+        if (played > kSettled) clearly *= kClearly;
         way = best, waited = 0;
-        clearly *= kClearly;
+        if (!fewer) return;
+        // In this way there may be time for all pixels
+        become(clamp(expected(way), kBest, coarsest()));
+        fewer = wantsFewer();
+    }
+    void become(float coarser) {
+        tracing *= exp2((coarseness - coarser) / pace.halving);
+        coarseness = coarser;
     }
 
     // The picture to trace next is of this scene.
@@ -142,6 +158,7 @@ struct Governor {
         weight = 1;
         waited = kWait;
         scene = next;
+        played = 0;
         clearly = 1;
     }
 
@@ -160,10 +177,9 @@ struct Governor {
         if (fewer) off -= clamp(off, -kCalm, kCalm);
         float move = clamp(off, kMostBetter, kMostWorse) * kMove * (float)kApart[way];
         if (off > kFarTooLong - 1 && coarseness + 1 < coarsest()) move = 1;
-        if (fewer && coarseness <= pace.pixels && off * pace.halving < kSpare - 1) fewer = false;
-        float was = coarseness;
-        coarseness = clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest());
-        tracing *= exp2((was - coarseness) / pace.halving);
+        float cliff = pace.pixels < kSteps ? 1 : kCliff;
+        fewer &= coarseness > pace.pixels || tracing * cliff + (float)kBetween[way] * making > budget(way);
+        become(clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest()));
         fewer |= wantsFewer();
         choose();
         clearly = min(clearly, kClearly);

@@ -12,7 +12,7 @@ namespace odraz {
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint, .halving = 17, .lost = {4, 7, 7, 12}},
     {.name = "table", .pose = poseTable, .id = kTable, .fewerPixels = 19, .lost = {4, 11, 16, 26}},
-    {.name = "flake", .pose = poseFlake, .id = kFlake, .fewerPixels = 19, .lost = {9, 21, 27, 90}},
+    {.name = "flake", .pose = poseFlake, .id = kFlake, .fewerPixels = 20, .lost = {7, 17, 21, 90}},
     {.name = "patches",
      .pose = posePatches,
      .letter = letterPatches,

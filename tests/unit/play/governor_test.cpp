@@ -347,7 +347,7 @@ TEST(Governor, ComesBackToAllPixels) {
             return *std::find_if(all.begin(), all.end(), [=](const Decision &d) { return d.time >= time; });
         };
         EXPECT_LT(at(9.5).size.width, 0.9 * at(4.5).size.width) << cores;
-        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 48) << cores;
+        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 76) << cores; // kCalm, either way
         EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.2) << cores;
     }
 }
