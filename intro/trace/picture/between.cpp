@@ -32,6 +32,12 @@ constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
 constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
 constexpr int kMostAnew = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
+// What is traced is seen for a sixtieth of a second
+constexpr Quality kAnew = [] {
+    Quality q = kQualities[(int)QualityName::Draft];
+    q.threshold *= 2, q.markThreshold *= 2;
+    return q;
+}();
 
 } // namespace
 
@@ -166,7 +172,7 @@ ODRAZ_INLINE Blend blend(const Sides &sides, const Trust &trust, const Fetched &
     Rgb8 off = after.radiance - before.radiance, radiance = before.radiance + off * broadcast(sides.share);
     Float8 bright = brightest(radiance) * sides.exposure,
            differs = max(brightest(off), -min(off.x, min(off.y, off.z))) * sides.exposure;
-    return {radiance, differs <= fmadd(bright, fmadd(bright, 2.5f, broadcast(4.f)), 0.1f) * trust.alike};
+    return {radiance, differs <= fmadd(bright, 4.f, 0.1f) * trust.alike};
 }
 
 // What eight pixels show, as far as it is known without tracing; and kInside where one shape fills them.
@@ -348,7 +354,7 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Trac
     carryTo(after, now, between.carry[1]);
     findTrust(before, after, now, gap, between.carry, between.trust);
     Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
-    forTiles(tracer, workers, *now.scene, now.view, kQualities[(int)QualityName::Draft], now.frame,
+    forTiles(tracer, workers, *now.scene, now.view, kAnew, now.frame,
              [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
 }
 
