@@ -352,6 +352,27 @@ TEST(Governor, ComesBackToAllPixels) {
     }
 }
 
+// Pixels that were given up in one way come back with a better one at once.
+TEST(Governor, TakesAllPixelsInABetterWay) {
+    Scene easy = {0, .05, .02, .012, .004}, hard = {0, .36, .14, .08, .006};
+    Player player(
+        withScreen(2), [=](double t) { return t < 3 ? easy : hard; }, 10);
+    lose(player.paces[0], {0, 0.2f, 0.8f, 1.5f, 6});
+    auto all = player.play();
+    auto change = std::adjacent_find(all.begin(), all.end(), [](const Decision &a, const Decision &b) {
+        return a.size.width < 1280 && a.way < Governor::kFours && b.way >= Governor::kFours;
+    });
+    ASSERT_LT(change + 2, all.end());
+    for (auto d = change + 2; d != all.end(); ++d) EXPECT_EQ(d->size.width, 1280) << d->time;
+}
+
+// A few pixels less would be blurred for nothing.
+TEST(Governor, TracesAllPixelsOrClearlyFewer) {
+    for (double cores = 1; cores < 4; cores *= 1.05)
+        for (const Decision &d : playedInPairs(withScreen(cores, 0.1), 10, always(kUsual)))
+            EXPECT_TRUE(d.size.width == 1280 || d.size.width <= 1248) << d.size.width << ' ' << cores;
+}
+
 // A scene says what it would rather do without: here, pixels before it is coarser than `play`.
 TEST(Governor, GivesUpWhatTheSceneNeedsLeast) {
     auto levels = [](float pixels) {
