@@ -126,7 +126,7 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
 
 Picture between(Intro &intro, int earlier, int later, double share, int place) {
     const Slot *a = &intro.slots[earlier], *b = &intro.slots[later];
-    const Quality &quality = b->quality; // of what is too small to be made between
+    const Quality &quality = b->quality;
     Frame &frame = intro.frame;
     resize(frame, b->traced.frame.width, b->traced.frame.height);
     Traced now = {frame, intro.film.scene, {}};
@@ -139,7 +139,7 @@ Picture between(Intro &intro, int earlier, int later, double share, int place) {
     if (b->shot != shot) b = a;
     if (min(frame.width, frame.height) > 1)
         traceBetween(intro.between, intro.tracer, *intro.workers, a->traced, b->traced, (float)share,
-                     (float)(apart * 60), now);
+                     (float)(apart * 60), now, quality);
     else
         traceFrame(intro.tracer, *intro.workers, *now.scene, now.view, quality, frame);
     return finish(intro, posed, now.view, seconds, now.scene->exposure, frame, intro.made[place]);

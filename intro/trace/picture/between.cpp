@@ -32,13 +32,6 @@ constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
 constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
 constexpr int kMostAnew = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
-// What is traced is seen for a sixtieth of a second
-constexpr Quality kAnew = [] {
-    Quality q = kQualities[(int)QualityName::Draft];
-    q.threshold *= 2, q.markThreshold *= 2;
-    return q;
-}();
-
 } // namespace
 
 struct BetweenScratch {
@@ -349,12 +342,17 @@ bool makeBetween(Between &between, Arena &arena, int workers) {
 }
 
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, float share, float gap, Traced &now) {
+                  const Traced &after, float share, float gap, Traced &now, const Quality &quality) {
     carryTo(before, now, between.carry[0]);
     carryTo(after, now, between.carry[1]);
     findTrust(before, after, now, gap, between.carry, between.trust);
     Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
-    forTiles(tracer, workers, *now.scene, now.view, kAnew, now.frame,
+    // Mirrors and glass must look as in the traced pictures, or they flicker. But what is traced here is seen
+    // for a sixtieth of a second
+    Quality anew = quality;
+    anew.fine = max(anew.fine, 4), anew.coarse = 32;
+    anew.threshold *= 2, anew.markThreshold *= 2;
+    forTiles(tracer, workers, *now.scene, now.view, anew, now.frame,
              [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
 }
 

@@ -39,10 +39,10 @@ bool makeBetween(Between &between, Arena &arena, int workers);
 
 // Fills the frame of `now`, whose scene and view are those of its moment, from pictures before and after it,
 // which may be the same: `share` is how far it is on the way from one to the other, 0 .. 1; `gap` is how many
-// sixtieths of a second they are apart. What must be traced has the quality `draft`. The result does not
-// depend on the number of workers.
+// sixtieths of a second they are apart. What must be traced has the quality of these pictures, but takes
+// twice their thresholds and no samples within pixels. The result does not depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
-                  const Traced &after, float share, float gap, Traced &now);
+                  const Traced &after, float share, float gap, Traced &now, const Quality &quality);
 
 // The number of pixels that had to be traced since the last call.
 int64_t tracedAnew(Between &between);

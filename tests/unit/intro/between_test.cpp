@@ -57,7 +57,7 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
     picture(intro, 1, seconds + (gap - before) * kStep, named(QualityName::Play));
     Traced now = {intro.frame, intro.film.scene, poseAt(intro.film, seconds).view(kWidth, kHeight)};
     traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced, intro.slots[1].traced,
-                 gap > 0 ? (float)(before / gap) : 0.5f, (float)gap, now);
+                 gap > 0 ? (float)(before / gap) : 0.5f, (float)gap, now, named(QualityName::Play));
     return planes(intro.frame);
 }
 
@@ -120,7 +120,8 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     constexpr float kTurn = 0.045f; // as the largest ball of scene odraz at its fastest
     Traced before = trace(intro.slots[0].traced, -kTurn), after = trace(intro.slots[1].traced, kTurn);
     tracedAnew(intro.between);
-    traceBetween(intro.between, intro.tracer, *intro.workers, before, after, 0.5f, 2, now);
+    traceBetween(intro.between, intro.tracer, *intro.workers, before, after, 0.5f, 2, now,
+                 named(QualityName::Play));
     double alike = decibels(intro, still, planes(now.frame));
     double anew = (double)tracedAnew(intro.between) / (kWidth * kHeight);
     std::printf("%.1f dB, traced anew %.2f %%\n", alike, 100 * anew);
@@ -250,7 +251,7 @@ TEST(Between, OfPicturesOfDifferentSizesIsAsNearToTheTruth) {
             trace(intro.slots[0].traced, seconds - kStep, earlier, QualityName::Play);
             trace(intro.slots[1].traced, seconds + kStep, later, QualityName::Play);
             traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced,
-                         intro.slots[1].traced, 0.5f, 2, now);
+                         intro.slots[1].traced, 0.5f, 2, now, named(QualityName::Play));
             return decibels(intro, truth, planes(now.frame));
         };
         double equal = between(kMiddle, kMiddle), grows = between(kSmall, kLarge),
