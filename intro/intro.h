@@ -42,13 +42,11 @@ inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
-// What a scene would rather do without, where there is no time for everything (play/governor.h). From the
-// coarseness `pixels` on fewer pixels are traced, but at least leastWidth across. `halving` steps of
-// coarseness halve the work. `lost` is the squared error that each of the governor's ways adds, in units of
-// that of a picture of `play`.
+// What a scene loses where there is no time for everything (play/governor.h). Where fewer pixels are traced
+// than shown, they are at least leastWidth across. `halving` steps of coarseness halve the work. `lost` is the
+// squared error that each of the governor's ways adds, in units of that of a picture of `play`.
 inline constexpr int kWays = 5;
 struct Pace {
-    float pixels = 2;
     int leastWidth = 640;
     float halving = 1;
     float lost[kWays] = {0, 0.2f, 0.8f, 1.5f, 6};

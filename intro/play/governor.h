@@ -3,9 +3,9 @@
 // same decisions out.
 //
 // It changes two things. The coarseness says how much each traced picture does without: first quality, from
-// `film` over `play` down to a level at which the scene would rather do without pixels; then pixels, which
-// are scaled up; then the rest of quality, down to `draft`. It changes a little with every picture, so that
-// nobody sees a step. The way says which pictures are traced, and how many are made between two of them:
+// `film` over `play` down to `draft`; then pixels, which are scaled up. It changes a little with every
+// picture, so that nobody sees a step. The way says which pictures are traced, and how many are made between
+// two of them:
 //
 //   kSixty           all sixty of a second are traced
 //   kPairs           every other one is traced, and one is made between two
@@ -85,7 +85,7 @@ struct Governor {
     int waited = kWait; // for how many sixtieths another way was better
     float clearly = 1;  // better, in this scene
     int played = 0;     // sixtieths of this scene
-    bool fewer = false; // whether fewer pixels are traced, if it should be coarser than pace.pixels
+    bool fewer = false; // whether it is as coarse as `draft`, and pixels are traded
     int scene = -1;
 
     // From one traced picture to the next.
@@ -97,14 +97,14 @@ struct Governor {
     float pixelSteps() const {
         return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
     }
-    float coarsest() const { return kSteps + (pace.pixels <= kSteps ? pixelSteps() : 0); }
+    float coarsest() const { return kSteps + pixelSteps(); }
     float withoutPixels() const {
-        float steps = fewer ? min(coarseness - pace.pixels, pixelSteps()) : 0;
+        float steps = coarseness - kSteps;
         return steps < kLeastFewer ? 0 : steps;
     }
-    bool wantsFewer() const { return coarseness >= pace.pixels && coarsest() > pace.pixels; }
+    bool wantsFewer() const { return coarseness >= kSteps && coarsest() > kSteps; }
     // Along kRange.
-    float level() const { return fewer ? max(pace.pixels, coarseness - pixelSteps()) : coarseness; }
+    float level() const { return min(coarseness, (float)kSteps); }
     Quality quality() const {
         int from = min((int)level(), kSteps - 1);
         return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level() - (float)from);
@@ -177,9 +177,8 @@ struct Governor {
         if (fewer) off -= clamp(off, -kCalm, kCalm);
         float move = clamp(off, kMostBetter, kMostWorse) * kMove * (float)kApart[way];
         if (off > kFarTooLong - 1 && coarseness + 1 < coarsest()) move = 1;
-        float cliff = pace.pixels < kSteps ? 1 : kCliff;
-        fewer &= coarseness > pace.pixels || tracing * cliff + (float)kBetween[way] * making > budget(way);
-        become(clamp(coarseness + move, fewer ? pace.pixels : kBest, coarsest()));
+        fewer &= coarseness > kSteps || tracing * kCliff + (float)kBetween[way] * making > budget(way);
+        become(clamp(coarseness + move, fewer ? kSteps : kBest, coarsest()));
         fewer |= wantsFewer();
         choose();
         clearly = min(clearly, kClearly);

@@ -35,7 +35,7 @@ struct SceneEntry {
     SceneId id;
     bool needsHall = false;
     // Its Pace (intro.h), in tenths; leastWidth in 16 pixels; `lost` by pairs, fours, sixes and thirty
-    uint8_t fewerPixels = 20, leastWidth = 40, halving = 10, lost[4] = {2, 8, 15, 60};
+    uint8_t leastWidth = 40, halving = 10, lost[4] = {2, 8, 15, 60};
 };
 
 extern const SceneEntry kScenes[kSceneCount];

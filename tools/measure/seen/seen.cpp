@@ -16,7 +16,7 @@ static constexpr char kUsage[] =
     "usage: seen LIST [--scene NAME]... [--windows N=1] [--at S]... [--length S=0.5]\n"
     "            [--screen WxH=1280x720] [--judged WxH] [--pictures FOLDER] [--summary]\n"
     "       seen --steady RATE [--every N=1] [--level L=1] [--traced WxH] [--list] ...\n"
-    "       seen --machine G... [--screen WxH]... [--cores N] [--costs FILE] [--pixels L]\n"
+    "       seen --machine G... [--screen WxH]... [--cores N] [--costs FILE]\n"
     "            [--lost P,F,S,T] [--list] ...\n"
     "Compares what stands on the screen at every sixtieth of a second with the film's picture of that very\n"
     "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB.\n"
@@ -24,10 +24,8 @@ static constexpr char kUsage[] =
     "player that never misses: RATE pictures a second, of which one of --every is traced and the others are\n"
     "made between two; of a level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the\n"
     "screen has. --machine is the film's own player, simulated on a machine of G 10^9 instructions a second\n"
-    "in all, on N cores (of 7 each, if --cores does not say), with counted costs. --pixels and --lost "
-    "change\n"
-    "what all scenes would rather do without, and what they lose by pairs, fours, sixes and thirty (Pace in\n"
-    "intro.h). --list only writes the list; --summary only prints what was shown, by scene. --judged looks\n"
+    "in all, on N cores (of 7 each, if --cores does not say), with counted costs. --lost changes\n"
+    "what all scenes lose by pairs, fours, sixes and thirty (Pace in intro.h). --list only writes the list; --summary only prints what was shown, by scene. --judged looks\n"
     "at a smaller screen, with all pictures smaller alike, which is faster.\n"
     "Each shot has --windows windows of --length seconds, evenly spaced; or there are windows that begin\n"
     "--at a moment. Pictures traced in fewer pixels than the screen has are scaled up as the film does it.\n"
@@ -46,7 +44,6 @@ struct Asked {
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
     int windows = 1, cores = 0, every = 0;
     double length = 0.5, rate = 0, level = -1;
-    double pixels = -1;      // of all scenes' pace; negative: each has its own
     std::vector<float> lost; // ... by pairs, fours, sixes and thirty; empty: each has its own
     bool onlyList = false, onlySummary = false;
 };
@@ -91,8 +88,6 @@ Asked read(Arguments &words) {
             a.cores = words.whole(w, 1, kMaxWorkers);
         else if (w == "--costs")
             a.costs = words.value(w), costs = true;
-        else if (w == "--pixels")
-            a.pixels = words.number(w, 0, 9);
         else if (w == "--lost")
             a.lost = lostAfter(words, w);
         else if (w == "--level")
@@ -113,8 +108,7 @@ Asked read(Arguments &words) {
         throw Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
     if (!a.rate && (a.every || a.level >= 0 || !a.traced.empty()))
         throw Refused("--every, --level and --traced go with --steady");
-    if (!machine && (a.cores || a.pixels >= 0 || !a.lost.empty()))
-        throw Refused("--cores, --pixels and --lost go with --machine");
+    if (!machine && (a.cores || !a.lost.empty())) throw Refused("--cores and --lost go with --machine");
     if (!machine && !a.onlySummary && costs) throw Refused("--costs goes with --machine or --summary");
     if (a.onlyList && !a.list.empty()) throw Refused("--list goes with --steady or --machine");
     if (a.screens.empty()) a.screens = {"1280x720"};
@@ -161,7 +155,6 @@ Machine machineOf(const Asked &a, double giga, const IntroSettings &screen) {
     Machine machine = {giga * 1e9, cores, screen.width, screen.height};
     machine.paceOf = [=](int scene) {
         Pace pace = paceOf(scene);
-        if (a.pixels >= 0) pace.pixels = (float)a.pixels;
         std::copy(a.lost.begin(), a.lost.end(), pace.lost + 1);
         return pace;
     };
