@@ -350,8 +350,8 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Trac
     // Mirrors and glass must look as in the traced pictures, or they flicker. But what is traced here is seen
     // for a sixtieth of a second
     Quality anew = quality;
-    anew.fine = max(anew.fine, 4), anew.coarse = 32;
-    anew.threshold *= 2, anew.markThreshold *= 2;
+    anew.fine = max(anew.fine, 2), anew.coarse = 32;
+    anew.threshold *= 2, anew.markThreshold *= 2, anew.edge *= 2;
     forTiles(tracer, workers, *now.scene, now.view, anew, now.frame,
              [&](Tile &tile, int worker) { makeTile(sides, tile, between.scratch[worker]); });
 }
