@@ -7,12 +7,13 @@
 
 namespace odraz {
 
-// What scenes lose was measured by build/seen at `play` and nearly `film`, and how much work a step of
-// coarseness saves by tools/measure/seen/costs.
+// What scenes lose was measured by build/seen at `play` and nearly `film`, then moved to what is seen best on
+// machines of 16 to 64 G instructions a second. tools/measure/seen/costs says how much work a step of
+// coarseness saves.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint, .halving = 17, .lost = {4, 7, 7, 12}},
     {.name = "table", .pose = poseTable, .id = kTable, .lost = {4, 11, 16, 26}},
-    {.name = "flake", .pose = poseFlake, .id = kFlake, .lost = {7, 17, 21, 90}},
+    {.name = "flake", .pose = poseFlake, .id = kFlake, .lost = {5, 17, 21, 90}},
     {.name = "patches",
      .pose = posePatches,
      .letter = letterPatches,
@@ -20,15 +21,15 @@ constexpr SceneEntry kScenes[kSceneCount] = {
      .needsHall = true,
      .leastWidth = 80,
      .halving = 25,
-     .lost = {7, 16, 21, 82}},
-    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .halving = 24, .lost = {6, 16, 22, 16}},
+     .lost = {5, 16, 21, 82}},
+    {.name = "hall", .pose = poseDay, .id = kHall, .needsHall = true, .halving = 24, .lost = {5, 13, 18, 16}},
     {.name = "odraz",
      .pose = poseOdraz,
      .id = kOdraz,
      .needsHall = true,
      .leastWidth = 80,
      .halving = 11,
-     .lost = {10, 20, 21, 18}},
+     .lost = {6, 20, 21, 15}},
     {.name = "credits",
      .pose = poseCredits,
      .letter = letterCredits,
