@@ -12,7 +12,7 @@ namespace odraz {
 // coarseness saves.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint, .halving = 17, .lost = {4, 7, 7, 12}},
-    {.name = "table", .pose = poseTable, .id = kTable, .lost = {4, 11, 16, 26}},
+    {.name = "table", .pose = poseTable, .id = kTable, .lost = {4, 10, 13, 35}},
     {.name = "flake", .pose = poseFlake, .id = kFlake, .lost = {5, 17, 21, 90}},
     {.name = "patches",
      .pose = posePatches,
@@ -36,7 +36,7 @@ constexpr SceneEntry kScenes[kSceneCount] = {
      .id = kCredits,
      .leastWidth = 80,
      .halving = 16,
-     .lost = {1, 2, 3, 6}},
+     .lost = {1, 1, 3, 6}},
 };
 static_assert(inOrder(kScenes, &SceneEntry::id, kSceneCount), "a row for every scene, in the enum's order");
 
