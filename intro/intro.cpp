@@ -126,7 +126,6 @@ Picture picture(Intro &intro, int slot, double seconds, const Quality &quality, 
 
 Picture between(Intro &intro, int earlier, int later, double share, int place) {
     const Slot *a = &intro.slots[earlier], *b = &intro.slots[later];
-    const Quality &quality = b->quality;
     Frame &frame = intro.frame;
     resize(frame, b->traced.frame.width, b->traced.frame.height);
     Traced now = {frame, intro.film.scene, {}};
@@ -137,6 +136,7 @@ Picture between(Intro &intro, int earlier, int later, double share, int place) {
     const Shot *shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
     if (a->shot != shot) a = b;
     if (b->shot != shot) b = a;
+    const Quality &quality = b->quality;
     if (min(frame.width, frame.height) > 1)
         traceBetween(intro.between, intro.tracer, *intro.workers, a->traced, b->traced, (float)share,
                      (float)(apart * 60), now, quality);

@@ -42,9 +42,9 @@ inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
-// What a scene loses where there is no time for everything (play/governor.h). Where fewer pixels are traced
-// than shown, they are at least leastWidth across. `halving` steps of coarseness halve the work. `lost` is the
-// squared error that each of the governor's ways adds, in units of that of a picture of `play`.
+// What a scene loses where there is no time for everything (play/governor.h). leastWidth: the fewest pixels
+// across that are traced. `halving` steps of coarseness halve the work. `lost` is the squared error that each
+// of the governor's ways adds, in units of that of a picture of `play`.
 inline constexpr int kWays = 5;
 struct Pace {
     int leastWidth = 640;

@@ -42,9 +42,9 @@ struct Governor {
     // share of tracing.
     static constexpr float kForget = 0.03f, kGuess = 0.5f;
     // How far the coarseness moves in a sixtieth of a second, where a picture takes twice its budget; from
-    // `play` to `draft` that is a fifth of a second. It improves at half that speed at most: viewers notice a
-    // late picture, but hardly a coarse one. At pictures that take kFarTooLong times their budget it moves by
-    // a whole step, which is expected to halve the time of tracing.
+    // `play` to `draft` that is a seventh of a second. It improves at half that speed at most: viewers notice
+    // a late picture, but hardly a coarse one. At pictures that take kFarTooLong times their budget it moves
+    // by a whole step.
     static constexpr float kMove = 0.12f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
     // Not quite `film`, which takes more samples of textures: that step would be seen.
     static constexpr float kBest = 0.1f;
@@ -53,8 +53,8 @@ struct Governor {
     // scenes.
     static constexpr float kGrowth = 2.5f;
     // Another way is taken where its error is less than this share of that of now, for kWait sixtieths of a
-    // second; at the first picture of a scene at once. From kSettled sixtieths of a scene on, each change
-    // makes the next one harder, so the way cannot swing.
+    // second; at the first picture of a scene at once. Changes in the first kSettled sixtieths of a scene are
+    // free; each later one makes the next harder, so the way cannot swing.
     static constexpr float kClearly = 0.65f;
     static constexpr int kWait = 20, kSettled = 90;
     // The next picture may be this late before pictures are left out for it.
@@ -64,13 +64,12 @@ struct Governor {
 
     static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
     static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
-    // The share of a picture's width that a step of coarseness takes: about half of the time, as a step of
-    // quality does.
+    // The share of a picture's width that a step of coarseness takes: about half of the time.
     static constexpr float kShrink = 0.35f;
     // Pixels. Where fewer are traced than shown, quality stays as it is, and the coarseness does not move
     // while pictures take within kCalm of their budget, so that their size does not go to and fro. Scaling up
-    // blurs all alike, so kLeastFewer steps are the least that is worth it. Better quality than `draft` is
-    // tried where there is time for tracing that takes kCliff times as long: only it samples within pixels.
+    // blurs all alike, so fewer than kLeastFewer steps are not worth it. Quality better than `draft` samples
+    // within pixels and costs kCliff times as much: it is tried where there is time for that.
     static constexpr int kWidthStep = 16;
     static constexpr float kCalm = 0.06f, kLeastFewer = 0.06f, kCliff = 1.28f;
 

@@ -7,9 +7,9 @@
 
 namespace odraz {
 
-// What scenes lose was measured by build/seen at `play` and nearly `film`, then moved to what is seen best on
-// machines of 16 to 64 G instructions a second. tools/measure/seen/costs says how much work a step of
-// coarseness saves.
+// What scenes lose was measured by build/seen at `play` and nearly `film`, then adjusted by hand to what is
+// seen best on machines of 16 to 64 G instructions a second. tools/measure/seen/costs says how much work a
+// step of coarseness saves.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point", .pose = posePoint, .id = kPoint, .halving = 17, .lost = {4, 7, 7, 12}},
     {.name = "table", .pose = poseTable, .id = kTable, .lost = {4, 10, 13, 35}},

@@ -23,7 +23,7 @@ constexpr float kAlike = 0.06f, kAlikeInFloor = 0.09f;
 // How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. Beyond
 // kTorn what only one picture shows of the ball does not count. Beyond kGhosts the allowance shrinks: both
 // pictures may show the same colour on either side of a thing that they show elsewhere. What glass shows
-// moves up to twenty times as fast.
+// moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down
@@ -32,6 +32,7 @@ constexpr float kAside = 0.33f;
 constexpr float kFetchedShare = 0.2f;        // of such a pixel's radiance
 constexpr int kInside = kTile * kTile;       // added to the number of a pixel that one shape fills
 constexpr int kMostAnew = kTile * kTile / 8; // pixels; a tile with more is traced as a whole
+
 } // namespace
 
 struct BetweenScratch {
@@ -347,8 +348,8 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Trac
     carryTo(after, now, between.carry[1]);
     findTrust(before, after, now, gap, between.carry, between.trust);
     Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
-    // Mirrors and glass must look as in the traced pictures, or they flicker. But what is traced here is seen
-    // for a sixtieth of a second
+    // Mirrors and glass must look as in the traced pictures, or they flicker. But it is seen for a sixtieth
+    // of a second only, so twice the thresholds do
     Quality anew = quality;
     anew.fine = max(anew.fine, 2), anew.coarse = 32;
     anew.threshold *= 2, anew.markThreshold *= 2, anew.edge *= 2;

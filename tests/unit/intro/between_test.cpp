@@ -216,7 +216,7 @@ TEST(Between, IsOfTheSlotsThatAreNamed) {
     EXPECT_EQ(bytes(between(intro, 1, 0)), first);
 }
 
-// ... at moments of the whole film, by all ways.
+// The result does not depend on the number of threads: at moments of the whole film, the gaps in turn.
 TEST(Between, IsTheSameForAllThreads) {
     bool hall = !kSanitized;
     Loaded one(1, hall), five(5, hall);
