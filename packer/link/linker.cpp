@@ -136,7 +136,7 @@ Words Linker::command(const Linked &to, const Words &flags) const {
 std::string Linker::assemble(const std::string &name, const std::string &source) const {
     save(file(name + ".s"), source.data(), source.size());
     Outcome outcome = runKept({compiler, "-c", file(name + ".s"), "-o", file(name + ".o")}, options.tell);
-    if (outcome.status) throw odraz::Refused("the compiler cannot assemble: " + explainLink(outcome.said));
+    if (outcome.status) throw common::Refused("the compiler cannot assemble: " + explainLink(outcome.said));
     return file(name + ".o");
 }
 
@@ -149,12 +149,12 @@ Facts Linker::linkFirst() {
     if (code == Code::kGcc) add(words, {"-flto-partition=one", "-save-temps"});
     add(words, options.inputs);
     Outcome outcome = runKept(words, options.tell);
-    if (outcome.status) throw odraz::Refused(explainLink(outcome.said));
+    if (outcome.status) throw common::Refused(explainLink(outcome.said));
 
     Facts facts = {};
     Taken taken = readLinkerMap(readText(to.map));
     if (taken.files.empty())
-        throw odraz::Refused("the linker's map is not that of GNU ld: leave -fuse-ld out");
+        throw common::Refused("the linker's map is not that of GNU ld: leave -fuse-ld out");
     Words compiled;
     for (const std::string &path : taken.files)
         if (path.rfind(folder, 0) == 0 && path.find(".ltrans") != std::string::npos) compiled.push_back(path);

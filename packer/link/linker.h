@@ -26,7 +26,7 @@ class Linker {
 public:
     Linker(const Options &options, const std::string &folder);
 
-    // The first link; throws odraz::Refused if it fails, with the reason in one line.
+    // The first link; throws common::Refused if it fails, with the reason in one line.
     Facts linkFirst();
 
     // These throw Unsuitable if it cannot be linked so. `name` names the files.

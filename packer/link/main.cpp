@@ -17,15 +17,15 @@ namespace linking = pack::linking;
 std::string findPacker() {
     std::string beside = linking::ownFolder() + "/pack";
     if (std::filesystem::exists(beside)) return beside;
-    throw odraz::Refused("there is no " + beside + ": pack must lie beside pack-link");
+    throw common::Refused("there is no " + beside + ": pack must lie beside pack-link");
 }
 
-int packLink(odraz::Arguments &arguments) {
+int packLink(common::Arguments &arguments) {
     setenv("LC_ALL", "C", 1); // what the linker says is read
     try {
         linking::Options options = linking::parseOptions(arguments);
         linking::catchSignals();
-        odraz::TemporaryFolder folder;
+        common::TemporaryFolder folder;
         std::string path = folder / "";
         path.pop_back();
         linking::Tries tries(options, path, findPacker());
@@ -33,15 +33,15 @@ int packLink(odraz::Arguments &arguments) {
         std::fputs(tries.print().c_str(), stdout);
         return tries.finish();
     } catch (const pack::Unsuitable &e) {
-        throw odraz::Refused(e.what());
+        throw common::Refused(e.what());
     } catch (const std::filesystem::filesystem_error &e) {
-        throw odraz::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +
-                             e.code().message());
+        throw common::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +
+                              e.code().message());
     }
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
-    return odraz::runProgram("pack-link", linking::kUsage, argc, argv, packLink);
+    return common::runProgram("pack-link", linking::kUsage, argc, argv, packLink);
 }

@@ -37,13 +37,13 @@ bool begins(const std::string &word, const char *with) { return word.rfind(with,
 void refuseForeign(const std::string &word) {
     for (const char *other : {"-static-pie", "-pie", "-shared", "-r", "-c", "-nostdlib", "-nostartfiles"})
         if (word == other)
-            throw odraz::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
-                                        "pack-link --help");
+            throw common::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
+                                         "pack-link --help");
     for (const char *other : {"-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"})
         if (word == other)
-            throw odraz::Refused(word +
-                                 ": nothing can import from what pack-link makes; link such a program with "
-                                 "cc, and pack that");
+            throw common::Refused(word +
+                                  ": nothing can import from what pack-link makes; link such a program with "
+                                  "cc, and pack that");
 }
 
 // Words that stand in many a line with cc -o and change nothing here.
@@ -55,7 +55,7 @@ bool isIgnored(const std::string &word) {
 
 // Words for linking that the compiler is to have.
 bool isForCompiler(const std::string &word) {
-    if (begins(word, "-fsanitize")) throw odraz::Refused("a program with " + word + " cannot be packed");
+    if (begins(word, "-fsanitize")) throw common::Refused("a program with " + word + " cannot be packed");
     for (const char *with : {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"})
         if (begins(word, with)) return true;
     return word == "-pthread" || word == "-static-libgcc" || word == "-static-libstdc++";
@@ -71,15 +71,15 @@ bool isForPacker(const std::string &word) {
 void takeFile(const std::string &word, Options &o) {
     switch (kindOf(word)) {
     case FileKind::kMissing:
-        if (std::filesystem::is_directory(word)) throw odraz::Refused(word + " is a folder");
-        throw odraz::Refused("there is no file " + word);
+        if (std::filesystem::is_directory(word)) throw common::Refused(word + " is a folder");
+        throw common::Refused("there is no file " + word);
     case FileKind::kProgram:
-        throw odraz::Refused(word + " is a program: give the object files that it was linked from");
+        throw common::Refused(word + " is a program: give the object files that it was linked from");
     case FileKind::kOther:
-        throw odraz::Refused(word +
-                             " is no object file: compile it first (cc -Os -c; more in pack-link --help)");
+        throw common::Refused(word +
+                              " is no object file: compile it first (cc -Os -c; more in pack-link --help)");
     case FileKind::kThinArchive:
-        throw odraz::Refused(word + " is a thin archive: make it with ar rcs, without T");
+        throw common::Refused(word + " is a thin archive: make it with ar rcs, without T");
     default:
         o.inputs.push_back(word);
     }
@@ -87,10 +87,10 @@ void takeFile(const std::string &word, Options &o) {
 
 std::string wayOf(const std::string &word) {
     if (word == "dynamic" || word == "imports" || word == "static") return word;
-    throw odraz::Refused("--way is dynamic, imports or static, not '" + word + "'");
+    throw common::Refused("--way is dynamic, imports or static, not '" + word + "'");
 }
 
-void takePacking(const std::string &word, odraz::Arguments &arguments, Options &o) {
+void takePacking(const std::string &word, common::Arguments &arguments, Options &o) {
     std::string value = arguments.value(word);
     Words &to = word == "--model" ? o.model : o.packing;
     to.insert(to.end(), {word, value});
@@ -99,7 +99,7 @@ void takePacking(const std::string &word, odraz::Arguments &arguments, Options &
 
 } // namespace
 
-Options parseOptions(odraz::Arguments &arguments) {
+Options parseOptions(common::Arguments &arguments) {
     Options o;
     bool files = false;
     while (const char *next = arguments.next()) {
@@ -135,9 +135,9 @@ Options parseOptions(odraz::Arguments &arguments) {
     for (const std::string &input : o.inputs) {
         std::error_code ignored;
         if (std::filesystem::equivalent(input, o.out, ignored))
-            throw odraz::Refused(input + " would be written over: give another name with -o");
+            throw common::Refused(input + " would be written over: give another name with -o");
     }
-    if (!files) throw odraz::Refused("it takes object files to link; see pack-link --help");
+    if (!files) throw common::Refused("it takes object files to link; see pack-link --help");
     return o;
 }
 

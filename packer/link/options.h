@@ -3,7 +3,7 @@
 
 #include "process.h"
 
-namespace odraz {
+namespace common {
 class Arguments;
 }
 
@@ -19,7 +19,7 @@ struct Options {
     bool tell = false;                              // the commands
 };
 
-// Throws odraz::Refused.
-Options parseOptions(odraz::Arguments &arguments);
+// Throws common::Refused.
+Options parseOptions(common::Arguments &arguments);
 
 } // namespace pack::linking

@@ -51,8 +51,8 @@ pid_t start(const Words &command, int output) {
     int wrong = posix_spawnp(&child, words[0], &actions, nullptr, words.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (wrong)
-        throw odraz::Refused("cannot run " + command[0] + " (" + std::strerror(wrong) +
-                             "): install gcc or clang, or name a compiler with --cc");
+        throw common::Refused("cannot run " + command[0] + " (" + std::strerror(wrong) +
+                              "): install gcc or clang, or name a compiler with --cc");
     theChild = child;
     if (theSignal) kill(child, SIGTERM);
     return child;

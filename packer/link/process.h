@@ -15,7 +15,7 @@ struct Outcome {
 
 // Waits for the command to end. Its outputs are kept, or they are ours. With `tell` the command is printed
 // first, on stderr. Throws std::runtime_error if a signal asks this program to end meanwhile (catchSignals),
-// and odraz::Refused if there is no such program.
+// and common::Refused if there is no such program.
 Outcome runKept(const Words &command, bool tell);
 Outcome runShown(const Words &command, bool tell);
 

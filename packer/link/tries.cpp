@@ -170,7 +170,7 @@ void Tries::run() {
     if (asked("static")) tryStatic();
     for (const Try &t : tries)
         if (t.isPacked()) return;
-    throw odraz::Refused(tries.front().way + ": " + tries.front().detail);
+    throw common::Refused(tries.front().way + ": " + tries.front().detail);
 }
 
 const Try &Tries::best() const {
@@ -205,7 +205,7 @@ Words Tries::namesOfIntermediate() const {
         std::string to = folder + "/names";
         if (!names.status && writeFile(to, names.said.data(), names.said.size(), false))
             return {"--symbols", to};
-    } catch (const odraz::Refused &) {
+    } catch (const common::Refused &) {
     }
     return {};
 }

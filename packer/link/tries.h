@@ -20,7 +20,7 @@ public:
     Tries(const Options &options, const std::string &folder, const std::string &packer)
         : options(options), packer(packer), folder(folder), linker(options, folder) {}
 
-    // Throws odraz::Refused if the program cannot be linked at all, or not in the way that was asked for.
+    // Throws common::Refused if the program cannot be linked at all, or not in the way that was asked for.
     void run();
     // The smallest; one at least is packed.
     const Try &best() const;

@@ -40,7 +40,7 @@ maker/source    base timeline maker/source
 maker/live_content.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
 maker/live_tables.cpp base timeline trace sound radiosity transfer show intro.h inside.h maker
 maker/panel     base timeline intro.h show/font.h trace/rays/view.h maker/panel
-maker/panel/compare.cpp base maker/panel tools/measure/detect/flip.h
+maker/panel/compare.cpp base maker/panel tools/picture/flip.h
 maker/panel/backstage.cpp base inside.h show maker/panel
 maker/panel/probe.cpp base show trace maker/panel
 main_debug.cpp  base host timeline intro.h options.h play record.h film.h maker maker/panel/input.h maker/panel/steps.h
@@ -93,7 +93,7 @@ obeys() { # obeys RULES QUOTE
 there() { # what is included lies in intro/, unless it is generated; makers also have FLIP
     local file included missing=0
     while read -r file included; do
-        [ -e "$SOURCE/intro/$included" ] || [ "$included" = version.h ] || [ "$included" = film.h ] || [ "$file $included" = "maker/panel/compare.cpp tools/measure/detect/flip.h" ] || { echo "    $file includes $included, which is not in intro/" >&2; missing=1; }
+        [ -e "$SOURCE/intro/$included" ] || [ "$included" = version.h ] || [ "$included" = film.h ] || [ "$file $included" = "maker/panel/compare.cpp tools/picture/flip.h" ] || { echo "    $file includes $included, which is not in intro/" >&2; missing=1; }
     done <"$WORK/includes"
     return $missing
 }
@@ -119,7 +119,7 @@ for violation in "base/text.h host/files.h" "timeline/shot.h show/show.h" "trace
     "radiosity/solve.h transfer/relight.h" "transfer/room.h show/hall.h" "show/hall.cpp host/headless.h" "start/start.cpp trace/picture/frame.h" \
     "start/early.cpp show/show.h" "play/player.cpp inside.h" "play/player.cpp trace/picture/frame.h" "play/music.cpp start/early.h" \
     "output/dump.cpp inside.h" "output/wav.cpp play/music.h" "output/wav.cpp sound/mixer.h" "start/start.cpp output/dump.h" "show/film.cpp play/film_clock.h" "intro.cpp play/player.h" \
-    "main_debug.cpp output/dump.h" "main_debug.cpp maker/panel/probe.h" "maker/panel/strip.cpp show/show.h" "play/player.cpp maker/panel/panel.h" "maker/panel/canvas.cpp tools/measure/detect/flip.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "host/windows/files.cpp host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "start/start.cpp host/windows/windows.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
+    "main_debug.cpp output/dump.h" "main_debug.cpp maker/panel/probe.h" "maker/panel/strip.cpp show/show.h" "play/player.cpp maker/panel/panel.h" "maker/panel/canvas.cpp tools/picture/flip.h" "main.cpp trace/quality.h" "host/files.h host/linux/sys.h" "host/windows/files.cpp host/linux/sys.h" "start/memory.cpp host/linux/sys.h" "start/start.cpp host/windows/windows.h" "intro.cpp host/files.h" "new/room.cpp base/text.h" "new.cpp base/text.h"; do
     check "(it would be found that ${violation/ / includes })" finds "$WORK/rules" "$violation"
 done
 for violation in "host/window.h X11/Xlib.h" "show/hall.cpp GL/gl.h" "start/start.cpp unistd.h" "trace/picture/frame.cpp vector"; do

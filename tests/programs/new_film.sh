@@ -26,7 +26,7 @@ interrupted() { # while it builds; children of the terminal's group end, too
     wait $pid
     [ $? = 130 ]
 }
-if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libstb-dev 2>&1 | grep -v 'ok installed')" ]; then
+if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev 2>&1 | grep -v 'ok installed')" ]; then
     check "it is interrupted" interrupted "$to"
     check "... and leaves nothing" test ! -e "$to"
     mkdir "$to"

@@ -78,7 +78,7 @@ Exported::Exported(const std::string &folder, const std::string &name) {
             ofChart[(size_t)t.chart].push_back((int)triangles.size());
             triangles.push_back(t);
         }
-    gltf = readWhole(folder + "/model.gltf"), binary = readWhole(folder + "/model.bin");
+    gltf = common::readWhole(folder + "/model.gltf"), binary = common::readWhole(folder + "/model.bin");
 }
 
 bool Exported::shows(int chart, Vec3 p, Rgb &radiance) const {

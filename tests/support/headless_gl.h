@@ -2,7 +2,7 @@
 #pragma once
 
 #include "host/headless.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "show/show.h"
 #include "tests/support/threads.h"
-#include "tools/common/heap_arena.h"
-#include "tools/common/statistics.h"
+#include "tools/engine/heap_arena.h"
+#include "tools/picture/psnr.h"
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
@@ -76,7 +76,7 @@ inline double decibels(const TracedPicture &a, const TracedPicture &b) {
         double d = a.frame.rgba[i] - b.frame.rgba[i];
         squares += d * d;
     }
-    return psnr(squares, bytes / 4 * 3);
+    return pictures::psnr(squares, bytes / 4 * 3);
 }
 
 } // namespace odraz

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <cstring>
 
-namespace odraz {
+namespace common {
 
 std::string Arguments::value(const std::string &option) {
     if (const char *word = next()) return word;
@@ -79,4 +79,4 @@ int runProgram(const char *name, const char *usage, int argc, char **argv, int (
     }
 }
 
-} // namespace odraz
+} // namespace common

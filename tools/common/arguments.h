@@ -1,16 +1,11 @@
-// The words of a command line, and how every tool reports errors: one line on stderr that begins with the
-// program's name. Exit status 2: the program was used wrongly; 1: it failed.
+// The command line of programs that are not yet read by command_line.h, which replaces this.
 #pragma once
 
-#include <stdexcept>
+#include "tools/common/command_line.h"
+
 #include <string>
 
-namespace odraz {
-
-// The user gave something wrong: words, or files that are not what they should be.
-struct Refused : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+namespace common {
 
 // Takes the words one after the other. A function that asks for a value throws Refused if there is none, or
 // if it does not fit.
@@ -43,4 +38,4 @@ private:
 // reports what it throws. Returns the exit status.
 int runProgram(const char *name, const char *usage, int argc, char **argv, int (*body)(Arguments &));
 
-} // namespace odraz
+} // namespace common

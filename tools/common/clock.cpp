@@ -4,7 +4,7 @@
 
 #include <ctime>
 
-namespace odraz {
+namespace common {
 
 static double secondsOf(clockid_t clock) {
     timespec t;
@@ -31,4 +31,4 @@ double medianMs(const std::function<void()> &call, int rounds) {
     return median(times);
 }
 
-} // namespace odraz
+} // namespace common

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-namespace odraz {
+namespace common {
 
 double processorSeconds(); // of all threads of this process
 double threadSeconds();    // of this thread
@@ -13,4 +13,4 @@ double wallSeconds();      // since an arbitrary moment
 // 10 ms together.
 double medianMs(const std::function<void()> &call, int rounds = 9);
 
-} // namespace odraz
+} // namespace common

@@ -1,6 +1,6 @@
 #include "tools/common/new_folder.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 
 #include <cerrno>
@@ -9,7 +9,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace odraz {
+namespace common {
 
 NewFolder::NewFolder(std::string named) : path(std::move(named)) {
     while (path.size() > 1 && path.back() == '/') path.pop_back();
@@ -45,4 +45,4 @@ void NewFolder::fail() const {
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
 }
 
-} // namespace odraz
+} // namespace common

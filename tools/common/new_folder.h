@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace odraz {
+namespace common {
 
 class NewFolder {
 public:
@@ -24,4 +24,4 @@ private:
     [[noreturn]] void fail() const;
 };
 
-} // namespace odraz
+} // namespace common

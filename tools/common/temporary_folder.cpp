@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-namespace odraz {
+namespace common {
 
 TemporaryFolder::TemporaryFolder() {
     std::error_code none;
@@ -22,4 +22,4 @@ TemporaryFolder::~TemporaryFolder() {
     std::filesystem::remove_all(path, ignored);
 }
 
-} // namespace odraz
+} // namespace common

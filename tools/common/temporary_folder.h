@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace odraz {
+namespace common {
 
 class TemporaryFolder {
 public:
@@ -17,4 +17,4 @@ private:
     std::string path;
 };
 
-} // namespace odraz
+} // namespace common

@@ -1,16 +1,15 @@
 #include "tools/common/whole_file.h"
 
-#include "tools/common/arguments.h"
-
-#include "files.h"
+#include "tools/common/command_line.h"
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace odraz {
+namespace common {
 
 static constexpr long kMostBytes = 4l << 30;
 
@@ -53,14 +52,45 @@ std::string readStart(const std::string &path, size_t size) {
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
 void checkWritable(const std::string &path) {
+    struct stat s;
+    bool exists = stat(path.c_str(), &s) == 0;
+    if (exists && S_ISDIR(s.st_mode)) throw Refused("cannot write " + path + ": it is a folder");
     size_t slash = path.rfind('/');
     std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-    if (access(folder.c_str(), W_OK) != 0) throw Refused(cannot("write", path));
+    bool direct = exists && !S_ISREG(s.st_mode);
+    if (access(direct ? path.c_str() : folder.c_str(), W_OK) != 0) throw Refused(cannot("write", path));
 }
 
-void writeWhole(const std::string &path, const std::string &text) {
-    if (!pack::writeFile(path, text.data(), text.size(), false))
-        throw std::runtime_error(cannot("write", path));
+// Writes all bytes and closes the file. Returns 0, or what went wrong as errno.
+static int writeAndClose(int file, std::string_view bytes) {
+    int wrong = 0;
+    while (!bytes.empty() && !wrong) {
+        ssize_t n = write(file, bytes.data(), bytes.size());
+        if (n > 0)
+            bytes.remove_prefix((size_t)n);
+        else
+            wrong = n < 0 ? errno : ENOSPC;
+    }
+    if (close(file) && !wrong) wrong = errno;
+    return wrong;
 }
 
-} // namespace odraz
+void writeWhole(const std::string &path, std::string_view bytes, bool executable) {
+    struct stat s;
+    bool direct = stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
+    std::string part = path;
+    int file = direct ? open(path.c_str(), O_WRONLY) : -1;
+    if (!direct) errno = EEXIST;
+    for (int i = 0; i < 100 && file < 0 && errno == EEXIST; ++i) {
+        part = path + "." + std::to_string(getpid() + i) + ".part";
+        file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, executable ? 0777 : 0666);
+    }
+    if (file < 0) throw std::runtime_error(cannot("write", path));
+    int wrong = writeAndClose(file, bytes);
+    if (!direct && !wrong && rename(part.c_str(), path.c_str())) wrong = errno;
+    if (!direct && wrong) unlink(part.c_str());
+    errno = wrong;
+    if (wrong) throw std::runtime_error(cannot("write", path));
+}
+
+} // namespace common

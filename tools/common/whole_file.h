@@ -5,12 +5,13 @@
 #include <string>
 #include <string_view>
 
-namespace odraz {
+namespace common {
 
-// Throws Refused (arguments.h) with a line that names the file and the reason.
+// Reads a regular file of at most 4 GB. Throws Refused (command_line.h) with a line that names the file and
+// the reason.
 std::string readWhole(const std::string &path);
 
-// The same where a copy would take too long. Aligned as memory from new is.
+// The same without a copy. The bytes are aligned as memory from new is.
 struct WholeFile {
     std::unique_ptr<char[]> bytes;
     size_t size = 0;
@@ -21,11 +22,11 @@ WholeFile readWholeFile(const std::string &path);
 // Its first `size` bytes, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
 
-// Throws Refused if a file surely cannot be written: better to say so before minutes of work than after them.
+// Throws Refused if a file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);
 
-// Writes a file beside `path` and renames it. Throws std::runtime_error with a line that names the file and
-// the reason.
-void writeWhole(const std::string &path, const std::string &text);
+// Writes a file beside `path` and renames it; a pipe or a device is written to directly. Throws
+// std::runtime_error with a line that names the file and the reason.
+void writeWhole(const std::string &path, std::string_view bytes, bool executable = false);
 
-} // namespace odraz
+} // namespace common

@@ -1,6 +1,8 @@
 #include "tools/picture/picture.h"
 
-#include "files.h"
+#include "tools/common/command_line.h"
+#include "tools/common/whole_file.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,37 +17,37 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-bool readPicture(const std::string &path, Picture &p) {
+namespace pictures {
+
+Image readPicture(const std::string &path) {
+    Image p;
     int channels;
     uint8_t *data = stbi_load(path.c_str(), &p.width, &p.height, &channels, 3);
-    if (!data) return false;
+    if (!data) throw common::Refused("cannot read a picture from " + path);
     p.rgb.assign(data, data + (size_t)p.width * (size_t)p.height * 3);
     stbi_image_free(data);
-    return true;
+    return p;
 }
 
-bool readLinear(const std::string &path, int by, Picture &p) {
+Image readLinear(const std::string &path, int by) {
     int width, height, channels;
-    uint16_t *data = stbi_load_16(path.c_str(), &width, &height, &channels, 3);
-    if (!data) return false;
-    bool divides = width % by == 0 && height % by == 0;
-    p.width = width / by;
-    p.height = height / by;
-    p.rgb.assign((size_t)p.width * (size_t)p.height * 3, 0);
-    for (size_t i = 0; divides && i < p.rgb.size(); ++i) {
+    std::unique_ptr<uint16_t, void (*)(void *)> data(
+        stbi_load_16(path.c_str(), &width, &height, &channels, 3), stbi_image_free);
+    if (!data || width % by || height % by)
+        throw common::Refused("cannot read a picture that " + std::to_string(by) + " divides from " + path);
+    Image p = {width / by, height / by, {}};
+    p.rgb.resize((size_t)p.width * (size_t)p.height * 3);
+    for (size_t i = 0; i < p.rgb.size(); ++i) {
         size_t c = i % 3, x = i / 3 % (size_t)p.width * (size_t)by, y = i / 3 / (size_t)p.width * (size_t)by;
         double sum = 0;
         for (size_t v = y; v < y + (size_t)by; ++v)
-            for (size_t u = x; u < x + (size_t)by; ++u) sum += data[(v * (size_t)width + u) * 3 + c];
-        double linear = sum / (65535. * by * by);
-        double shown = linear > 0.0031308 ? 1.055 * std::pow(linear, 1 / 2.4) - 0.055 : 12.92 * linear;
-        p.rgb[i] = (uint8_t)(shown * 255 + 0.5);
+            for (size_t u = x; u < x + (size_t)by; ++u) sum += data.get()[(v * (size_t)width + u) * 3 + c];
+        p.rgb[i] = (uint8_t)(srgbOfLinear((float)(sum / (65535. * by * by))) * 255 + 0.5f);
     }
-    stbi_image_free(data);
-    return divides;
+    return p;
 }
 
-bool readPpm(std::FILE *stream, Picture &p) {
+bool readPpm(std::FILE *stream, Image &p) {
     int most;
     if (std::fscanf(stream, "P6 %d %d %d", &p.width, &p.height, &most) != 3 || most != 255 ||
         std::fgetc(stream) == EOF)
@@ -55,18 +57,19 @@ bool readPpm(std::FILE *stream, Picture &p) {
     return std::fread(p.rgb.data(), 1, p.rgb.size(), stream) == p.rgb.size();
 }
 
-bool writePng(const std::string &path, const Picture &p) {
+void writePng(const std::string &path, const Image &p) {
     stbi_write_png_compression_level = 9;
     std::string png;
     auto append = [](void *to, void *bytes, int size) {
         ((std::string *)to)->append((const char *)bytes, (size_t)size);
     };
-    return stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3) &&
-           pack::writeFile(path, png.data(), png.size(), false);
+    if (!stbi_write_png_to_func(append, &png, p.width, p.height, 3, p.rgb.data(), p.width * 3))
+        throw std::runtime_error("there is not enough memory for " + path);
+    common::writeWhole(path, png);
 }
 
-Picture shrink(const Picture &p, int width) {
-    Picture small;
+Image shrink(const Image &p, int width) {
+    Image small;
     small.width = std::min(width, p.width);
     small.height = std::max(1, (int)((int64_t)p.height * small.width / p.width));
     small.rgb.resize((size_t)small.width * (size_t)small.height * 3);
@@ -85,3 +88,5 @@ Picture shrink(const Picture &p, int width) {
         }
     return small;
 }
+
+} // namespace pictures

@@ -123,7 +123,7 @@ constexpr char kUsage[] =
     "  --padding N        texels around every polygon's, 1 to 64 (default 2)\n"
     "  --page PX          longest side of a page, 256 to 16384 (default 8192)\n";
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     const char *word = words.next();
     std::string what = word ? word : "";
     if (what == "generate") return runGenerate(words);
@@ -133,10 +133,10 @@ int run(Arguments &words) {
     if (what == "render") return runRender(words);
     if (what == "study") return runStudy(words);
     if (what == "view") return runView(words);
-    throw Refused(
+    throw common::Refused(
         "say what to do: generate, solve, transfer, export, render, study or view; see radiosity --help");
 }
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("radiosity", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("radiosity", kUsage, argc, argv, run); }

@@ -1,6 +1,6 @@
 #include "maker/panel/compare.h"
 
-#include "tools/measure/detect/flip.h"
+#include "tools/picture/flip.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +12,18 @@ Kept Kept::of(const Picture &p) {
     return {p.width, p.height, {p.rgba, p.rgba + (size_t)p.width * (size_t)p.height * 4}};
 }
 
-static SeenPicture seen(const uint8_t *rgba, int width, int height) {
+static pictures::SeenPicture seen(const uint8_t *rgba, int width, int height) {
     size_t pixels = (size_t)width * (size_t)height;
     std::vector<uint8_t> rgb(pixels * 3);
     for (size_t i = 0; i < pixels; ++i) std::copy_n(rgba + i * 4, 3, rgb.data() + i * 3);
-    return see(rgb, width, height);
+    return pictures::see(rgb, width, height);
 }
 
 Difference differenceOf(const Kept &reference, const Picture &test, float least) {
     Difference d;
     if (!reference.fits(test)) return d;
-    d.flip =
-        flip(seen(reference.rgba.data(), test.width, test.height), seen(test.rgba, test.width, test.height));
+    d.flip = pictures::flip(seen(reference.rgba.data(), test.width, test.height),
+                            seen(test.rgba, test.width, test.height));
     for (float f : d.flip) d.mean += f;
     d.mean /= (double)d.flip.size();
     std::vector<float> sorted = d.flip;

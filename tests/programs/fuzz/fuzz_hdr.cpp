@@ -29,7 +29,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             float up = (float)(k % 21) / 10 - 1, flat = std::sqrt(std::max(1 - up * up, 0.f));
             mustBeLight(sky.radiance({flat * std::cos((float)k), up, flat * std::sin((float)k)}));
         }
-    } catch (const Refused &) {
+    } catch (const common::Refused &) {
     }
     return 0;
 }

@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         }
         for (int chart : regions.chartOf)
             if (chart < -1 || chart >= model->chartCount) std::abort();
-    } catch (const Refused &) {
+    } catch (const common::Refused &) {
     }
     return 0;
 }

@@ -1,6 +1,6 @@
 // For libFuzzer: whatever a room's file holds, `radiosity` refuses it with a line or can relight it. The
 // input is the file after its checksum, which is then computed. It writes into the current folder.
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/transfer/environment.h"

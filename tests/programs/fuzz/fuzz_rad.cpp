@@ -1,7 +1,7 @@
 // For libFuzzer: whatever a solution's file holds, `radiosity` refuses it with a line or can work with it.
 // The input is the file after its checksum, which is then computed: otherwise no input would pass it. It
 // writes into the current folder.
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"

@@ -2,7 +2,7 @@
 // and in-betweens of them.
 #include "inside.h"
 #include "tests/support/threads.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "trace/picture/enlarge.h"
 
 #include <gtest/gtest.h>

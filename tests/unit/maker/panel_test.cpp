@@ -1,6 +1,6 @@
 // The panel over pictures of the film, as odraz-debug uses it.
 #include "maker/panel/panel.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <chrono>
 #include <cstring>

@@ -38,7 +38,7 @@ public:
         return {std::istreambuf_iterator<char>(in), {}};
     }
     std::string build() const { return folder / "build"; }
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
 };
 
 // The next news other than that a build has begun, waiting for a minute at most.
@@ -118,7 +118,7 @@ TEST(Rebuilder, WatchesNewFolders) {
 }
 
 TEST(Rebuilder, SaysWhatItCannotWatch) {
-    TemporaryFolder empty;
+    common::TemporaryFolder empty;
     Rebuilder r(empty / "");
     double now = 0;
     EXPECT_NE(r.problem().find("no folder of a build"), std::string::npos);

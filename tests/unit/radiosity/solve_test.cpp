@@ -1,6 +1,6 @@
 // Solving for many right-hand sides, against closed forms.
 #include "radiosity/solve.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <gtest/gtest.h>
 

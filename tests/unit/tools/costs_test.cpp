@@ -74,14 +74,14 @@ TEST(Costs, NeverCrossACut) {
     EXPECT_NEAR(costs.of({0, 1, kSmall, 0}).parallel, 100e6, 1);
     EXPECT_NEAR(costs.of({15.9, 1, kSmall, 0}).parallel, 200e6, 1);
     EXPECT_NEAR(costs.of({16.1, 1, kSmall, 0}).parallel, 700e6, 1);
-    EXPECT_THROW(costs.of({30, 1, kSmall, 0}), Refused);
+    EXPECT_THROW(costs.of({30, 1, kSmall, 0}), common::Refused);
 }
 
 TEST(Costs, WhatIsWrongIsReported) {
     auto wrongIn = [](const std::string &text) -> std::string {
         try {
             Costs costs(text);
-        } catch (const Refused &why) {
+        } catch (const common::Refused &why) {
             return why.what();
         }
         return "";
@@ -105,7 +105,7 @@ TEST(Costs, WhatIsWrongIsReported) {
 
 // The table that the repository has is whole.
 TEST(Costs, EveryMomentOfTheFilmIsCounted) {
-    Costs costs(readWhole(kCostsFile));
+    Costs costs(common::readWhole(kCostsFile));
     for (double s = 0; s < 162; s += 0.25) {
         double last = 1e18;
         for (float level : {0.1f, 1.f, 1.5f, 2.f}) {

@@ -1,12 +1,12 @@
 // Compares FLIP with its definition: with dense filters in double precision (tests/support/flip_dense.py),
 // and with values computed by hand.
-#include "tools/common/statistics.h"
-#include "tools/measure/detect/flip.h"
+#include "tools/picture/flip.h"
+#include "tools/picture/psnr.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-using namespace odraz;
+using namespace pictures;
 
 namespace {
 

@@ -1,11 +1,13 @@
 // Plots: every point has its name as text, and nothing overlaps.
-#include "tools/common/labels.h"
-#include "tools/common/plot.h"
+#include "tools/picture/labels.h"
+#include "tools/picture/plot.h"
 
 #include <gtest/gtest.h>
 #include <random>
 #include <regex>
 #include <set>
+
+using namespace pictures;
 
 namespace {
 

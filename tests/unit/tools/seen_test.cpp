@@ -16,7 +16,7 @@ constexpr char kHead[] = "at,time,kind,level,width,height\n";
 std::string wrongIn(const std::string &rows) {
     try {
         parseShown(kHead + rows);
-    } catch (const Refused &why) {
+    } catch (const common::Refused &why) {
         return why.what();
     }
     return "";
@@ -30,8 +30,8 @@ TEST(Shown, ListsAreWrittenAndRead) {
 }
 
 TEST(Shown, WhatIsWrongIsReported) {
-    EXPECT_THROW(parseShown(""), Refused);
-    EXPECT_THROW(parseShown("at,time\n"), Refused);
+    EXPECT_THROW(parseShown(""), common::Refused);
+    EXPECT_THROW(parseShown("at,time\n"), common::Refused);
     EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n1,1\n").substr(0, 7), "line 3:");
     for (const char *row :
          {"1,1,made,1,64,36", "1,1,traced,3,64,36", "1,1,traced,nan,64,36", "1,1,traced,1,0,36",
@@ -123,9 +123,10 @@ TEST(Viewer, SeesWhatCostsWhat) {
     EXPECT_LT(pairs.meanFlip(), half.meanFlip());
     EXPECT_LT(half.meanFlip(), quarter.meanFlip());
     // Pictures larger than the screen cannot be shown
-    EXPECT_THROW(seenOf(viewer, {60, 1, 1, 640}, kFrom, kTo), Refused);
+    EXPECT_THROW(seenOf(viewer, {60, 1, 1, 640}, kFrom, kTo), common::Refused);
     // A late start is reported
-    EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, 1, 1, 320, 180), kFrom, kTo, film), Refused);
+    EXPECT_THROW(viewer.look(steady(kFrom + 0.1, kTo, 60, 1, 1, 320, 180), kFrom, kTo, film),
+                 common::Refused);
 }
 
 // What was seen does not depend on what was looked at before, though pictures are kept.
@@ -153,7 +154,7 @@ TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
 
 // A machine that is twice as fast is never seen to do worse.
 TEST(Viewer, SeesFasterMachinesDoBetter) {
-    Costs costs(readWhole(kCostsFile));
+    Costs costs(common::readWhole(kCostsFile));
     constexpr double kLength = 0.4; // in shorter ones it counts when the pictures fall
     Viewer viewer(128, 72, 28, 53);
     for (double from : {28., 52.5}) {

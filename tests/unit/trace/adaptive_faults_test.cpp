@@ -34,7 +34,7 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
             jumps += std::abs(change) > 48;
             ++count;
         }
-    double db = odraz::psnr(squares, (size_t)count / 4 * 3), share = 100. * jumps / count;
+    double db = pictures::psnr(squares, (size_t)count / 4 * 3), share = 100. * jumps / count;
     std::printf("flicker: %.1f dB, %.4f %% of values change by more than 48\n", db, share);
     EXPECT_GT(db, 36);
     EXPECT_LT(share, 0.05);

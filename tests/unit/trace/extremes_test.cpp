@@ -3,7 +3,7 @@
 // surfaces.
 #include "base/maths.h"
 #include "tests/support/stage.h"
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

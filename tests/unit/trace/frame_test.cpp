@@ -1,6 +1,6 @@
 #include "inside.h"
 #include "show/font.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 

@@ -1,6 +1,6 @@
 // Glare neither loses nor makes light, whatever the size of the picture and the number of threads.
 #include "tests/support/threads.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "trace/picture/development.h"
 #include "trace/picture/glare.h"
 

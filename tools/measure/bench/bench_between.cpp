@@ -1,9 +1,9 @@
 // bench_between: in-betweens at every fraction, compared with `draft` and `play` traced at the same moment.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/print.h"
-#include "tools/common/statistics.h"
+#include "tools/common/text.h"
 #include "tools/measure/detect/screening.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -30,7 +30,7 @@ struct Asked {
     std::vector<double> moments;
 };
 
-Asked read(Arguments &words) {
+Asked read(common::Arguments &words) {
     Asked asked;
     while (const char *word = words.next()) {
         std::string option = word;
@@ -62,14 +62,14 @@ void measure(Intro &intro, double s, const std::vector<int> &gaps) {
         double ms = 1e9; // the fastest counts
         std::vector<uint8_t> rgb;
         for (int i = 0; i < tries; ++i) {
-            double began = threadSeconds();
+            double began = common::threadSeconds();
             Picture made = make();
-            ms = std::min(ms, (threadSeconds() - began) * 1e3);
+            ms = std::min(ms, (common::threadSeconds() - began) * 1e3);
             rgb = rgbOf(made);
         }
         double anew = (double)tracedAnew(intro.between) / tries / (intro.width * intro.height);
         std::printf("%s,%g,%s,%.2f,%.2f,%.1f,%.4f\n", sceneName(sceneAt(s)), s, name.c_str(),
-                    linearPsnr(rgb, truth), psnr(rgb, truth), ms, anew);
+                    pictures::linearPsnr(rgb, truth), pictures::psnr(rgb, truth), ms, anew);
         std::fflush(stdout);
     };
     row("draft", 1, [&] { return picture(intro, 0, s, draft); });
@@ -79,12 +79,12 @@ void measure(Intro &intro, double s, const std::vector<int> &gaps) {
             picture(intro, 0, s - k * kSixtieth, play);
             picture(intro, 1, s + (gap - k) * kSixtieth, play);
             std::string name;
-            print(name, "%d/%d", k, gap);
+            common::append(name, "%d/%d", k, gap);
             row(name, 3, [&] { return between(intro, 0, 1, (double)k / gap); });
         }
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     Asked asked = read(words);
     IntroSettings settings = sizeFrom(asked.size);
     settings.pairs = true;
@@ -92,7 +92,7 @@ int run(Arguments &words) {
     auto [first, last] = std::minmax_element(asked.moments.begin(), asked.moments.end());
     double most = *std::max_element(asked.gaps.begin(), asked.gaps.end()) * kSixtieth;
     if (*first < most || *last > duration() - most)
-        throw Refused("such a moment is not between two pictures");
+        throw common::Refused("such a moment is not between two pictures");
     Theatre theatre(settings, workers, *first - most, *last + most);
     std::puts("scene,seconds,picture,linear_db,srgb_db,ms,anew");
     for (double s : asked.moments) measure(*theatre.intro, s, asked.gaps);
@@ -101,4 +101,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("bench_between", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("bench_between", kUsage, argc, argv, run); }

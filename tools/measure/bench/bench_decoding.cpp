@@ -25,7 +25,7 @@
 #include <unistd.h>
 #include <x86intrin.h>
 
-using odraz::Arguments;
+using common::Arguments;
 
 namespace {
 
@@ -103,7 +103,7 @@ Spent decodeOnce(const std::string &film, uint64_t modelMemory) {
     }
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     int rounds = 5;
     std::vector<std::string> films;
     while (const char *word = words.next()) {
@@ -119,12 +119,12 @@ int run(Arguments &words) {
     std::string table = "film,bytes decoded,ms until the program is entered,cycles a byte,MB at most\n";
     for (const std::string &film : films) {
         std::vector<uint8_t> file;
-        if (!pack::readFile(film.c_str(), file)) throw odraz::Refused("cannot read " + film);
+        if (!pack::readFile(film.c_str(), file)) throw common::Refused("cannot read " + film);
         pack::Packed packed;
         try {
             packed = pack::openPacked(file);
         } catch (const pack::Unsuitable &why) {
-            throw odraz::Refused(film + ": " + why.what());
+            throw common::Refused(film + ": " + why.what());
         }
         std::vector<double> seconds, kilobytes;
         for (int i = 0; i < rounds; ++i) {
@@ -132,11 +132,11 @@ int run(Arguments &words) {
             seconds.push_back(s.seconds);
             kilobytes.push_back(s.kilobytes);
         }
-        double took = odraz::median(seconds), size = packed.layout.size;
+        double took = common::median(seconds), size = packed.layout.size;
         char line[256];
         std::snprintf(line, sizeof line, "`%.99s`,%.0f,%.0f,%.0f,%.0f\n",
                       film.substr(film.rfind('/') + 1).c_str(), size, took * 1000, took * cycles / size,
-                      std::ceil(odraz::median(kilobytes) / 1024));
+                      std::ceil(common::median(kilobytes) / 1024));
         table += line;
     }
     std::fputs(table.c_str(), stdout);
@@ -146,6 +146,6 @@ int run(Arguments &words) {
 } // namespace
 
 int main(int argc, char **argv) {
-    return odraz::runProgram("bench_decoding", "usage: bench_decoding [--rounds N] [FILM...]\n", argc, argv,
-                             run);
+    return common::runProgram("bench_decoding", "usage: bench_decoding [--rounds N] [FILM...]\n", argc, argv,
+                              run);
 }

@@ -1,13 +1,14 @@
 // bench_effects: compares the film's effects on balls with path tracing, in whole pictures.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/heap_arena.h"
-#include "tools/common/machine.h"
 #include "tools/common/statistics.h"
 #include "tools/common/whole_file.h"
-#include "tools/measure/detect/flip.h"
+#include "tools/engine/heap_arena.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/effect_scenes.h"
 #include "tools/measure/oracle/reference_picture.h"
+#include "tools/picture/flip.h"
+#include "tools/picture/psnr.h"
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
@@ -80,8 +81,8 @@ std::vector<uint8_t> shown(const Radiances &picture) {
 
 void write(const std::string &path, const Radiances &picture) {
     std::vector<uint8_t> bytes = shown(picture);
-    writeWhole(path, "P6\n" + std::to_string(kWidth) + " " + std::to_string(kHeight) + "\n255\n" +
-                         std::string(bytes.begin(), bytes.end()));
+    common::writeWhole(path, "P6\n" + std::to_string(kWidth) + " " + std::to_string(kHeight) + "\n255\n" +
+                                 std::string(bytes.begin(), bytes.end()));
 }
 
 // How much a picture with the effect and one without it differ from the truth, as shares of the floor's
@@ -108,7 +109,7 @@ struct Differences {
                 most[i] = std::max(most[i], std::fabs(f - t));
             }
         without = root(sums[0]), withoutMean = sums[1], with = root(sums[2]), withMean = sums[3];
-        strength = sums[4] / sums[5], noise = root(sums[6]), worst = quantile(most, 0.99);
+        strength = sums[4] / sums[5], noise = root(sums[6]), worst = common::quantile(most, 0.99);
     }
     static double counted(double v) { return std::min(v / (double)kEffectShown, kBrightest); }
     static double root(double square) { return std::sqrt(std::max(square, 0.)); }
@@ -130,13 +131,14 @@ void measure(Film &film, const EffectScene &effect, bool bounces, const Effort &
 
     Differences d(without, with, half);
     std::vector<uint8_t> seen = shown(with), truth = shown(reference);
-    SeenPicture eye = see(truth, kWidth, kHeight);
+    pictures::SeenPicture eye = pictures::see(truth, kWidth, kHeight);
     std::printf("%s,%s,%.2f,%.2f,", effect.name, bounces ? "all bounces" : "direct", d.without * 100,
                 -d.withoutMean * 100);
     if (&effect != &effectScenes()[0]) std::printf("%.2f", d.strength); // the first scene has no effect
     std::printf(",%.2f,%.2f,%.2f,%.2f,%.1f,%.4f,%.4f\n", d.with * 100, d.withMean * 100, d.worst * 100,
-                d.noise * 100, linearPsnr(seen, truth), meanFlip(eye, see(shown(without), kWidth, kHeight)),
-                meanFlip(eye, see(seen, kWidth, kHeight)));
+                d.noise * 100, pictures::linearPsnr(seen, truth),
+                pictures::meanFlip(eye, pictures::see(shown(without), kWidth, kHeight)),
+                pictures::meanFlip(eye, pictures::see(seen, kWidth, kHeight)));
     std::fflush(stdout);
     if (keep.empty()) return;
     std::string name = keep + "/" + effect.name + (bounces ? ", all bounces" : "");
@@ -145,7 +147,7 @@ void measure(Film &film, const EffectScene &effect, bool bounces, const Effort &
     write(name + ", paths.ppm", reference);
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     std::set<std::string> only, known;
     std::string keep, names;
     Effort effort = kWhole;
@@ -155,7 +157,8 @@ int run(Arguments &words) {
         std::string w = word;
         if (w == "--only") {
             std::string name = words.value(w);
-            if (!known.count(name)) throw Refused("there is no scene '" + name + "'; there are:" + names);
+            if (!known.count(name))
+                throw common::Refused("there is no scene '" + name + "'; there are:" + names);
             only.insert(name);
         } else if (w == "--quick")
             effort = kQuick;
@@ -178,4 +181,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("bench_effects", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("bench_effects", kUsage, argc, argv, run); }

@@ -18,8 +18,8 @@
 #include <cstring>
 
 using namespace pack;
-using odraz::Arguments;
-using odraz::processorSeconds;
+using common::Arguments;
+using common::processorSeconds;
 
 namespace {
 
@@ -54,9 +54,9 @@ void packSample(const Sample &s, ModelParameters parameters, double effort, cons
     if (effort > 0)
         parameters = search(filter(s.bytes, layout), layout, parameters, effort,
                             [](const Progress &) { return true; });
-    double began = processorSeconds();
+    double began = common::processorSeconds();
     Encoded e = encode(s.bytes, layout, parameters, workspace);
-    double encoding = processorSeconds() - began;
+    double encoding = common::processorSeconds() - began;
     Program program = {};
     program.base = 0x400000;
     program.span = (uint32_t)wholePages(s.bytes.size());
@@ -66,9 +66,9 @@ void packSample(const Sample &s, ModelParameters parameters, double effort, cons
     program.early = kNothingEarly;
     program.slots[1] = 8;
     std::vector<uint8_t> packed = writePacked(program, parameters, e.payload);
-    began = processorSeconds();
+    began = common::processorSeconds();
     bool whole = decodeWithStub(packed) == s.bytes;
-    double decoding = processorSeconds() - began;
+    double decoding = common::processorSeconds() - began;
     if (!whole) throw std::runtime_error(s.name + " came back damaged");
     double size = (double)e.payload.size();
     std::printf(" %.0f |", size);
@@ -82,7 +82,7 @@ void packSample(const Sample &s, ModelParameters parameters, double effort, cons
     std::fflush(stdout);
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     double effort = 0;
     std::string film = "build/odraz-safe", only, model;
     while (const char *word = words.next()) {
@@ -97,7 +97,7 @@ int run(Arguments &words) {
         else
             words.refuse(word);
     }
-    odraz::TemporaryFolder folder;
+    common::TemporaryFolder folder;
     for (Peer &peer : thePeers) {
         peer.there =
             only.empty() && !std::system(("command -v " + std::string(peer.program) + " >/dev/null").c_str());
@@ -116,7 +116,7 @@ int run(Arguments &words) {
     for (const Sample &s : samples) {
         if (!only.empty() && s.name != only) continue;
         std::string path = folder / "sample";
-        odraz::writeWhole(path, {s.bytes.begin(), s.bytes.end()});
+        common::writeWhole(path, {(const char *)s.bytes.data(), s.bytes.size()});
         std::printf("| %s | %zu |", s.name.c_str(), s.bytes.size());
         long sizes[4] = {-1, -1, -1, -1};
         for (int i = 0; i < 4; ++i)
@@ -124,8 +124,8 @@ int run(Arguments &words) {
         packSample(s, defaultParameters(), effort, sizes);
         if (s.name != kWholeFilm || model.empty()) continue;
         ModelParameters itsOwn;
-        if (std::string wrong = parseParameters(odraz::readWhole(model), itsOwn); !wrong.empty())
-            throw odraz::Refused(model + ": " + wrong);
+        if (std::string wrong = parseParameters(common::readWhole(model), itsOwn); !wrong.empty())
+            throw common::Refused(model + ": " + wrong);
         std::printf("| ... with its own contexts | %zu |", s.bytes.size());
         for (int i = 0; i < 4; ++i)
             if (thePeers[i].there) std::printf(" %ld |", sizes[i]);
@@ -137,7 +137,7 @@ int run(Arguments &words) {
 } // namespace
 
 int main(int argc, char **argv) {
-    return odraz::runProgram("bench_pack",
-                             "usage: bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]\n",
-                             argc, argv, run);
+    return common::runProgram("bench_pack",
+                              "usage: bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]\n",
+                              argc, argv, run);
 }

@@ -1,8 +1,8 @@
 // How fast radiosity is: hemicubes, and whole solutions of the sizes in table 4.1 of the thesis.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/measure/oracle/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
@@ -30,16 +30,16 @@ double hemicubeMs(const Model &m, const Gl &gl, int px) {
             eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
     std::vector<double> times;
     for (int round = 0; round < 3; ++round) {
-        double began = processorSeconds();
+        double began = common::processorSeconds();
         for (size_t i = 0; i < eyes.size(); i += (size_t)h.batch) {
             int count = std::min((int)(eyes.size() - i), h.batch);
             drawHemicubes(h, m, &eyes[i], count);
             for (int k = 0; k < count; ++k) sumHemicube(h, k, sums.data(), row.data());
         }
-        times.push_back((processorSeconds() - began) * 1e3 / (double)eyes.size());
+        times.push_back((common::processorSeconds() - began) * 1e3 / (double)eyes.size());
     }
     closeHemicubes(h);
-    return median(times);
+    return common::median(times);
 }
 
 // Table 4.1 of the thesis: its sizes, and seconds at 100 x 100 pixels.
@@ -97,7 +97,8 @@ void solution(const char *name, const Mesh &mesh, const SolveSettings &settings,
     std::printf("| %s | %zu | %zu | %d | %zu |", name, mesh.triangles.size(), b.solution.elements(),
                 b.report.sites, b.report.raysFromSite);
     if (thesis > 0) std::printf(" %.0f", thesis);
-    std::printf(" | %.2f | %.2f |", median(times), median(times) * 1e6 / (double)mesh.triangles.size());
+    std::printf(" | %.2f | %.2f |", common::median(times),
+                common::median(times) * 1e6 / (double)mesh.triangles.size());
     if (small) {
         auto probes = placeMeshProbes(b.solution, 1000);
         tracePaths(mesh, b.surroundings, probes, 64, workers);
@@ -129,7 +130,7 @@ void solutions(bool quick, const Gl &gl, Workers &workers) {
             solution(kind, generatedMesh(kind, areaFor(kind, (int)size)), {}, 0, size < 1e5, gl, workers);
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     bool quick = words.onlyQuick();
     Gl gl = openGl();
     Workers workers = allProcessors();
@@ -141,5 +142,5 @@ int run(Arguments &words) {
 } // namespace
 
 int main(int argc, char **argv) {
-    return runProgram("bench_radiosity", "usage: bench_radiosity [--quick]\n", argc, argv, run);
+    return common::runProgram("bench_radiosity", "usage: bench_radiosity [--quick]\n", argc, argv, run);
 }

@@ -5,7 +5,7 @@
 //                                                    posing it, tracing it, developing it, all of it
 //   build/bench_trace --benchmark_filter=shared      pictures of the film, 1920x1080: what is serial in them,
 //                                                    and how much faster 2 to 16 threads would make them
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/bench/pieces.h"
 #include "tools/measure/bench/subject.h"
 

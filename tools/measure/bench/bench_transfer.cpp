@@ -2,8 +2,8 @@
 // day.
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/transfer.h"
 
 #include <cmath>
@@ -26,13 +26,13 @@ struct Clock {
                                {"bounces of all bases", 0.965f, 0},
                                {"to the elements", 1, 0}};
     size_t now = 0;
-    double last = processorSeconds();
+    double last = common::processorSeconds();
 
     Progress progress() {
         return {[](float done, void *p) {
                     Clock &c = *(Clock *)p;
                     while (c.now < c.steps.size() && done >= c.steps[c.now].end - 1e-4f) {
-                        double t = processorSeconds();
+                        double t = common::processorSeconds();
                         c.steps[c.now++].seconds = t - c.last;
                         c.last = t;
                     }
@@ -57,9 +57,9 @@ std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) 
         size_t at = 0;
         for (const Clock::Step &step : clock.steps) steps[at++].second.push_back(step.seconds);
         HeapArena memory((size_t)64 << 20);
-        double began = processorSeconds();
+        double began = common::processorSeconds();
         solved->polish(memory.arena, workers);
-        steps[at].second.push_back(processorSeconds() - began);
+        steps[at].second.push_back(common::processorSeconds() - began);
     }
     const Hall &hall = *solved->hall;
     std::printf("%d texels, %d patches, %d lights, each in red, green and blue.\n\n"
@@ -67,8 +67,8 @@ std::unique_ptr<SolvedHall> startUp(int rounds, const Gl &gl, Workers &workers) 
                 hall.model.texelCount, hall.model.patchCount, hall.radiosity.bases.count(), rounds);
     double sum = 0;
     for (const auto &[name, times] : steps) {
-        std::printf("| %s | %.3f |\n", name.c_str(), median(times));
-        sum += median(times);
+        std::printf("| %s | %.3f |\n", name.c_str(), common::median(times));
+        sum += common::median(times);
     }
     std::printf("| all | %.3f |\n", sum);
     return solved;
@@ -83,9 +83,9 @@ void everyPicture(SolvedHall &solved, Workers &workers) {
                 "|---|---|---|---|\n");
     auto show = [&](const char *name, const HallLight &light) {
         LightVector v;
-        double vector = medianMs([&] { v = lightVector(light); }),
-               rows = medianMs([&] { relight(hall.radiosity, hall.model, v, planes.plane); }),
-               floor = medianMs([&] {
+        double vector = common::medianMs([&] { v = lightVector(light); }),
+               rows = common::medianMs([&] { relight(hall.radiosity, hall.model, v, planes.plane); }),
+               floor = common::medianMs([&] {
                    relightGlossy(hall.gloss, v, {3, 1.55f, 3}, 0.06f, 1);
                });
         std::printf("| %s | %.3f | %.3f | %.3f |\n", name, vector, rows, floor);
@@ -110,7 +110,7 @@ void compressedRows(const SolvedHall &solved, Workers &workers) {
               PcaSettings{.clusters = 64, .dimensions = 24},
               PcaSettings{.clusters = 128, .dimensions = 24}}) {
             Compressed c = compressed(rows, blocksOf(hall.model, s.clusters), s, workers);
-            double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
+            double ms = common::medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
             std::printf("| %d clusters x %d%s | %.2f | %.1f | %.3f | %.3f |\n", s.clusters, s.dimensions,
                         with, c.errorPercent, (double)c.bytes() * 1e-6, c.seconds, ms);
         }
@@ -128,7 +128,7 @@ void overTheDay(int hours, const Gl &gl, Workers &workers) {
                     e.whole);
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     bool quick = words.onlyQuick();
     Gl gl = openGl();
     Workers workers = allProcessors();
@@ -143,5 +143,5 @@ int run(Arguments &words) {
 } // namespace
 
 int main(int argc, char **argv) {
-    return runProgram("bench_transfer", "usage: bench_transfer [--quick]\n", argc, argv, run);
+    return common::runProgram("bench_transfer", "usage: bench_transfer [--quick]\n", argc, argv, run);
 }

@@ -38,11 +38,11 @@ std::vector<uint8_t> instructions(const std::string &path) {
 } // namespace
 
 Program programIn(const std::string &path) {
-    std::string file = odraz::readWhole(path);
+    std::string file = common::readWhole(path);
     try {
         return readProgram({file.begin(), file.end()});
     } catch (const Unsuitable &e) {
-        throw odraz::Refused(path + ": " + e.what());
+        throw common::Refused(path + ": " + e.what());
     }
 }
 

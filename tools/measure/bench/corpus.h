@@ -11,7 +11,7 @@ struct Sample {
     Layout layout;
 };
 
-// Reads the program in a file. Throws odraz::Refused with a line that names the file.
+// Reads the program in a file. Throws common::Refused with a line that names the file.
 Program programIn(const std::string &file);
 
 inline constexpr char kWholeFilm[] = "the whole film"; // the name of its sample

@@ -1,6 +1,6 @@
 #include "tools/measure/bench/peer_scenes.h"
 
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 
 #include <cmath>
 

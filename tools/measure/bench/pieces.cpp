@@ -1,7 +1,7 @@
 #include "tools/measure/bench/pieces.h"
 
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 
 #include <algorithm>
 
@@ -15,24 +15,24 @@ Pieces::Pieces() {
 
 void Pieces::begin() {
     next = 0;
-    last = threadSeconds();
+    last = common::threadSeconds();
 }
 
-void Pieces::end() { after = std::min(after, threadSeconds() - last); }
+void Pieces::end() { after = std::min(after, common::threadSeconds() - last); }
 
 void Pieces::run(int count, int size, void (*body)(const void *, int, int, int), const void *context) {
-    double before = threadSeconds() - last;
+    double before = common::threadSeconds() - last;
     if (next == rounds.size())
         rounds.push_back({before, std::vector<double>((size_t)((count + size - 1) / size), 1e9)});
     Round &r = rounds[next++];
     r.before = std::min(r.before, before);
     for (int i = 0; i < count; i += size) {
-        double began = threadSeconds();
+        double began = common::threadSeconds();
         body(context, i, std::min(i + size, count), 0);
         double &least = r.pieces[(size_t)(i / size)];
-        least = std::min(least, threadSeconds() - began);
+        least = std::min(least, common::threadSeconds() - began);
     }
-    last = threadSeconds();
+    last = common::threadSeconds();
 }
 
 double Pieces::serial() const {

@@ -17,7 +17,7 @@ float number(const std::string &knob, const std::string &text) {
     char *end = nullptr;
     float value = std::strtof(text.c_str(), &end);
     if (*end == '/') value /= std::strtof(end + 1, &end);
-    if (text.empty() || *end) throw Refused("'" + text + "' is no value of " + knob);
+    if (text.empty() || *end) throw common::Refused("'" + text + "' is no value of " + knob);
     return value;
 }
 
@@ -55,7 +55,7 @@ void turn(Quality &q, const std::string &knob, float value) {
         if (knob == k.name) {
             if (k.whole ? std::find(k.values.begin(), k.values.end(), value) == k.values.end()
                         : !(value >= 0 && std::isfinite(value)))
-                throw Refused(knob + " cannot have that value; see quality.h");
+                throw common::Refused(knob + " cannot have that value; see quality.h");
             if (k.whole)
                 *k.whole = (int)value;
             else
@@ -64,7 +64,7 @@ void turn(Quality &q, const std::string &knob, float value) {
         }
         known += std::string(" ") + k.name;
     }
-    throw Refused("there is no knob '" + knob + "'; there are:" + known);
+    throw common::Refused("there is no knob '" + knob + "'; there are:" + known);
 }
 
 } // namespace
@@ -77,19 +77,19 @@ Quality settingOf(const std::string &words) {
         if (name == q.name) named = &q;
         known += std::string(" ") + q.name;
     }
-    if (!named) throw Refused("there is no quality '" + name + "'; there are:" + known);
+    if (!named) throw common::Refused("there is no quality '" + name + "'; there are:" + known);
     Quality setting = *named;
     while (comma != std::string::npos) {
         size_t next = words.find_first_of(", ", comma + 1);
         std::string turned = words.substr(comma + 1, next - comma - 1);
         size_t is = turned.find('=');
-        if (is == std::string::npos) throw Refused("'" + turned + "' is not KNOB=VALUE");
+        if (is == std::string::npos) throw common::Refused("'" + turned + "' is not KNOB=VALUE");
         std::string knob = turned.substr(0, is);
         turn(setting, knob, number(knob, turned.substr(is + 1)));
         comma = next;
     }
     if (!setting.grid && (setting.fine > setting.coarse || !setting.fine))
-        throw Refused("without a grid, fine and coarse are needed, and fine is at most coarse");
+        throw common::Refused("without a grid, fine and coarse are needed, and fine is at most coarse");
     return setting;
 }
 

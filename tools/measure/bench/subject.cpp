@@ -3,7 +3,7 @@
 #include "host/threads.h"
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/bench/growth_scenes.h"
 #include "tools/measure/bench/peer_scenes.h"
 #include "trace/picture/development.h"
@@ -63,7 +63,7 @@ SubjectName findSubject(const std::string &name) {
         if (what == "lights" && count >= 1 && count <= kMaxLights)
             return {name, false, [=](Scene &s) { poseLights(s, count); }, {{0, &kPeerCameraA}}};
     }
-    throw Refused("there is no scene '" + name + "'; there are:" + known);
+    throw common::Refused("there is no scene '" + name + "'; there are:" + known);
 }
 
 std::pair<SubjectName, size_t> findPicture(const std::string &name) {
@@ -71,7 +71,8 @@ std::pair<SubjectName, size_t> findPicture(const std::string &name) {
     SubjectName subject = findSubject(name.substr(0, slash));
     if (slash != std::string::npos) camera = (size_t)std::atoi(name.c_str() + slash + 1);
     if (camera >= subject.cameras.size())
-        throw Refused("'" + name + "': cameras are 0 to " + std::to_string(subject.cameras.size() - 1));
+        throw common::Refused("'" + name + "': cameras are 0 to " +
+                              std::to_string(subject.cameras.size() - 1));
     return {subject, camera};
 }
 
@@ -96,22 +97,22 @@ Subject::Subject(const SubjectName &what, int width, int height, int threads)
 }
 
 double Subject::pose(size_t camera) {
-    double began = threadSeconds();
+    double began = common::threadSeconds();
     theView = poseSubject(name, camera, settings, intro->film);
-    return (threadSeconds() - began) * 1e3;
+    return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::trace(const Quality &quality) {
-    double began = threadSeconds();
+    double began = common::threadSeconds();
     traceFrame(intro->tracer, workers, scene(), theView, quality, intro->frame);
-    return (threadSeconds() - began) * 1e3;
+    return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::develop() {
-    double began = threadSeconds();
+    double began = common::threadSeconds();
     spreadGlare(intro->glare, intro->frame, workers);
     odraz::develop(intro->curve, intro->frame, workers, scene().exposure, 0, &intro->glare, kFilmLook);
-    return (threadSeconds() - began) * 1e3;
+    return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::samplesPerPixel() const {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "inside.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <functional>
 #include <string>

@@ -7,8 +7,8 @@
 #include "play/governor.h"
 #include "tools/common/arguments.h"
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
 #include "trace/picture/development.h"
@@ -61,7 +61,7 @@ void *map(const std::string &file, size_t bytes, bool make) {
     if (from < 0 || (make ? ftruncate(from, (off_t)bytes) : fstat(from, &is)) ||
         mmap(place, make ? bytes : (size_t)is.st_size, PROT_READ | PROT_WRITE,
              (make ? MAP_SHARED : MAP_PRIVATE) | MAP_FIXED_NOREPLACE, from, 0) != place)
-        throw Refused(file + " cannot be " + (make ? "written" : "read"));
+        throw common::Refused(file + " cannot be " + (make ? "written" : "read"));
     close(from);
     return place;
 }
@@ -110,7 +110,7 @@ void keepFilm(const std::string &file, const Around &at, const Quality &setting,
     picture(*kept.intro, 1, to, setting);
 }
 
-Quality levelAfter(Arguments &words) {
+Quality levelAfter(common::Arguments &words) {
     Governor governor;
     governor.coarseness = (float)words.number("LEVEL", 0, Governor::kSteps);
     return governor.quality();
@@ -123,28 +123,30 @@ void time(const std::string &scene, const Quality &setting, int threads) {
     subject.pose(camera);
     std::vector<double> clock, processors;
     for (int round = 0; round < 16; ++round) {
-        double began = wallSeconds(), before = processorSeconds();
+        double began = common::wallSeconds(), before = common::processorSeconds();
         subject.trace(setting);
-        processors.push_back((processorSeconds() - before) * 1e3);
-        clock.push_back((wallSeconds() - began) * 1e3);
+        processors.push_back((common::processorSeconds() - before) * 1e3);
+        clock.push_back((common::wallSeconds() - began) * 1e3);
     }
-    std::printf("%.1f %.1f\n", median(clock), median(processors));
+    std::printf("%.1f %.1f\n", common::median(clock), common::median(processors));
 }
 
-IntroSettings sizeAfter(Arguments &words) {
+IntroSettings sizeAfter(common::Arguments &words) {
     IntroSettings settings = {1280, 720};
     if (const char *width = words.next()) {
         settings.width = std::atoi(width);
         settings.height = words.whole("WIDTH", 16, kMaxHeight);
     }
-    if (settings.width < 16 || settings.width > kMaxWidth) throw Refused("pictures are 16x16 to 7680x4320");
+    if (settings.width < 16 || settings.width > kMaxWidth)
+        throw common::Refused("pictures are 16x16 to 7680x4320");
     return settings;
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     auto needed = [&] {
         const char *word = words.next();
-        if (!word) throw Refused("something to do, a file and a name are needed; see trace_once --help");
+        if (!word)
+            throw common::Refused("something to do, a file and a name are needed; see trace_once --help");
         return std::string(word);
     };
     std::string what = needed();
@@ -200,4 +202,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("trace_once", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("trace_once", kUsage, argc, argv, run); }

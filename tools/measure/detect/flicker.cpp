@@ -49,7 +49,7 @@ struct Meter {
                     most = std::max(most, std::fabs(change[x + c * (size_t)s.width]));
                 file += (char)(uint8_t)std::min(8 * most, 255.f);
             }
-        writeWhole(path, file);
+        common::writeWhole(path, file);
     }
     // Adds the sum of squares of a pair of pictures, for every quality.
     void add(double seconds, std::vector<double> &sums) const {
@@ -69,7 +69,7 @@ struct Meter {
     }
 };
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     Options o;
     while (const char *word = words.next()) {
         std::string w = word;
@@ -114,4 +114,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("flicker", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("flicker", kUsage, argc, argv, run); }

@@ -96,13 +96,13 @@ static void onset(const Recording &r, const char *name, double row) {
     std::printf("onset,%s,%g,%g,%.1f\n", name, row, off, best / (around[125] + 0.5));
 }
 
-static int run(Arguments &words) {
+static int run(common::Arguments &words) {
     std::string path;
     while (const char *word = words.next()) {
         if (word[0] == '-' || !path.empty()) words.refuse(word);
         path = word;
     }
-    if (path.empty()) throw Refused("a WAV is needed; see listen --help");
+    if (path.empty()) throw common::Refused("a WAV is needed; see listen --help");
     Recording r = readWav(path);
     all(r);
     steps(r);
@@ -124,4 +124,4 @@ static int run(Arguments &words) {
     return 0;
 }
 
-int main(int argc, char **argv) { return runProgram("listen", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("listen", kUsage, argc, argv, run); }

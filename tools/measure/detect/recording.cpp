@@ -11,14 +11,14 @@
 namespace odraz {
 
 Recording readWav(const std::string &path) {
-    std::string file = readWhole(path);
+    std::string file = common::readWhole(path);
     uint16_t format[8];
     if (file.size() < 44 || file.compare(0, 4, "RIFF") || file.compare(8, 8, "WAVEfmt ") ||
         file.compare(36, 4, "data"))
-        throw Refused(path + " is not a WAV with nothing but sound in it");
+        throw common::Refused(path + " is not a WAV with nothing but sound in it");
     std::memcpy(format, &file[20], sizeof format);
     if (format[0] != 1 || format[1] != 2 || format[7] != 16)
-        throw Refused(path + " has not two channels of 16 bits");
+        throw common::Refused(path + " has not two channels of 16 bits");
     Recording r;
     uint32_t rate;
     std::memcpy(&rate, &file[24], sizeof rate);

@@ -55,7 +55,7 @@ std::vector<Span> shotsOf(const std::string &scene) {
     std::vector<Span> all;
     for (const Span &shot : shots())
         if (scene == kScenes[shot.scene].name) all.push_back(shot);
-    if (all.empty()) throw Refused("there is no scene '" + scene + "'");
+    if (all.empty()) throw common::Refused("there is no scene '" + scene + "'");
     return all;
 }
 
@@ -69,7 +69,7 @@ std::vector<Span> windowsIn(const Span &span, int count, double length) {
     return all;
 }
 
-bool ScreeningOptions::take(const std::string &option, Arguments &words) {
+bool ScreeningOptions::take(const std::string &option, common::Arguments &words) {
     if (option == "--size")
         size = words.value(option);
     else if (option == "--quality")
@@ -86,14 +86,14 @@ IntroSettings sizeFrom(const std::string &words) {
     char behind;
     if (std::sscanf(words.c_str(), "%dx%d%c", &s.width, &s.height, &behind) != 2 || s.width < 16 ||
         s.height < 16 || s.width > 7680 || s.height > 4320)
-        throw Refused("a size is like 1280x720, not " + words);
+        throw common::Refused("a size is like 1280x720, not " + words);
     return s;
 }
 
 const Quality &qualityFrom(const std::string &name) {
     for (const Quality &q : kQualities)
         if (name == q.name) return q;
-    throw Refused("there is no quality '" + name + "'");
+    throw common::Refused("there is no quality '" + name + "'");
 }
 
 } // namespace odraz

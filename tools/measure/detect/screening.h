@@ -3,8 +3,8 @@
 
 #include "inside.h"
 #include "tools/common/arguments.h"
-#include "tools/common/heap_arena.h"
-#include "tools/common/machine.h"
+#include "tools/engine/heap_arena.h"
+#include "tools/engine/machine.h"
 
 #include <vector>
 
@@ -58,7 +58,7 @@ struct ScreeningOptions {
     std::string keep;                   // a folder that keeps pictures; empty: none is kept
 
     // Takes the value if the option is one of these; else returns false. Throws Refused.
-    bool take(const std::string &option, Arguments &words);
+    bool take(const std::string &option, common::Arguments &words);
 };
 
 // Parses "1280x720"; throws Refused for anything else.

@@ -71,11 +71,11 @@ void lookAtFilm(const Options &o) {
         if (o.list) list(std::to_string(seconds).c_str(), sparks);
         if (!o.keep.empty() && !sparks.empty()) {
             odraz::Picture p = screening.picture(seconds, quality);
-            ::Picture image = {p.width, p.height, {}};
+            pictures::Image image = {p.width, p.height, {}};
             for (size_t i = 0; i < (size_t)p.width * (size_t)p.height; ++i)
                 image.rgb.insert(image.rgb.end(), p.rgba + 4 * i, p.rgba + 4 * i + 3);
             std::string path = o.keep + "/" + std::to_string(n) + ".png";
-            if (!writePng(path, image)) throw std::runtime_error("cannot write " + path);
+            pictures::writePng(path, image);
         }
     }
     if (o.list) return;
@@ -94,11 +94,10 @@ void lookAtFolder(const Options &o) {
     for (const auto &f : std::filesystem::directory_iterator(o.folder)) files.push_back(f.path());
     std::sort(files.begin(), files.end());
     auto see = [&](size_t i) {
-        ::Picture p;
-        if (!readPicture(files[i], p)) throw Refused("cannot read a picture from " + files[i]);
+        pictures::Image p = pictures::readPicture(files[i]);
         return greyOf(p.width, p.height, p.rgb.data(), 3);
     };
-    if (files.size() < 2) throw Refused(o.folder + " holds fewer than two pictures");
+    if (files.size() < 2) throw common::Refused(o.folder + " holds fewer than two pictures");
     Count all;
     Grey before, now = see(0), after;
     for (size_t i = 0; i < files.size(); ++i) {
@@ -114,7 +113,7 @@ void lookAtFolder(const Options &o) {
     if (!o.list) all.tell("all");
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     Options o;
     while (const char *word = words.next()) {
         std::string w = word;
@@ -146,4 +145,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("sparks", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("sparks", kUsage, argc, argv, run); }

@@ -10,7 +10,7 @@
 #include <cmath>
 
 using namespace odraz;
-using Image = ::Picture;
+using Image = pictures::Image;
 
 static constexpr char kUsage[] =
     "usage: spectrogram FILE.wav OUT.png [--second PIXELS=10] [--height PIXELS=600]\n"
@@ -52,7 +52,7 @@ static void label(Image &image, const char *text, int x0, int y0) {
             line(image, x0 + x, y0 + y, y0 + y + 1, (int)(planes[(size_t)(y * kWidth + x)] * 230));
 }
 
-static int run(Arguments &words) {
+static int run(common::Arguments &words) {
     std::vector<std::string> paths;
     int second = 10, height = 600;
     while (const char *word = words.next()) {
@@ -66,13 +66,14 @@ static int run(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (paths.size() < 2) throw Refused("a WAV and a PNG to write are needed; see spectrogram --help");
-    checkWritable(paths[1]);
+    if (paths.size() < 2)
+        throw common::Refused("a WAV and a PNG to write are needed; see spectrogram --help");
+    common::checkWritable(paths[1]);
     Recording r = readWav(paths[0]);
     Image image;
     image.width = (int)((int64_t)r.size() * second / r.rate);
     image.height = height;
-    if (image.width < 1) throw Refused(paths[0] + " is too short");
+    if (image.width < 1) throw common::Refused(paths[0] + " is too short");
     image.rgb.assign((size_t)image.width * (size_t)height * 3, 0);
 
     // A long window for low sounds, a short one for high ones
@@ -105,8 +106,8 @@ static int run(Arguments &words) {
             if (e.heard && e.scene == kFilm.shots[i].scene)
                 line(image, column((double)kFilm.shots[i].storyRow + e.row), 16, 26, 220);
     }
-    if (!writePng(paths[1], image)) throw std::runtime_error("cannot write " + paths[1]);
+    pictures::writePng(paths[1], image);
     return 0;
 }
 
-int main(int argc, char **argv) { return runProgram("spectrogram", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("spectrogram", kUsage, argc, argv, run); }

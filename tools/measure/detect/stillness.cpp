@@ -66,7 +66,7 @@ std::vector<double> changesOf(const Options &o) {
     return changes;
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     Options o;
     o.size = "320x180";
     o.qualities = {"draft"};
@@ -116,4 +116,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("stillness", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("stillness", kUsage, argc, argv, run); }

@@ -1,16 +1,16 @@
 #include "tools/measure/oracle/measured.h"
 
-#include "tools/common/machine.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 
 namespace odraz {
 
 Mesh generatedMesh(const std::string &kind, double area) {
-    TemporaryFolder folder;
-    writeWhole(folder / "model.mtl", generateMtl());
-    writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, area));
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "model.mtl", generateMtl());
+    common::writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, area));
     std::vector<std::string> notes;
     return readObj(folder / "model.obj", {}, notes);
 }

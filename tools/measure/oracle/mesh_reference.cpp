@@ -1,7 +1,7 @@
 #include "tools/measure/oracle/mesh_reference.h"
 
-#include "tools/common/luminance.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/luminance.h"
 #include "tools/measure/oracle/obstacles.h"
 #include "tools/measure/oracle/sampler.h"
 #include "tools/radiosity/read/reflectance_picture.h"
@@ -45,7 +45,8 @@ public:
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
                     pictures.try_emplace(m.picture.path, m.picture.path);
-                } catch (const Refused &) { // then the material's Kd counts, as the solver's note says
+                } catch (
+                    const common::Refused &) { // then the material's Kd counts, as the solver's note says
                 }
         double sum = 0;
         for (size_t i = 0; i < triangles.size(); ++i) {
@@ -265,7 +266,7 @@ MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
         solved += a, traced += b;
     }
     if (relative.empty()) return {NAN, NAN, NAN, NAN, NAN};
-    return {100 * (double)quantile(relative, 0.5), 100 * (double)quantile(relative, 0.95),
+    return {100 * (double)common::quantile(relative, 0.5), 100 * (double)common::quantile(relative, 0.95),
             100 * std::sqrt(std::max(0., error - noise) / all), 100 * (solved / traced - 1),
             100 * std::sqrt(noise / all)};
 }

@@ -6,7 +6,7 @@
 // are few: each ray tests them all.
 #pragma once
 
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 
 #include <array>
 #include <vector>

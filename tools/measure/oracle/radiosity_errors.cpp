@@ -1,7 +1,7 @@
 // Measures how far a solution of `radiosity solve` is from path tracing, at random places or at the middles
 // of elements. Each place has a square number of paths; the option gives its side.
 #include "tools/common/arguments.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/mesh_reference.h"
 
 #include <cstdio>
@@ -11,7 +11,7 @@ using namespace odraz;
 static constexpr char kUsage[] =
     "usage: radiosity_errors MODEL.obj SOLUTION [--probes N] [--side N] [--middles] [--list]\n";
 
-static int run(Arguments &words) {
+static int run(common::Arguments &words) {
     std::string files[2];
     int probes = 1000, side = 48, count = 0;
     bool list = false, middles = false;
@@ -30,7 +30,7 @@ static int run(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (count < 2) throw Refused("name a model and its solution");
+    if (count < 2) throw common::Refused("name a model and its solution");
     std::vector<std::string> notes;
     Mesh mesh = readObj(files[0], {}, notes);
     Solution solution(files[1]);
@@ -52,4 +52,4 @@ static int run(Arguments &words) {
     return 0;
 }
 
-int main(int argc, char **argv) { return runProgram("radiosity_errors", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("radiosity_errors", kUsage, argc, argv, run); }

@@ -10,7 +10,7 @@ namespace odraz {
 SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes,
                        const std::function<void(LightBases &)> &change, const Progress &progress)
     : memory(bytes), scene(std::make_unique<Scene>()), hall(std::make_unique<Hall>()) {
-    double began = processorSeconds();
+    double began = common::processorSeconds();
     prepareHall(*hall, *scene);
     if (change) change(hall->radiosity.bases);
     if (!hall->radiosity.bases.fit())
@@ -18,7 +18,7 @@ SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers 
     if (!solveRadiosity(hall->radiosity, hall->model, *scene, settings, gl, memory.arena, workers, progress))
         throw std::runtime_error("the hall cannot be solved with these settings");
     closeHemicubes(hall->radiosity.hemicubes);
-    seconds = processorSeconds() - began;
+    seconds = common::processorSeconds() - began;
 }
 
 void SolvedHall::polish(Arena &arena, Workers &workers) {

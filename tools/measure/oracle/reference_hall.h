@@ -2,7 +2,7 @@
 #pragma once
 
 #include "show/hall.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/measure/oracle/reference.h"
 
 namespace odraz {

@@ -11,7 +11,7 @@
 #pragma once
 
 #include "base/parallel.h"
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 #include "trace/rays/view.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Random numbers and directions for the oracles, in double precision. Nothing that ships uses them.
 #pragma once
 
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 
 #include <array>
 #include <cstdint>

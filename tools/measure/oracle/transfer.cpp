@@ -87,9 +87,9 @@ Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, c
     c.pca.rows = rows.rows, c.pca.columns = rows.columns, c.pca.data = rows.data.data();
     c.pca.cluster = c.memory->arena.take<int>((size_t)rows.rows);
     std::copy(seeds.begin(), seeds.end(), c.pca.cluster);
-    double began = processorSeconds();
+    double began = common::processorSeconds();
     if (!compress(c.pca, settings, c.memory->arena, workers)) throw std::runtime_error("memory is short");
-    c.seconds = processorSeconds() - began;
+    c.seconds = common::processorSeconds() - began;
     double error = 0, all = 0;
     for (int r = 0; r < rows.rows; ++r) {
         const float *axes = c.pca.axesOf(c.pca.cluster[r]),

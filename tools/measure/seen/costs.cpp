@@ -40,7 +40,7 @@ Costs::Costs(const std::string &csv) {
     std::string line;
     int number = 0;
     auto wrong = [&](const std::string &what) {
-        return Refused("line " + std::to_string(number) + ": " + what);
+        return common::Refused("line " + std::to_string(number) + ": " + what);
     };
     while (std::getline(lines, line)) {
         ++number;
@@ -66,11 +66,11 @@ Costs::Costs(const std::string &csv) {
     for (const Moment &m : moments) {
         std::string at = "at " + std::to_string(m.seconds) + " s ";
         if (!m.gaps.count(0) || m.gaps.size() < 2)
-            throw Refused(at + "a traced picture or an in-between is not counted");
+            throw common::Refused(at + "a traced picture or an in-between is not counted");
         for (const auto &[gap, levels] : m.gaps) {
             auto play = levels.find(Governor::kPlay);
             if (play == levels.end() || play->second.size() < 2)
-                throw Refused(at + "level 1 is not counted in two sizes");
+                throw common::Refused(at + "level 1 is not counted in two sizes");
         }
     }
 }
@@ -109,7 +109,7 @@ Cost Costs::of(const Pictured &asked) const {
         if (m.seconds >= asked.seconds && !after) after = &m;
     }
     if (!before && !after)
-        throw Refused("no cost was counted for the shot at " + std::to_string(asked.seconds) + " s");
+        throw common::Refused("no cost was counted for the shot at " + std::to_string(asked.seconds) + " s");
     if (!before) before = after;
     if (!after) after = before;
     double span = after->seconds - before->seconds;

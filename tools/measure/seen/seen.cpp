@@ -1,5 +1,5 @@
 // seen: what a viewer sees of a played film, at every sixtieth of a second.
-#include "tools/common/print.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
@@ -49,7 +49,7 @@ struct Asked {
     bool onlyList = false, onlySummary = false;
 };
 
-std::vector<float> lostAfter(Arguments &words, const std::string &option) {
+std::vector<float> lostAfter(common::Arguments &words, const std::string &option) {
     std::vector<float> lost(kWays - 1);
     std::string text = words.value(option);
     char behind;
@@ -57,10 +57,10 @@ std::vector<float> lostAfter(Arguments &words, const std::string &option) {
     if (std::sscanf(text.c_str(), "%f,%f,%f,%f%c", &lost[0], &lost[1], &lost[2], &lost[3], &behind) == 4 &&
         std::all_of(lost.begin(), lost.end(), [](float l) { return l >= 0 && l <= 99; }))
         return lost;
-    throw Refused(option + " takes four numbers from 0 to 99, as 0.2,0.8,1.5,6, not " + text);
+    throw common::Refused(option + " takes four numbers from 0 to 99, as 0.2,0.8,1.5,6, not " + text);
 }
 
-Asked read(Arguments &words) {
+Asked read(common::Arguments &words) {
     Asked a;
     bool costs = false;
     while (const char *word = words.next()) {
@@ -106,23 +106,26 @@ Asked read(Arguments &words) {
     }
     bool machine = !a.machines.empty();
     if (!a.list.empty() + (a.rate > 0) + machine != 1)
-        throw Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
+        throw common::Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
     if (!a.rate && (a.every || a.level >= 0 || !a.traced.empty()))
-        throw Refused("--every, --level and --traced go with --steady");
-    if (!machine && (a.cores || !a.lost.empty())) throw Refused("--cores and --lost go with --machine");
-    if (!machine && !a.onlySummary && costs) throw Refused("--costs goes with --machine or --summary");
-    if (a.onlyList && !a.list.empty()) throw Refused("--list goes with --steady or --machine");
+        throw common::Refused("--every, --level and --traced go with --steady");
+    if (!machine && (a.cores || !a.lost.empty()))
+        throw common::Refused("--cores and --lost go with --machine");
+    if (!machine && !a.onlySummary && costs)
+        throw common::Refused("--costs goes with --machine or --summary");
+    if (a.onlyList && !a.list.empty()) throw common::Refused("--list goes with --steady or --machine");
     if (a.screens.empty()) a.screens = {"1280x720"};
-    if (!machine && a.screens.size() > 1) throw Refused("several screens go with --machine");
+    if (!machine && a.screens.size() > 1) throw common::Refused("several screens go with --machine");
     if (a.screens.size() * a.machines.size() > 1 && (a.onlyList || !a.pictures.empty()))
-        throw Refused("--list and --pictures go with one machine and one screen");
+        throw common::Refused("--list and --pictures go with one machine and one screen");
     if (a.level < 0) a.level = 1;
     if (!a.every) a.every = 1;
     if (a.traced.empty()) a.traced = a.screens[0];
     if (a.judged.empty() && a.screens.size() > 1 && !a.onlySummary)
-        throw Refused("several screens need --judged");
+        throw common::Refused("several screens need --judged");
     if (a.judged.empty()) a.judged = a.screens[0];
-    if (!a.at.empty() && !a.scenes.empty()) throw Refused("--at says which scene it is: leave out --scene");
+    if (!a.at.empty() && !a.scenes.empty())
+        throw common::Refused("--at says which scene it is: leave out --scene");
     if (a.scenes.empty() && a.at.empty())
         for (const SceneEntry &s : kScenes) a.scenes.push_back(s.name);
     return a;
@@ -130,11 +133,11 @@ Asked read(Arguments &words) {
 
 // A file that must hold what `parse` understands.
 template <class Parse> auto parsed(const std::string &path, Parse parse) {
-    std::string text = readWhole(path);
+    std::string text = common::readWhole(path);
     try {
         return parse(text);
-    } catch (const Refused &why) {
-        throw Refused(path + ": " + why.what());
+    } catch (const common::Refused &why) {
+        throw common::Refused(path + ": " + why.what());
     }
 }
 
@@ -169,7 +172,7 @@ std::vector<Player> playersOf(const Asked &a, double from, double to, const Cost
         IntroSettings size = sizeFrom(screen);
         for (double giga : a.machines) {
             std::string name;
-            print(name, "%s,%g,", screen.c_str(), giga);
+            common::append(name, "%s,%g,", screen.c_str(), giga);
             Machine machine = machineOf(a, giga, size);
             // From the film's start, since the governor remembers
             players.push_back({name, screen, machine, simulate(costs, machine, 0, duration())});
@@ -207,14 +210,13 @@ Viewer::Each writer(const std::string &folder, const Span &window, const IntroSe
     if (folder.empty()) return {};
     return [=, n = 0](const std::vector<uint8_t> &stands, const std::vector<uint8_t> &truth) mutable {
         std::string path = folder;
-        print(path, "/%06ld-%d", std::lround(window.from * 1000), n++);
+        common::append(path, "/%06ld-%d", std::lround(window.from * 1000), n++);
         for (auto [rgb, end] : {std::pair(&stands, ".png"), std::pair(&truth, "-truth.png")})
-            if (!writePng(path + end, {size.width, size.height, *rgb}))
-                throw std::runtime_error(path + end + " cannot be written");
+            pictures::writePng(path + end, {size.width, size.height, *rgb});
     };
 }
 
-int run(Arguments &words) {
+int run(common::Arguments &words) {
     Asked asked = read(words);
     IntroSettings judged = sizeFrom(asked.judged);
     std::vector<std::vector<Span>> rows = windowsOf(asked);
@@ -262,4 +264,4 @@ int run(Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return runProgram("seen", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("seen", kUsage, argc, argv, run); }

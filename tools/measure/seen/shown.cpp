@@ -41,7 +41,7 @@ std::vector<Shown> parseShown(const std::string &csv) {
     int number = 0;
     double lastAt = 0;
     auto wrong = [&](const std::string &what) {
-        return Refused("line " + std::to_string(number) + ": " + what);
+        return common::Refused("line " + std::to_string(number) + ": " + what);
     };
     while (std::getline(lines, line)) {
         ++number;
@@ -75,7 +75,7 @@ std::vector<Shown> parseShown(const std::string &csv) {
             throw wrong("the in-between before it must have its size");
         list.push_back(s);
     }
-    if (!number) throw Refused("it is empty");
+    if (!number) throw common::Refused("it is empty");
     if (!list.empty() && list.back().between) throw wrong("an in-between needs a traced picture after it");
     return list;
 }

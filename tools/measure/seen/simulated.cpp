@@ -1,7 +1,7 @@
 #include "tools/measure/seen/simulated.h"
 
 #include "play/schedule.h"
-#include "tools/common/print.h"
+#include "tools/common/text.h"
 #include "tools/measure/detect/screening.h"
 
 #include <algorithm>
@@ -160,8 +160,9 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &c
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before) {
     std::string text;
     for (const PlayedScene &s : scenes)
-        print(text, "%s%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", before.c_str(), sceneName(s.scene), s.seconds,
-              s.traced, s.between, s.shown, s.shown / s.seconds, s.level, s.width, s.rate / 1e9);
+        common::append(text, "%s%s,%.2f,%d,%d,%d,%.1f,%.2f,%.0f,%.2f\n", before.c_str(), sceneName(s.scene),
+                       s.seconds, s.traced, s.between, s.shown, s.shown / s.seconds, s.level, s.width,
+                       s.rate / 1e9);
     return text;
 }
 

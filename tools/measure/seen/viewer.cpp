@@ -1,6 +1,6 @@
 #include "tools/measure/seen/viewer.h"
 
-#include "tools/common/statistics.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +19,8 @@ bool same(const Shown &a, const Shown &b) {
 
 } // namespace
 
-double Seen::linearPsnr() const { return std::min(kMostPsnr, psnr(linear, (size_t)sixtieths)); }
-double Seen::srgbPsnr() const { return std::min(kMostPsnr, psnr(srgb, (size_t)sixtieths)); }
+double Seen::linearPsnr() const { return std::min(kMostPsnr, pictures::psnr(linear, (size_t)sixtieths)); }
+double Seen::srgbPsnr() const { return std::min(kMostPsnr, pictures::psnr(srgb, (size_t)sixtieths)); }
 
 static IntroSettings inPairs(int width, int height) {
     IntroSettings settings = {width, height};
@@ -66,7 +66,7 @@ void Viewer::keepTruth(long from, long to) {
         Truth &truth = truths[n];
         truth.rgb =
             rgbOf(picture(*theatre.intro, 0, (double)n / kScreenRate, kQualities[(int)QualityName::Film]));
-        truth.perceived = see(truth.rgb, theatre.intro->width, theatre.intro->height);
+        truth.perceived = pictures::see(truth.rgb, theatre.intro->width, theatre.intro->height);
     }
 }
 
@@ -74,11 +74,11 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
     int width = theatre.intro->width, height = theatre.intro->height;
     for (const Shown &s : list)
         if (s.width > width || s.height > height || (s.width < width && width > kMostEnlarged))
-            throw Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
-                          " are not scaled to a screen of " + std::to_string(width) + "x" +
-                          std::to_string(height));
+            throw common::Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
+                                  " are not scaled to a screen of " + std::to_string(width) + "x" +
+                                  std::to_string(height));
     std::vector<uint8_t> standing;
-    SeenPicture perceived;
+    pictures::SeenPicture perceived;
     int last = -1;
     // (0.1334 s are eight sixtieths)
     auto sixtieth = [](double seconds) { return std::lround(std::ceil(seconds * kScreenRate - 0.01)); };
@@ -88,24 +88,25 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
         // the screen has come, as on a screen that shows it a little later than it was given
         double moment = (double)n / kScreenRate;
         int i = standsAt(list, moment + 0.5 / kScreenRate + 1e-6);
-        if (i < 0) throw Refused("nothing was shown before " + std::to_string(moment) + " s");
+        if (i < 0) throw common::Refused("nothing was shown before " + std::to_string(moment) + " s");
         if ((n - first) % mostTruths == 0) keepTruth(n, std::min(n + mostTruths, behind));
         if (i != last) {
             standing = rgbOf(made(list, (size_t)i));
-            perceived = see(standing, width, height);
+            perceived = pictures::see(standing, width, height);
             seen.fresh += last >= 0;
             last = i;
         }
         const auto &[truth, perceivedTruth] = truths.at(n);
         double linear = 0, srgb = 0;
         for (size_t k = 0; k < truth.size(); ++k) {
-            double a = (linearOfSrgb(truth[k]) - linearOfSrgb(standing[k])) * 255, b = truth[k] - standing[k];
+            double a = (pictures::linearOfSrgb(truth[k]) - pictures::linearOfSrgb(standing[k])) * 255,
+                   b = truth[k] - standing[k];
             linear += a * a;
             srgb += b * b;
         }
         seen.linear += linear / (double)truth.size();
         seen.srgb += srgb / (double)truth.size();
-        seen.flip += odraz::meanFlip(perceivedTruth, perceived);
+        seen.flip += pictures::meanFlip(perceivedTruth, perceived);
         ++seen.sixtieths;
         if (each) each(standing, truth);
     }

@@ -3,9 +3,9 @@
 // seldom count, as well as coarse ones.
 #pragma once
 
-#include "tools/measure/detect/flip.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/seen/shown.h"
+#include "tools/picture/flip.h"
 
 #include <functional>
 #include <map>
@@ -56,7 +56,7 @@ private:
     // The film's pictures by sixtieths: lists that are looked at one after the other have the same ones
     struct Truth {
         std::vector<uint8_t> rgb;
-        SeenPicture perceived;
+        pictures::SeenPicture perceived;
     };
     std::map<long, Truth> truths;
     long mostTruths;

@@ -9,7 +9,9 @@
 
 namespace odraz {
 
-Table::Table(const std::string &head, Plot plot) : plot(std::move(plot)) { row("%s", head.c_str()); }
+Table::Table(const std::string &head, pictures::Plot plot) : plot(std::move(plot)) {
+    row("%s", head.c_str());
+}
 
 void Table::row(const char *format, ...) {
     char line[400];
@@ -23,8 +25,8 @@ void Table::row(const char *format, ...) {
 }
 
 void Table::save(const Sweep &sweep) const {
-    if (!sweep.csv.empty()) writeWhole(sweep.csv, csv);
-    if (!sweep.plot.empty()) writeWhole(sweep.plot, svg(plot));
+    if (!sweep.csv.empty()) common::writeWhole(sweep.csv, csv);
+    if (!sweep.plot.empty()) common::writeWhole(sweep.plot, pictures::svg(plot));
 }
 
 } // namespace odraz
@@ -54,7 +56,7 @@ static constexpr char kUsage[] =
     "           against how fast it is decoded. --model: the contexts that ship (intro/odraz.model)\n"
     "--csv and --plot write the table, and a plot of it as SVG.\n";
 
-static int run(Arguments &words) {
+static int run(common::Arguments &words) {
     TraceSweep sweep;
     std::string what, film = "build/odraz-safe", model;
     while (const char *word = words.next()) {
@@ -66,7 +68,7 @@ static int run(Arguments &words) {
         else if (w == "--csv" || w == "--plot") {
             std::string &to = w == "--csv" ? sweep.csv : sweep.plot;
             to = words.value(w);
-            checkWritable(to);
+            common::checkWritable(to);
         } else if (w == "--model" && what == "pack")
             model = words.value(w);
         else if (w == "--scene" && what == "trace")
@@ -93,8 +95,8 @@ static int run(Arguments &words) {
     else if (what == "pack")
         tradeoffPack(sweep, film, model);
     else
-        throw Refused("name what to measure: trace, radiosity, transfer or pack");
+        throw common::Refused("name what to measure: trace, radiosity, transfer or pack");
     return 0;
 }
 
-int main(int argc, char **argv) { return runProgram("tradeoff", kUsage, argc, argv, run); }
+int main(int argc, char **argv) { return common::runProgram("tradeoff", kUsage, argc, argv, run); }

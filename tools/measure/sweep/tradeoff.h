@@ -2,7 +2,7 @@
 // are wrong, std::runtime_error if something fails.
 #pragma once
 
-#include "tools/common/plot.h"
+#include "tools/picture/plot.h"
 
 #include <vector>
 
@@ -26,13 +26,13 @@ template <class T> struct Setting {
 class Table {
 public:
     // `head`: the names of the columns.
-    Table(const std::string &head, Plot plot);
+    Table(const std::string &head, pictures::Plot plot);
     // Prints a line, formatted like printf.
     void row(const char *format, ...) __attribute__((format(printf, 2, 3)));
     // Writes the files that the sweep asks for.
     void save(const Sweep &sweep) const;
 
-    Plot plot;
+    pictures::Plot plot;
 
 private:
     std::string csv;

@@ -10,7 +10,7 @@
 #include "stub.h"
 
 using namespace pack;
-using odraz::processorSeconds;
+using common::processorSeconds;
 
 namespace {
 
@@ -71,8 +71,8 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
     program.early = kNothingEarly;
     ModelParameters ships = defaultParameters();
     if (!model.empty())
-        if (std::string wrong = parseParameters(readWhole(model), ships); !wrong.empty())
-            throw Refused(model + ": " + wrong);
+        if (std::string wrong = parseParameters(common::readWhole(model), ships); !wrong.empty())
+            throw common::Refused(model + ": " + wrong);
 
     std::vector<PackSetting> settings = settingsOf(ships, sweep.quick);
     std::string name = film.substr(film.rfind('/') + 1);
@@ -92,16 +92,16 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
         // Only a search from contexts that nobody chose shows what search gains: those that ship, and the
         // default ones, have been searched for already
         ModelParameters parameters = parametersOf(s.value, s.series == kSearch ? ModelParameters{} : ships);
-        double began = processorSeconds();
+        double began = common::processorSeconds();
         if (s.value.effort > 0)
             parameters = search(filter(program.bytes, layout), layout, parameters, s.value.effort,
                                 [](const Progress &) { return true; });
         Encoded e = encode(program.bytes, layout, parameters, workspace);
-        double encoding = processorSeconds() - began;
+        double encoding = common::processorSeconds() - began;
         std::vector<uint8_t> packed = writePacked(program, parameters, e.payload);
-        began = processorSeconds();
+        began = common::processorSeconds();
         if (decodeWithStub(packed) != program.bytes) throw std::runtime_error(film + " came back damaged");
-        double speed = (double)program.bytes.size() / 1024 / (processorSeconds() - began);
+        double speed = (double)program.bytes.size() / 1024 / (common::processorSeconds() - began);
         table.row("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped, e.payload.size(),
                   encoding, speed, stubMemory(parameters, layout.size) / 1048576.0);
         table.plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});

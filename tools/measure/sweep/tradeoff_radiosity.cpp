@@ -1,4 +1,4 @@
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/measure/oracle/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
@@ -80,15 +80,16 @@ std::vector<HallSetting> hallKnobs(bool quick) {
 } // namespace
 
 void odraz::tradeoffRadiosity(const Sweep &sweep) {
-    Plot plot = {"radiosity: a room, a hall of columns, a corner, a vault, a terrain, and the film's hall",
-                 "processor time of a solution, s",
-                 "root mean square error, %",
-                 {"cube", "columns", "corner", "vault", "terrain", "hall"},
-                 {},
-                 true,
-                 true,
-                 true,
-                 true};
+    pictures::Plot plot = {
+        "radiosity: a room, a hall of columns, a corner, a vault, a terrain, and the film's hall",
+        "processor time of a solution, s",
+        "root mean square error, %",
+        {"cube", "columns", "corner", "vault", "terrain", "hall"},
+        {},
+        true,
+        true,
+        true,
+        true};
     plot.frontOfEach = true;
     Table table("scene,setting,shipped,cpu_s,rms_percent,median_percent", plot);
     auto put = [&](const char *scene, const std::string &name, bool shipped, double seconds, double rms,

@@ -3,8 +3,9 @@
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
-#include "tools/measure/detect/flip.h"
 #include "tools/measure/sweep/tradeoff.h"
+#include "tools/picture/flip.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -82,11 +83,11 @@ std::vector<uint8_t> referenceOf(Subject &subject, const std::string &folder, st
     std::replace(name.begin(), name.end(), '/', '-');
     std::string file = folder + "/" + name + "-" + std::to_string(subject.width());
     if (access(file.c_str(), R_OK) == 0) {
-        std::string bytes = readWhole(file);
+        std::string bytes = common::readWhole(file);
         return {bytes.begin(), bytes.end()};
     }
     std::vector<uint8_t> traced = subject.reference();
-    writeWhole(file, {traced.begin(), traced.end()});
+    common::writeWhole(file, {(const char *)traced.data(), traced.size()});
     return traced;
 }
 
@@ -98,7 +99,7 @@ struct Measured {
 
 std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> &settings, int rounds,
                               const std::vector<uint8_t> &reference) {
-    SeenPicture truth = see(reference, subject.width(), subject.height());
+    pictures::SeenPicture truth = pictures::see(reference, subject.width(), subject.height());
     std::vector<Measured> all(settings.size());
     // Take turns in every round, so that what disturbs the machine disturbs all settings
     for (int round = 0; round < rounds; ++round)
@@ -108,9 +109,10 @@ std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> 
             if (round > 0) continue;
             std::vector<uint8_t> picture = subject.picture();
             m.samples = subject.samplesPerPixel();
-            m.flip = meanFlip(truth, see(picture, subject.width(), subject.height()));
-            m.linear = std::min(linearPsnr(picture, reference), 99.); // equal pictures shall be drawn too
-            m.shown = std::min(psnr(picture, reference), 99.);
+            m.flip = pictures::meanFlip(truth, pictures::see(picture, subject.width(), subject.height()));
+            m.linear =
+                std::min(pictures::linearPsnr(picture, reference), 99.); // equal pictures shall be drawn too
+            m.shown = std::min(pictures::psnr(picture, reference), 99.);
         }
     return all;
 }
@@ -141,17 +143,17 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
     // A small picture costs little and gives the same ranking
     int width = sweep.quick ? 256 : sweep.width, height = width * 9 / 16;
     bool one = names.size() == 1;
-    Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
-                     std::to_string(width) + "x" + std::to_string(height),
-                 "processor time of a picture, ms",
-                 "mean FLIP to 256 samples a pixel",
-                 one ? std::vector<std::string>(std::begin(kSeries), std::end(kSeries))
-                     : std::vector<std::string>{},
-                 {},
-                 true,
-                 true,
-                 true,
-                 true};
+    pictures::Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
+                               std::to_string(width) + "x" + std::to_string(height),
+                           "processor time of a picture, ms",
+                           "mean FLIP to 256 samples a pixel",
+                           one ? std::vector<std::string>(std::begin(kSeries), std::end(kSeries))
+                               : std::vector<std::string>{},
+                           {},
+                           true,
+                           true,
+                           true,
+                           true};
     plot.frontOfEach = !one;
     Table table("scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,"
                 "words",
@@ -168,7 +170,7 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
             for (size_t i = 0; i < all.size(); ++i) {
                 const TraceSetting &s = all[i];
                 const Measured &m = found[i];
-                double ms = median(m.times);
+                double ms = common::median(m.times);
                 table.row("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.name.c_str(), camera,
                           s.name.c_str(), s.shipped, m.samples, ms, m.flip, m.linear, m.shown,
                           wordsOf(s.value).c_str());

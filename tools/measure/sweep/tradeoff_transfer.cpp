@@ -1,5 +1,5 @@
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/transfer.h"
 #include "tools/measure/sweep/tradeoff.h"
 
@@ -38,11 +38,11 @@ void sweepRows(TransferTable &table, const SolvedHall &solved, const Sweep &swee
     LightVector noon = lightVector({kNoon, {}, {}, 1});
     TransferRows rows = rowsOf(solved, false);
     table.put("uncompressed", kBands, 0, 0, true, texels * (size_t)rows.columns * sizeof(float),
-              medianMs([&] { relight(hall.radiosity, hall.model, noon, planes.plane); }), 0, -1);
+              common::medianMs([&] { relight(hall.radiosity, hall.model, noon, planes.plane); }), 0, -1);
     std::vector<float> light((size_t)rows.columns, 1.f);
     auto measure = [&](const char *method, PcaSettings settings, int series) {
         Compressed c = compressed(rows, blocksOf(hall.model, settings.clusters), settings, workers);
-        double ms = medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
+        double ms = common::medianMs([&] { relightRows(c.pca, light.data(), planes.plane); });
         table.put(method, kBands, settings.clusters, settings.dimensions, false, c.bytes(), ms,
                   c.errorPercent, series);
     };

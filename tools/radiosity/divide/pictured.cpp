@@ -121,7 +121,7 @@ std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, 
                 const MeshPicture &picture = mesh.materials[(size_t)mesh.triangles[i].material].picture;
                 addTriangle(sums, cells, c, Placed(mesh, i, c, picture), texture, picture.clamp);
             }
-        } catch (const Refused &e) {
+        } catch (const common::Refused &e) {
             notes.push_back(std::string(e.what()) + "; the material's Kd is used");
         }
     return sums;

@@ -2,10 +2,11 @@
 #include "tools/radiosity/export/atlas.h"
 
 #include "tools/common/new_folder.h"
-#include "tools/common/print.h"
 #include "tools/common/statistics.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
+#include "tools/picture/psnr.h"
 #include "tools/radiosity/export/atlas_gltf.h"
 
 #include <algorithm>
@@ -28,20 +29,19 @@ float standsForOne(const Solution &b, bool radiosity) {
         float light = maxComponent(radiosity ? b.light[i] * b.reflects[chart] : b.light[i]);
         if (light > 0) all.push_back(light);
     }
-    return all.empty() ? 1 : std::max(quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
+    return all.empty() ? 1 : std::max(common::quantile(std::move(all), 0.99) / 0.9f, 1e-20f);
 }
 
-void writePng(const NewFolder &folder, const std::string &name, const AtlasPage &size,
+void writePng(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               const std::vector<float> &texels, float one) {
-    Picture picture = {size.width, size.height, {}};
+    pictures::Image picture = {size.width, size.height, {}};
     picture.rgb.resize(texels.size());
     for (size_t i = 0; i < texels.size(); ++i)
-        picture.rgb[i] = (uint8_t)(srgbOfLinear(texels[i] / one) * 255 + 0.5f);
-    if (!::writePng(folder / name, picture))
-        throw std::runtime_error("cannot write " + folder / name + ": " + std::strerror(errno));
+        picture.rgb[i] = (uint8_t)(pictures::srgbOfLinear(texels[i] / one) * 255 + 0.5f);
+    pictures::writePng(folder / name, picture);
 }
 
-void writeHdr(const NewFolder &folder, const std::string &name, const AtlasPage &size,
+void writeHdr(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               std::vector<float> &&texels) {
     // Add half a step of the eight bits: the writer truncates instead of rounding
     for (size_t i = 0; i < texels.size(); i += 3) {
@@ -62,44 +62,44 @@ void writeHdr(const NewFolder &folder, const std::string &name, const AtlasPage 
 
 std::string mtlOf(const AtlasModel &m) {
     std::string text;
-    print(text, "# %s-N.png are sRGB; 1 stands for %.7g of what %s-N.hdr have, which are linear\n",
-          m.name.c_str(), (double)m.one, m.name.c_str());
+    common::append(text, "# %s-N.png are sRGB; 1 stands for %.7g of what %s-N.hdr have, which are linear\n",
+                   m.name.c_str(), (double)m.one, m.name.c_str());
     text += m.radiosity ? "# They have radiance, with what is emitted: show them as they are\n"
                         : "# They have irradiance over pi: radiance is that times Kd, plus Ke\n";
     if (m.pictured)
         text +=
             "# Materials called pictured: instead of Kd take reflectance-N.png, at the same coordinates\n";
     for (const AtlasMaterial &a : m.materials) {
-        print(text, "newmtl %s\nKd %.7g %.7g %.7g\nKe %.7g %.7g %.7g\n", a.name.c_str(), (double)a.reflects.x,
-              (double)a.reflects.y, (double)a.reflects.z, (double)a.emits.x, (double)a.emits.y,
-              (double)a.emits.z);
-        print(text, "map_Kd %s-%d.png\n", m.name.c_str(), a.page);
+        common::append(text, "newmtl %s\nKd %.7g %.7g %.7g\nKe %.7g %.7g %.7g\n", a.name.c_str(),
+                       (double)a.reflects.x, (double)a.reflects.y, (double)a.reflects.z, (double)a.emits.x,
+                       (double)a.emits.y, (double)a.emits.z);
+        common::append(text, "map_Kd %s-%d.png\n", m.name.c_str(), a.page);
     }
     return text;
 }
 
 std::string objOf(const AtlasModel &m) {
     std::string text;
-    print(text,
-          "# by odraz: vt are places on %s-N.png and .hdr; every plane is a smoothing group\n"
-          "mtllib model.mtl\n",
-          m.name.c_str());
+    common::append(text,
+                   "# by odraz: vt are places on %s-N.png and .hdr; every plane is a smoothing group\n"
+                   "mtllib model.mtl\n",
+                   m.name.c_str());
     for (const AtlasPoint &p : m.points)
-        print(text, "v %.8g %.8g %.8g\n", (double)p.p.x, (double)p.p.y, (double)p.p.z);
+        common::append(text, "v %.8g %.8g %.8g\n", (double)p.p.x, (double)p.p.y, (double)p.p.z);
     for (const AtlasPoint &p : m.points)
-        print(text, "vt %.8f %.8f\n", (double)p.u, 1 - (double)p.v); // v is counted from the bottom
+        common::append(text, "vt %.8f %.8f\n", (double)p.u, 1 - (double)p.v); // v is counted from the bottom
     for (const Chart &c : m.solution.charts)
-        print(text, "vn %.6g %.6g %.6g\n", (double)c.n.x, (double)c.n.y, (double)c.n.z);
+        common::append(text, "vn %.6g %.6g %.6g\n", (double)c.n.x, (double)c.n.y, (double)c.n.z);
     for (size_t k = 0; k < m.materials.size(); ++k) {
-        print(text, "usemtl %s\n", m.materials[k].name.c_str());
+        common::append(text, "usemtl %s\n", m.materials[k].name.c_str());
         int chart = -1;
         for (int i : m.materials[k].facets) {
             const Facet &f = m.solution.facets[(size_t)i];
-            if (f.chart != chart) print(text, "s %d\n", f.chart + 1);
+            if (f.chart != chart) common::append(text, "s %d\n", f.chart + 1);
             chart = f.chart;
             text += 'f';
             for (int p = m.first[(size_t)i]; p < m.first[(size_t)i + 1]; ++p)
-                print(text, " %d/%d/%d", p + 1, p + 1, chart + 1);
+                common::append(text, " %d/%d/%d", p + 1, p + 1, chart + 1);
             text += '\n';
         }
     }
@@ -111,7 +111,7 @@ std::string objOf(const AtlasModel &m) {
 void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &path,
                  std::vector<std::string> &notes) {
     if (b.facets.empty()) throw std::runtime_error("it has no polygon");
-    NewFolder folder(path);
+    common::NewFolder folder(path);
     Atlas atlas = packAtlas(b, s);
     AtlasModel model(b, atlas, standsForOne(b, s.radiosity));
     folder.write("model.obj", objOf(model));
@@ -121,7 +121,7 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
     for (size_t i = 0; i < atlas.pages.size(); ++i) {
         const AtlasPage &page = atlas.pages[i];
         std::string name = model.name + "-" + std::to_string(i), size;
-        print(size, "%s: %d x %d texels", name.c_str(), page.width, page.height);
+        common::append(size, "%s: %d x %d texels", name.c_str(), page.width, page.height);
         notes.push_back(size);
         texels += (int64_t)page.width * page.height;
         std::vector<float> light = paintPage(b, atlas, (int)i, s.radiosity ? Held::Radiosity : Held::Light);
@@ -133,9 +133,9 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
     }
     folder.finish();
     std::string all;
-    print(all, "%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g", b.charts.size(),
-          atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s", 100. * (double)atlas.used / (double)texels,
-          (double)model.one);
+    common::append(all, "%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g",
+                   b.charts.size(), atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s",
+                   100. * (double)atlas.used / (double)texels, (double)model.one);
     notes.push_back(all);
     if (atlas.coarse)
         notes.push_back(std::to_string(atlas.coarse) +

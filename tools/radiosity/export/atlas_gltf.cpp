@@ -1,6 +1,6 @@
 #include "tools/radiosity/export/atlas_gltf.h"
 
-#include "tools/common/print.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
                                                 materials.size());
         if (added) {
             std::string called;
-            print(called, "%s%zu_page%d", own ? "pictured" : "material", materials.size(), p.page);
+            common::append(called, "%s%zu_page%d", own ? "pictured" : "material", materials.size(), p.page);
             materials.push_back({called, p.page, own ? Rgb{} : reflects, emits, own, {}});
             area.push_back(0);
         }
@@ -57,27 +57,28 @@ template <class T> void put(std::string &to, const T &value) {
 }
 
 void putMaterial(std::string &to, const AtlasModel &m, const AtlasMaterial &a) {
-    print(to, "{\"name\":\"%s\",", a.name.c_str());
+    common::append(to, "{\"name\":\"%s\",", a.name.c_str());
     if (m.radiosity) {
-        print(to,
-              "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d,\"texCoord\":1},"
-              "\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}",
-              a.page);
+        common::append(to,
+                       "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d,\"texCoord\":1},"
+                       "\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}",
+                       a.page);
         return;
     }
     to += "\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1,";
     if (a.pictured)
-        print(to, "\"baseColorTexture\":{\"index\":%zu,\"texCoord\":1}}", m.pages + (size_t)a.page);
+        common::append(to, "\"baseColorTexture\":{\"index\":%zu,\"texCoord\":1}}", m.pages + (size_t)a.page);
     else
-        print(to, "\"baseColorFactor\":[%.7g,%.7g,%.7g,1]}", (double)a.reflects.x, (double)a.reflects.y,
-              (double)a.reflects.z);
+        common::append(to, "\"baseColorFactor\":[%.7g,%.7g,%.7g,1]}", (double)a.reflects.x,
+                       (double)a.reflects.y, (double)a.reflects.z);
     float most = maxComponent(a.emits), unit = most > 1 ? 1 / most : 1;
     if (most > 0)
-        print(to, ",\"emissiveFactor\":[%.7g,%.7g,%.7g]", (double)(a.emits.x * unit),
-              (double)(a.emits.y * unit), (double)(a.emits.z * unit));
-    print(to, ",\"extensions\":{\"MOZ_lightmap\":{\"index\":%d,\"texCoord\":1,\"intensity\":%.7g}", a.page,
-          (double)m.one);
-    if (most > 1) print(to, ",\"KHR_materials_emissive_strength\":{\"emissiveStrength\":%.7g}", (double)most);
+        common::append(to, ",\"emissiveFactor\":[%.7g,%.7g,%.7g]", (double)(a.emits.x * unit),
+                       (double)(a.emits.y * unit), (double)(a.emits.z * unit));
+    common::append(to, ",\"extensions\":{\"MOZ_lightmap\":{\"index\":%d,\"texCoord\":1,\"intensity\":%.7g}",
+                   a.page, (double)m.one);
+    if (most > 1)
+        common::append(to, ",\"KHR_materials_emissive_strength\":{\"emissiveStrength\":%.7g}", (double)most);
     to += "}}";
 }
 
@@ -100,16 +101,19 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
     size_t count = m.points.size(), begin = bytes.size();
     std::string views, accessors, primitives, materials, images, textures;
     auto view = [&](size_t from, size_t length, int target) {
-        print(views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}",
-              views.empty() ? "" : ",", from, length, target);
+        common::append(views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}",
+                       views.empty() ? "" : ",", from, length, target);
     };
     view(0, count * 12, 34962), view(count * 12, count * 12, 34962), view(count * 24, count * 8, 34962);
-    print(accessors,
-          "{\"bufferView\":0,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\",\"min\":[%.9g,%.9g,%.9g],"
-          "\"max\":[%.9g,%.9g,%.9g]}",
-          count, (double)lo.x, (double)lo.y, (double)lo.z, (double)hi.x, (double)hi.y, (double)hi.z);
-    print(accessors, ",{\"bufferView\":1,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\"}", count);
-    print(accessors, ",{\"bufferView\":2,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC2\"}", count);
+    common::append(
+        accessors,
+        "{\"bufferView\":0,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\",\"min\":[%.9g,%.9g,%.9g],"
+        "\"max\":[%.9g,%.9g,%.9g]}",
+        count, (double)lo.x, (double)lo.y, (double)lo.z, (double)hi.x, (double)hi.y, (double)hi.z);
+    common::append(accessors, ",{\"bufferView\":1,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\"}",
+                   count);
+    common::append(accessors, ",{\"bufferView\":2,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC2\"}",
+                   count);
     bool bright = false;
     for (size_t k = 0; k < m.materials.size(); ++k) {
         const AtlasMaterial &a = m.materials[k];
@@ -117,21 +121,22 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
             for (int p = m.first[(size_t)i]; p + 2 < m.first[(size_t)i + 1]; ++p)
                 for (int corner : {m.first[(size_t)i], p + 1, p + 2}) put(bytes, (uint32_t)corner);
         view(begin, bytes.size() - begin, 34963);
-        print(accessors, ",{\"bufferView\":%zu,\"componentType\":5125,\"count\":%zu,\"type\":\"SCALAR\"}",
-              k + 3, (bytes.size() - begin) / 4);
-        print(primitives,
-              "%s{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":2},"
-              "\"indices\":%zu,\"material\":%zu}",
-              k ? "," : "", k + 3, k);
+        common::append(accessors,
+                       ",{\"bufferView\":%zu,\"componentType\":5125,\"count\":%zu,\"type\":\"SCALAR\"}",
+                       k + 3, (bytes.size() - begin) / 4);
+        common::append(primitives,
+                       "%s{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":2},"
+                       "\"indices\":%zu,\"material\":%zu}",
+                       k ? "," : "", k + 3, k);
         if (k) materials += ',';
         putMaterial(materials, m, a);
         bright |= maxComponent(a.emits) > 1;
         begin = bytes.size();
     }
     for (size_t i = 0; i < m.pages * (m.pictured ? 2 : 1); ++i) {
-        print(images, "%s{\"uri\":\"%s-%zu.png\"}", i ? "," : "",
-              i < m.pages ? m.name.c_str() : "reflectance", i % m.pages);
-        print(textures, "%s{\"source\":%zu,\"sampler\":0}", i ? "," : "", i);
+        common::append(images, "%s{\"uri\":\"%s-%zu.png\"}", i ? "," : "",
+                       i < m.pages ? m.name.c_str() : "reflectance", i % m.pages);
+        common::append(textures, "%s{\"source\":%zu,\"sampler\":0}", i ? "," : "", i);
     }
     std::string file = binary.substr(binary.rfind('/') + 1);
     std::string json =
@@ -144,8 +149,8 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
         images + "],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9729," +
         "\"wrapS\":33071,\"wrapT\":33071}],\"accessors\":[" + accessors + "],\"bufferViews\":[" + views +
         "],\"buffers\":[{\"uri\":\"" + file + "\",\"byteLength\":" + std::to_string(bytes.size()) + "}]}\n";
-    writeWhole(binary, bytes);
-    writeWhole(path, json);
+    common::writeWhole(binary, bytes);
+    common::writeWhole(path, json);
 }
 
 } // namespace odraz

@@ -15,14 +15,14 @@ Vec3 readPlace(const std::string &option, const std::string &text) {
     if (std::sscanf(text.c_str(), "%f,%f,%f%c", &p.x, &p.y, &p.z, &rest) == 3 &&
         std::isfinite(p.x + p.y + p.z))
         return p;
-    throw Refused(option + " takes three numbers like 1,2.5,-3, not " + text);
+    throw common::Refused(option + " takes three numbers like 1,2.5,-3, not " + text);
 }
 
 void readSize(const std::string &text, int &width, int &height) {
     char rest;
     if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 1 || height < 1 ||
         width > kMaxWidth || height > kMaxHeight)
-        throw Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
+        throw common::Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
 }
 
 // Writes a place as an option, and sets it to the value that reading the option gives.
@@ -35,7 +35,7 @@ std::string pointOption(const char *option, Vec3 &p) {
 
 } // namespace
 
-bool CameraOptions::take(const std::string &w, Arguments &words) {
+bool CameraOptions::take(const std::string &w, common::Arguments &words) {
     RenderSettings &s = settings;
     if (w == "--eye")
         s.eye = readPlace(w, words.value(w)), eye = true;
@@ -57,7 +57,7 @@ bool CameraOptions::take(const std::string &w, Arguments &words) {
 }
 
 void CameraOptions::finish(const std::string &command) const {
-    if (eye != at) throw Refused(command + " needs --eye and --at, or neither");
+    if (eye != at) throw common::Refused(command + " needs --eye and --at, or neither");
 }
 
 std::string placeOptions(RenderSettings &s) {

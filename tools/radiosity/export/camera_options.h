@@ -9,7 +9,7 @@ namespace odraz {
 class CameraOptions {
 public:
     // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, Arguments &words);
+    bool take(const std::string &option, common::Arguments &words);
     // Throws Refused if only half of a camera is given.
     void finish(const std::string &command) const;
 

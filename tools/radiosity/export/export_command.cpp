@@ -1,6 +1,6 @@
 #include "tools/radiosity/export/export_command.h"
 
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/transfer/relight_options.h"
@@ -9,14 +9,14 @@
 
 namespace odraz {
 
-int runExport(Arguments &words) {
+int runExport(common::Arguments &words) {
     std::string in, kind, out, ofAtlas;
     AtlasSettings s;
     RelightOptions relight;
     while (const char *word = words.next()) {
         std::string w = word;
         if (w == "--csv" || w == "--ply" || w == "--obj" || w == "--atlas") {
-            if (!out.empty()) throw Refused("export writes one thing at a time");
+            if (!out.empty()) throw common::Refused("export writes one thing at a time");
             kind = w, out = words.value(w);
         } else if (word[0] != '-' && in.empty()) {
             in = w;
@@ -36,8 +36,8 @@ int runExport(Arguments &words) {
         if (w != kind) ofAtlas = w;
     }
     if (in.empty() || out.empty())
-        throw Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
-    if (!ofAtlas.empty() && kind != "--atlas") throw Refused(ofAtlas + " belongs to --atlas DIR");
+        throw common::Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
+    if (!ofAtlas.empty() && kind != "--atlas") throw common::Refused(ofAtlas + " belongs to --atlas DIR");
     Workers workers = allProcessors();
     Solution solution = readLit(in, relight, workers);
     if (kind == "--atlas") {

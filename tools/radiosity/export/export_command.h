@@ -5,6 +5,6 @@
 
 namespace odraz {
 
-int runExport(Arguments &words);
+int runExport(common::Arguments &words);
 
 } // namespace odraz

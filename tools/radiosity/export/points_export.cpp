@@ -1,9 +1,10 @@
 // Exports a solved model for spreadsheets and viewers.
 #include "tools/radiosity/export/points_export.h"
 
-#include "tools/common/print.h"
 #include "tools/common/statistics.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,10 +25,10 @@ struct Shown {
             for (const SolutionPoint &p : piece) all.push_back(maxComponent(p.radiosity));
         });
         if (all.empty()) return;
-        float high = quantile(std::move(all), 0.99);
+        float high = common::quantile(std::move(all), 0.99);
         if (high > 1e-30f) scale = 0.9f / high; // a smaller value has no finite inverse
     }
-    float operator()(float x) const { return srgbOfLinear(x * scale); }
+    float operator()(float x) const { return pictures::srgbOfLinear(x * scale); }
 };
 
 struct Corners {
@@ -76,9 +77,10 @@ void exportCsv(const Solution &solution, const std::string &path) {
     auto put = [&] {
         if (!(sum.area > 0)) return;
         Vec3 n = solution.charts[(size_t)chart].n;
-        print(text, "%d,%.7g,%.7g,%.7g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart, sum.p[0] / sum.area,
-              sum.p[1] / sum.area, sum.p[2] / sum.area, (double)n.x, (double)n.y, (double)n.z, sum.area,
-              sum.light[0] / sum.area, sum.light[1] / sum.area, sum.light[2] / sum.area);
+        common::append(text, "%d,%.7g,%.7g,%.7g,%.6g,%.6g,%.6g,%.7g,%.7g,%.7g,%.7g\n", chart,
+                       sum.p[0] / sum.area, sum.p[1] / sum.area, sum.p[2] / sum.area, (double)n.x,
+                       (double)n.y, (double)n.z, sum.area, sum.light[0] / sum.area, sum.light[1] / sum.area,
+                       sum.light[2] / sum.area);
         sum = {};
     };
     solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {
@@ -97,46 +99,47 @@ void exportCsv(const Solution &solution, const std::string &path) {
         }
     });
     put();
-    writeWhole(path, text);
+    common::writeWhole(path, text);
 }
 
 void exportPly(const Solution &solution, const std::string &path) {
     Shown shown(solution);
     Corners corners(solution);
     std::string text;
-    print(text,
-          "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
-          "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
-          "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-          "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-          1 / (double)shown.scale, corners.points.size(), corners.faces.size());
+    common::append(text,
+                   "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
+                   "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+                   "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                   "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+                   1 / (double)shown.scale, corners.points.size(), corners.faces.size());
     auto byte = [&](float x) { return (int)(shown(x) * 255 + 0.5f); };
     for (const SolutionPoint &p : corners.points)
-        print(text, "%.7g %.7g %.7g %d %d %d\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
-              byte(p.radiosity.x), byte(p.radiosity.y), byte(p.radiosity.z));
+        common::append(text, "%.7g %.7g %.7g %d %d %d\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
+                       byte(p.radiosity.x), byte(p.radiosity.y), byte(p.radiosity.z));
     for (const auto &face : corners.faces) {
-        print(text, "%zu", face.size());
-        for (size_t corner : face) print(text, " %zu", corner);
+        common::append(text, "%zu", face.size());
+        for (size_t corner : face) common::append(text, " %zu", corner);
         text += '\n';
     }
-    writeWhole(path, text);
+    common::writeWhole(path, text);
 }
 
 void exportObj(const Solution &solution, const std::string &path) {
     Shown shown(solution);
     Corners corners(solution);
     std::string text;
-    print(text, "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
-          1 / (double)shown.scale);
+    common::append(text, "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
+                   1 / (double)shown.scale);
     for (const SolutionPoint &p : corners.points)
-        print(text, "v %.7g %.7g %.7g %.4f %.4f %.4f\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
-              (double)shown(p.radiosity.x), (double)shown(p.radiosity.y), (double)shown(p.radiosity.z));
+        common::append(text, "v %.7g %.7g %.7g %.4f %.4f %.4f\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
+                       (double)shown(p.radiosity.x), (double)shown(p.radiosity.y),
+                       (double)shown(p.radiosity.z));
     for (const auto &face : corners.faces) {
         text += 'f';
-        for (size_t corner : face) print(text, " %zu", corner + 1);
+        for (size_t corner : face) common::append(text, " %zu", corner + 1);
         text += '\n';
     }
-    writeWhole(path, text);
+    common::writeWhole(path, text);
 }
 
 } // namespace odraz

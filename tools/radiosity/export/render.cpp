@@ -2,8 +2,8 @@
 #include "tools/radiosity/export/render.h"
 
 #include "base/maths.h"
-#include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/rays/ray_tree.h"
@@ -171,11 +171,11 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
         }
     if (all.empty()) all.push_back(1); // all is black
     // Choose the exposure by what the camera sees
-    float exposure = std::exp2(s.stops) * 0.5f / std::max(quantile(all, 0.6), 1e-30f);
-    Picture picture = {s.width, s.height, {}};
+    float exposure = std::exp2(s.stops) * 0.5f / std::max(common::quantile(all, 0.6), 1e-30f);
+    pictures::Image picture = {s.width, s.height, {}};
     picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
-    float low = std::log(std::max(quantile(all, 0.01), 1e-30f)),
-          high = std::log(std::max(quantile(all, 0.998), 1e-30f));
+    float low = std::log(std::max(common::quantile(all, 0.01), 1e-30f)),
+          high = std::log(std::max(common::quantile(all, 0.998), 1e-30f));
     if (!s.logarithmic) {
         Curve curve;
         makeCurve(curve);
@@ -199,7 +199,7 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
                                         : 0)
                         : frame.rgba[pixel * 4 + k];
         }
-    if (!writePng(path, picture)) throw std::runtime_error("cannot write " + path);
+    pictures::writePng(path, picture);
 }
 
 } // namespace odraz

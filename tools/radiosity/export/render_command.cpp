@@ -1,7 +1,7 @@
 #include "tools/radiosity/export/render_command.h"
 
-#include "tools/common/machine.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/export/transfer_pictures.h"
@@ -11,7 +11,7 @@
 
 namespace odraz {
 
-int runRender(Arguments &words) {
+int runRender(common::Arguments &words) {
     std::string in, out, pictures;
     CameraOptions camera;
     RelightOptions relight;
@@ -29,9 +29,10 @@ int runRender(Arguments &words) {
             words.refuse(w);
     }
     if (!in.empty() && !pictures.empty()) {
-        if (!out.empty()) throw Refused("--pictures DIR writes pictures of its own: leave out -o");
+        if (!out.empty()) throw common::Refused("--pictures DIR writes pictures of its own: leave out -o");
         if (!TransferRoom::is(in))
-            throw Refused("--pictures is for a room that `radiosity transfer` wrote; " + in + " is none");
+            throw common::Refused("--pictures is for a room that `radiosity transfer` wrote; " + in +
+                                  " is none");
         camera.finish("render");
         Workers workers = allProcessors();
         TransferRoom room = TransferRoom::read(in);
@@ -41,9 +42,9 @@ int runRender(Arguments &words) {
         picturesOf(room, relight.of(room).lighting, camera.settings, workers, pictures);
         return 0;
     }
-    if (in.empty() || out.empty()) throw Refused("render needs a solution and -o FILE.png");
+    if (in.empty() || out.empty()) throw common::Refused("render needs a solution and -o FILE.png");
     camera.finish("render");
-    checkWritable(out);
+    common::checkWritable(out);
     Workers workers = allProcessors();
     RenderSettings &s = camera.settings;
     auto eyeFor = [&](const Solution &solution, const TransferRoom *room) {

@@ -7,6 +7,6 @@ namespace odraz {
 
 // Runs `render` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit
 // status.
-int runRender(Arguments &words);
+int runRender(common::Arguments &words);
 
 } // namespace odraz

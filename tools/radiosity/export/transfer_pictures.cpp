@@ -1,9 +1,10 @@
 #include "tools/radiosity/export/transfer_pictures.h"
 
 #include "show/font.h"
-#include "tools/common/heap_arena.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/picture/picture.h"
+#include "tools/picture/psnr.h"
 #include "trace/picture/development.h"
 
 #include <algorithm>
@@ -43,12 +44,12 @@ public:
                     c = (uint8_t)std::lround((float)c + ((float)230 - (float)c) * ink);
                 }
             }
-        if (!writePng(path, p)) throw std::runtime_error("cannot write " + path);
+        pictures::writePng(path, p);
     }
 
 private:
     HeapArena memory;
-    Picture p;
+    pictures::Image p;
     Frame text = {};
 };
 
@@ -56,7 +57,7 @@ private:
 struct Signed {
     float srgb[3];
     explicit Signed(float x) {
-        float much = srgbOfLinear(std::fabs(x));
+        float much = pictures::srgbOfLinear(std::fabs(x));
         const float above[3] = {1, 0.62f, 0.18f}, below[3] = {0.25f, 0.55f, 1};
         for (int k = 0; k < 3; ++k) srgb[k] = much * (x > 0 ? above[k] : below[k]);
     }
@@ -138,7 +139,7 @@ void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderS
     std::vector<float> all;
     for (const Rgb &c : seenBy(room, lighting, 0, bands, camera, workers))
         if (float light = brightest(c); light > 0) all.push_back(light);
-    float exposure = all.empty() ? 1 : std::exp2(settings.stops) * 0.5f / quantile(all, 0.6);
+    float exposure = all.empty() ? 1 : std::exp2(settings.stops) * 0.5f / common::quantile(all, 0.6);
     HeapArena memory(((size_t)camera.width + 64) * (size_t)camera.height * 32 + 65536);
     Frame frame = {};
     if (!makeFrame(frame, memory.arena, camera.width, camera.height))

@@ -8,7 +8,7 @@
 
 namespace odraz {
 
-int runGenerate(Arguments &words) {
+int runGenerate(common::Arguments &words) {
     std::string kind, out;
     double area = 0;
     std::vector<MaterialChange> changes;
@@ -27,16 +27,17 @@ int runGenerate(Arguments &words) {
     }
     static const char *const kinds[] = {"cube", "columns", "corner", "vault", "terrain"};
     if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
-        throw Refused("generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
+        throw common::Refused(
+            "generate makes a cube, columns, a corner, a vault or a terrain: name one of them");
     if (out.size() < 5 || out.compare(out.size() - 4, 4, ".obj"))
-        throw Refused("name a file with -o MODEL.obj");
-    checkWritable(out);
+        throw common::Refused("name a file with -o MODEL.obj");
+    common::checkWritable(out);
     std::string mtl = out.substr(0, out.size() - 4) + ".mtl", name = mtl.substr(mtl.rfind('/') + 1);
     std::string materials = generateMtl(changes);
     size_t triangles = 0;
     std::string model = generateObj(kind, area, &triangles);
-    writeWhole(mtl, materials);
-    writeWhole(out, "mtllib " + name + "\n" + model);
+    common::writeWhole(mtl, materials);
+    common::writeWhole(out, "mtllib " + name + "\n" + model);
     bool fine = area > 0 || kind == "vault" || kind == "terrain";
     std::printf("%s: %zu %s\n", out.c_str(), fine ? triangles : triangles / 2,
                 fine ? "triangles" : "polygons");

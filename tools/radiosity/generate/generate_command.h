@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Runs `generate` with the words that follow it. Throws Refused. Returns the exit status.
-int runGenerate(Arguments &words);
+int runGenerate(common::Arguments &words);
 
 } // namespace odraz

@@ -1,7 +1,7 @@
 // Writes Wavefront OBJ polygon by polygon, for the generated models.
 #pragma once
 
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 
 #include <cstdio>
 #include <map>

@@ -70,9 +70,9 @@ struct Watch {
     }
     void hear(float done) {
         task.tell(SolveStep::kFormFactors, done);
-        if (wallSeconds() - kept < task.settings.keepEvery) return;
+        if (common::wallSeconds() - kept < task.settings.keepEvery) return;
         keepPatchRows(task, patches);
-        kept = wallSeconds();
+        kept = common::wallSeconds();
     }
 };
 
@@ -108,7 +108,7 @@ void findPatchRows(SolveTask &task, PatchSystem &p, const Gl &gl) {
     }
     RowFinder find = s.findRows;
     if (!find) find = rowsByHemicubes(gl, s.hemicube, s.turns, s.turn);
-    Watch watch = {task, p, wallSeconds()};
+    Watch watch = {task, p, common::wallSeconds()};
     const int *abort = task.workers.abort;
     task.workers.abort = task.stop;
     task.report.whole =

@@ -1,7 +1,7 @@
 // The stages of a solution between patches, as solveByPatches() runs them.
 #pragma once
 
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/solution/solve_task.h"
 

@@ -1,6 +1,6 @@
 // Divides the emitting triangles of a mesh into parts.
 #include "base/maths.h"
-#include "tools/common/luminance.h"
+#include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/lamp_rays.h"
 
 #include <algorithm>

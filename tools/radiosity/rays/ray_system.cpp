@@ -1,7 +1,7 @@
 #include "tools/radiosity/rays/ray_system.h"
 
 #include "base/random.h"
-#include "tools/common/luminance.h"
+#include "tools/engine/luminance.h"
 #include "tools/radiosity/solution/arrays.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // How sites share light, and how many rays this requires.
-#include "tools/common/luminance.h"
+#include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/ray_system.h"
 
 #include <algorithm>

@@ -87,9 +87,9 @@ private:
     const RayTree &tree;
     LightGrid &grid;
     RaySystem system;
-    double kept = wallSeconds(); // when rows were last saved
-    bool refined = false;        // the number of rays that each site needs is known
-    std::vector<Rgb> direct;     // light of each texel
+    double kept = common::wallSeconds(); // when rows were last saved
+    bool refined = false;                // the number of rays that each site needs is known
+    std::vector<Rgb> direct;             // light of each texel
     std::vector<Rgb> directAtSites, reflects;
     DirectShares shares; // for keepRows()
 
@@ -107,7 +107,7 @@ private:
     void keep(bool refinedRows) {
         if (!s.keep) return;
         s.keep(savedRows(refinedRows));
-        kept = wallSeconds();
+        kept = common::wallSeconds();
     }
     std::string savedRows(bool refinedRows) const {
         std::string rows;
@@ -125,7 +125,7 @@ private:
         }
         s.keepRows(savedRows(true), std::move(prepared));
     }
-    bool keepIsDue() const { return wallSeconds() - kept > s.keepEvery; }
+    bool keepIsDue() const { return common::wallSeconds() - kept > s.keepEvery; }
 
     // Finds the missing rows for these numbers of rays. For progress it is the part from .. to of the step.
     void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {

@@ -24,7 +24,7 @@ constexpr double kRgbOfXyz[3][3] = {
 
 class HdrReader {
 public:
-    explicit HdrReader(const std::string &path) : path(path), file(readWhole(path)) {}
+    explicit HdrReader(const std::string &path) : path(path), file(common::readWhole(path)) {}
 
     HdrPicture read() {
         readHead();
@@ -50,7 +50,7 @@ private:
     int lines = 0, perLine = 0;
     std::vector<uint8_t> line;
 
-    [[noreturn]] void refuse(const std::string &what) const { throw Refused(path + ": " + what); }
+    [[noreturn]] void refuse(const std::string &what) const { throw common::Refused(path + ": " + what); }
 
     // The lines of text up to an empty one.
     void readHead() {

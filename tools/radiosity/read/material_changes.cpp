@@ -14,7 +14,7 @@ constexpr double kMostPower = 1e12; // as material files may have
 bool emits(const MeshMaterial &m) { return m.emits[0] + m.emits[1] + m.emits[2] > 0; }
 
 [[noreturn]] void refuse(const MaterialChange &c, const std::string &why) {
-    throw odraz::Refused(c.option + " " + c.text + ": " + why);
+    throw common::Refused(c.option + " " + c.text + ": " + why);
 }
 
 // The names of the materials that may be changed, for a message.

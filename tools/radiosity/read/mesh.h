@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/common/arguments.h"
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 #include "tools/radiosity/read/material_changes.h"
 
 #include <array>
@@ -11,8 +11,8 @@
 #include <vector>
 
 // An error in a file: one line that begins with the file's name and, if known, the line number.
-struct ModelError : odraz::Refused {
-    using Refused::Refused;
+struct ModelError : common::Refused {
+    using common::Refused::Refused;
 };
 
 // A map_Kd: the material reflects `tint` times the picture at the coordinates times `scale` plus `offset`.

@@ -128,7 +128,7 @@ struct Reader {
     }
 
     void read(const std::string &path) {
-        std::istringstream in(plainText(odraz::readWhole(path)));
+        std::istringstream in(plainText(common::readWhole(path)));
         std::string line, rest;
         while (std::getline(in, line)) {
             if (isLine(line, "newmtl", rest))
@@ -190,7 +190,7 @@ std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vec
                 reader.read(findFile(folder, name));
             } catch (const ModelError &) {
                 throw;
-            } catch (const odraz::Refused &e) {
+            } catch (const common::Refused &e) {
                 wrong = e.what();
             }
     }

@@ -67,7 +67,7 @@ void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &us
 class ObjReader {
 public:
     ObjReader(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes)
-        : path(path), settings(settings), notes(notes), text(path, odraz::readWhole(path)) {}
+        : path(path), settings(settings), notes(notes), text(path, common::readWhole(path)) {}
 
     Mesh read() {
         mesh.materials = readMaterials(path, text.libraries, notes);

@@ -1,8 +1,8 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include "tools/common/arguments.h"
-#include "tools/common/statistics.h"
 #include "tools/common/whole_file.h"
+#include "tools/picture/psnr.h"
 
 #include <stb/stb_image.h>
 
@@ -43,17 +43,18 @@ void cut(const Polygon &in, size_t axis, double at, double sign, Polygon &out) {
 } // namespace
 
 ReflectancePicture::ReflectancePicture(const std::string &path) {
-    std::string file = readWhole(path);
-    if (file.size() > (size_t)256 << 20) throw Refused("cannot read " + path + ": it has more than 256 MB");
+    std::string file = common::readWhole(path);
+    if (file.size() > (size_t)256 << 20)
+        throw common::Refused("cannot read " + path + ": it has more than 256 MB");
     auto *bytes = (const stbi_uc *)file.data();
     int width, height, channels, size = (int)file.size();
     if (!stbi_info_from_memory(bytes, size, &width, &height, &channels))
-        throw Refused("cannot read " + path + ": its format is unknown");
+        throw common::Refused("cannot read " + path + ": its format is unknown");
     if ((int64_t)width * height > 1 << 26)
-        throw Refused("cannot read " + path + ": it has more than 2^26 pixels");
+        throw common::Refused("cannot read " + path + ": it has more than 2^26 pixels");
     std::unique_ptr<stbi_uc, void (*)(void *)> pixels(
         stbi_load_from_memory(bytes, size, &width, &height, &channels, 3), stbi_image_free);
-    if (!pixels) throw Refused("cannot read " + path + ": it is damaged");
+    if (!pixels) throw common::Refused("cannot read " + path + ": it is damaged");
     file = {};
     make(width, height, pixels.get());
 }
@@ -64,7 +65,7 @@ ReflectancePicture::ReflectancePicture(int width, int height, const std::vector<
 
 void ReflectancePicture::make(int width, int height, const uint8_t *srgb) {
     std::array<uint16_t, 256> linear;
-    for (size_t i = 0; i < 256; ++i) linear[i] = (uint16_t)(linearOfSrgb((uint8_t)i) * 65535 + 0.5);
+    for (size_t i = 0; i < 256; ++i) linear[i] = (uint16_t)(pictures::linearOfSrgb((uint8_t)i) * 65535 + 0.5);
     levels.push_back({width, height, {}});
     levels[0].texels.resize((size_t)width * (size_t)height);
     for (size_t i = 0; i < levels[0].texels.size(); ++i)

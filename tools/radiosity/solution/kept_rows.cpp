@@ -76,13 +76,13 @@ void KeptRows::save(const std::string &path) const {
     putBytes(all, rows);
     uint64_t sum = sumOfLanes(std::string_view(all).substr(kHead));
     std::memcpy(&all[kLine], &sum, sizeof sum);
-    writeWhole(path, all);
+    common::writeWhole(path, all);
 }
 
-KeptRows::KeptRows(const std::string &path) : file(readWholeFile(path)) {
+KeptRows::KeptRows(const std::string &path) : file(common::readWholeFile(path)) {
     std::string_view all = file.view();
     if (all.size() < kHead || all.substr(0, kLine) != kMagic)
-        throw Refused(path + ": holds no rows of 'radiosity solve --keep-rows'");
+        throw common::Refused(path + ": holds no rows of 'radiosity solve --keep-rows'");
     uint64_t sum;
     std::memcpy(&sum, &all[kLine], sizeof sum);
     size_t at = kHead;
@@ -95,12 +95,13 @@ KeptRows::KeptRows(const std::string &path) : file(readWholeFile(path)) {
                 names.known.size() == names.asked.size() && names.used.size() == names.all.size() &&
                 getBytes(all, at, prepared) && odraz::get(all, at, padding) && getBytes(all, at, rows) &&
                 at == all.size();
-    if (!good) throw Refused(path + ": is damaged, or from another version: solve with --keep-rows again");
+    if (!good)
+        throw common::Refused(path + ": is damaged, or from another version: solve with --keep-rows again");
     model = head[0], sky = head[1], solution = head[2], evenSky = head[3] != 0;
 }
 
 uint64_t sumOfFile(const std::string &path) {
-    std::string all = readWhole(path);
+    std::string all = common::readWhole(path);
     return checksum(all.data(), all.size());
 }
 

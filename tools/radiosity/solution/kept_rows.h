@@ -36,7 +36,7 @@ struct KeptRows {
     KeptRows(const KeptRows &) = delete;
 
 private:
-    WholeFile file; // rows and prepared lie in it
+    common::WholeFile file; // rows and prepared lie in it
 };
 
 // The checksum of a file. Throws Refused.

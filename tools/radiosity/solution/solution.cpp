@@ -29,13 +29,13 @@ bool Solution::get(const std::string &from, size_t &at) {
 void Solution::save(const std::string &path) const {
     std::string body;
     put(body);
-    writeWhole(path, withChecksum(body));
+    common::writeWhole(path, withChecksum(body));
 }
 
 std::string Solution::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
 
 Solution::Solution(const std::string &path) {
-    std::string all = readWhole(path);
+    std::string all = common::readWhole(path);
     size_t at = bodyOf(all, kMagic);
     if (!at) throw std::runtime_error(path + ": was not written by 'radiosity solve'");
     bool good = at != std::string::npos && get(all, at) && at == all.size();
@@ -46,7 +46,7 @@ Solution::Solution(const std::string &path) {
 uint64_t sumOfSolution(const std::string &path) {
     constexpr size_t kBefore = sizeof kMagic - 1;
     uint64_t sum;
-    std::string head = readStart(path, kBefore + sizeof sum);
+    std::string head = common::readStart(path, kBefore + sizeof sum);
     if (head.size() < kBefore + sizeof sum || head.compare(0, kBefore, kMagic) != 0)
         throw std::runtime_error(path + ": was not written by 'radiosity solve'");
     std::memcpy(&sum, head.data() + kBefore, sizeof sum);

@@ -18,13 +18,13 @@ void SolveState::save(const std::string &path) const {
     put(body, std::vector<uint64_t>{model, words.size()});
     for (const std::string &word : words) put(body, std::vector<char>(word.begin(), word.end()));
     body += rows;
-    writeWhole(path, withChecksum(kMagic, body));
+    common::writeWhole(path, withChecksum(kMagic, body));
 }
 
 SolveState SolveState::read(const std::string &path) {
-    std::string all = readWhole(path);
+    std::string all = common::readWhole(path);
     size_t at = bodyOf(all, kMagic);
-    if (!at) throw Refused(path + ": is not a state of 'radiosity solve'");
+    if (!at) throw common::Refused(path + ": is not a state of 'radiosity solve'");
     SolveState s;
     std::vector<uint64_t> head;
     bool good = at != std::string::npos && get(all, at, head) && head.size() == 2;
@@ -33,7 +33,7 @@ SolveState SolveState::read(const std::string &path) {
         good = get(all, at, word);
         s.words.emplace_back(word.begin(), word.end());
     }
-    if (!good) throw Refused(path + ": is damaged, or from another version: solve the model again");
+    if (!good) throw common::Refused(path + ": is damaged, or from another version: solve the model again");
     s.model = head[0];
     s.rows = all.substr(at);
     return s;
@@ -46,9 +46,9 @@ uint64_t sumOf(const SkyPicture &sky) {
 // The checksum of a picture's file; 0 if it cannot be read.
 static uint64_t sumOfPicture(const std::string &path) {
     try {
-        std::string all = readWhole(path);
+        std::string all = common::readWhole(path);
         return checksum(all.data(), all.size());
-    } catch (const Refused &) {
+    } catch (const common::Refused &) {
         return 0;
     }
 }

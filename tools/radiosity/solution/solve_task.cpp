@@ -65,7 +65,7 @@ void SolveTask::takeMaterials() {
         solution.reflects.push_back({m.reflects[0], m.reflects[1], m.reflects[2]});
         solution.emits.push_back({m.emits[0], m.emits[1], m.emits[2]});
     }
-    lastLap = processorSeconds();
+    lastLap = common::processorSeconds();
 }
 
 void SolveTask::tell(SolveStep step, float done, float residual) const {
@@ -73,7 +73,7 @@ void SolveTask::tell(SolveStep step, float done, float residual) const {
 }
 
 void SolveTask::lap(SolveStep step) {
-    double now = processorSeconds(), took = now - lastLap;
+    double now = common::processorSeconds(), took = now - lastLap;
     report.seconds[(int)step] += took, report.allSeconds += took;
     lastLap = now;
 }

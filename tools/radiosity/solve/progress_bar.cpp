@@ -10,11 +10,11 @@
 namespace odraz {
 
 ProgressBar::ProgressBar(bool lines)
-    : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(wallSeconds()) {}
+    : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(common::wallSeconds()) {}
 
 void ProgressBar::show(const char *name, float done, float residual) {
     if (!terminal && !lines) return;
-    double time = wallSeconds();
+    double time = common::wallSeconds();
     bool fresh = name != step;
     if (fresh) step = name, began = time, first = done, ended = false;
     char rest[90] = "";

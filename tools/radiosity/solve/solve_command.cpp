@@ -1,6 +1,6 @@
 #include "tools/radiosity/solve/solve_command.h"
 
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/scaled.h"
@@ -36,8 +36,8 @@ public:
         if (!job.relight.empty()) return relight();
         readModel();
         if (!resumed.empty() && modelSum != state.model)
-            throw Refused(resumed + ": belongs to another model than " + job.model +
-                          " is now: solve it again");
+            throw common::Refused(resumed + ": belongs to another model than " + job.model +
+                                  " is now: solve it again");
         state.model = modelSum;
         prepare();
         Solved solved = solve();
@@ -197,7 +197,7 @@ private:
 
 } // namespace
 
-int runSolve(Arguments &words) {
+int runSolve(common::Arguments &words) {
     SolveState state;
     std::string resumed;
     SolveJob job = beginJob(words, state, resumed);

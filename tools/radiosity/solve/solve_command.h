@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Runs `solve` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
-int runSolve(Arguments &words);
+int runSolve(common::Arguments &words);
 
 } // namespace odraz

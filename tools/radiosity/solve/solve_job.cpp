@@ -6,7 +6,7 @@ namespace odraz {
 
 namespace {
 
-SolveJob readJob(Arguments &words) {
+SolveJob readJob(common::Arguments &words) {
     SolveJob job;
     while (const char *word = words.next()) {
         std::string w = word;
@@ -27,8 +27,8 @@ SolveJob readJob(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (job.model.empty()) throw Refused("name a model: radiosity solve MODEL.obj -o OUT");
-    if (job.out.empty()) throw Refused("name a file for the solution with -o OUT");
+    if (job.model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
+    if (job.out.empty()) throw common::Refused("name a file for the solution with -o OUT");
     job.options.finish();
     return job;
 }
@@ -36,13 +36,13 @@ SolveJob readJob(Arguments &words) {
 SolveJob readJob(std::vector<std::string> words) {
     std::vector<char *> pointers = {nullptr};
     for (std::string &word : words) pointers.push_back(word.data());
-    Arguments given((int)pointers.size(), pointers.data(), "radiosity --help");
+    common::Arguments given((int)pointers.size(), pointers.data(), "radiosity --help");
     return readJob(given);
 }
 
 } // namespace
 
-SolveJob beginJob(Arguments &words, SolveState &state, std::string &resumed) {
+SolveJob beginJob(common::Arguments &words, SolveState &state, std::string &resumed) {
     while (const char *word = words.next()) {
         if (std::string(word) != "--resume") {
             state.words.push_back(word);
@@ -50,32 +50,33 @@ SolveJob beginJob(Arguments &words, SolveState &state, std::string &resumed) {
         }
         resumed = words.value(word);
         if (!state.words.empty() || words.next())
-            throw Refused("--resume takes no other option: it continues with the original ones");
+            throw common::Refused("--resume takes no other option: it continues with the original ones");
         state = SolveState::read(resumed);
         break;
     }
     SolveJob job = readJob(state.words);
-    checkWritable(job.out);
+    common::checkWritable(job.out);
     return job;
 }
 
 std::unique_ptr<KeptRows> findRows(SolveJob &job) {
     if (job.keepRows)
-        throw Refused("--keep-rows and --relight do not go together: the rows are kept already");
+        throw common::Refused("--keep-rows and --relight do not go together: the rows are kept already");
     if (job.out == job.relight)
-        throw Refused("-o names the solution whose rows are used: give the new one another name");
+        throw common::Refused("-o names the solution whose rows are used: give the new one another name");
     std::string file = rowsFile(job.relight);
     uint64_t solution = sumOfSolution(job.relight);
     auto kept = std::make_unique<KeptRows>(file);
     if (kept->solution != solution)
-        throw Refused(file + ": belongs to another solution than " + job.relight +
-                      " is now: solve with --keep-rows again");
+        throw common::Refused(file + ": belongs to another solution than " + job.relight +
+                              " is now: solve with --keep-rows again");
     if (kept->model != sumOfFile(job.model))
-        throw Refused(file + ": belongs to another model than " + job.model + " is now: solve it again");
+        throw common::Refused(file + ": belongs to another model than " + job.model +
+                              " is now: solve it again");
     job.options.follow(readJob(kept->words).options, file);
     if (kept->sky != sumOf(job.options.settings.surroundings.sky))
-        throw Refused(file +
-                      ": belongs to another picture of the sky than there is now: solve the model again");
+        throw common::Refused(
+            file + ": belongs to another picture of the sky than there is now: solve the model again");
     return kept;
 }
 

@@ -23,7 +23,7 @@ inline std::string rowsFile(const std::string &solution) { return solution + ".r
 
 // Takes the words of a new command, or of one that is resumed: then `resumed` names its state. Throws
 // Refused.
-SolveJob beginJob(Arguments &words, SolveState &state, std::string &resumed);
+SolveJob beginJob(common::Arguments &words, SolveState &state, std::string &resumed);
 
 // Finds the rows that a job uses, and takes its options from theirs. Throws Refused, or std::runtime_error,
 // if they do not belong to its model or solution.

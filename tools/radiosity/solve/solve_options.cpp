@@ -20,8 +20,8 @@ template <size_t N> std::array<double, N> readNumbers(const std::string &option,
         char *end;
         n[i] = std::strtod(p, &end);
         if (end == p || !std::isfinite(n[i]) || *end != (i + 1 < N ? ',' : 0))
-            throw Refused(option + " takes " + std::to_string(N) + " numbers with commas between, not '" +
-                          text + "'");
+            throw common::Refused(option + " takes " + std::to_string(N) +
+                                  " numbers with commas between, not '" + text + "'");
         p = end + 1;
     }
     return n;
@@ -29,13 +29,13 @@ template <size_t N> std::array<double, N> readNumbers(const std::string &option,
 
 Rgb readLight(const std::string &option, const double *n) {
     for (int k = 0; k < 3; ++k)
-        if (!(n[k] >= 0 && n[k] < 1e12)) throw Refused(option + ": light must be from 0 to 1e12");
+        if (!(n[k] >= 0 && n[k] < 1e12)) throw common::Refused(option + ": light must be from 0 to 1e12");
     return {(float)n[0], (float)n[1], (float)n[2]};
 }
 
 } // namespace
 
-bool SolveOptions::take(const std::string &w, Arguments &words) {
+bool SolveOptions::take(const std::string &w, common::Arguments &words) {
     SolveSettings &s = settings;
     if (w == "--rays")
         s.rays = words.whole(w, 8, 32768), byRays = w;
@@ -118,7 +118,8 @@ std::string SolveOptions::tell(const std::string &w) const {
 
 void SolveOptions::follow(const SolveOptions &kept, const std::string &file) {
     auto refuse = [&](const std::string &had, const std::string &asked) {
-        throw Refused(file + ": its rows are of " + had + ", not of " + asked + ": solve the model again");
+        throw common::Refused(file + ": its rows are of " + had + ", not of " + asked +
+                              ": solve the model again");
     };
     if (!byPatches.empty() && kept.settings.way == Way::kRays) refuse("rays", "hemicubes");
     if (!byRays.empty() && kept.settings.way == Way::kPatches) refuse("hemicubes", "rays");
@@ -139,11 +140,11 @@ void SolveOptions::follow(const SolveOptions &kept, const std::string &file) {
 
 void SolveOptions::finish() {
     if (!byRays.empty() && !byPatches.empty())
-        throw Refused(byRays + " and " + byPatches +
-                      " do not go together: one solves by rays, the other between patches");
+        throw common::Refused(byRays + " and " + byPatches +
+                              " do not go together: one solves by rays, the other between patches");
     if (!byPatches.empty()) settings.way = Way::kPatches;
     if (settings.shots > 0 && settings.bounces >= 0)
-        throw Refused(
+        throw common::Refused(
             "--shots and --bounces do not go together: a shot is sent out whenever much light waits");
     Surroundings &to = settings.surroundings;
     double n[3];
@@ -151,7 +152,7 @@ void SolveOptions::finish() {
     if (std::sscanf(sky.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) == 3)
         to.sky = evenSky(readLight("--sky", n));
     else if (!sky.empty() && sky.find_first_not_of("0123456789.,+-eE") == std::string::npos)
-        throw Refused("--sky takes R,G,B or a picture, not '" + sky + "'");
+        throw common::Refused("--sky takes R,G,B or a picture, not '" + sky + "'");
     else if (!sky.empty())
         to.sky = readSky(sky, upIsZ, to.suns);
     for (const std::string &text : suns) {
@@ -160,13 +161,14 @@ void SolveOptions::finish() {
     }
     for (const std::string &text : lamps) {
         auto l = readNumbers<7>("--lamp", text);
-        if (!(l[3] > 0)) throw Refused("--lamp: its size must be above 0");
+        if (!(l[3] > 0)) throw common::Refused("--lamp: its size must be above 0");
         to.lamps.push_back(
             {{(float)l[0], (float)l[1], (float)l[2]}, (float)l[3] / 2, readLight("--lamp", &l[4])});
     }
     if (to.suns.size() > kMaxSuns || to.lamps.size() > kMaxLamps)
-        throw Refused("at most " + std::to_string(kMaxSuns) + " suns, those of a sky's picture too, and " +
-                      std::to_string(kMaxLamps) + " lamps");
+        throw common::Refused("at most " + std::to_string(kMaxSuns) +
+                              " suns, those of a sky's picture too, and " + std::to_string(kMaxLamps) +
+                              " lamps");
 }
 
 } // namespace odraz

@@ -13,7 +13,7 @@ namespace odraz {
 class SolveOptions {
 public:
     // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, Arguments &words);
+    bool take(const std::string &option, common::Arguments &words);
     // Call it after the last option: reads the sky, suns and lamps. Throws Refused.
     void finish();
     // For kept rows, in the file of that name: takes everything from the options that they were found with,

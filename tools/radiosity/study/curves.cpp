@@ -1,6 +1,6 @@
 #include "tools/radiosity/study/curves.h"
 
-#include "tools/common/luminance.h"
+#include "tools/engine/luminance.h"
 #include "tools/radiosity/patches/shooting.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 #include "tools/radiosity/study/gathering.h"
 
-#include "tools/common/heap_arena.h"
-#include "tools/common/luminance.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/heap_arena.h"
+#include "tools/engine/luminance.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 
 #include <algorithm>
@@ -129,7 +129,7 @@ int Gathering::curious() {
     return best;
 }
 
-Picture Gathering::unfolded(int patch, int px) {
+pictures::Image Gathering::unfolded(int patch, int px) {
     Opened opened(study.gl, px);
     const Patch &p = model.patches[patch];
     Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patch);
@@ -139,7 +139,8 @@ Picture Gathering::unfolded(int patch, int px) {
     std::vector<float> all;
     for (const Rgb &c : radiosity)
         if (luminance(c) > 0) all.push_back(std::log(luminance(c)));
-    float low = all.empty() ? 0 : quantile(all, 0.02), high = all.empty() ? 1 : quantile(all, 0.998);
+    float low = all.empty() ? 0 : common::quantile(all, 0.02),
+          high = all.empty() ? 1 : common::quantile(all, 0.998);
     // What the raster has at a place; -2 .. 2: the top face is -1 .. 1, a half face's horizon lies at 2. Null
     // beside the faces
     auto idAt = [&](float x, float y) -> const uint32_t * {
@@ -164,7 +165,8 @@ Picture Gathering::unfolded(int patch, int px) {
         auto channel = [&](float v) { return bright * std::pow(std::max(v, 0.f) / light, 1 / 2.2f); };
         return Rgb{channel(c.x), channel(c.y), channel(c.z)};
     };
-    Picture picture = {kUnfolded, kUnfolded, std::vector<uint8_t>((size_t)kUnfolded * kUnfolded * 3, 255)};
+    pictures::Image picture = {kUnfolded, kUnfolded,
+                               std::vector<uint8_t>((size_t)kUnfolded * kUnfolded * 3, 255)};
     constexpr int kPoints = kUnfolded * kWithin;
     for (int j = 0; j < kUnfolded; ++j)
         for (int i = 0; i < kUnfolded; ++i) {

@@ -32,7 +32,7 @@ public:
 
     // What a patch's hemicube sees, unfolded: the top face and the half faces around it; brighter where more
     // light comes from, by the logarithm.
-    Picture unfolded(int patch, int px);
+    pictures::Image unfolded(int patch, int px);
     // The patch that sees most different patches of those that gather.
     int curious();
 

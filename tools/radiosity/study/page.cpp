@@ -108,14 +108,14 @@ void Page::table(const PageTable &t, bool whole) {
     body += "<p class=\"csv\"><a href=\"" + t.file + ".csv\">" + t.file + ".csv</a></p>\n";
 }
 
-void Page::plot(const std::string &file, Plot plot) {
+void Page::plot(const std::string &file, pictures::Plot plot) {
     // What is not measured, or not positive where the scale is logarithmic, has no place
-    std::erase_if(plot.points, [&](const PlotPoint &p) {
+    std::erase_if(plot.points, [&](const pictures::PlotPoint &p) {
         return !std::isfinite(p.x) || !std::isfinite(p.y) || (plot.logarithmicX && p.x <= 0) ||
                (plot.logarithmicY && p.y <= 0);
     });
     if (plot.points.empty()) return;
-    write(file + ".svg", svg(plot));
+    write(file + ".svg", pictures::svg(plot));
     body += "<p><img class=\"plot\" src=\"" + file + ".svg\" alt=\"" + escaped(plot.title) + "\"/></p>\n";
 }
 

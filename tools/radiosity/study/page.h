@@ -3,7 +3,7 @@
 #pragma once
 
 #include "tools/common/new_folder.h"
-#include "tools/common/plot.h"
+#include "tools/picture/plot.h"
 
 #include <cstdio>
 #include <string>
@@ -30,14 +30,14 @@ struct PagePicture {
 
 class Page {
 public:
-    Page(const NewFolder &folder, const std::string &title) : folder(folder), title(title) {}
+    Page(const common::NewFolder &folder, const std::string &title) : folder(folder), title(title) {}
 
     void heading(const std::string &text);
     void text(const std::string &paragraph);
     // Writes its CSV. With `whole` false the page only links to that.
     void table(const PageTable &table, bool whole = true);
     // Writes an SVG. A plot without points is left out.
-    void plot(const std::string &file, Plot plot);
+    void plot(const std::string &file, pictures::Plot plot);
     void pictures(const std::vector<PagePicture> &pictures);
     void list(const std::vector<std::string> &items);
     // Where a picture's file is to be written.
@@ -55,7 +55,7 @@ public:
     void finish();
 
 private:
-    const NewFolder &folder;
+    const common::NewFolder &folder;
     std::string title, body, rest;
     size_t kept = 0;
     std::vector<std::string> fresh; // files since keep()

@@ -1,8 +1,8 @@
 #include "tools/radiosity/study/places.h"
 
 #include "base/random.h"
-#include "tools/common/luminance.h"
 #include "tools/common/statistics.h"
+#include "tools/engine/luminance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,7 +59,7 @@ LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> 
         if (b > dark) relative.push_back(std::fabs(a - b) / b);
     }
     if (all == 0 || relative.empty()) return {error == 0 ? 0 : NAN, error == 0 ? 0 : NAN};
-    return {100 * std::sqrt(error / all), 100 * median(std::move(relative))};
+    return {100 * std::sqrt(error / all), 100 * common::median(std::move(relative))};
 }
 
 } // namespace odraz

@@ -1,7 +1,7 @@
 #include "tools/radiosity/study/study.h"
 
 #include "tools/common/clock.h"
-#include "tools/common/shell_word.h"
+#include "tools/common/text.h"
 #include "tools/radiosity/divide/regions.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
@@ -15,14 +15,14 @@ namespace odraz {
 static constexpr int kCoarse = 1500;
 static constexpr double kReferenceShare = 0.1; // of the time
 
-Stopwatch::Stopwatch() : startProcessor(processorSeconds()), startWall(wallSeconds()) {}
-double Stopwatch::processor() const { return processorSeconds() - startProcessor; }
-double Stopwatch::wall() const { return wallSeconds() - startWall; }
+Stopwatch::Stopwatch() : startProcessor(common::processorSeconds()), startWall(common::wallSeconds()) {}
+double Stopwatch::processor() const { return common::processorSeconds() - startProcessor; }
+double Stopwatch::wall() const { return common::wallSeconds() - startWall; }
 
 Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
              Page &page, ProgressBar &progressBar)
     : settings(settings), mesh(mesh), gl(gl), workers(workers), stop(stop), page(page), area(areaOf(mesh)),
-      bar(progressBar), began(wallSeconds()) {
+      bar(progressBar), began(common::wallSeconds()) {
     Regions regions = joinRegions(mesh, std::sqrt(area / 30000));
     if (size_t most = std::max(regions.charts.size(), regions.facets.size()); most > (size_t)kMaxFacets)
         throw ModelError(
@@ -54,7 +54,7 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     if (s.finalRays) measured.push_back(byRays);
     compare(plain, solved.surroundings);
     check();
-    afterReference = wallSeconds();
+    afterReference = common::wallSeconds();
 }
 
 void Study::compare(const Solution &byRays, const Surroundings &around) {
@@ -89,7 +89,7 @@ void Study::chapter(const char *named, double end) {
     tick();
 }
 
-double Study::left() const { return until - wallSeconds(); }
+double Study::left() const { return until - common::wallSeconds(); }
 
 void Study::check() const {
     if (__atomic_load_n(stop, __ATOMIC_RELAXED)) throw Interrupted();
@@ -102,7 +102,7 @@ void Study::tick() {
 
 void Study::show() {
     double done = partTo > 0 ? partFrom + (partTo - partFrom) * partDone
-                             : (wallSeconds() - began) / (settings.minutes * 60);
+                             : (common::wallSeconds() - began) / (settings.minutes * 60);
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 
@@ -142,7 +142,7 @@ Solved Study::solve(const SolveSettings &s) {
 }
 
 std::string Study::command(const std::string &options) const {
-    return "radiosity solve " + shellWord(settings.model) + " -o OUT.rad" + settings.words +
+    return "radiosity solve " + common::shellWord(settings.model) + " -o OUT.rad" + settings.words +
            (options.empty() ? "" : " ") + options;
 }
 

@@ -1,10 +1,10 @@
 #include "tools/radiosity/study/study_command.h"
 
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
-#include "tools/common/shell_word.h"
 #include "tools/common/temporary_folder.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
@@ -29,10 +29,10 @@ struct Job {
 // Keeps an option for the commands that the page advises; `last`: its value, or itself if it has none.
 void keep(const std::string &option, const std::string &last, Job &job) {
     job.settings.words += " " + option;
-    if (last != option) job.settings.words += " " + shellWord(last);
+    if (last != option) job.settings.words += " " + common::shellWord(last);
 }
 
-Job readJob(Arguments &words) {
+Job readJob(common::Arguments &words) {
     Job job;
     bool limited = false;
     while (const char *word = words.next()) {
@@ -42,7 +42,7 @@ Job readJob(Arguments &words) {
                       w == "--patch" || w == "--adaptive" || w == "--direct" || w == "--bounces" ||
                       w == "--shots";
         if (varied)
-            throw Refused(w + " is what a study varies: leave it out");
+            throw common::Refused(w + " is what a study varies: leave it out");
         else if (w == "-o")
             job.out = words.value(w);
         else if (w == "--minutes")
@@ -61,11 +61,11 @@ Job readJob(Arguments &words) {
             words.refuse(w);
     }
     if (job.table41 != job.settings.model.empty())
-        throw Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
-                                  : "name a model: radiosity study MODEL.obj -o FOLDER");
+        throw common::Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
+                                          : "name a model: radiosity study MODEL.obj -o FOLDER");
     if (job.table41 && limited)
-        throw Refused("--table41 takes no --minutes: it shoots 8,000 times in each of its cells");
-    if (job.out.empty()) throw Refused("name a folder for the page with -o FOLDER");
+        throw common::Refused("--table41 takes no --minutes: it shoots 8,000 times in each of its cells");
+    if (job.out.empty()) throw common::Refused("name a folder for the page with -o FOLDER");
     job.options.finish();
     job.settings.solve = job.options.settings;
     job.settings.upIsZ = job.options.upIsZ;
@@ -73,9 +73,9 @@ Job readJob(Arguments &words) {
 }
 
 Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
-    TemporaryFolder folder;
-    writeWhole(folder / "columns.mtl", generateMtl());
-    writeWhole(folder / "columns.obj", "mtllib columns.mtl\n" + generateObj("columns", 0));
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "columns.mtl", generateMtl());
+    common::writeWhole(folder / "columns.obj", "mtllib columns.mtl\n" + generateObj("columns", 0));
     return readObj(folder / "columns.obj", settings, notes);
 }
 
@@ -116,9 +116,9 @@ bool writeChapters(Study &study, std::span<const Chapter> chapters) {
 
 } // namespace
 
-int runStudy(Arguments &words) {
+int runStudy(common::Arguments &words) {
     Job job = readJob(words);
-    NewFolder folder(job.out);
+    common::NewFolder folder(job.out);
     Mesh mesh;
     std::vector<std::string> notes;
     if (job.table41) {
@@ -134,7 +134,7 @@ int runStudy(Arguments &words) {
     ProgressBar bar(job.progress);
     std::string name = job.settings.model.substr(job.settings.model.rfind('/') + 1);
     Page page(folder, "A study of radiosity: " + name);
-    double began = wallSeconds();
+    double began = common::wallSeconds();
     Study study(job.settings, mesh, gl, workers, &stop, page, bar);
     study.notes.insert(study.notes.begin(), notes.begin(), notes.end());
     bool whole = job.table41 ? writeChapters(study, kTable41) : writeChapters(study, kChapters);
@@ -145,7 +145,7 @@ int runStudy(Arguments &words) {
     if (!whole)
         throw std::runtime_error("interrupted: " + job.out + "/index.html has what was measured until then");
     std::printf("%s/index.html: %.1f minutes, %zu solutions, %zu measurements left out\n", job.out.c_str(),
-                (wallSeconds() - began) / 60, study.measured.size(), study.leftOut.size());
+                (common::wallSeconds() - began) / 60, study.measured.size(), study.leftOut.size());
     return 0;
 }
 

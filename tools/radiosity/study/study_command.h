@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Runs `study` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
-int runStudy(Arguments &words);
+int runStudy(common::Arguments &words);
 
 } // namespace odraz

@@ -57,7 +57,7 @@ void mappings(Study &study, const Solution &solution) {
         if (maxComponent(solution.emits[chart]) <= 0 && light > 0) all.push_back(light);
     }
     if (all.empty()) return;
-    float bright = quantile(all, 0.99);
+    float bright = common::quantile(all, 0.99);
     struct Mapping {
         const char *file, *caption;
         float constant;

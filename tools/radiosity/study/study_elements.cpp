@@ -10,13 +10,13 @@ namespace odraz {
 void studyElements(Study &study) {
     Page &page = study.page;
     page.heading("Adaptive and uniform elements");
-    Plot plot = {"elements: error against time",
-                 "processor time, s",
-                 "error (rms), %",
-                 {"uniform", "adaptive"},
-                 {},
-                 true,
-                 true};
+    pictures::Plot plot = {"elements: error against time",
+                           "processor time, s",
+                           "error (rms), %",
+                           {"uniform", "adaptive"},
+                           {},
+                           true,
+                           true};
     plot.frontOfEach = true;
     PageTable table = {"elements",
                        {"elements", "kind", "processor_s", "rms_percent", "median_percent"},

@@ -31,14 +31,14 @@ void tellPasses(Study &study, const Curve &next, const Curve &once) {
                         "added_once_percent", "left_once_percent", "error_once_percent"},
                        {"pass", "adds, in the next pass, %", "is left, %", "error (rms), %",
                         "adds, at once, %", "is left, %", "error (rms), %"}};
-    Plot left = {"light that is left after each pass",
-                 "pass",
-                 "left, % of the converged light",
-                 {"in the next pass", "at once"},
-                 {},
-                 false,
-                 true};
-    Plot error = left;
+    pictures::Plot left = {"light that is left after each pass",
+                           "pass",
+                           "left, % of the converged light",
+                           {"in the next pass", "at once"},
+                           {},
+                           false,
+                           true};
+    pictures::Plot error = left;
     error.title = "convergence: the error after each pass", error.yName = "error (rms), %";
     left.joined = error.joined = true;
     double sums[2] = {};
@@ -92,13 +92,13 @@ void tellMethods(Study &study, const std::vector<Curve> &curves) {
         "methods_within",
         {"method", "to_10_percent_s", "to_1_percent_s", "to_0.1_percent_s", "last_error_percent"},
         {"method", "to 10 %, s", "to 1 %, s", "to 0.1 %, s", "least error, %"}};
-    Plot plot = {"gathering, Gauss-Seidel and shooting: error against time",
-                 "processor time, form factors included, s",
-                 "error (rms) against the converged light, %",
-                 {},
-                 {},
-                 true,
-                 true};
+    pictures::Plot plot = {"gathering, Gauss-Seidel and shooting: error against time",
+                           "processor time, form factors included, s",
+                           "error (rms) against the converged light, %",
+                           {},
+                           {},
+                           true,
+                           true};
     plot.joined = true;
     const Curve *fastest[2] = {};
     double best[2] = {INFINITY, INFINITY};

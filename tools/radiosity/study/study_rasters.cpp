@@ -84,13 +84,13 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
         {"hemicubes", "px", "processor_ms_per_patch", "rms_percent", "median_percent", "from_finest_percent"},
         {"hemicubes of a patch", "pixels", "ms a patch", "error (rms), %", "median, %",
          "off the finest (rms), %"}};
-    Plot plot = {"one gather: what the raster alone does, against time",
-                 "processor time of a patch, ms",
-                 "off one hemicube with most pixels (rms), %",
-                 {kWays[0], kWays[1]},
-                 {},
-                 true,
-                 true};
+    pictures::Plot plot = {"one gather: what the raster alone does, against time",
+                           "processor time of a patch, ms",
+                           "off one hemicube with most pixels (rms), %",
+                           {kWays[0], kWays[1]},
+                           {},
+                           true,
+                           true};
     plot.frontOfEach = true;
     double least = INFINITY;
     for (const Tried &t : tried) {
@@ -135,8 +135,7 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
         std::string name = std::to_string(px);
         if (curious >= 0) {
             std::string file = "hemicube-" + name + ".png";
-            if (!writePng(page.path(file), gathering.unfolded(curious, px)))
-                throw std::runtime_error("cannot write " + page.path(file));
+            pictures::writePng(page.path(file), gathering.unfolded(curious, px));
             seen.push_back({file, "what one patch sees, " + name + " pixels"});
         }
         bool fits =

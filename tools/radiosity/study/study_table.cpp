@@ -87,13 +87,13 @@ private:
                         "rms_percent", "median_percent", "every_patch_min"},
                        {"patches", "pixels", "shots", "processor, s", "clock, s", "processor, ms a shot",
                         "not shot, %", "error (rms), %", "median, %", "every patch, processor min"}};
-    Plot plot = {"light that is shot: error against time, a mark for each raster",
-                 "processor time, s",
-                 "error (rms), %",
-                 {},
-                 {},
-                 true,
-                 true};
+    pictures::Plot plot = {"light that is shot: error against time, a mark for each raster",
+                           "processor time, s",
+                           "error (rms), %",
+                           {},
+                           {},
+                           true,
+                           true};
     int lastRow = -1; // with a cell
 
     // Four times as many patches. Where there are many polygons, each of which has one at least, about twice

@@ -1,7 +1,7 @@
 // How far a room's light is from solutions made for that very light: what `transfer --check` tells.
 #pragma once
 
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 #include "tools/radiosity/transfer/relight.h"
 

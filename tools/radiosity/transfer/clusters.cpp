@@ -1,6 +1,6 @@
 #include "tools/radiosity/transfer/clusters.h"
 
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/solution/solution.h"
 #include "tools/radiosity/transfer/clustered_pca.h"
 

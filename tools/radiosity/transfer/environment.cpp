@@ -70,7 +70,7 @@ Projected readEnvironment(const std::string &option, const std::string &text, bo
     if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) != 3)
         return project(readHdr(text), upIsZ);
     for (double x : n)
-        if (!(x >= 0 && x < 1e12)) throw Refused(option + ": light must be from 0 to 1e12");
+        if (!(x >= 0 && x < 1e12)) throw common::Refused(option + ": light must be from 0 to 1e12");
     return project(Rgb{(float)n[0], (float)n[1], (float)n[2]});
 }
 

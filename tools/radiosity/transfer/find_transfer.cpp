@@ -62,13 +62,13 @@ private:
     std::vector<LampSource> lamps;
     std::vector<std::vector<Rgb>> direct; // of each lamp, on the texels
     TransferRoom room;
-    double last = processorSeconds();
+    double last = common::processorSeconds();
 
     void tell(const char *step, float done) {
         if (told) told(step, done);
     }
     double lap() {
-        double now = processorSeconds(), took = now - last;
+        double now = common::processorSeconds(), took = now - last;
         last = now;
         return took;
     }
@@ -205,10 +205,11 @@ private:
                 known = true, charts.push_back(c);
                 area += (double)(room.model.charts[c].width * room.model.charts[c].height);
             }
-        if (!known) throw Refused("--glossy: no polygon has the material " + s.glossy);
+        if (!known) throw common::Refused("--glossy: no polygon has the material " + s.glossy);
         if (charts.size() > (size_t)kMostGlossyCharts)
-            throw Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
-                          " planes, more than " + std::to_string(kMostGlossyCharts) + ": it is for floors");
+            throw common::Refused("--glossy: " + s.glossy + " has " + std::to_string(charts.size()) +
+                                  " planes, more than " + std::to_string(kMostGlossyCharts) +
+                                  ": it is for floors");
         auto side = (float)std::sqrt(area / (kMostSquares / 4.));
         room.polish = s.polish;
         int functions = room.functions();

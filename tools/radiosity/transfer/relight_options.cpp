@@ -25,7 +25,7 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
             std::string number = text.substr(equals + 1, end - equals - 1);
             strength = std::strtof(number.c_str(), &rest);
             if (number.empty() || *rest || !(strength >= 0 && strength < 1e6f))
-                throw Refused("--lamps: a strength is from 0 to 1e6, not '" + number + "'");
+                throw common::Refused("--lamps: a strength is from 0 to 1e6, not '" + number + "'");
         }
         auto found = std::find(room.lamps.begin(), room.lamps.end(), name);
         char *rest;
@@ -37,8 +37,8 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
         if (number < 1 || number > count) {
             std::string known;
             for (size_t k = 0; k < count; ++k) known += ", " + std::to_string(k + 1) + " " + room.lamps[k];
-            throw Refused("--lamps: there is no lamp '" + name + "'; there " +
-                          (count ? "are " + known.substr(2) : "is none"));
+            throw common::Refused("--lamps: there is no lamp '" + name + "'; there " +
+                                  (count ? "are " + known.substr(2) : "is none"));
         }
         strengths[number - 1] = strength;
         at = end + 1;
@@ -48,7 +48,7 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
 
 } // namespace
 
-bool RelightOptions::take(const std::string &w, Arguments &words) {
+bool RelightOptions::take(const std::string &w, common::Arguments &words) {
     if (w == "--sky" || w == "--relight")
         sky = words.value(w);
     else if (w == "--turn")
@@ -71,9 +71,11 @@ bool RelightOptions::take(const std::string &w, Arguments &words) {
 
 RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     Light light;
-    if (bands > room.bands) throw Refused("--bands: the room has " + std::to_string(room.bands) + " bands");
+    if (bands > room.bands)
+        throw common::Refused("--bands: the room has " + std::to_string(room.bands) + " bands");
     if (rank > room.clusters.rank)
-        throw Refused("--rank: the room's clusters have " + std::to_string(room.clusters.rank) + " axes");
+        throw common::Refused("--rank: the room's clusters have " + std::to_string(room.clusters.rank) +
+                              " axes");
     light.lighting.bands = bands ? bands : room.bands, light.lighting.rank = rank;
     if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
     light.lighting.lamps = readLamps(lamps, room);
@@ -90,7 +92,7 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
 void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const {
     if (!clusters || clusters == room.clusters.count) return;
     if ((size_t)clusters > room.texels())
-        throw Refused("--clusters: the room has " + std::to_string(room.texels()) + " texels");
+        throw common::Refused("--clusters: the room has " + std::to_string(room.texels()) + " texels");
     std::vector<float> rows = room.rows();
     room.clusters = findClusters(rows, room.columns(), columnScale(room, rows),
                                  blocksOf(room.model, clusters), clusters, room.clusters.rank, workers);
@@ -100,8 +102,8 @@ Solution readLit(const std::string &path, const RelightOptions &options, Workers
                  const EyeFor &eyeFor) {
     if (!TransferRoom::is(path)) {
         if (!options.first().empty())
-            throw Refused(options.first() + " is for a room that `radiosity transfer` wrote; " + path +
-                          " is none");
+            throw common::Refused(options.first() + " is for a room that `radiosity transfer` wrote; " +
+                                  path + " is none");
         Solution solution(path);
         if (eyeFor) eyeFor(solution, nullptr);
         return solution;

@@ -10,7 +10,7 @@ namespace odraz {
 class RelightOptions {
 public:
     // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, Arguments &words);
+    bool take(const std::string &option, common::Arguments &words);
     const std::string &first() const { return given; } // the first one that was taken; empty: none
     const std::string &skyWord() const { return sky; }
     // Finds other clusters for the room if the options ask for another number of them, as `view` does.

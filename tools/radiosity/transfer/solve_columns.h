@@ -3,7 +3,7 @@
 #pragma once
 
 #include "radiosity/solve.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/rays/ray_system.h"
 
 #include <vector>

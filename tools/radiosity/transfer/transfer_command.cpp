@@ -1,7 +1,7 @@
 #include "tools/radiosity/transfer/transfer_command.h"
 
-#include "tools/common/machine.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
@@ -28,11 +28,11 @@ void readGloss(const std::string &text, TransferSettings &s) {
     char rest;
     if (std::sscanf(text.c_str(), "%f,%f%c", &s.polish, &s.exponent, &rest) != 2 ||
         !(s.polish >= 0 && s.polish <= 1 && s.exponent >= 1 && s.exponent <= 1000))
-        throw Refused("--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " +
-                      text);
+        throw common::Refused(
+            "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " + text);
 }
 
-Job readJob(Arguments &words) {
+Job readJob(common::Arguments &words) {
     Job job;
     TransferSettings &s = job.settings;
     while (const char *word = words.next()) {
@@ -57,7 +57,8 @@ Job readJob(Arguments &words) {
             job.skies.push_back(words.value(w));
         else if (w == "--bounces" || w == "--final" || w == "--hemicube" || w == "--patch" ||
                  w == "--adaptive" || w == "--direct")
-            throw Refused(w + " is no option of transfer: it solves by rays, with all bounces, for any sky");
+            throw common::Refused(
+                w + " is no option of transfer: it solves by rays, with all bounces, for any sky");
         else if (job.options.take(w, words))
             continue;
         else if (word[0] != '-' && job.model.empty())
@@ -65,13 +66,13 @@ Job readJob(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (job.model.empty()) throw Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
-    if (job.out.empty()) throw Refused("name a file for the room with -o ROOM.prt");
+    if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
+    if (job.out.empty()) throw common::Refused("name a file for the room with -o ROOM.prt");
     if (!job.skies.empty() && !job.check)
-        throw Refused("--sky belongs to --check: a room is solved for any sky");
+        throw common::Refused("--sky belongs to --check: a room is solved for any sky");
     job.options.finish();
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
-    checkWritable(job.out);
+    common::checkWritable(job.out);
     return job;
 }
 
@@ -91,7 +92,7 @@ void printReport(const Mesh &mesh, const TransferRoom &room, const TransferRepor
 
 } // namespace
 
-int runTransfer(Arguments &words) {
+int runTransfer(common::Arguments &words) {
     Job job = readJob(words);
     std::vector<std::string> notes;
     Mesh mesh = readObj(job.model, job.options.read, notes);

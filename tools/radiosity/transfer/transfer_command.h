@@ -7,6 +7,6 @@ namespace odraz {
 
 // Runs `transfer` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit
 // status.
-int runTransfer(Arguments &words);
+int runTransfer(common::Arguments &words);
 
 } // namespace odraz

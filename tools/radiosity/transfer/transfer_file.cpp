@@ -127,19 +127,19 @@ void TransferRoom::save(const std::string &path) const {
     model.put(body);
     put(body, lampOf), put(body, planes), putClusters(body, clusters);
     for (const GlossyChart &g : gloss) putGlossy(body, g);
-    writeWhole(path, withChecksum(body));
+    common::writeWhole(path, withChecksum(body));
 }
 
 bool TransferRoom::is(const std::string &path) {
     try {
-        return readStart(path, sizeof kMagic - 1) == kMagic;
-    } catch (const Refused &) {
+        return common::readStart(path, sizeof kMagic - 1) == kMagic;
+    } catch (const common::Refused &) {
         return false; // who reads it will tell why
     }
 }
 
 TransferRoom TransferRoom::read(const std::string &path) {
-    std::string all = readWhole(path);
+    std::string all = common::readWhole(path);
     size_t at = bodyOf(all, kMagic);
     if (!at) throw std::runtime_error(path + ": was not written by 'radiosity transfer'");
     TransferRoom room;

@@ -1,7 +1,7 @@
 #include "tools/radiosity/view/background_solve.h"
 
 #include "tools/common/clock.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
 
 #include <cstdio>
@@ -57,8 +57,8 @@ void BackgroundSolve::run() {
 
 // The time to make light counts as looking.
 bool BackgroundSolve::wantsLight() {
-    if (wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
-    if (!looking) began = wallSeconds();
+    if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
+    if (!looking) began = common::wallSeconds();
     return looking = true;
 }
 
@@ -70,7 +70,7 @@ void BackgroundSolve::look(const Solution &soFar) {
         solution->light = soFar.light;
     hand(first, false);
     // Making light may take a fifth of the time at most; small models show every sweep
-    double end = wallSeconds();
+    double end = common::wallSeconds();
     next = end + 4 * (end - began);
     looking = false;
     wake();

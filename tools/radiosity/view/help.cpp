@@ -1,7 +1,7 @@
 #include "tools/radiosity/view/help.h"
 
 #include "show/font.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +17,10 @@ std::string viewKeysLine(std::span<const ViewKey> keys) {
     return all;
 }
 
-Picture viewHelp(std::span<const ViewKey> keys, int width, int height) {
+pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height) {
     float lines = kLine * (float)keys.size();
     float size = std::min({11.f, (float)width / kWide, (float)height / (lines + kHigh)});
-    Picture p = {std::max((int)(kWide * size), 1), std::max((int)((lines + kHigh) * size), 1), {}};
+    pictures::Image p = {std::max((int)(kWide * size), 1), std::max((int)((lines + kHigh) * size), 1), {}};
     HeapArena memory(((size_t)p.width + 64) * (size_t)p.height * 32 + 4096);
     Frame frame = {};
     makeFrame(frame, memory.arena, p.width, p.height); // there is room

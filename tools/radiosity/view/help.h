@@ -57,6 +57,6 @@ inline std::span<const ViewKey> viewKeys(bool room) {
 std::string viewKeysLine(std::span<const ViewKey> keys);
 
 // The keys on a dark ground, one line each; the picture is at most this large.
-Picture viewHelp(std::span<const ViewKey> keys, int width, int height);
+pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height);
 
 } // namespace odraz

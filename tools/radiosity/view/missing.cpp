@@ -3,7 +3,7 @@
 
 namespace odraz {
 
-int runView(Arguments &) {
+int runView(common::Arguments &) {
     throw std::runtime_error("view was left out of this build: install GLFW (libglfw3-dev) and build again");
 }
 

@@ -40,7 +40,7 @@ public:
     // over it, if any.
     void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
               std::span<const ViewKey> keys);
-    Picture read() const;
+    pictures::Image read() const;
 
 private:
     struct Target { // linear light and depth

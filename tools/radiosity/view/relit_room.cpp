@@ -1,7 +1,7 @@
 #include "tools/radiosity/view/relit_room.h"
 
-#include "tools/common/machine.h"
-#include "tools/common/shell_word.h"
+#include "tools/common/text.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/transfer/find_transfer.h"
 
 #define GLFW_INCLUDE_NONE
@@ -152,7 +152,8 @@ std::string RelitRoom::title() const {
 std::string RelitRoom::words() const {
     char text[160];
     std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
-    std::string all = (options.skyWord().empty() ? "" : " --sky " + shellWord(options.skyWord())) + text,
+    std::string all = (options.skyWord().empty() ? "" : " --sky " + common::shellWord(options.skyWord())) +
+                      text,
                 lamps;
     if (lighting.rank >= 0)
         all += " --clusters " + std::to_string(clusters.count) + " --rank " + std::to_string(lighting.rank);

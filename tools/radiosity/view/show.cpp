@@ -27,7 +27,7 @@ bool ViewPicture::measure(int most, ViewTone &tone) {
         if (light > 0) all.push_back(light);
     }
     if (all.empty()) return false;
-    auto part = [&](double share) { return std::max(quantile(all, share), 1e-30f); };
+    auto part = [&](double share) { return std::max(common::quantile(all, share), 1e-30f); };
     tone.exposure = 0.5f / part(0.6);
     tone.low = std::log(part(0.01)), tone.high = std::log(part(0.998));
     return true;
@@ -78,7 +78,7 @@ void ViewPicture::layHelp(std::span<const ViewKey> all, int width, int height) {
     static constexpr int kAside = 8;
     if (width <= 2 * kAside || height <= 2 * kAside) return;
     if (helpFor[0] != width || helpFor[1] != height) {
-        Picture keys = viewHelp(all, width - 2 * kAside, height - 2 * kAside);
+        pictures::Image keys = viewHelp(all, width - 2 * kAside, height - 2 * kAside);
         shape(help, keys.width, keys.height, GL_RGBA8, false);
         gl.glBindTexture(GL_TEXTURE_2D, help.colour);
         gl.glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
@@ -93,8 +93,8 @@ void ViewPicture::layHelp(std::span<const ViewKey> all, int width, int height) {
                          GL_COLOR_BUFFER_BIT, GL_NEAREST); // the first row is the lowest in OpenGL
 }
 
-Picture ViewPicture::read() const {
-    Picture p = {final.width, final.height, {}};
+pictures::Image ViewPicture::read() const {
+    pictures::Image p = {final.width, final.height, {}};
     size_t row = (size_t)p.width * 3;
     p.rgb.resize(row * (size_t)p.height);
     gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, final.framebuffer);

@@ -1,8 +1,8 @@
 #include "tools/radiosity/view/view_command.h"
 
 #include "host/process.h"
-#include "tools/common/machine.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/view/help.h"
@@ -26,12 +26,13 @@ struct Job {
 };
 
 void addLayer(ViewLayers &to, const std::string &name) {
-    bool &layer = name == "patches"     ? to.patches
-                  : name == "elements"  ? to.elements
-                  : name == "wireframe" ? to.wireframe
-                  : name == "hemicube"
-                      ? to.hemicube
-                      : throw Refused("--layer is patches, elements, wireframe or hemicube, not " + name);
+    bool &layer =
+        name == "patches"     ? to.patches
+        : name == "elements"  ? to.elements
+        : name == "wireframe" ? to.wireframe
+        : name == "hemicube"
+            ? to.hemicube
+            : throw common::Refused("--layer is patches, elements, wireframe or hemicube, not " + name);
     layer = true;
 }
 
@@ -45,14 +46,14 @@ bool isModel(const std::string &path) {
 void giveSky(Job &job) {
     char option[] = "--sky";
     char *pointers[] = {nullptr, job.sky.data()};
-    Arguments value(2, pointers, "radiosity --help");
+    common::Arguments value(2, pointers, "radiosity --help");
     if (job.room)
         job.relight.take(option, value);
     else
         job.solve.take(option, value), job.solving = job.solving.empty() ? option : job.solving;
 }
 
-Job readJob(Arguments &words) {
+Job readJob(common::Arguments &words) {
     Job job;
     while (const char *word = words.next()) {
         std::string w = word;
@@ -75,18 +76,18 @@ Job readJob(Arguments &words) {
         else
             words.refuse(w);
     }
-    if (job.in.empty()) throw Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
+    if (job.in.empty()) throw common::Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
     job.room = !isModel(job.in) && TransferRoom::is(job.in);
     if (!job.sky.empty()) giveSky(job);
     if (!isModel(job.in) && !job.solving.empty())
-        throw Refused(job.solving + " is an option for models: " + job.in + " is a " +
-                      (job.room ? "room" : "solution"));
+        throw common::Refused(job.solving + " is an option for models: " + job.in + " is a " +
+                              (job.room ? "room" : "solution"));
     if (!job.room && (!job.relight.first().empty() || job.view.spin > 0))
-        throw Refused((job.view.spin > 0 ? "--spin" : job.relight.first()) +
-                      " is for a room that `radiosity transfer` wrote; " + job.in + " is none");
+        throw common::Refused((job.view.spin > 0 ? "--spin" : job.relight.first()) +
+                              " is for a room that `radiosity transfer` wrote; " + job.in + " is none");
     job.camera.finish("view");
     job.solve.finish();
-    if (!job.view.screenshot.empty()) checkWritable(job.view.screenshot);
+    if (!job.view.screenshot.empty()) common::checkWritable(job.view.screenshot);
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
     job.view.camera = job.camera.settings;
     job.view.placed = job.camera.placed();
@@ -95,7 +96,7 @@ Job readJob(Arguments &words) {
 
 } // namespace
 
-int runView(Arguments &words) {
+int runView(common::Arguments &words) {
     Job job = readJob(words);
     auto keys = [&] {
         if (job.view.screenshot.empty())

@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Runs `view` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
-int runView(Arguments &words);
+int runView(common::Arguments &words);
 
 } // namespace odraz

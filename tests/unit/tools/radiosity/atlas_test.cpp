@@ -2,9 +2,9 @@
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/arguments.h"
-#include "tools/common/machine.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve.h"
@@ -19,7 +19,7 @@ namespace {
 
 // A room of the thesis with scattered triangles.
 Solution solved(const std::string &kind, bool adaptive = false) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     std::string model = "mtllib m.mtl\n" + generateObj(kind, 0);
     std::mt19937 random(7);
     auto number = [&] { return (float)(random() % 2001) / 1000 - 1; };
@@ -30,8 +30,8 @@ Solution solved(const std::string &kind, bool adaptive = false) {
                      std::to_string(at[2] + number()) + "\n";
         model += "f -3 -2 -1\n";
     }
-    writeWhole(folder / "m.obj", model);
-    writeWhole(folder / "m.mtl", generateMtl());
+    common::writeWhole(folder / "m.obj", model);
+    common::writeWhole(folder / "m.mtl", generateMtl());
     std::vector<std::string> notes;
     Mesh mesh = readObj(folder / "m.obj", {}, notes);
     static Workers workers = allProcessors();
@@ -109,7 +109,7 @@ Difference compare(const Solution &b, const Exported &out) {
 }
 
 Exported exported(const Solution &b, const AtlasSettings &s) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     std::vector<std::string> notes;
     exportAtlas(b, s, folder / "out", notes);
     return Exported(folder / "out", s.radiosity ? "radiosity" : "light");
@@ -221,13 +221,13 @@ TEST(Atlas, HoldsManySmallTriangles) {
 }
 
 TEST(Atlas, IsWrittenWholeOrNotAtAll) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     std::vector<std::string> notes;
     std::filesystem::create_directories(folder / "full/x");
-    EXPECT_THROW(exportAtlas(room(), {}, folder / "full", notes), Refused);
-    writeWhole(folder / "file", "x");
-    EXPECT_THROW(exportAtlas(room(), {}, folder / "file", notes), Refused);
-    EXPECT_THROW(exportAtlas(room(), {}, folder / "none/out", notes), Refused);
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "full", notes), common::Refused);
+    common::writeWhole(folder / "file", "x");
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "file", notes), common::Refused);
+    EXPECT_THROW(exportAtlas(room(), {}, folder / "none/out", notes), common::Refused);
     std::filesystem::create_directories(folder / "empty");
     exportAtlas(room(), {}, folder / "empty/", notes);
     int count = 0;

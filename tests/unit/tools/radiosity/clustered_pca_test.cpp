@@ -4,7 +4,7 @@
 
 #include "tests/support/eigenvalues.h"
 #include "tests/support/random.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 
 #include <gtest/gtest.h>
 

@@ -12,8 +12,8 @@ using namespace odraz;
 namespace {
 
 HdrPicture read(const std::string &head, const std::string &size, const std::string &pixels) {
-    TemporaryFolder folder;
-    writeWhole(folder / "a.hdr", "#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "a.hdr", "#?RADIANCE\n" + head + "\n" + size + "\n" + pixels);
     return readHdr(folder / "a.hdr");
 }
 
@@ -34,7 +34,7 @@ std::vector<int> reds(const HdrPicture &p) {
 std::string whyNot(const std::string &head, const std::string &size, const std::string &pixels) {
     try {
         read(head, size, pixels);
-    } catch (const Refused &e) {
+    } catch (const common::Refused &e) {
         return e.what();
     }
     return "it was read";

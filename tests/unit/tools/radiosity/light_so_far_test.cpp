@@ -1,6 +1,6 @@
 // Light shown during solving: it begins with direct light, grows, and ends as the solution.
 #include "tests/support/headless_gl.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/solve/solve.h"
 

@@ -28,7 +28,7 @@ using Colour = std::array<float, 3>;
 std::string refusal(const std::string &option, const std::string &text) {
     try {
         changed({{option, text}});
-    } catch (const odraz::Refused &e) {
+    } catch (const common::Refused &e) {
         return e.what();
     }
     return "";
@@ -94,8 +94,8 @@ TEST(Materials, AreNamedWhereAnotherIsAskedFor) {
               "--power unused=1,1,1: no polygon has this material; there are white, lamp, cloth, a=b");
     EXPECT_NE(refusal("--power", "white=2").find("white emits no light: name a material"), std::string::npos);
     std::vector<MeshMaterial> dark = {{"white", {1, 1, 1}, {}}};
-    EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2")}), odraz::Refused);
-    EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2,2,2")}), odraz::Refused);
+    EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2")}), common::Refused);
+    EXPECT_THROW(changeMaterials(dark, {true}, {readMaterialChange("--power", "2,2,2")}), common::Refused);
 }
 
 TEST(Materials, RefuseWhatIsNoColour) {

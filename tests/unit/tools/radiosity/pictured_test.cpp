@@ -1,8 +1,8 @@
 // Pictures on materials: means over polygons, and elements that reflect them wherever their triangles lie.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
-#include "tools/common/machine.h"
 #include "tools/common/temporary_folder.h"
+#include "tools/engine/machine.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/read/reflectance_picture.h"
@@ -63,13 +63,13 @@ TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
 // A square of any triangles, rotated in space and on the picture: each element has the picture's mean at its
 // place.
 TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     // Brightness falls from left to right, by 128 columns
-    Picture picture = {128, 4, {}};
+    pictures::Image picture = {128, 4, {}};
     for (int j = 0; j < 4; ++j)
         for (int i = 0; i < 128; ++i)
             picture.rgb.insert(picture.rgb.end(), {(uint8_t)(2 * i), 0, (uint8_t)(j < 2 ? 255 : 0)});
-    ASSERT_TRUE(writePng(folder / "fall.png", picture));
+    pictures::writePng(folder / "fall.png", picture);
     for (int turned = 0; turned < 4; ++turned)
         for (bool adaptive : {false, true}) {
             Mesh mesh;

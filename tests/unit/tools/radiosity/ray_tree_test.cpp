@@ -1,6 +1,6 @@
 // Compares rays against many triangles with a test of every triangle in double precision.
 #include "tests/support/random.h"
-#include "tools/common/vec3d.h"
+#include "tools/engine/vec3d.h"
 #include "tools/radiosity/rays/ray_tree.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // Triangles joined into charts, small charts that share hemicubes, and a solution compared with its
 // reference.
 #include "tests/support/headless_gl.h"
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/divide/regions.h"

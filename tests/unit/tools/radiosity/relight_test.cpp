@@ -1,9 +1,9 @@
 // Kept rows: what they give equals a fresh solution, and damaged ones, even with the right checksum, do no
 // harm.
 #include "tests/support/headless_gl.h"
-#include "tools/common/machine.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solution/kept_rows.h"
 #include "tools/radiosity/solve/scaled.h"
@@ -23,7 +23,7 @@ Workers &workers() {
 
 class Relight : public testing::TestWithParam<bool> {
 protected:
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     Mesh mesh;
     SolveSettings settings;
     std::string rows, prepared;
@@ -32,8 +32,8 @@ protected:
     // Keeps the rows of a small room.
     void keep() {
         std::vector<std::string> notes;
-        writeWhole(folder / "m.obj", "mtllib m.mtl\n" + generateObj("cube", 0));
-        writeWhole(folder / "m.mtl", generateMtl());
+        common::writeWhole(folder / "m.obj", "mtllib m.mtl\n" + generateObj("cube", 0));
+        common::writeWhole(folder / "m.mtl", generateMtl());
         mesh = readObj(folder / "m.obj", {}, notes);
         settings.element = 9, settings.rays = 16, settings.hemicube = 8, settings.patch = 36;
         if (GetParam()) settings.way = Way::kPatches;
@@ -185,7 +185,7 @@ INSTANTIATE_TEST_SUITE_P(Ways, Relight, testing::Bool(),
                          [](const auto &info) { return info.param ? "Patches" : "Rays"; });
 
 TEST(KeptRows, AreReadAsTheyWereWritten) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     KeptRows a;
     a.words = {"m.obj", "-o", "", "a\nb"};
     a.model = 1, a.sky = 2, a.solution = 3, a.evenSky = true;
@@ -207,15 +207,15 @@ TEST(KeptRows, AreReadAsTheyWereWritten) {
     EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
     EXPECT_EQ(b.prepared, a.prepared);
     // Any wrong byte and any missing end is found
-    std::string all = readWhole(folder / "a.rows");
+    std::string all = common::readWhole(folder / "a.rows");
     for (size_t i = 0; i < all.size(); ++i) {
         std::string wrong = all;
         wrong[i] = (char)(wrong[i] ^ 4);
-        writeWhole(folder / "b.rows", wrong);
-        EXPECT_THROW(KeptRows(folder / "b.rows"), Refused) << i;
-        writeWhole(folder / "b.rows", all.substr(0, i));
-        EXPECT_THROW(KeptRows(folder / "b.rows"), Refused) << i;
+        common::writeWhole(folder / "b.rows", wrong);
+        EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused) << i;
+        common::writeWhole(folder / "b.rows", all.substr(0, i));
+        EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused) << i;
     }
-    writeWhole(folder / "b.rows", all + "x");
-    EXPECT_THROW(KeptRows(folder / "b.rows"), Refused);
+    common::writeWhole(folder / "b.rows", all + "x");
+    EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused);
 }

@@ -3,7 +3,7 @@
 #include "tests/support/headless_gl.h"
 #include "tests/support/random.h"
 #include "tests/support/room.h"
-#include "tools/common/heap_arena.h"
+#include "tools/engine/heap_arena.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
 

@@ -1,8 +1,8 @@
 // Reading solutions: files that `radiosity solve` did not write are refused, even if the checksum fits.
 #include "tests/support/headless_gl.h"
-#include "tools/common/machine.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
+#include "tools/engine/machine.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/generate/generate.h"
@@ -51,7 +51,7 @@ Solution small() {
 
 class SolutionFile : public testing::Test {
 protected:
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     std::string path = folder / "a.rad";
 
     // Whether the file is accepted; an accepted solution must be safe to use.

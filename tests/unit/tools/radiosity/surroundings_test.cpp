@@ -30,8 +30,8 @@ std::string hdr(int width, int height, const std::function<Rgb(int, int)> &colou
 }
 
 SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns) {
-    TemporaryFolder folder;
-    writeWhole(folder / "sky.hdr", file);
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "sky.hdr", file);
     return readSky(folder / "sky.hdr", upIsZ, suns);
 }
 
@@ -174,5 +174,5 @@ TEST(Sky, RefusesWhatIsNoPicture) {
                                       head + "+Y 1 +Z 1\nabcd",
                                       head + "-Y 1 +X 8\n" + std::string("\2\2\0\10\377\1", 6)};
     for (const std::string &file : files)
-        EXPECT_THROW(read(file, false, suns), Refused) << file.substr(0, 30);
+        EXPECT_THROW(read(file, false, suns), common::Refused) << file.substr(0, 30);
 }

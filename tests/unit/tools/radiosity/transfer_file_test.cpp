@@ -13,15 +13,15 @@ using namespace odraz;
 namespace {
 
 std::string fileOf(const TransferRoom &room) {
-    TemporaryFolder folder;
+    common::TemporaryFolder folder;
     room.save(folder / "room.prt");
-    return readWhole(folder / "room.prt");
+    return common::readWhole(folder / "room.prt");
 }
 
 // Whether a file is accepted, and can be worked with then.
 bool accepted(const std::string &file) {
-    TemporaryFolder folder;
-    writeWhole(folder / "room.prt", file);
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "room.prt", file);
     try {
         TransferRoom room = TransferRoom::read(folder / "room.prt");
         Vec3 eye = {1, 2, 3};
@@ -42,8 +42,8 @@ TEST(File, KeepsTheRoom) {
     settings.glossy = "grey", settings.upIsZ = true;
     TransferRoom room = transferOf(openRoom(), settings);
     std::string file = fileOf(room);
-    TemporaryFolder folder;
-    writeWhole(folder / "room.prt", file);
+    common::TemporaryFolder folder;
+    common::writeWhole(folder / "room.prt", file);
     EXPECT_TRUE(TransferRoom::is(folder / "room.prt"));
     EXPECT_FALSE(TransferRoom::is(folder / "none.prt"));
     TransferRoom again = TransferRoom::read(folder / "room.prt");

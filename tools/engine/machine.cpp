@@ -1,4 +1,4 @@
-#include "tools/common/machine.h"
+#include "tools/engine/machine.h"
 
 #include "host/headless.h"
 #include "host/process.h"

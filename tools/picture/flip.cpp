@@ -1,12 +1,12 @@
-#include "tools/measure/detect/flip.h"
+#include "tools/picture/flip.h"
 
-#include "tools/common/statistics.h"
+#include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-namespace odraz {
+namespace pictures {
 
 namespace {
 
@@ -189,4 +189,4 @@ double meanFlip(const SeenPicture &reference, const SeenPicture &test) {
     return sum / (double)reference.lightness.size();
 }
 
-} // namespace odraz
+} // namespace pictures

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+namespace pictures {
+
 struct Box {
     double x0, y0, x1, y1;
 };
@@ -35,3 +37,5 @@ struct Label {
 // room.
 std::vector<Label> placeLabels(const std::vector<NamedPoint> &points, const std::vector<Line> &avoid,
                                const Box &within, double height);
+
+} // namespace pictures

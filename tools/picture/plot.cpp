@@ -1,10 +1,12 @@
-#include "tools/common/plot.h"
+#include "tools/picture/plot.h"
 
-#include "tools/common/labels.h"
+#include "tools/picture/labels.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+
+namespace pictures {
 
 namespace {
 
@@ -243,3 +245,5 @@ std::string svg(const Plot &plot) {
     for (double width = 930, height = 460;; width *= 1.15, height *= 1.15)
         if (std::string drawn = Drawing(plot, width, height).svg(); !drawn.empty()) return drawn;
 }
+
+} // namespace pictures

@@ -1,32 +1,27 @@
 // contact_sheet: the film on one page, a frame every few seconds, each with its time; or a poster of it.
 #include "film.h"
 #include "show/font.h"
-#include "tools/common/arguments.h"
-#include "tools/common/shell_word.h"
+#include "tools/common/command_line.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/picture.h"
 
 #include <cstring>
+#include <optional>
 
-using namespace odraz;
+namespace odraz {
 
-static constexpr char kUsage[] =
-    "usage: contact_sheet FILM OUT.png [--every SECONDS=5] [--columns N=5] [--width PIXELS=384] [--quality "
-    "NAME=play]\n"
-    "       contact_sheet FILM OUT.png --poster [--width PIXELS=1600] [--quality NAME=film]\n"
-    "Lets the program FILM dump a frame every so many seconds and lays them out, PIXELS wide each. A poster "
-    "is\n"
-    "one moment PIXELS wide, under it two rows of three, and the title.\n";
+using namespace pictures;
 
 // The moments that a poster shows, in seconds into the film; the large picture comes first.
 static constexpr int kPosterMoments[] = {FILM_POSTER};
 
 // Writes with the film's own font over a box of the picture, which is first darkened to `shade`.
-struct Box {
+struct Area {
     int x, y, width, height;
 };
-static void write(Picture &picture, const Box &box, const char *text, float size, float weight,
-                  float tracking, Align align, const uint8_t colour[3], float shade) {
+static void write(Image &picture, const Area &box, const char *text, float size, float weight, float tracking,
+                  Align align, const uint8_t colour[3], float shade) {
     size_t pixels = (size_t)box.width * (size_t)box.height;
     std::vector<float> planes(3 * pixels); // all three are alike; only one is needed
     Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
@@ -45,7 +40,7 @@ static void write(Picture &picture, const Box &box, const char *text, float size
 }
 
 // Writes minutes:seconds into the lower left corner of the picture.
-static void label(Picture &picture, int seconds) {
+static void label(Image &picture, int seconds) {
     char text[16];
     std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
     static constexpr uint8_t kGrey[3] = {230, 230, 230};
@@ -54,44 +49,45 @@ static void label(Picture &picture, int seconds) {
 }
 
 // The frames that the program dumps with `options`, `width` pixels wide.
-static std::vector<Picture> dumped(const std::string &program, const std::string &options, int width,
-                                   const std::string &quality) {
+static std::vector<Image> dumped(const std::string &program, const std::string &options, int width,
+                                 const std::string &quality) {
     // Trace twice as large as shown: the averaging smooths once more
     int traced = width * 2;
-    std::string command = shellWord(program) + " --dump - " + options + " --quality " + shellWord(quality) +
-                          " --size " + std::to_string(traced) + "x" + std::to_string(traced * 9 / 16);
+    std::string command = common::shellWord(program) + " --dump - " + options + " --quality " +
+                          common::shellWord(quality) + " --size " + std::to_string(traced) + "x" +
+                          std::to_string(traced * 9 / 16);
     std::FILE *film = popen(command.c_str(), "r");
     if (!film) throw std::runtime_error("cannot run " + program);
-    std::vector<Picture> frames;
-    Picture frame;
+    std::vector<Image> frames;
+    Image frame;
     while (readPpm(film, frame)) frames.push_back(shrink(frame, width));
     if (pclose(film) != 0 || frames.empty()) throw std::runtime_error(program + " did not dump the film");
     return frames;
 }
 
-static std::vector<Picture> framesOf(const std::string &program, int every, int width,
-                                     const std::string &quality) {
-    std::vector<Picture> frames = dumped(program, "--fps 1/" + std::to_string(every), width, quality);
+static std::vector<Image> framesOf(const std::string &program, int every, int width,
+                                   const std::string &quality) {
+    std::vector<Image> frames = dumped(program, "--fps 1/" + std::to_string(every), width, quality);
     for (size_t i = 0; i < frames.size(); ++i) label(frames[i], every * (int)i);
     return frames;
 }
 
-static void paste(Picture &sheet, const Picture &frame, int x, int y) {
+static void paste(Image &sheet, const Image &frame, int x, int y) {
     for (int row = 0; row < frame.height; ++row)
         std::memcpy(&sheet.rgb[((size_t)(y + row) * (size_t)sheet.width + (size_t)x) * 3],
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
 // A poster: one large picture, two rows of three below it, and the title.
-static Picture poster(const std::string &program, int width, const std::string &quality) {
+static Image poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
     const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
               band = width / 12;
-    Picture page;
+    Image page;
     int y = gap, shown = 0;
     for (int second : kPosterMoments) {
         std::string at = "--fps 1 --from " + std::to_string(second) + " --to " + std::to_string(second + 1);
-        Picture frame = dumped(program, at, shown ? small : width, quality)[0];
+        Image frame = dumped(program, at, shown ? small : width, quality)[0];
         if (!shown) {
             page.width = width + 2 * gap;
             page.height = frame.height + 2 * high + 4 * gap + band;
@@ -105,18 +101,18 @@ static Picture poster(const std::string &program, int width, const std::string &
         ++shown;
     }
     static constexpr uint8_t kCopper[3] = {236, 158, 92}, kGrey[3] = {170, 170, 176};
-    Box title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
+    Area title = {gap, page.height - gap / 2 - band, page.width - 2 * gap, band};
     write(page, title, FILM_NAME, (float)band * 0.42f, 0.1f, 3, Align::Left, kCopper, 1);
     write(page, title, FILM_ABOUT, (float)band * 0.19f, 0.1f, 2, Align::Right, kGrey, 1);
     return page;
 }
 
 // Lays out frames of one size, row by row.
-static Picture layOut(const std::vector<Picture> &frames, int columns) {
+static Image layOut(const std::vector<Image> &frames, int columns) {
     constexpr int kGap = 6;
     const int width = frames[0].width, height = frames[0].height;
     int rows = ((int)frames.size() + columns - 1) / columns;
-    Picture sheet;
+    Image sheet;
     sheet.width = columns * (width + kGap) + kGap;
     sheet.height = rows * (height + kGap) + kGap;
     sheet.rgb.assign((size_t)sheet.width * (size_t)sheet.height * 3, 24);
@@ -126,41 +122,37 @@ static Picture layOut(const std::vector<Picture> &frames, int columns) {
     return sheet;
 }
 
-static int run(Arguments &words) {
-    std::vector<std::string> paths;
-    std::string quality;
-    int every = 5, columns = 5, width = 0;
+static int run(common::CommandLine &line) {
+    std::string program, out, quality;
+    std::optional<int> width;
+    int every = 5, columns = 5;
     bool asPoster = false;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--every")
-            every = words.whole(w, 1, 4000);
-        else if (w == "--columns")
-            columns = words.whole(w, 1, 4000);
-        else if (w == "--width")
-            width = words.whole(w, 1, 4000);
-        else if (w == "--quality")
-            quality = words.value(w);
-        else if (w == "--poster")
-            asPoster = true;
-        else if (word[0] != '-' && paths.size() < 2)
-            paths.push_back(w);
-        else
-            words.refuse(w);
-    }
-    if (paths.size() < 2) throw Refused("a program and a PNG to write are needed; see contact_sheet --help");
-    checkWritable(paths[1]);
+    line.about("Runs the program FILM, which dumps a frame every few seconds, and lays the frames out on one "
+               "page. A\n"
+               "poster is one large moment, two rows of three below it, and the title.");
+    line.argument("FILM", program, "the program of the film");
+    line.argument("OUT.png", out, "the page to write");
+    line.option("--every", "SECONDS", every, {1, 4000}, "the time between frames");
+    line.option("--columns", "N", columns, {1, 4000}, "frames in a row");
+    line.option("--width", "PIXELS", width, {1, 4000},
+                "a frame's width (default 384), or the poster's (default 1600)");
+    line.option("--quality", "NAME", quality, "the film's quality (default play, for a poster film)");
+    line.flag("--poster", asPoster, "make a poster");
+    line.parse();
+    common::checkWritable(out);
+    if (quality.empty()) quality = asPoster ? "film" : "play";
     if (asPoster) {
-        Picture page = poster(paths[0], width ? width : 1600, quality.empty() ? "film" : quality);
-        if (!writePng(paths[1], page)) throw std::runtime_error("cannot write " + paths[1]);
-        std::printf("%s: a poster of %d x %d\n", paths[1].c_str(), page.width, page.height);
+        Image page = poster(program, width.value_or(1600), quality);
+        writePng(out, page);
+        std::printf("%s: a poster of %d x %d\n", out.c_str(), page.width, page.height);
         return 0;
     }
-    std::vector<Picture> frames =
-        framesOf(paths[0], every, width ? width : 384, quality.empty() ? "play" : quality);
-    if (!writePng(paths[1], layOut(frames, columns))) throw std::runtime_error("cannot write " + paths[1]);
-    std::printf("%s: %zu frames, one every %d s\n", paths[1].c_str(), frames.size(), every);
+    std::vector<Image> frames = framesOf(program, every, width.value_or(384), quality);
+    writePng(out, layOut(frames, columns));
+    std::printf("%s: %zu frames, one every %d s\n", out.c_str(), frames.size(), every);
     return 0;
 }
 
-int main(int argc, char **argv) { return runProgram("contact_sheet", kUsage, argc, argv, run); }
+} // namespace odraz
+
+int main(int argc, char **argv) { return common::runProgram("contact_sheet", argc, argv, odraz::run); }

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace odraz {
+namespace pictures {
 
 // A picture as the eye perceives it: made once, compared often.
 struct SeenPicture {
@@ -25,4 +25,4 @@ SeenPicture see(const std::vector<uint8_t> &rgb, int width, int height);
 std::vector<float> flip(const SeenPicture &reference, const SeenPicture &test);
 double meanFlip(const SeenPicture &reference, const SeenPicture &test);
 
-} // namespace odraz
+} // namespace pictures

@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+namespace pictures {
+
 struct PlotPoint {
     double x, y;
     std::string name; // may be empty
@@ -25,3 +27,5 @@ struct Plot {
 // On a logarithmic axis all values must be positive. No text overlaps another text or a mark; a crowded
 // drawing is made larger.
 std::string svg(const Plot &plot);
+
+} // namespace pictures

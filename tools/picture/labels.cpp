@@ -1,7 +1,9 @@
-#include "tools/common/labels.h"
+#include "tools/picture/labels.h"
 
 #include <algorithm>
 #include <cmath>
+
+namespace pictures {
 
 namespace {
 
@@ -95,3 +97,5 @@ std::vector<Label> placeLabels(const std::vector<NamedPoint> &points, const std:
     }
     return labels;
 }
+
+} // namespace pictures

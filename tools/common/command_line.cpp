@@ -1,0 +1,246 @@
+#include "tools/common/command_line.h"
+
+#include "tools/common/text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace common {
+
+namespace {
+
+constexpr size_t kNames = 26, kWidth = 100; // characters: the column of names in --help, and a line's length
+
+// Lays out --help: names in one column, descriptions wrapped in another.
+class Layout : public CLI::Formatter {
+    std::string make_option(const CLI::Option *option, bool positional) const override {
+        std::string name = "  " + option->get_name(positional, false), line;
+        if (!option->get_type_name().empty()) name += " " + option->get_type_name();
+        std::string description = option->get_description();
+        if (!option->get_default_str().empty()) description += " (default " + option->get_default_str() + ")";
+        std::string text = name;
+        if (name.size() < kNames)
+            text.resize(kNames, ' ');
+        else
+            text += "\n" + std::string(kNames, ' ');
+        size_t column = kNames;
+        for (const std::string &word : CLI::detail::split(description, ' ')) {
+            if (column > kNames && column + 1 + word.size() > kWidth) {
+                text += "\n" + std::string(kNames, ' ');
+                column = kNames;
+            }
+            text += (column > kNames ? " " : "") + word;
+            column += word.size() + (column > kNames);
+        }
+        return text + "\n";
+    }
+    std::string make_description(const CLI::App *app) const override {
+        return app->get_description().empty() ? "" : app->get_description() + "\n\n";
+    }
+};
+
+} // namespace
+
+struct CommandLine::Parser {
+    std::string name, group = "Options";
+    std::vector<std::string> words, given;
+    CLI::App app;
+    std::vector<std::pair<CLI::Option *, Take>> takes;
+
+    CLI::Option *add(const std::string &option, const std::string &value, const Take &take,
+                     const std::string &what) {
+        CLI::Option *o =
+            app.add_option(option, CLI::callback_t([](const CLI::results_t &) { return true; }), what);
+        o->type_name(value)->group(group)->take_all()->expected(1)->allow_extra_args(false);
+        takes.emplace_back(o, take);
+        return o;
+    }
+};
+
+CommandLine::CommandLine(std::string name, std::vector<std::string> arguments)
+    : parser(std::make_unique<Parser>()) {
+    parser->name = std::move(name);
+    parser->words = std::move(arguments);
+    parser->app.name(parser->name);
+    auto layout = std::make_shared<Layout>();
+    layout->label("Positionals", "Arguments");
+    parser->app.formatter(layout);
+    parser->app.set_help_flag("--help", "print this and exit");
+}
+CommandLine::~CommandLine() = default;
+
+void CommandLine::about(const std::string &text) { parser->app.description(text); }
+void CommandLine::notes(const std::string &text) { parser->app.footer(text); }
+void CommandLine::group(const std::string &title) { parser->group = title; }
+
+void CommandLine::argument(const std::string &name, std::string &to, const std::string &what, bool required) {
+    parser
+        ->add(
+            name, "", [&to](const std::string &text) { to = text; }, what)
+        ->required(required);
+}
+
+void CommandLine::arguments(const std::string &name, std::vector<std::string> &to, const std::string &what,
+                            bool required) {
+    parser
+        ->add(
+            name, "", [&to](const std::string &text) { to.push_back(text); }, what)
+        ->required(required)
+        ->expected(required ? 1 : 0, CLI::detail::expected_max_vector_size)
+        ->allow_extra_args();
+}
+
+void CommandLine::flag(const std::string &name, bool &to, const std::string &what) {
+    CLI::Option *o = parser->app.add_flag(name, what)->group(parser->group)->disable_flag_override();
+    parser->takes.emplace_back(o, [&to](const std::string &) { to = true; });
+}
+
+void CommandLine::option(const std::string &name, const std::string &value, std::string &to,
+                         const std::string &what) {
+    parser
+        ->add(
+            name, value, [&to](const std::string &text) { to = text; }, what)
+        ->default_str(to);
+}
+
+void CommandLine::option(const std::string &name, const std::string &value, std::vector<std::string> &to,
+                         const std::string &what) {
+    parser->add(
+        name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable");
+}
+
+void CommandLine::option(const std::string &name, const std::string &value, Take take,
+                         const std::string &what) {
+    parser->add(name, value, take, what);
+}
+
+void CommandLine::number(const std::string &name, const std::string &value, Range range, bool whole,
+                         double initial, std::function<void(double)> to, const std::string &what) {
+    auto take = [=](const std::string &text) {
+        double x = numberOf(name, text, range);
+        if (whole && x != std::floor(x)) throw Refused(name + " takes a whole number, not '" + text + "'");
+        to(x);
+    };
+    parser->add(name, value, take, what)->default_str(std::isfinite(initial) ? format("%.9g", initial) : "");
+}
+
+void CommandLine::choice(const std::string &name, const std::vector<std::string> &names, size_t initial,
+                         std::function<void(size_t)> to, const std::string &what) {
+    auto join = [&](const char *between) { return CLI::detail::join(names, between); };
+    auto take = [=, or_ = join(" or ")](const std::string &text) {
+        auto found = std::find(names.begin(), names.end(), text);
+        if (found == names.end()) throw Refused(name + " is " + or_ + ", not '" + text + "'");
+        to((size_t)(found - names.begin()));
+    };
+    parser->add(name, join("|"), take, what)->default_str(initial < names.size() ? names[initial] : "");
+}
+
+void CommandLine::parse() {
+    CLI::App &app = parser->app;
+    try {
+        app.parse(
+            std::vector<std::string>(parser->words.rbegin(), parser->words.rend())); // CLI11 pops the last
+    } catch (const CLI::CallForHelp &) {
+        std::fputs(app.help().c_str(), stdout);
+        throw HelpPrinted();
+    } catch (const CLI::ExtrasError &) {
+        refuse("cannot use '" + app.remaining().front() + "'");
+    } catch (const CLI::ArgumentMismatch &e) {
+        const std::string &last = parser->words.back();
+        refuse(last[0] == '-' && last.find('=') == last.npos ? last + " needs a value" : e.what());
+    } catch (const CLI::ParseError &e) {
+        refuse(e.what());
+    }
+    std::vector<size_t> taken(parser->takes.size());
+    for (const CLI::Option *option : app.parse_order())
+        for (size_t i = 0; i < taken.size(); ++i)
+            if (parser->takes[i].first == option) {
+                if (option->nonpositional()) parser->given.push_back(option->get_name());
+                parser->takes[i].second(option->results()[taken[i]++]);
+            }
+}
+
+bool CommandLine::has(const std::string &option) const {
+    return std::find(parser->given.begin(), parser->given.end(), option) != parser->given.end();
+}
+
+const std::vector<std::string> &CommandLine::given() const { return parser->given; }
+
+void CommandLine::refuse(const std::string &wrong) const {
+    throw Refused(wrong + ": see " + parser->name + " --help");
+}
+
+int CommandLine::run(const std::vector<Command> &commands) {
+    std::vector<std::string> &words = parser->words;
+    std::string names;
+    for (const Command &command : commands) {
+        names += names.empty() ? "" : &command == &commands.back() ? " or " : ", ";
+        names += command.name;
+        if (words.empty() || words[0] != command.name) continue;
+        CommandLine line(parser->name + " " + command.name, {words.begin() + 1, words.end()});
+        return command.run(line);
+    }
+    if (std::find(words.begin(), words.end(), "--help") == words.end())
+        refuse(words.empty() ? "a command is missing, " + names
+                             : "'" + words[0] + "' is no command, " + names + " are");
+    for (const Command &command : commands) parser->app.add_subcommand(command.name, command.what);
+    std::printf("%s", parser->app.help().c_str());
+    std::printf("%s COMMAND --help prints what a command takes.\n", parser->name.c_str());
+    throw HelpPrinted();
+}
+
+double numberOf(const std::string &option, const std::string &text, Range range) {
+    char *end;
+    double x = std::strtod(text.c_str(), &end);
+    if (end != text.c_str() && !*end && x >= range.least && x <= range.most) return x;
+    throw Refused(option + " takes a number from " + format("%g to %g", range.least, range.most) + ", not '" +
+                  text + "'");
+}
+
+std::vector<double> numbersOf(const std::string &option, const std::string &text, size_t count) {
+    std::vector<double> numbers;
+    const char *p = text.c_str();
+    for (size_t i = 0; i < count; ++i) {
+        char *end;
+        numbers.push_back(std::strtod(p, &end));
+        if (end == p || !std::isfinite(numbers[i]) || *end != (i + 1 < count ? ',' : 0))
+            throw Refused(option + " takes " + std::to_string(count) + " numbers with commas between, not '" +
+                          text + "'");
+        p = end + 1;
+    }
+    return numbers;
+}
+
+// Prints one line, even if the message repeats arguments of the user that have line breaks.
+static int complain(const char *name, const std::exception &e, int status) {
+    std::string line = e.what();
+    std::replace_if(
+        line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
+    std::fprintf(stderr, "%s: %s\n", name, line.c_str());
+    return status;
+}
+
+int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine &)) {
+    try {
+        CommandLine line(name, {argv + std::min(argc, 1), argv + argc});
+        int status = 0;
+        try {
+            status = body(line);
+        } catch (CommandLine::HelpPrinted) {
+        }
+        if (std::fflush(stdout) || std::ferror(stdout))
+            throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
+        return status;
+    } catch (const Refused &e) {
+        return complain(name, e, 2);
+    } catch (const std::exception &e) {
+        return complain(name, e, 1);
+    }
+}
+
+} // namespace common

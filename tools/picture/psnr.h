@@ -1,0 +1,53 @@
+// The peak signal-to-noise ratio, and the sRGB curve that it needs for linear light.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace pictures {
+
+// Peak signal-to-noise ratio in dB of `count` eight-bit values whose squared differences add up to `squares`;
+// infinite if none differs.
+inline double psnr(double squares, size_t count) {
+    return squares > 0 ? 10 * std::log10(255. * 255. * (double)count / squares) : INFINITY;
+}
+
+// The linear value, 0 .. 1, of an eight-bit sRGB value (IEC 61966-2-1).
+inline double linearOfSrgb(uint8_t value) {
+    static const std::vector<double> all = [] {
+        std::vector<double> v(256);
+        for (int i = 0; i < 256; ++i)
+            v[(size_t)i] = i > 10 ? std::pow((i / 255. + 0.055) / 1.055, 2.4) : i / 255. / 12.92;
+        return v;
+    }();
+    return all[value];
+}
+
+// The inverse: sRGB, 0 .. 1, not rounded to eight bits.
+inline float srgbOfLinear(float x) {
+    x = std::clamp(x, 0.f, 1.f);
+    return x <= 0.0031308f ? 12.92f * x : 1.055f * std::pow(x, 1 / 2.4f) - 0.055f;
+}
+
+// PSNR in linear light of eight-bit sRGB values, which weighs bright places more. Both vectors are of one
+// size.
+inline double linearPsnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double squares = 0;
+    for (size_t i = 0; i < a.size(); ++i) {
+        double d = (linearOfSrgb(a[i]) - linearOfSrgb(b[i])) * 255;
+        squares += d * d;
+    }
+    return psnr(squares, a.size());
+}
+
+// PSNR of two vectors of one size.
+inline double psnr(const std::vector<uint8_t> &a, const std::vector<uint8_t> &b) {
+    double squares = 0;
+    for (size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return psnr(squares, a.size());
+}
+
+} // namespace pictures
