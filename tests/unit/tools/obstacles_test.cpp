@@ -1,6 +1,6 @@
 // Compares the oracles' rays with a test of every triangle and ball.
 #include "tests/support/random.h"
-#include "tools/measure/oracle/obstacles.h"
+#include "tools/radiosity/reference/obstacles.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/radiosity/generate/generate.h"
 

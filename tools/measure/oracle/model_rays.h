@@ -3,8 +3,8 @@
 #pragma once
 
 #include "radiosity/model.h"
-#include "tools/measure/oracle/obstacles.h"
-#include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/reference/obstacles.h"
+#include "tools/radiosity/reference/sampler.h"
 #include "tools/radiosity/patches/row_finder.h"
 
 #include <functional>

@@ -2,7 +2,7 @@
 // of elements. Each place has a square number of paths; the option gives its side.
 #include "tools/common/arguments.h"
 #include "tools/engine/machine.h"
-#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 
 #include <cstdio>
 

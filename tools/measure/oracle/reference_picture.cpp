@@ -1,7 +1,7 @@
 #include "tools/measure/oracle/reference_picture.h"
 
-#include "tools/measure/oracle/obstacles.h"
-#include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/reference/obstacles.h"
+#include "tools/radiosity/reference/sampler.h"
 
 #include <algorithm>
 #include <cmath>

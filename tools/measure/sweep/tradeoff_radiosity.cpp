@@ -1,6 +1,6 @@
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/measure/sweep/tradeoff.h"
 

@@ -1,7 +1,7 @@
 // What all chapters of a study share: the model, its reference, the time they may take, and the page.
 #pragma once
 
-#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/study/page.h"

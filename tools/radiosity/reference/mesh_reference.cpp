@@ -1,9 +1,9 @@
-#include "tools/measure/oracle/mesh_reference.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 
 #include "tools/common/statistics.h"
 #include "tools/engine/luminance.h"
-#include "tools/measure/oracle/obstacles.h"
-#include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/reference/obstacles.h"
+#include "tools/radiosity/reference/sampler.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "tools/measure/oracle/obstacles.h"
+#include "tools/radiosity/reference/obstacles.h"
 
 #include <algorithm>
 #include <cmath>

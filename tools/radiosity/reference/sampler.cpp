@@ -1,4 +1,4 @@
-#include "tools/measure/oracle/sampler.h"
+#include "tools/radiosity/reference/sampler.h"
 
 #include <algorithm>
 #include <cmath>
