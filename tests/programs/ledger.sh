@@ -24,19 +24,19 @@ END
 rooms() { BUILD=$WORK/build "$ledger" rooms 2>"$WORK/err"; }
 
 report 4000
-check "a room's bytes are told" prints '^trace +4000 ' rooms
+check "a room's bytes" prints '^trace +4000 ' rooms
 check "... those of the programs" prints '^intro +100 ' rooms
 check "... stub and headers" prints '^stub +2500 ' rooms
 check "... and the film's" prints '^the film +6600 +65536 +58936$' rooms
 check "... and the rooms' shares are at most 65,536 together" test "$(awk '$1 != "the" && $3 ~ /^[0-9]+$/ { sum += $3 } END { print (sum <= 65536) }' "$WORK/printed")" = 1
-check "nothing is said of rooms that keep to their shares" test ! -s "$WORK/err"
+check "nothing on stderr while all rooms keep to their shares" test ! -s "$WORK/err"
 report 40000
 check "a room that outgrows its share" prints '^trace +40000 .*more than its share$' rooms
-check "... is told on stderr, in one line" test "$(grep -c 'trace has outgrown its share' "$WORK/err")/$(wc -l <"$WORK/err")" = 1/1
+check "... is reported on stderr, in one line" test "$(grep -c 'trace has outgrown its share' "$WORK/err")/$(wc -l <"$WORK/err")" = 1/1
 rm "$WORK/build/odraz.json"
 check "a film that is not built" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" rooms
 check "... whose ledger cannot be renewed" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" renew
-check "the ledger in the repository names no folder of a machine" eval '! grep -q "\"room\"\|\"/" "$SOURCE/tools/measure/size_ledger.json"'
+check "the ledger in the repository names no folder of a machine" eval '! grep -q "\"room\"\|\"/" "$SOURCE/intro/size_ledger.json"'
 check "an unknown word" refuses 2 "cannot use 'colour'" "$ledger" colour
 # Every folder of the engine has its row; maker is of odraz-debug
 (cd "$SOURCE/intro" && find . -mindepth 2 -name '*.cpp' -not -path './maker/*') | cut -d/ -f2 | sort -u >"$WORK/folders"
