@@ -2,13 +2,12 @@
 // once.
 //
 // Rows count from the start of the scene's story, as its cameras' keys do (8 a second, 16 a bar): a scene
-// that moves takes its events with it. What is marked as heard has a sound in score.cpp, which begins on that
+// that moves takes its events with it. What is marked as heard has a sound in music.h, which begins on that
 // very row.
 #pragma once
 
 #include "base/rows.h"
-
-#include <stdint.h>
+#include "show/event.h"
 
 namespace odraz {
 
@@ -27,13 +26,6 @@ enum EventId : uint8_t {
     kBall5Leaves, kOuterLampsDie, kBall4Leaves, kBall3Leaves, kBall1Leaves, kWordIsFound,
     kLine1, kLine2, kLine3,
     kEventCount
-};
-
-struct Event {
-    EventId id;
-    SceneId scene;
-    int16_t row;
-    bool heard;
 };
 
 inline constexpr Event kEvents[] = {

@@ -235,15 +235,4 @@ static constexpr Shot kShots[] = {
 
 const ShotList kFilm = {kShots, sizeof kShots / sizeof *kShots, kEndRow};
 
-Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
-    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
-    Posed now = {&kScenes[m.shot->scene],
-                 {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
-                 m.fade};
-    film.scene->clear();
-    now.entry->pose(now.cue, *film.scene);
-    film.scene->finish();
-    return now;
-}
-
 } // namespace odraz

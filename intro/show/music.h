@@ -23,7 +23,6 @@ constexpr const char *const kChords[] = {
     [kOdraz] = "DFBADGADBGAA",
     [kCredits] = "ddddd",
 };
-static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
 
 // Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
 // at the end; line.
@@ -107,16 +106,6 @@ static constexpr Part kParts[] = {
     {kCredits, 0, 2, {kWind, 6, 1, 100}, 1, 16, 20, 10, "0"},
     {kCredits, 2, 3, {kGlassDrop, 5, 1, 120}, 4, 16, 60, 60, "Ge.."},
 };
-static_assert(
-    [] {
-        for (const Part &p : kParts) {
-            int bars = 0;
-            while (kChords[p.scene][bars]) ++bars;
-            if (p.from >= p.to || p.to > bars) return false;
-        }
-        return true;
-    }(),
-    "a part begins before it ends, within its scene's bars");
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
 static constexpr Heard kHeard[] = {

@@ -9,6 +9,18 @@ namespace {
 
 constexpr float kRing = 16; // rows that the sound of an event lasts
 
+static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
+static_assert(
+    [] {
+        for (const Part &p : kParts) {
+            int bars = 0;
+            while (kChords[p.scene][bars]) ++bars;
+            if (p.from >= p.to || p.to > bars) return false;
+        }
+        return true;
+    }(),
+    "a part begins before it ends, within its scene's bars");
+
 constexpr bool isHeard(const Event &event) {
     for (const Heard &h : kHeard)
         if (h.scene == event.scene && h.row == event.row) return true;

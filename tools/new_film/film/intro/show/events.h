@@ -7,21 +7,13 @@
 #pragma once
 
 #include "base/rows.h"
-
-#include <stdint.h>
+#include "show/event.h"
 
 namespace odraz {
 
 enum SceneId : uint8_t { kStage, kSceneCount };
 
 enum EventId : uint8_t { kBallLands, kBallLandsAgain, kWordComes, kEventCount };
-
-struct Event {
-    EventId id;
-    SceneId scene;
-    int16_t row;
-    bool heard;
-};
 
 inline constexpr Event kEvents[] = {
     {kBallLands, kStage, 16, true},

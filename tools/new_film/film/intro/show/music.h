@@ -10,7 +10,6 @@ namespace odraz {
 constexpr const char *const kChords[] = {
     [kStage] = "DBADD",
 };
-static_assert(sizeof kChords / sizeof *kChords == kSceneCount);
 
 // Scene, bars from and to; instrument, octave, tones at once, room; strokes in rows; velocity at the start and
 // at the end; line.
@@ -20,16 +19,6 @@ static constexpr Part kParts[] = {
     {kStage, 0, 3, {kPiano, 4, 1, 100}, 8, 16, 40, 65, "02143524"},
     {kStage, 0, 4, {kPiano, 5, 1, 120}, 1, 4, 80, 100, "D-aGF-EDE-CED---"},
 };
-static_assert(
-    [] {
-        for (const Part &p : kParts) {
-            int bars = 0;
-            while (kChords[p.scene][bars]) ++bars;
-            if (p.from >= p.to || p.to > bars) return false;
-        }
-        return true;
-    }(),
-    "a part begins before it ends, within its scene's bars");
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
 static constexpr Heard kHeard[] = {

@@ -1,0 +1,16 @@
+#include "show/show.h"
+
+namespace odraz {
+
+Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
+    Moment m = momentAt(kFilm, seconds * kRowsPerSecond);
+    Posed now = {&kScenes[m.shot->scene],
+                 {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
+                 m.fade};
+    film.scene->clear();
+    now.entry->pose(now.cue, *film.scene);
+    film.scene->finish();
+    return now;
+}
+
+} // namespace odraz
