@@ -68,13 +68,7 @@ int sceneAt(double seconds) { return momentAt(kFilm, seconds * kRowsPerSecond).s
 
 const char *sceneName(int scene) { return kScenes[scene].name; }
 
-Pace paceOf(int scene) {
-    const SceneEntry &s = kScenes[scene];
-    Pace pace = {s.leastWidth * 16, s.halving * 0.1f, {}};
-    static_assert(sizeof s.lost == kWays - 1);
-    for (int w = 1; w < kWays; ++w) pace.lost[w] = s.lost[w - 1] * 0.1f;
-    return pace;
-}
+Pace paceOf(int scene) { return kScenes[scene].pace.unpacked(); }
 
 CameraKey cameraAt(double seconds) {
     Moment m = momentAt(kFilm, seconds * kRowsPerSecond);

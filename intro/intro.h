@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "timeline/camera.h"
+#include "timeline/pace.h"
 #include "trace/quality.h"
 
 namespace odraz {
@@ -42,15 +43,7 @@ inline constexpr int kMaxScenes = 16;
 int sceneAt(double seconds); // below kMaxScenes
 const char *sceneName(int scene);
 
-// What a scene loses where there is no time for everything (play/governor.h). leastWidth: the fewest pixels
-// across that are traced. `halving` steps of coarseness halve the work. `lost` is the squared error that each
-// of the governor's ways adds, in units of that of a picture of `play`.
-inline constexpr int kWays = 5;
-struct Pace {
-    int leastWidth = 640;
-    float halving = 1;
-    float lost[kWays] = {0, 0.2f, 0.8f, 1.5f, 6};
-};
+// Its limits for the governor.
 Pace paceOf(int scene);
 
 // The pose of the scripted camera at a time.

@@ -24,7 +24,7 @@ struct Row {
     bool between() const { return made.trace == 0; }
 };
 
-void tell(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows)->push_back({made, at}); }
+void addRow(void *rows, const Made &made, double at) { ((std::vector<Row> *)rows)->push_back({made, at}); }
 
 std::string listOf(std::vector<Row> rows) {
     // An in-between needs the traced ones on both sides, and has the level and size of the later one
@@ -46,7 +46,7 @@ std::string listOf(std::vector<Row> rows) {
 
 } // namespace
 
-// What is wrong with the words, or with where to write: better told before minutes of film than after them.
+// Checks the options and the output before the film is played. Returns an exit status.
 static int refused(const Options &o, const char *to) {
     const char *wrong = nullptr;
     if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
@@ -83,7 +83,7 @@ int recordShown(const Options &o, const char *to) {
             load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
         return complain(wrong);
     std::vector<Row> rows;
-    Recorder recorder = {tell, &rows};
+    Recorder recorder = {addRow, &rows};
     if (int status = play(*intro, o.mute ? nullptr : loadSound(arena), o, window, &leave, began, &recorder))
         return status;
     std::string text = listOf(rows);

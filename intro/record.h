@@ -7,7 +7,8 @@ namespace odraz {
 
 // Plays the film in a window with the player of odraz, from options.from to options.to, and writes a CSV
 // ("at,time,kind,level,width,height", as tools/measure/seen/shown.h reads it) to a path or "-". What was made
-// but not shown when the viewer left is not in it. Returns an exit status; what is wrong is told in one line.
+// but not shown when the viewer left is not in it. Returns an exit status; what is wrong is reported in one
+// line.
 int recordShown(const Options &options, const char *to);
 
 } // namespace odraz

@@ -1,21 +1,27 @@
-// Decides how well the next pictures are traced, and how many of them, from the time that the last ones took,
-// so that any machine keeps up. All times are in seconds. It has no clock of its own: the same times in, the
-// same decisions out.
+// The governor decides how each picture of the film is traced, so that playback keeps up on any machine.
 //
-// It changes two things. The coarseness says how much each traced picture does without: first quality, from
-// `film` over `play` down to `draft`; then pixels, which are scaled up. It changes a little with every
-// picture, so that nobody sees a step. The way says which pictures are traced, and how many are made between
-// two of them:
+// In: how long the last picture took to trace and the in-betweens before it to make, in seconds, and the
+// limits of the scene (Pace). Out: the quality and size of the next traced picture, its time in the film, and
+// the number of in-betweens before it. It reads no clock: the same input always gives the same decisions.
 //
-//   kSixty           all sixty of a second are traced
-//   kPairs           every other one is traced, and one is made between two
-//   kFours, kSixes   every fourth or sixth one is traced, and three or five are made between two
-//   kThirty          every fourth one is traced, and one is made between two: thirty are shown
+// Two quantities are controlled:
 //
-// The fewer are traced, the better each of them is, and the worse are those between, by how the scene moves.
-// So choose() estimates the error of each way: that of the coarseness that it would have on this machine, by
-// what tracing and making took, and what the scene loses by it (Pace in intro.h). If even the coarsest
-// pictures take too long, next() leaves some out.
+//   coarseness   How much detail a traced picture gives up: 0 is `film`, 1 `play`, 2 `draft`. Values between
+//                them blend two qualities. Above 2 the quality stays `draft`, and fewer pixels are traced
+//                and scaled up. It moves a little with every traced picture, so that no step is seen.
+//   cadence      Which sixtieths of a second are traced, and how many in-betweens are made between two:
+//
+//                          traced         in-betweens   shown a second
+//                kSixty    every one      0             60
+//                kPairs    every second   1             60
+//                kFours    every fourth   3             60
+//                kSixes    every sixth    5             60
+//                kThirty   every fourth   1             30
+//
+// Tracing fewer pictures leaves more time for each, but in-betweens are less exact than traced pictures,
+// especially in fast scenes. So the governor estimates the error of every cadence: that of the coarseness at
+// which this machine keeps up with it, plus a penalty that the scene sets. The least error wins. If even the
+// coarsest pictures take too long, pictures are dropped.
 #pragma once
 
 #include "base/maths.h"
@@ -24,181 +30,217 @@
 namespace odraz {
 
 struct Governor {
-    enum Way { kSixty, kPairs, kFours, kSixes, kThirty };
-    static constexpr int kApart[kWays] = {1, 2, 4, 6, 4};   // sixtieths from one traced picture to the next
-    static constexpr int kBetween[kWays] = {0, 1, 3, 5, 1}; // pictures made between two
-    static_assert(kBetween[kSixes] <= kPlaces);
+    enum Cadence { kSixty, kPairs, kFours, kSixes, kThirty };
+    static constexpr int kGap[kCadences] = {1, 2, 4, 6, 4};        // sixtieths between two traced pictures
+    static constexpr int kInBetweens[kCadences] = {0, 1, 3, 5, 1}; // made between them
+    static_assert(kInBetweens[kSixes] <= kPlaces);
 
-    // What a traced picture may take, with those made before it: a share of the time until the next one. The
-    // rest is for showing them, and for pictures that take longer than those before them.
+    static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
+    // Coarseness: that of `draft`, of `play`, and the least. Exactly 0 is not used: `film` takes more samples
+    // of textures than any blend, and that step would be seen.
+    static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
+    static constexpr float kPlay = 1, kFinest = 0.1f;
+
+    // --- The budget, and the averages that are compared with it ---
+
+    // The share of the time from one traced picture to the next that tracing it and making the in-betweens
+    // before it may take. The rest is for showing them, and for pictures that take longer than the average.
     static constexpr float kShare = 0.87f;
-    // Each new picture counts a quarter in the averages: they are those of the last four or so. Fewer would
-    // follow noise, more would see a costly scene too late.
-    static constexpr float kFollow = 0.25f;
-    // Tracing or making a picture counts as at most this many times the average. What takes longer is a
-    // hiccup of the system or of another program, and says nothing about the pictures after it.
-    static constexpr float kMost = 4;
-    // Where none are made, what making one took is forgotten within a second, for what it mostly takes: this
-    // share of tracing.
+    // The weight of a new time in its average. A smaller weight would follow a costly scene too late, a
+    // larger one would follow noise.
+    static constexpr float kWeight = 0.25f;
+    // A time counts as at most this many times the average. A longer one is a hiccup of the system, and does
+    // not predict the next.
+    static constexpr float kMostTimes = 4;
+    // Where no in-betweens are made, the average of making one moves towards kGuess of the time of tracing,
+    // which is usual; by kForget of the difference with each picture, so within a second.
     static constexpr float kForget = 0.03f, kGuess = 0.5f;
-    // How far the coarseness moves in a sixtieth of a second, where a picture takes twice its budget; from
-    // `play` to `draft` that is a seventh of a second. It improves at half that speed at most: viewers notice
-    // a late picture, but hardly a coarse one. At pictures that take kFarTooLong times their budget it moves
-    // by a whole step.
-    static constexpr float kMove = 0.12f, kMostBetter = -0.5f, kMostWorse = 1, kFarTooLong = 2.5f;
-    // Not quite `film`, which takes more samples of textures: that step would be seen.
-    static constexpr float kBest = 0.1f;
-    static constexpr float kPlay = 1;
-    // Squared error grows by 2 to this power in a step of coarseness: by 7.5 dB, the mean of the film's
-    // scenes.
+
+    // --- How coarseness moves ---
+
+    // The excess of a picture is the time it took over its budget, less 1. For each sixtieth of a second,
+    // coarseness moves by kGain times the excess, which is limited: upwards to kMostExcess (from `play` to
+    // `draft` in a seventh of a second), downwards to kLeastExcess, since viewers notice a late picture more
+    // than a coarse one. Beyond kAlarm it moves up by a whole step at once.
+    static constexpr float kGain = 0.12f, kLeastExcess = -0.5f, kMostExcess = 1, kAlarm = 1.5f;
+    // While fewer pixels are traced than shown, an excess up to kDeadBand does not count, so that the size of
+    // pictures does not swing.
+    static constexpr float kDeadBand = 0.06f;
+
+    // --- Fewer pixels ---
+
+    // The share of the width that a step of coarseness gives up. Tracing then takes about half the time.
+    static constexpr float kShrink = 0.35f;
+    static constexpr int kWidthStep = 16; // reduced widths are multiples of it, in pixels
+    // Scaling up blurs the whole picture, so less than this part of a step is not worth it.
+    static constexpr float kLeastShrink = 0.06f;
+    // Any quality better than `draft` takes samples within pixels, and this many times as long. All pixels
+    // are traced again only if there is time for that.
+    static constexpr float kInsideCost = 1.28f;
+
+    // --- How the cadence is chosen ---
+
+    // Squared error is multiplied by 2 to this power with each step of coarseness: 7.5 dB, the mean over the
+    // scenes of the film.
     static constexpr float kGrowth = 2.5f;
-    // Another way is taken where its error is less than this share of that of now, for kWait sixtieths of a
-    // second; at the first picture of a scene at once. Changes in the first kSettled sixtieths of a scene are
-    // free; each later one makes the next harder, so the way cannot swing.
-    static constexpr float kClearly = 0.65f;
+    // Another cadence is taken once its error has been less than this share of the present one's for kWait
+    // sixtieths of a second. After the first picture of a scene any lower error is enough, at once. Later
+    // than kSettled sixtieths into a scene, each change multiplies the share by kMargin again, so that the
+    // cadence cannot swing.
+    static constexpr float kMargin = 0.65f;
     static constexpr int kWait = 20, kSettled = 90;
-    // The next picture may be this late before pictures are left out for it.
+
+    // --- Time ---
+
+    // Pictures are dropped once the next one would be more than this late, in seconds.
     static constexpr double kTolerance = 0.004;
     static constexpr double kSixtieth = 1 / 60.0;
     static constexpr double kNotBegun = -1e9; // the film's time before it begins: no picture is late
 
-    static constexpr QualityName kRange[] = {QualityName::Film, QualityName::Play, QualityName::Draft};
-    static constexpr int kSteps = sizeof kRange / sizeof *kRange - 1;
-    // The share of a picture's width that a step of coarseness takes: about half of the time.
-    static constexpr float kShrink = 0.35f;
-    // Pixels. Where fewer are traced than shown, quality stays as it is, and the coarseness does not move
-    // while pictures take within kCalm of their budget, so that their size does not go to and fro. Scaling up
-    // blurs all alike, so fewer than kLeastFewer steps are not worth it. Quality better than `draft` samples
-    // within pixels and costs kCliff times as much: it is tried where there is time for that.
-    static constexpr int kWidthStep = 16;
-    static constexpr float kCalm = 0.06f, kLeastFewer = 0.06f, kCliff = 1.28f;
+    // --- State ---
 
-    int width = 0, height = 0; // of the pictures that are shown, where fewer pixels may be traced; else 0
+    int width = 0, height = 0; // of the pictures shown, in pixels; 0: all pixels are always traced
     Pace pace = {};            // of the scene
 
-    Way way = kPairs;
-    float coarseness = kPlay; // kBest .. coarsest()
-    // Averages of tracing a picture and of making one, at the coarseness of now
+    Cadence cadence = kPairs;
+    float coarseness = kPlay; // kFinest .. coarsest()
+    // Average seconds that tracing a picture and making an in-between take, scaled to the present coarseness
     float tracing = 0.05f, making = 0.02f;
-    float weight = 1;   // that the next picture has in them
-    int waited = kWait; // for how many sixtieths another way was better
-    float clearly = 1;  // better, in this scene
-    int played = 0;     // sixtieths of this scene
-    bool fewer = false; // whether it is as coarse as `draft`, and pixels are traded
+    float weight = 1;     // of the next time in them: after a cut 1, 1/2, 1/3, then kWeight
+    int waited = kWait;   // sixtieths for which another cadence has been better
+    float margin = 1;     // the share of its error below which another cadence is taken
+    int played = 0;       // sixtieths of this scene
+    bool reduced = false; // whether fewer pixels are traced than shown: coarseness is at least `draft`
     int scene = -1;
 
-    // From one traced picture to the next.
-    double step() const { return kSixtieth * kApart[way]; }
-    // What a traced picture takes of the time until the next one, with all that are made before it.
-    float average() const { return tracing + kBetween[way] * making; }
-    float budget(int w) const { return kShare * (float)kSixtieth * (float)kApart[w]; }
-    // How far pixels may go, in steps of coarseness.
+    // Seconds of the film from one traced picture to the next.
+    double step() const { return kSixtieth * kGap[cadence]; }
+    // Seconds of work from one traced picture to the next.
+    float work() const { return tracing + kInBetweens[cadence] * making; }
+    // Seconds that this work may take in a cadence.
+    float budget(int c) const { return kShare * (float)kSixtieth * (float)kGap[c]; }
+
+    // How many steps beyond `draft` pixels can be given up, down to the scene's least width.
     float pixelSteps() const {
         return width ? max(1 - (float)pace.leastWidth / (float)width, 0.f) / kShrink : 0;
     }
     float coarsest() const { return kSteps + pixelSteps(); }
-    float withoutPixels() const {
-        float steps = coarseness - kSteps;
-        return steps < kLeastFewer ? 0 : steps;
-    }
-    bool wantsFewer() const { return coarseness >= kSteps && coarsest() > kSteps; }
-    // Along kRange.
+    // Whether quality is used up, and pixels are left to give up.
+    bool mustReduce() const { return coarseness >= kSteps && coarsest() > kSteps; }
+
+    // --- What the player asks for ---
+
+    // The position of quality() on kRange: 0 `film`, 1 `play`, 2 `draft`.
     float level() const { return min(coarseness, (float)kSteps); }
     Quality quality() const {
         int from = min((int)level(), kSteps - 1);
         return blend(kQualities[(int)kRange[from]], kQualities[(int)kRange[from + 1]], level() - (float)from);
     }
+    // The pixels to trace; 0 x 0 if the size does not vary.
     TracedSize size() const {
-        int w = (int)((1 - kShrink * withoutPixels()) * (float)width);
+        float steps = coarseness - kSteps, shrunk = steps < kLeastShrink ? 0 : steps;
+        int w = (int)((1 - kShrink * shrunk) * (float)width);
         if (w < width) w &= -kWidthStep;
         return {w, width ? (w * height + width / 2) / width : 0};
     }
-
-    // The coarseness that a way would have here.
-    float expected(int w) const {
-        float more = tracing / max(budget(w) - (float)kBetween[w] * making, 1e-4f);
-        return max(coarseness + log2(more) * pace.halving, kBest);
+    // The number of in-betweens between two traced pictures that are `gap` sixtieths apart. None after a
+    // hiccup, when the gap is far larger than planned.
+    int between(int gap) const { return gap > 2 * kGap[cadence] ? 0 : kInBetweens[cadence]; }
+    // The sixtieths from the i-th in-between, counted from 1, to the traced picture after it.
+    int ahead(int i) const {
+        return (kInBetweens[cadence] + 1 - i) * kGap[cadence] / (kInBetweens[cadence] + 1);
     }
-    // The squared error of a way, in units of that of `play`: it grows with that coarseness, and the scene
-    // adds what it loses by the way. Beyond the coarsest, pictures are left out: that counts twice.
-    float error(int w) const {
-        float c = expected(w);
-        return exp2((c - kPlay + max(c - coarsest(), 0.f)) * kGrowth) + pace.lost[w];
-    }
-    // Takes the best way, once it was clearly better for a while.
-    void choose() {
-        Way best = way;
-        float least = error(way) * clearly;
-        for (int w = 0; w < kWays; ++w) {
-            float its = error(w);
-            if (its < least) least = its, best = (Way)w;
-        }
-        played += kApart[way];
-        waited = best == way ? 0 : waited + kApart[way];
-        if (waited < kWait) return;
-        if (played > kSettled) clearly *= kClearly;
-        way = best, waited = 0;
-        if (!fewer) return;
-        // In this way there may be time for all pixels
-        become(clamp(expected(way), kBest, coarsest()));
-        fewer = wantsFewer();
-    }
-    void become(float coarser) {
-        tracing *= exp2((coarseness - coarser) / pace.halving);
-        coarseness = coarser;
+    // The film's time of the picture to trace next, in seconds, if the last one is that of `time` and the
+    // film is at `now`. It and all in-betweens before it must be ready when they are due. If they cannot be,
+    // whole sixtieths are dropped: a picture between two refreshes of the screen would only wait for the
+    // second.
+    double next(double time, double now) const {
+        int count = kInBetweens[cadence];
+        // How far ahead the picture must be for its first in-between to be in time, and for the last one; if
+        // there are none, for itself
+        float first = tracing, last = work();
+        if (count) first += making + (float)(ahead(1) * kSixtieth), last += (float)(ahead(count) * kSixtieth);
+        double soonest = now + max(first, last) - kTolerance;
+        for (time += step(); time < soonest;) time += kSixtieth;
+        return time;
     }
 
-    // The picture to trace next is of this scene.
-    void enter(int next, const Pace &itsPace) {
+    // --- What the player reports ---
+
+    // The next picture to trace is of this scene.
+    void enter(int next, const Pace &nextPace) {
         if (scene == next) return;
-        pace = itsPace;
+        pace = nextPace;
         coarseness = min(coarseness, coarsest());
-        fewer = wantsFewer();
+        reduced = mustReduce();
         weight = 1;
         waited = kWait;
         scene = next;
         played = 0;
-        clearly = 1;
+        margin = 1;
     }
 
-    // The times that the last picture took: to trace it, and to make each of `count` pictures before it.
+    // The last picture took `trace` seconds to trace, and each of the `count` in-betweens before it `make`.
     void spent(float trace, float make, int count) {
         auto follow = [&](float &average, float time) {
-            average += (min(time, kMost * average) - average) * weight;
+            average += (min(time, kMostTimes * average) - average) * weight;
         };
         follow(tracing, trace);
         if (count)
             follow(making, make);
         else
             making += (tracing * kGuess - making) * kForget;
-        weight = max(weight / (1 + weight), kFollow);
-        float off = average() / budget(way) - 1;
-        if (fewer) off -= clamp(off, -kCalm, kCalm);
-        float move = clamp(off, kMostBetter, kMostWorse) * kMove * (float)kApart[way];
-        if (off > kFarTooLong - 1 && coarseness + 1 < coarsest()) move = 1;
-        fewer &= coarseness > kSteps || tracing * kCliff + (float)kBetween[way] * making > budget(way);
-        become(clamp(coarseness + move, fewer ? kSteps : kBest, coarsest()));
-        fewer |= wantsFewer();
+        weight = max(weight / (1 + weight), kWeight);
+
+        float excess = work() / budget(cadence) - 1;
+        if (reduced) excess -= clamp(excess, -kDeadBand, kDeadBand);
+        float move = clamp(excess, kLeastExcess, kMostExcess) * kGain * (float)kGap[cadence];
+        if (excess > kAlarm && coarseness + 1 < coarsest()) move = 1;
+        // Back to all pixels where there is time for samples within them
+        reduced &= coarseness > kSteps ||
+                   tracing * kInsideCost + (float)kInBetweens[cadence] * making > budget(cadence);
+        become(clamp(coarseness + move, reduced ? kSteps : kFinest, coarsest()));
+        reduced |= mustReduce();
+
         choose();
-        clearly = min(clearly, kClearly);
+        margin = min(margin, kMargin);
     }
 
-    // How many pictures are made between two that are `gap` sixtieths apart: none after a hiccup.
-    int between(int gap) const { return gap > 2 * kApart[way] ? 0 : kBetween[way]; }
-    // The sixtieths from the i-th of them to the traced one behind them.
-    int ahead(int i) const { return (kBetween[way] + 1 - i) * kApart[way] / (kBetween[way] + 1); }
+    // --- How it decides ---
 
-    // The film's time of the picture to trace next, after the picture of `time`, when the film is at `now`.
-    // All that are made between the two must be ready when their time comes. Pictures that are left out leave
-    // whole sixtieths out: else all later ones would come between those of the screen, and wait there for the
-    // next.
-    double next(double time, double now) const {
-        int count = kBetween[way];
-        float first = tracing, last = average();
-        if (count) first += making + (float)(ahead(1) * kSixtieth), last += (float)(ahead(count) * kSixtieth);
-        double soonest = now + max(first, last) - kTolerance;
-        for (time += step(); time < soonest;) time += kSixtieth;
-        return time;
+    // The coarseness at which a cadence would meet its budget on this machine.
+    float expected(int c) const {
+        float times = tracing / max(budget(c) - (float)kInBetweens[c] * making, 1e-4f);
+        return max(coarseness + log2(times) * pace.halving, kFinest);
+    }
+    // The squared error of a cadence, in units of that of `play`. Beyond the coarsest, where pictures would
+    // be dropped, it grows twice as fast.
+    float error(int c) const {
+        float e = expected(c);
+        return exp2((e - kPlay + max(e - coarsest(), 0.f)) * kGrowth) + pace.penalty[c];
+    }
+    // Takes the cadence of the least error, once that has been clearly less for a while.
+    void choose() {
+        Cadence best = cadence;
+        float least = error(cadence) * margin;
+        for (int c = 0; c < kCadences; ++c) {
+            float its = error(c);
+            if (its < least) least = its, best = (Cadence)c;
+        }
+        played += kGap[cadence];
+        waited = best == cadence ? 0 : waited + kGap[cadence];
+        if (waited < kWait) return;
+        if (played > kSettled) margin *= kMargin;
+        cadence = best, waited = 0;
+        if (!reduced) return;
+        // The new cadence may have time for all pixels
+        become(clamp(expected(cadence), kFinest, coarsest()));
+        reduced = mustReduce();
+    }
+    // Changes the coarseness, and the average of tracing with it.
+    void become(float coarser) {
+        tracing *= exp2((coarseness - coarser) / pace.halving);
+        coarseness = coarser;
     }
 };
 

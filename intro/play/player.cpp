@@ -20,7 +20,7 @@ constexpr int64_t kNap = 500000; // nanoseconds
 Statistics theStatistics;
 Music theMusic;
 
-// The stage of makePictures(), on a thread of its own.
+// Makes pictures on a thread of its own.
 struct Player {
     Intro *intro;
     const Options *options;
@@ -31,7 +31,7 @@ struct Player {
 
     bool leaves() const { return __atomic_load_n(leave, __ATOMIC_RELAXED); }
 
-    bool wants(double time) const { return time < to && !leaves(); }
+    bool goesOn(double time) const { return time < to && !leaves(); }
     int64_t now() const { return nanoseconds(); }
     double filmAt(int64_t now) const {
         return theMusic.clock.started() ? theMusic.clock.at(now) : Governor::kNotBegun;
@@ -52,7 +52,7 @@ struct Player {
     }
     unsigned add(const Made &m) { return queue.add(m); }
     void await(unsigned number) const {
-        while (!queue.passed(number) && !leaves()) sleepFor(kNap);
+        while (!queue.removed(number) && !leaves()) sleepFor(kNap);
     }
 };
 
@@ -92,14 +92,14 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
         double time = theMusic.clock.at(before);
         if (time < from) time = from; // what is heard first is still on its way
         if (time >= to || p.leaves()) break;
-        Queue::Turn turn = p.queue.turn(time);
-        if (turn == Queue::kWaits) {
+        Queue::Action action = p.queue.action(time);
+        if (action == Queue::kWait) {
             sleepFor(kNap);
             continue;
         }
         const Made &m = p.queue.first();
         SceneStatistics &s = theStatistics.scenes[sceneAt(m.time)];
-        if (turn == Queue::kShows) {
+        if (action == Queue::kShow) {
             present(window, m.picture.rgba, m.picture.width, m.picture.height);
             int64_t shown = nanoseconds();
             if (!firstShown) firstShown = shown;
@@ -111,8 +111,8 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             s.present.add(shown - before);
         }
         if (kForTools && recorder)
-            recorder->tell(recorder->context, m,
-                           turn == Queue::kShows ? theMusic.clock.at(nanoseconds()) : -1);
+            recorder->record(recorder->context, m,
+                             action == Queue::kShow ? theMusic.clock.at(nanoseconds()) : -1);
         if (m.trace > 0) {
             ++s.traced;
             s.samples += m.samples;
@@ -122,7 +122,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
             ++s.between;
             s.make.add((int64_t)(m.make * 1e9f));
         }
-        p.queue.pass();
+        p.queue.remove();
     }
     endMusic(theMusic);
     return o.stats && firstShown

@@ -8,10 +8,10 @@
 
 namespace odraz {
 
-// For tools: is told of each picture when it came on the screen, in seconds of the film, or -1 if it was
-// passed over. The film has none, and leaves the calls out (base/for_tools.h).
+// For tools: is called with each picture and the time of the film, in seconds, at which it came on the
+// screen, or -1 if it was skipped. The film has none, and leaves the calls out (base/for_tools.h).
 struct Recorder {
-    void (*tell)(void *context, const Made &made, double at);
+    void (*record)(void *context, const Made &made, double at);
     void *context;
 };
 

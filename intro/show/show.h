@@ -8,6 +8,7 @@
 #include "show/events.h"
 #include "show/hall.h"
 #include "show/look.h"
+#include "timeline/pace.h"
 #include "timeline/shot.h"
 #include "trace/rays/view.h"
 
@@ -34,8 +35,7 @@ struct SceneEntry {
     void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
     SceneId id;
     bool needsHall = false;
-    // Its Pace (intro.h), in tenths; leastWidth in 16 pixels; `lost` by pairs, fours, sixes and thirty
-    uint8_t leastWidth = 40, halving = 10, lost[4] = {2, 8, 15, 60};
+    PackedPace pace = Pace{};
 };
 
 extern const SceneEntry kScenes[kSceneCount];

@@ -35,15 +35,15 @@ struct Machine {
 struct Decision {
     double time; // of the film
     Scene scene;
-    Governor::Way way;
+    Governor::Cadence cadence;
     float level;
-    bool leapt; // pictures are left out
+    bool dropped; // pictures are left out
     TracedSize size;
 };
 using SceneAt = std::function<Scene(double)>;
 
-void lose(Pace &pace, std::initializer_list<float> byWay) {
-    std::copy(byWay.begin(), byWay.end(), pace.lost);
+void setPenalty(Pace &pace, std::initializer_list<float> byCadence) {
+    std::copy(byCadence.begin(), byCadence.end(), pace.penalty);
 }
 
 // Makes and shows pictures as the player does, on the clock of the test.
@@ -52,7 +52,7 @@ public:
     Player(const Machine &machine, SceneAt sceneAt, double length)
         : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
         governor.width = machine.width, governor.height = machine.height;
-        for (Pace &pace : paces) lose(pace, {0, 0.2f, 50, 50, 6});
+        for (Pace &pace : paces) setPenalty(pace, {0, 0.2f, 50, 50, 6});
     }
 
     std::vector<Decision> play() {
@@ -60,13 +60,13 @@ public:
         return all;
     }
 
-    // The stage of makePictures()
-    bool wants(double time) {
+    // What makePictures() asks for
+    bool goesOn(double time) {
         if (!all.empty()) {
             Decision &last = all.back();
-            last.way = governor.way;
+            last.cadence = governor.cadence;
             last.level = governor.coarseness;
-            last.leapt = time > last.time + governor.step() + 1e-9;
+            last.dropped = time > last.time + governor.step() + 1e-9;
         }
         return time < length;
     }
@@ -90,9 +90,9 @@ public:
         return count;
     }
     void await(unsigned number) {
-        while (!queue.passed(number)) {
+        while (!queue.removed(number)) {
             ASSERT_TRUE(begin >= 0 && queue.shown < queue.made) << "the player would wait for ever";
-            moment = std::max(moment, nextTurn());
+            moment = std::max(moment, nextDue());
             showUntil(moment);
         }
     }
@@ -119,15 +119,15 @@ private:
         moment += std::llround(((kAlone + oneCore / machine.cores) * vary(random) + besides) * 1e9);
     }
     // When the first waiting picture's time comes.
-    int64_t nextTurn() const { return std::max(looked, begin + (int64_t)(queue.first().time * 1e9)); }
+    int64_t nextDue() const { return std::max(looked, begin + (int64_t)(queue.first().time * 1e9)); }
     // Shows all pictures whose time comes until a moment.
     void showUntil(int64_t until) {
-        while (begin >= 0 && queue.shown < queue.made && nextTurn() <= until) {
-            looked = nextTurn();
-            if (queue.turn(filmAt(looked)) == Queue::kWaits)
+        while (begin >= 0 && queue.shown < queue.made && nextDue() <= until) {
+            looked = nextDue();
+            if (queue.action(filmAt(looked)) == Queue::kWait)
                 ++looked; // it was rounded down
             else
-                queue.pass();
+                queue.remove();
         }
         looked = std::max(looked, until);
     }
@@ -144,10 +144,10 @@ private:
 std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt) {
     return Player(machine, sceneAt, length).play();
 }
-// ... where the scene likes no other way
+// ... where the scene's penalties leave pairs alone
 std::vector<Decision> playedInPairs(const Machine &machine, double length, SceneAt sceneAt) {
     Player player(machine, sceneAt, length);
-    for (Pace &pace : player.paces) lose(pace, {1e9, 0, 1e9, 1e9, 1e9});
+    for (Pace &pace : player.paces) setPenalty(pace, {1e9, 0, 1e9, 1e9, 1e9});
     return player.play();
 }
 SceneAt always(const Scene &scene) {
@@ -156,21 +156,21 @@ SceneAt always(const Scene &scene) {
 
 // Statistics between two times of the film.
 struct Seen {
-    int changes = 0, leaps = 0, pictures = 0; // changes: how often the way changed
+    int changes = 0, drops = 0, pictures = 0; // changes: how often the cadence changed
     float least = 9, most = 0;                // of the level
-    bool ways[kWays] = {};
+    bool cadences[kCadences] = {};
 };
 Seen seen(const std::vector<Decision> &all, double from, double to) {
     Seen s;
     for (size_t i = 1; i < all.size(); ++i) {
         const Decision &d = all[i];
         if (d.time < from || d.time >= to) continue;
-        s.changes += d.way != all[i - 1].way;
-        s.leaps += d.leapt;
+        s.changes += d.cadence != all[i - 1].cadence;
+        s.drops += d.dropped;
         ++s.pictures;
         s.least = std::min(s.least, d.level);
         s.most = std::max(s.most, d.level);
-        s.ways[d.way] = true;
+        s.cadences[d.cadence] = true;
     }
     return s;
 }
@@ -185,7 +185,7 @@ TEST(Governor, SettlesSoon) {
         EXPECT_EQ(then.changes, 0) << cores;
         EXPECT_LT(then.most - then.least, 0.03f) << cores;
         if (cores >= 3) {
-            EXPECT_EQ(then.leaps, 0) << cores;
+            EXPECT_EQ(then.drops, 0) << cores;
         }
     }
 }
@@ -196,15 +196,15 @@ TEST(Governor, NeverSwingsUnderNoise) {
             auto all = played({(double)cores, 0.3, seed}, 30, always(kUsual));
             EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
             Seen then = seen(all, 1, 30);
-            EXPECT_LE(then.changes, 1) << cores << ' ' << seed; // two ways may be as good
+            EXPECT_LE(then.changes, 1) << cores << ' ' << seed; // two cadences may be equally good
             if (!then.changes) {
                 EXPECT_LT(then.most - then.least, 0.6f) << cores << ' ' << seed;
             }
         }
 }
 
-// A scene that costs three times as much begins suddenly and ends; once the governor is told of a new scene,
-// once not.
+// A scene that costs three times as much begins suddenly and ends; once as a new scene for
+// the governor, once within the same.
 TEST(Governor, TakesSteps) {
     for (bool sameScene : {false, true})
         for (double noise : {0., 0.3})
@@ -223,13 +223,13 @@ TEST(Governor, TakesSteps) {
                             << cores << ' ' << seed << ' ' << step;
                         if (noise == 0 && cores >= 6.5) {
                             EXPECT_LT(then.most - then.least, 0.1f) << cores << ' ' << step;
-                            EXPECT_EQ(then.leaps, 0) << cores << ' ' << step;
+                            EXPECT_EQ(then.drops, 0) << cores << ' ' << step;
                         }
                     }
                 }
 }
 
-// One picture that takes a second longer says nothing about later ones.
+// One picture that takes a second longer does not change later ones.
 TEST(Governor, ForgetsAHiccup) {
     for (bool between : {false, true})
         for (int cores = 2; cores <= 16; ++cores) {
@@ -248,25 +248,25 @@ TEST(Governor, ForgetsAHiccup) {
 TEST(Governor, TracesAllSixtyWhereItCan) {
     auto all = played({16}, 10, always(kUsual));
     Seen then = seen(all, 1, 10);
-    EXPECT_TRUE(then.ways[Governor::kSixty] && !then.ways[Governor::kPairs]);
+    EXPECT_TRUE(then.cadences[Governor::kSixty] && !then.cadences[Governor::kPairs]);
     EXPECT_EQ(then.pictures, 540);
-    EXPECT_EQ(then.most, Governor::kBest);
+    EXPECT_EQ(then.most, Governor::kFinest);
 }
 
 TEST(Governor, LeavesSixtyWhenTheyCostTooMuch) {
     auto all = played({10}, 10, [](double time) { return time < 5 ? kUsual : kCostly; });
-    EXPECT_TRUE(seen(all, 4, 5).ways[Governor::kSixty]);
+    EXPECT_TRUE(seen(all, 4, 5).cadences[Governor::kSixty]);
     Seen then = seen(all, 6, 10);
-    EXPECT_TRUE(then.ways[Governor::kPairs] && !then.ways[Governor::kSixty]);
+    EXPECT_TRUE(then.cadences[Governor::kPairs] && !then.cadences[Governor::kSixty]);
 }
 
 TEST(Governor, ShowsThirtyWhereMakingCostsMore) {
     auto all = played({2}, 15, [](double time) { return time < 5 || time >= 10 ? kUsual : kEntangled; });
-    EXPECT_TRUE(seen(all, 6, 10).ways[Governor::kThirty]);
-    EXPECT_FALSE(seen(all, 6, 10).ways[Governor::kPairs]);
-    EXPECT_LE(seen(all, 6, 10).leaps, 8);
-    EXPECT_TRUE(seen(all, 11, 15).ways[Governor::kPairs]) << "the next scene tries again";
-    EXPECT_FALSE(seen(all, 11, 15).ways[Governor::kThirty]);
+    EXPECT_TRUE(seen(all, 6, 10).cadences[Governor::kThirty]);
+    EXPECT_FALSE(seen(all, 6, 10).cadences[Governor::kPairs]);
+    EXPECT_LE(seen(all, 6, 10).drops, 8);
+    EXPECT_TRUE(seen(all, 11, 15).cadences[Governor::kPairs]) << "the next scene tries again";
+    EXPECT_FALSE(seen(all, 11, 15).cadences[Governor::kThirty]);
 }
 
 TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
@@ -311,8 +311,8 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
         auto all = playedInPairs(withScreen(cores), 20, always(kUsual));
         Seen then = seen(all, 2, 20);
         const Decision &last = all.back();
-        EXPECT_EQ(then.leaps, 0) << cores;
-        EXPECT_TRUE(then.ways[Governor::kPairs]) << cores;
+        EXPECT_EQ(then.drops, 0) << cores;
+        EXPECT_TRUE(then.cadences[Governor::kPairs]) << cores;
         EXPECT_TRUE(cores > 1.5 || last.size.width < 1280) << cores;
         EXPECT_TRUE(cores < 3 || last.size.width == 1280) << cores;
         EXPECT_GE(last.size.width, Pace{}.leastWidth);
@@ -347,20 +347,20 @@ TEST(Governor, ComesBackToAllPixels) {
             return *std::find_if(all.begin(), all.end(), [=](const Decision &d) { return d.time >= time; });
         };
         EXPECT_LT(at(9.5).size.width, 0.9 * at(4.5).size.width) << cores;
-        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 76) << cores; // kCalm, either way
+        EXPECT_NEAR(at(14.5).size.width, at(4.5).size.width, 76) << cores; // kDeadBand, up or down
         EXPECT_NEAR(at(14.5).level, at(4.5).level, 0.2) << cores;
     }
 }
 
-// Pixels that were given up in one way come back with a better one at once.
-TEST(Governor, TakesAllPixelsInABetterWay) {
+// Pixels that were given up in one cadence come back at once in a better one.
+TEST(Governor, TakesAllPixelsInABetterCadence) {
     Scene easy = {0, .05, .02, .012, .004}, hard = {0, .36, .14, .08, .006};
     Player player(
         withScreen(2), [=](double t) { return t < 3 ? easy : hard; }, 10);
-    lose(player.paces[0], {0, 0.2f, 0.8f, 1.5f, 6});
+    setPenalty(player.paces[0], {0, 0.2f, 0.8f, 1.5f, 6});
     auto all = player.play();
     auto change = std::adjacent_find(all.begin(), all.end(), [](const Decision &a, const Decision &b) {
-        return a.size.width < 1280 && a.way < Governor::kFours && b.way >= Governor::kFours;
+        return a.size.width < 1280 && a.cadence < Governor::kFours && b.cadence >= Governor::kFours;
     });
     ASSERT_LT(change + 2, all.end());
     for (auto d = change + 2; d != all.end(); ++d) EXPECT_EQ(d->size.width, 1280) << d->time;
@@ -373,18 +373,18 @@ TEST(Governor, TracesAllPixelsOrClearlyFewer) {
             EXPECT_TRUE(d.size.width == 1280 || d.size.width <= 1248) << d.size.width << ' ' << cores;
 }
 
-// Half of the pictures are left out where the scene likes that more than fewer pixels. In-betweens come back
-// with time.
-TEST(Governor, ShowsThirtyWhereTheSceneLikesThemMore) {
+// Thirty are shown where that costs the scene less than fewer pixels do. All in-betweens come back when there
+// is time.
+TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
     Scene easy = {0, .05, .02, .012, .005};
     SceneAt easier = [=](double time) { return time < 10 ? kUsual : easy; };
     Player player(withScreen(1), easier, 20);
-    lose(player.paces[0], {0, 1, 50, 50, 4});
+    setPenalty(player.paces[0], {0, 1, 50, 50, 4});
     auto all = player.play();
-    EXPECT_TRUE(seen(all, 2, 10).ways[Governor::kThirty]);
+    EXPECT_TRUE(seen(all, 2, 10).cadences[Governor::kThirty]);
     EXPECT_LE(seen(all, 1, 10).changes, 1);
     EXPECT_GT(all[250].size.width, 950) << "in pairs it is 832";
-    EXPECT_FALSE(seen(all, 12, 20).ways[Governor::kThirty]);
+    EXPECT_FALSE(seen(all, 12, 20).cadences[Governor::kThirty]);
     EXPECT_LE(seen(all, 10, 20).changes, 2);
 }
 
@@ -393,7 +393,7 @@ TEST(Governor, IsNeverCoarserOnAFasterMachine) {
     auto coarsenessOf = [](double cores) {
         Player player(withScreen(cores), always(kUsual), 10);
         player.play();
-        return player.governor.coarseness + (player.governor.way != Governor::kSixty);
+        return player.governor.coarseness + (player.governor.cadence != Governor::kSixty);
     };
     for (double cores = 0.5; cores <= 16; cores *= 2)
         EXPECT_LE(coarsenessOf(cores * 2), coarsenessOf(cores) + 0.01f) << cores;
@@ -412,39 +412,39 @@ TEST(Governor, FindsItsWayDownQuickly) {
 // Where letters would be lost, pictures are left out instead.
 TEST(Governor, KeepsTheWidthThatTheSceneNeeds) {
     Player player(withScreen(1), always(kUsual), 10);
-    lose(player.paces[0], {1e9, 0, 1e9, 1e9, 1e9});
+    setPenalty(player.paces[0], {1e9, 0, 1e9, 1e9, 1e9});
     player.paces[0].leastWidth = 1280;
     for (const Decision &d : player.play()) EXPECT_EQ(d.size.width, 1280);
     EXPECT_EQ(player.governor.level(), 2);
 }
 
-// ... and swings between none of the ways, whatever a scene loses by them.
-TEST(Governor, StaysWithItsWay) {
-    const std::initializer_list<float> kLost[] = {{0, 0.2f, 0.8f, 1.5f, 6},
-                                                  {0, 0.2f, 0.4f, 0.5f, 20},
-                                                  {0, 1, 3, 6, 2},
-                                                  {0, 4, 2, 1, 0.5f},
-                                                  {0, 0, 0, 0, 0}};
-    bool taken[kWays] = {};
-    for (auto &lost : kLost)
+// ... and does not swing between cadences, whatever their penalties.
+TEST(Governor, StaysWithItsCadence) {
+    const std::initializer_list<float> kPenalties[] = {{0, 0.2f, 0.8f, 1.5f, 6},
+                                                       {0, 0.2f, 0.4f, 0.5f, 20},
+                                                       {0, 1, 3, 6, 2},
+                                                       {0, 4, 2, 1, 0.5f},
+                                                       {0, 0, 0, 0, 0}};
+    bool taken[kCadences] = {};
+    for (auto &penalty : kPenalties)
         for (double noise : {0., 0.1})
             for (double cores = 0.5; cores < 24; cores *= 1.1) {
                 Player player(withScreen(cores, noise), always(kUsual), 30);
-                lose(player.paces[0], lost);
+                setPenalty(player.paces[0], penalty);
                 auto all = player.play();
-                EXPECT_LE(seen(all, 3, 30).changes, 1) << lost.begin()[1] << ' ' << noise << ' ' << cores;
-                taken[all.back().way] = true;
+                EXPECT_LE(seen(all, 3, 30).changes, 1) << penalty.begin()[1] << ' ' << noise << ' ' << cores;
+                taken[all.back().cadence] = true;
             }
     for (bool one : taken) EXPECT_TRUE(one);
 }
 
-// Five are made between two where that is less work than to trace them, and the scene hardly loses by it.
+// Three or five are made between two where that is less work than tracing, and the penalty is small.
 TEST(Governor, TracesFewWhereMakingIsCheap) {
     Player player(withScreen(2), always(kUsual), 10);
-    lose(player.paces[0], {0, 0.1f, 0.1f, 0.1f, 9});
+    setPenalty(player.paces[0], {0, 0.1f, 0.1f, 0.1f, 9});
     auto all = player.play();
-    EXPECT_TRUE(all.back().way >= Governor::kFours && all.back().way <= Governor::kSixes);
-    EXPECT_EQ(seen(all, 1, 10).leaps, 0);
+    EXPECT_TRUE(all.back().cadence >= Governor::kFours && all.back().cadence <= Governor::kSixes);
+    EXPECT_EQ(seen(all, 1, 10).drops, 0);
     EXPECT_LT(all.back().level, 1);
 }
 

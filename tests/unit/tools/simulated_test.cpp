@@ -51,15 +51,15 @@ TEST(Simulated, WithoutLimitAllIsTracedAsWellAsCanBe) {
     }
     EXPECT_EQ(traced + between, 600);
     EXPECT_LE(between, 3) << "until the governor has noticed";
-    EXPECT_EQ(list.back().level, Governor::kBest);
+    EXPECT_EQ(list.back().level, Governor::kFinest);
 }
 
 // The sixtieths of a second between those two that in-betweens are made from, and how many are made of each,
-// where the scenes lose much by all ways but this one.
+// where the penalties of all other cadences are high.
 struct Charged {
     std::map<long, int> making, summed; // by making them, and in the summary
 };
-Charged charged(Governor::Way way, double from, double to) {
+Charged charged(Governor::Cadence cadence, double from, double to) {
     std::map<long, int> gaps;
     CostOf counting = [&](const Pictured &p) {
         if (p.gap) ++gaps[std::lround(p.gap)];
@@ -68,7 +68,7 @@ Charged charged(Governor::Way way, double from, double to) {
     Machine machine = {20e9, 4, 1280, 720};
     machine.paceOf = [=](int) {
         Pace pace;
-        for (int w = 1; w < kWays; ++w) pace.lost[w] = w == way ? 0 : 99;
+        for (int c = 1; c < kCadences; ++c) pace.penalty[c] = c == cadence ? 0 : 99;
         return pace;
     };
     std::vector<Shown> list = simulate(counting, machine, from, to);
@@ -77,18 +77,19 @@ Charged charged(Governor::Way way, double from, double to) {
     summary(list, counting, machine);
     return {making, gaps};
 }
-constexpr Governor::Way kMaking[] = {Governor::kPairs, Governor::kFours, Governor::kSixes, Governor::kThirty};
+constexpr Governor::Cadence kMaking[] = {Governor::kPairs, Governor::kFours, Governor::kSixes,
+                                         Governor::kThirty};
 
-// An in-between costs what it does between pictures that are as far apart as the way has them.
+// An in-between costs what it does between pictures that are as far apart as the cadence has them.
 TEST(Simulated, InBetweensAreChargedAtTheirGap) {
-    for (Governor::Way way : kMaking) {
-        Charged c = charged(way, 20, 30);
-        int expected = 10 * 60 / Governor::kApart[way] * Governor::kBetween[way];
-        EXPECT_EQ(c.summed, c.making) << way;
-        if (way != Governor::kPairs) {
-            EXPECT_LE(c.making[2], 1) << way << " (every film begins in pairs)";
+    for (Governor::Cadence cadence : kMaking) {
+        Charged c = charged(cadence, 20, 30);
+        int expected = 10 * 60 / Governor::kGap[cadence] * Governor::kInBetweens[cadence];
+        EXPECT_EQ(c.summed, c.making) << cadence;
+        if (cadence != Governor::kPairs) {
+            EXPECT_LE(c.making[2], 1) << cadence << " (every film begins in pairs)";
         }
-        EXPECT_GT(c.making[Governor::kApart[way]], 0.85 * expected) << way;
+        EXPECT_GT(c.making[Governor::kGap[cadence]], 0.85 * expected) << cadence;
     }
 }
 

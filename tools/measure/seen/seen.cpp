@@ -25,7 +25,8 @@ static constexpr char kUsage[] =
     "made between two; of a level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the\n"
     "screen has. --machine is the film's own player, simulated on a machine of G 10^9 instructions a second\n"
     "in all, on N cores (of 7 each, if --cores does not say), with counted costs. --lost changes\n"
-    "what all scenes lose by pairs, fours, sixes and thirty (Pace in intro.h). --list only writes the list;\n"
+    "what all scenes lose by pairs, fours, sixes and thirty (Pace in timeline/pace.h). --list only writes "
+    "the list;\n"
     "--summary only prints what was shown, by scene. --judged looks at a smaller screen, with all pictures\n"
     "smaller alike, which is faster.\n"
     "Each shot has --windows windows of --length seconds, evenly spaced; or there are windows that begin\n"
@@ -50,10 +51,10 @@ struct Asked {
 };
 
 std::vector<float> lostAfter(common::Arguments &words, const std::string &option) {
-    std::vector<float> lost(kWays - 1);
+    std::vector<float> lost(kCadences - 1);
     std::string text = words.value(option);
     char behind;
-    static_assert(kWays == 5);
+    static_assert(kCadences == 5);
     if (std::sscanf(text.c_str(), "%f,%f,%f,%f%c", &lost[0], &lost[1], &lost[2], &lost[3], &behind) == 4 &&
         std::all_of(lost.begin(), lost.end(), [](float l) { return l >= 0 && l <= 99; }))
         return lost;
@@ -159,7 +160,7 @@ Machine machineOf(const Asked &a, double giga, const IntroSettings &screen) {
     Machine machine = {giga * 1e9, cores, screen.width, screen.height};
     machine.paceOf = [=](int scene) {
         Pace pace = paceOf(scene);
-        std::copy(a.lost.begin(), a.lost.end(), pace.lost + 1);
+        std::copy(a.lost.begin(), a.lost.end(), pace.penalty + 1);
         return pace;
     };
     return machine;

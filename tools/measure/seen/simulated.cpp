@@ -24,7 +24,7 @@ Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, cons
 }
 double presenting(const Machine &machine) { return machine.presenting * machine.width * machine.height; }
 
-// The stage of makePictures().
+// The player of makePictures().
 class Simulation {
 public:
     Simulation(const CostOf &costOf, const Machine &machine, double from, double to)
@@ -39,7 +39,7 @@ public:
         return list;
     }
 
-    bool wants(double time) const { return time < to; }
+    bool goesOn(double time) const { return time < to; }
     int64_t now() const { return moment; }
     double filmAt(int64_t at) const {
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
@@ -67,9 +67,9 @@ public:
         return count;
     }
     void await(unsigned number) {
-        while (!queue.passed(number)) {
+        while (!queue.removed(number)) {
             if (begin < 0) throw std::logic_error("the player would wait for ever");
-            moment = std::max(moment, nextTurn());
+            moment = std::max(moment, nextDue());
             showUntil(moment);
         }
     }
@@ -89,15 +89,15 @@ private:
         moment = end;
     }
     // When the time of the first waiting picture comes.
-    int64_t nextTurn() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
+    int64_t nextDue() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
     // Shows all pictures whose time comes until a moment, as play() does.
     void showUntil(int64_t until) {
-        while (begin >= 0 && queue.shown < queue.made && nextTurn() <= until) {
-            looked = nextTurn();
-            Queue::Turn turn = queue.turn(filmAt(looked));
-            if (turn == Queue::kWaits) ++looked; // it was rounded down
-            if (turn == Queue::kShows) show(queue.shown);
-            if (turn != Queue::kWaits) queue.pass();
+        while (begin >= 0 && queue.shown < queue.made && nextDue() <= until) {
+            looked = nextDue();
+            Queue::Action action = queue.action(filmAt(looked));
+            if (action == Queue::kWait) ++looked; // it was rounded down
+            if (action == Queue::kShow) show(queue.shown);
+            if (action != Queue::kWait) queue.remove();
         }
         looked = std::max(looked, until);
     }

@@ -1,0 +1,32 @@
+// Per-scene limits for the governor (play/governor.h), which trades detail for time.
+#pragma once
+
+#include <stdint.h>
+
+namespace odraz {
+
+inline constexpr int kCadences = 5; // that the governor chooses from, in the order of its enum
+
+struct Pace {
+    int leastWidth = 640; // the fewest pixels across that are traced
+    float halving = 1;    // steps of coarseness that halve the time of a picture
+    // The squared error that each cadence adds, in units of that of a picture of `play`
+    float penalty[kCadences] = {0, 0.2f, 0.8f, 1.5f, 6};
+};
+
+// A Pace in six bytes, for tables: in 16 pixels and in tenths. The first cadence adds no error.
+struct PackedPace {
+    uint8_t leastWidth, halving, penalty[kCadences - 1];
+
+    constexpr PackedPace(const Pace &p)
+        : leastWidth((uint8_t)(p.leastWidth / 16)), halving((uint8_t)(p.halving * 10 + 0.5f)), penalty() {
+        for (int c = 1; c < kCadences; ++c) penalty[c - 1] = (uint8_t)(p.penalty[c] * 10 + 0.5f);
+    }
+    constexpr Pace unpacked() const {
+        Pace p = {leastWidth * 16, halving * 0.1f, {}};
+        for (int c = 1; c < kCadences; ++c) p.penalty[c] = penalty[c - 1] * 0.1f;
+        return p;
+    }
+};
+
+} // namespace odraz
