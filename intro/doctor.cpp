@@ -17,27 +17,27 @@ int examine() {
     FilmWindow &window = theEarly.window;
     const Gl &gl = window.gl;
     int lacking = 0, unwritten = 0;
-    auto tell = [&](const char *what, const char *missing, const char *found = "fine") {
+    auto report = [&](const char *what, const char *missing, const char *found = "fine") {
         Text<512> t;
         t << what << ": " << (missing ? missing : found) << '\n';
         lacking |= missing != nullptr;
         if (!unwritten) unwritten = writeOutput("-", t.data, (size_t)t.size);
     };
-    auto tellGl = [&](const char *what, const char *missing) {
-        tell(what, missing, missing ? "" : (const char *)gl.glGetString(GL_RENDERER));
+    auto reportGl = [&](const char *what, const char *missing) {
+        report(what, missing, missing ? "" : (const char *)gl.glGetString(GL_RENDERER));
     };
     char name[49];
     cpuName(name);
     Text<80> processor;
     processor << cpuCount() << " x " << name;
-    tell("processor", nullptr, processor.data);
-    tell("memory", couldAddress(kMost) ? nullptr : "too little");
-    tell("write and run", jitForbidden());
+    report("processor", nullptr, processor.data);
+    report("memory", couldAddress(kMost) ? nullptr : "too little");
+    report("write and run", jitForbidden());
     const char *missing = openWindow(window, false, 320, 180, &theEarly.viewerLeft);
-    tellGl("OpenGL", missing);
+    reportGl("OpenGL", missing);
     if (!missing) leaveContext(window);
-    tellGl("OpenGL for --dump", openHeadlessGl(window.gl));
-    tell("sound", kSystemSound.open() ? nullptr : kNoSound);
+    reportGl("OpenGL for --dump", openHeadlessGl(window.gl));
+    report("sound", kSystemSound.open() ? nullptr : kNoSound);
     return lacking | unwritten;
 }
 

@@ -27,7 +27,7 @@ struct Intro {
     int width, height; // of the pictures
     Frame frame;       // for in-betweens, and for letters
     uint8_t *fewer;    // a picture before it is scaled up
-    Curve curve;
+    ToneCurve curve;
     Glare glare;
     Slot slots[kSlots];
     // false: there is only slot 0, with the frame above and the film's scene

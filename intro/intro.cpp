@@ -54,7 +54,7 @@ const char *load(Intro *&intro, const IntroSettings &s, Arena &arena, Workers &w
         return "not enough memory: try a smaller --size";
     intro->made[0] = intro->frame.rgba;
     if (!s.pairs) intro->slots[0].traced = {intro->frame, scene, {}};
-    makeCurve(intro->curve);
+    makeToneCurve(intro->curve);
     intro->workers = &workers;
     intro->film = {scene, hall, {s.bytes, s.machine}};
     if (!gl) return nullptr;

@@ -102,7 +102,7 @@ int run(int argc, char **argv, bool stdoutClosed) {
     int status;
     if (answered(argc, argv, stdoutClosed, o, status)) return status;
     if (o.doctor) {
-        status = tell(o);
+        status = printAnswer(o);
         return status ? status : examine();
     }
     if (o.wav) {

@@ -25,7 +25,7 @@ Pair multiplyRow(const FormFactors &f, int patch, const float *values, int colum
     return sum;
 }
 
-int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &told) {
+int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &progress) {
     int columns = s.columns;
     float *values = s.indirect + (size_t)block * (size_t)s.patches;
     // What the sources put in
@@ -52,11 +52,11 @@ int solveBlock(System &s, int block, Workers &workers, float residual, int most,
                 store(value, b);
             }
         }
-        if (kForTools && block == 0 && told.report) {
+        if (kForTools && block == 0 && progress.report) {
             float left = 0;
             for (int k = 0; k < 16; ++k)
                 if (put[k / 8][k % 8] > 0) left = max(left, changed[k / 8][k % 8] / put[k / 8][k % 8]);
-            told(left);
+            progress(left);
         }
         if (all((changed[0] <= put[0] * residual) & (changed[1] <= put[1] * residual))) break;
     }
@@ -76,10 +76,10 @@ bool makeSystem(System &s, Arena &arena, const FormFactors &factors, int patches
     return !arena.full;
 }
 
-int solve(System &s, Workers &workers, float residual, int most, const Progress &told) {
+int solve(System &s, Workers &workers, float residual, int most, const Progress &progress) {
     int worst = 0;
     parallelFor(workers, s.columns / kSolveBlock, [&](int block, int) {
-        int sweeps = solveBlock(s, block * kSolveBlock, workers, residual, most, told);
+        int sweeps = solveBlock(s, block * kSolveBlock, workers, residual, most, progress);
         for (int was = 0; kForTools && was < sweeps;)
             if (__atomic_compare_exchange_n(&worst, &was, sweeps, false, __ATOMIC_RELAXED, __ATOMIC_RELAXED))
                 break;

@@ -27,9 +27,9 @@ struct System {
 // Takes the memory, all zero; false when the arena is full.
 bool makeSystem(System &system, Arena &arena, const FormFactors &factors, int patches, int unknowns);
 
-// Solves and returns the number of sweeps, or `most` if those were not enough. `told` gets the residual after
-// each sweep of the first block of right-hand sides.
-int solve(System &system, Workers &workers, float residual, int most, const Progress &told = {});
+// Solves and returns the number of sweeps, or `most` if those were not enough. `progress` gets the residual
+// after each sweep of the first block of right-hand sides.
+int solve(System &system, Workers &workers, float residual, int most, const Progress &progress = {});
 
 // Computes one bounce. Instead of solve(), call this once for each bounce.
 void bounce(System &system, Workers &workers);

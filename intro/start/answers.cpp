@@ -17,13 +17,13 @@ bool answered(int argc, char **argv, bool stdoutClosed, Options &o, int &status)
     } else if (stdoutClosed && (o.help || o.version || o.doctor || o.stats))
         status = cannotWrite("standard output", "it is closed");
     else if (o.help || (o.version && !o.doctor))
-        status = tell(o);
+        status = printAnswer(o);
     else
         return false;
     return true;
 }
 
-int tell(const Options &o) {
+int printAnswer(const Options &o) {
     Text<4096> t;
     if (o.help)
         writeHelp(t);

@@ -10,7 +10,7 @@ namespace odraz {
 // do; `status` is the exit status then.
 bool answered(int argc, char **argv, bool stdoutClosed, Options &o, int &status);
 
-// Prints the version, or the help if it is asked for; returns an exit status.
-int tell(const Options &o);
+// Prints the help if the options ask for it, else the version. Returns an exit status.
+int printAnswer(const Options &o);
 
 } // namespace odraz

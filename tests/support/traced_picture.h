@@ -43,8 +43,8 @@ inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality
     View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, width, height);
     traceFrame(tracer, pool.workers, posed, view, quality, p.frame);
     p.samples = tracedSamples(tracer);
-    Curve curve;
-    makeCurve(curve);
+    ToneCurve curve;
+    makeToneCurve(curve);
     develop(curve, p.frame, pool.workers, posed.exposure, 0);
     return p;
 }

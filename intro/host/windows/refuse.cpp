@@ -18,7 +18,7 @@ namespace {
     endProcess(1);
 }
 
-int say(const char *line, bool box) {
+int report(const char *line, bool box) {
     char text[512] = FILM_NAME ": ";
     uint32_t size = sizeof FILM_NAME + 1;
     // Keep it to one line, even if it quotes control characters that a user gave
@@ -43,8 +43,8 @@ int say(const char *line, bool box) {
 } // namespace
 
 // A script has at least standard output. If that is closed too, a viewer started us, who gets a box.
-int complain(const char *line) { return say(line, !GetFileType(standard(1))); }
+int complain(const char *line) { return report(line, !GetFileType(standard(1))); }
 
-int refuse(const char *line) { return say(line, true); }
+int refuse(const char *line) { return report(line, true); }
 
 } // namespace odraz

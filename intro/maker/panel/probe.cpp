@@ -78,8 +78,8 @@ static float metered(const Frame &frame) {
 }
 
 ODRAZ_WRAPPED(void, develop,
-              "_ZN5odraz7developERKNS_5CurveERNS_5FrameERNS_7WorkersEfjPKNS_5GlareERKNS_10CameraLookE",
-              const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+              "_ZN5odraz7developERKNS_9ToneCurveERNS_5FrameERNS_7WorkersEfjPKNS_5GlareERKNS_10CameraLookE",
+              const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
               const Glare *glare, const CameraLook &look) {
     Timed timed(Cost::Development);
     if (theProbe && theProbe->brightens) exposure = max(exposure, metered(frame));

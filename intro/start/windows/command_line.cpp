@@ -5,11 +5,11 @@
 
 namespace odraz {
 
-static Arguments theArguments;
+static CommandLine theCommandLine;
 static char theText[3 * 32768]; // of the longest command line, in UTF-8
 
-Arguments &commandLine() {
-    Arguments &a = theArguments;
+CommandLine &commandLine() {
+    CommandLine &a = theCommandLine;
     if (a.count) return a;
     windows::begin();
     WideCharToMultiByte(windows::kUtf8, 0, GetCommandLineW(), -1, theText, sizeof theText, nullptr, nullptr);

@@ -3,13 +3,13 @@
 
 namespace odraz {
 
-struct Arguments {
+struct CommandLine {
     long count; // of values, without the null at the end
     char *values[512];
 };
 
-// In UTF-8, split as Windows programs do: at blanks that are not quoted. Arguments for which `values` has no
-// room are left out.
-Arguments &commandLine();
+// In UTF-8, split as Windows programs do: at blanks that are not quoted. CommandLine for which `values` has
+// no room are left out.
+CommandLine &commandLine();
 
 } // namespace odraz

@@ -15,6 +15,6 @@ __asm__(".globl _start\n"
 int odrazMain(int argc, char **argv);
 
 extern "C" [[noreturn]] void odrazStart() {
-    odraz::Arguments &arguments = odraz::commandLine();
-    odraz::endProcess(odrazMain((int)arguments.count, arguments.values));
+    odraz::CommandLine &line = odraz::commandLine();
+    odraz::endProcess(odrazMain((int)line.count, line.values));
 }

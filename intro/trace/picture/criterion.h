@@ -96,13 +96,13 @@ ODRAZ_INLINE bool meanServes(const Tile &t, uint32_t a, uint32_t b, int half) {
 // the middle of one of its sides, traced because a neighbour split, differs from them.
 ODRAZ_INLINE bool splitsBySides(const TileScratch &s, Square a, int size, float markThreshold) {
     const uint32_t half = (uint32_t)size / 2, place = placeAt(a.x, a.y), corner = cornerAt(a.x, a.y);
-    auto tells = [&](uint32_t x, uint32_t y) { // in halves of the square
+    auto differs = [&](uint32_t x, uint32_t y) { // in halves of the square
         if (s.traced[place + (y * half << kPlaceShift) + x * half] != s.stamp) return false;
         uint32_t middle = corner + y * half * kCorners + x * half;
         if (alike(s, middle, corner) == kSameMarks) return false;
         return size > 2 || exceeds(range(s.shown[corner], s.shown[middle]), markThreshold);
     };
-    return tells(1, 0) || tells(0, 1) || tells(2, 1) || tells(1, 2);
+    return differs(1, 0) || differs(0, 1) || differs(2, 1) || differs(1, 2);
 }
 
 // Whether a pixel splits. Only what is seen decides. If only the texture differs, the texture's own filter is

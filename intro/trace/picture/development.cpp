@@ -14,10 +14,10 @@ Float8 encodeSrgb(Float8 x) {
     return select(x <= 0.0031308f, x * 12.92f, fmadd(pow(x, 1 / 2.4f), 1.055f, -0.055f));
 }
 
-void makeCurve(Curve &curve) {
+void makeToneCurve(ToneCurve &curve) {
     int32_t next = 0;
     for (int i = (int)(sizeof(curve.place) / sizeof(*curve.place)); i-- > 0;) {
-        Float8 x = broadcast(fromBits(bits(Curve::kFoot) + (i << Curve::kShift)) - Curve::kFoot);
+        Float8 x = broadcast(fromBits(bits(ToneCurve::kFoot) + (i << ToneCurve::kShift)) - ToneCurve::kFoot);
         int32_t value = toInt(fmadd(encodeSrgb(filmic(x))[0], 255 * 128, 0.5f));
         curve.place[i] = value << 16 | ((next - value) & 0xffff);
         next = value;
@@ -36,9 +36,9 @@ template <class T> ODRAZ_INLINE T kept(T x) {
 // The eight entries of a curve for the bits of values, one by one. On processors with the mitigation against
 // Downfall, one gather instruction takes half as long again as all other work on a pixel.
 ODRAZ_INLINE Int8 lookUp(const int32_t *place, Int8 values) {
-    const size_t kFirst = bits(Curve::kFoot) >> Curve::kShift;
+    const size_t kFirst = bits(ToneCurve::kFoot) >> ToneCurve::kShift;
     alignas(32) int32_t at[8];
-    store(at, values >> Curve::kShift);
+    store(at, values >> ToneCurve::kShift);
     asm("" : "+m"(at)); // without memory each index takes two steps more
     auto entry = [&](int k) { return place[(uint32_t)at[k] - kFirst]; };
     auto four = [&](int k) {
@@ -75,7 +75,7 @@ struct GlareRow {
 
 } // namespace
 
-void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
              const Glare *glare, const CameraLook &look) {
     uint32_t salt = pcg(seed);
     const float midX = (float)frame.width * 0.5f, midY = (float)frame.height * 0.5f,
@@ -86,7 +86,7 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
         const int32_t *place = curve.place;
         const bool spread = glare;
         const Float8 fall = broadcast(-darker * exposure), spreadShare = broadcast(look.glare),
-                     foot = kept(broadcast(Curve::kFoot)), head = kept(broadcast(Curve::kHead));
+                     foot = kept(broadcast(ToneCurve::kFoot)), head = kept(broadcast(ToneCurve::kHead));
         const Uint8 salts = salt - Uint8{};
         const Int8 amplitude = kept(broadcast(look.grain * 0x10001)), half = kept(broadcast(look.grain)),
                    signs = kept(broadcast((int32_t)0x80008000)), low14 = kept(broadcast(0x3fff)),
@@ -123,7 +123,7 @@ void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure,
                     v = min(max(fmadd(v, gain, foot), foot), head);
                     // The value times 2^14, plus the difference to the next one times the 14 bits that
                     // follow the index
-                    Int8 share = (bits(v) >> (Curve::kShift - 14) & low14) | one;
+                    Int8 share = (bits(v) >> (ToneCurve::kShift - 14) & low14) | one;
                     Int8 value = (Int8)_mm256_madd_epi16((__m256i)lookUp(place, bits(v)), (__m256i)share);
                     // Each colour has its own noise: 10 bits that no other one uses
                     shown[c] = (value + (Int8)(noise >> 11) + grain) >> 21;

@@ -16,13 +16,13 @@ Float8 encodeSrgb(Float8 x);
 // Both functions in one table with linear interpolation; the error is below 1/40 of one of the 255 steps.
 // Entries are evenly spaced in the bits of x + kFoot, 32 to a doubling, so that 0 has one too. From kHead on
 // all is white.
-struct Curve {
+struct ToneCurve {
     static constexpr float kFoot = 1.f / 32, kHead = 32768;
     static constexpr int kShift = 18; // turns the bits of x + kFoot into the index of an entry
     // Upper half: the value, in 1/128 of a step. Lower half: the difference to the next entry's value
     int32_t place[20 << (23 - kShift) | 1];
 };
-void makeCurve(Curve &curve);
+void makeToneCurve(ToneCurve &curve);
 
 // What lens and film add to a picture.
 struct CameraLook {
@@ -34,7 +34,7 @@ inline constexpr CameraLook kPlainLook = {0, 0, 0};
 
 // Fills frame.rgba: radiance with its glare (null: none), times exposure, through the film curve to sRGB.
 // Noise of one step, different for each colour and seed, hides the steps.
-void develop(const Curve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
+void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float exposure, uint32_t seed,
              const Glare *glare = nullptr, const CameraLook &look = kPlainLook);
 
 } // namespace odraz

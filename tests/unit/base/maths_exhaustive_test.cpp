@@ -51,7 +51,7 @@ template <class Library> double absoluteError(Float8 x, Float8 y, Library librar
 }
 
 // Prints the error that was found, for the table of results.
-double told(const char *what, double found) {
+double printed(const char *what, double found) {
     std::printf("%s: %.2e\n", what, found);
     return found;
 }
@@ -65,14 +65,14 @@ uint32_t of(float x) { return (uint32_t)bits(x); }
 TEST(Exhaustive, sin) {
     auto library = [](double x) { return std::sin(x); };
     double found = worst(0, of(8192), [&](Float8 x) { return absoluteError(x, sin(x), library); });
-    EXPECT_LE(told("largest error", found), 1.0e-7);
+    EXPECT_LE(printed("largest error", found), 1.0e-7);
     EXPECT_EQ(worst(0, of(8192), [&](Float8 x) { return any(sin(-x) != -sin(x)) ? 1. : 0.; }), 0);
 }
 
 TEST(Exhaustive, cos) {
     auto library = [](double x) { return std::cos(x); };
     double found = worst(0, of(8192), [&](Float8 x) { return absoluteError(x, cos(x), library); });
-    EXPECT_LE(told("largest error", found), 1.0e-7);
+    EXPECT_LE(printed("largest error", found), 1.0e-7);
     EXPECT_EQ(worst(0, of(8192), [&](Float8 x) { return any(cos(-x) != cos(x)) ? 1. : 0.; }), 0);
 }
 
@@ -81,7 +81,7 @@ TEST(Exhaustive, acos) {
     for (uint32_t sign : {0u, kSign}) {
         double found =
             worst(sign, sign | of(1), [&](Float8 x) { return absoluteError(x, acos(x), library); });
-        EXPECT_LE(told(sign ? "largest error below 0" : "largest error above 0", found), 4.5e-7);
+        EXPECT_LE(printed(sign ? "largest error below 0" : "largest error above 0", found), 4.5e-7);
     }
 }
 
@@ -95,8 +95,8 @@ TEST(Exhaustive, exp2) {
         }
         return most;
     };
-    EXPECT_LE(told("largest relative error above 0", worst(0, of(127.999f), relative)), 1.5e-7);
-    EXPECT_LE(told("largest relative error below 0", worst(kSign, of(-126.f), relative)), 1.5e-7);
+    EXPECT_LE(printed("largest relative error above 0", worst(0, of(127.999f), relative)), 1.5e-7);
+    EXPECT_LE(printed("largest relative error below 0", worst(kSign, of(-126.f), relative)), 1.5e-7);
 }
 
 TEST(Exhaustive, log2) {
@@ -109,7 +109,8 @@ TEST(Exhaustive, log2) {
         }
         return most;
     };
-    EXPECT_LE(told("largest share of the bound", worst(of(1.17549435e-38f), of(3.4028234e38f), excess)), 1);
+    EXPECT_LE(printed("largest share of the bound", worst(of(1.17549435e-38f), of(3.4028234e38f), excess)),
+              1);
 }
 
 // Pairs of arguments are too many to test all. This tests every x of [2^-20, 2] for the exponents that the
@@ -128,6 +129,6 @@ TEST(Exhaustive, pow) {
             return most;
         };
         std::printf("exponent %g, ", (double)y);
-        EXPECT_LE(told("largest share of the bound", worst(of(1.f / 1048576), of(2.f), excess)), 1) << y;
+        EXPECT_LE(printed("largest share of the bound", worst(of(1.f / 1048576), of(2.f), excess)), 1) << y;
     }
 }

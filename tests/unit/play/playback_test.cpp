@@ -26,11 +26,11 @@ struct Device {
     int64_t now = 0;
     double played = 0; // frames that it should have played by now
     std::deque<int16_t> queue;
-    struct Heard {
+    struct PlayedFrame {
         int64_t when;
         int16_t value;
     };
-    std::vector<Heard> heard; // the first sample of each frame
+    std::vector<PlayedFrame> record; // the first sample of each frame
     int opened = 0;
 
     bool dead() const { return dies >= 0 && now >= dies && now < returns; }
@@ -41,7 +41,7 @@ struct Device {
             played += speed * kSoundRate / 4000;
             for (; played >= 1; played -= 1) {
                 if (queue.empty()) continue;
-                heard.push_back({now + behind * kSecond / kSoundRate, queue.front()});
+                record.push_back({now + behind * kSecond / kSoundRate, queue.front()});
                 queue.pop_front();
             }
         }
@@ -112,10 +112,10 @@ struct Play {
             film.push_back(clock.started() ? clock.at(now) : begin);
         }
         std::vector<double> off;
-        for (const Device::Heard &h : device.heard) {
-            if (h.when < from || h.when >= to || h.value < 1) continue;
-            double shown = film[std::min(film.size() - 1, (size_t)(h.when / kMillisecond))];
-            off.push_back(std::fabs((h.value - 1) * 5.0 + 2.5 - shown * 1e3));
+        for (const Device::PlayedFrame &f : device.record) {
+            if (f.when < from || f.when >= to || f.value < 1) continue;
+            double shown = film[std::min(film.size() - 1, (size_t)(f.when / kMillisecond))];
+            off.push_back(std::fabs((f.value - 1) * 5.0 + 2.5 - shown * 1e3));
         }
         return off;
     }

@@ -348,13 +348,13 @@ TEST(Solve, ProgressRisesToOne) {
     for (Rgb c : {room.walls, room.floor}) room.scene->add(Room::plain(c));
     room.model->pose(*room.scene);
     room.scene->finish();
-    std::vector<float> told;
+    std::vector<float> shares;
     Progress progress = {[](float done, void *context) { ((std::vector<float> *)context)->push_back(done); },
-                         &told};
+                         &shares};
     ASSERT_TRUE(solveRadiosity(*room.r, *room.model, *room.scene, {}, headlessGl(), room.memory.arena,
                                room.workers, progress));
-    ASSERT_GT(told.size(), 10u);
-    for (size_t i = 1; i < told.size(); ++i) EXPECT_GE(told[i], told[i - 1]);
-    EXPECT_GE(told.front(), 0);
-    EXPECT_EQ(told.back(), 1);
+    ASSERT_GT(shares.size(), 10u);
+    for (size_t i = 1; i < shares.size(); ++i) EXPECT_GE(shares[i], shares[i - 1]);
+    EXPECT_GE(shares.front(), 0);
+    EXPECT_EQ(shares.back(), 1);
 }

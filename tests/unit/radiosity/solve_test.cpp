@@ -6,6 +6,8 @@
 
 using namespace odraz;
 
+namespace {
+
 // Two patches that see only each other, for several right-hand sides of increasing reflectance.
 struct Facing {
     static constexpr int kUnknowns = 1100;
@@ -25,6 +27,8 @@ struct Facing {
     }
     static float reflectance(int k) { return k < kUnknowns ? 0.9f * (float)k / kUnknowns : 0; }
 };
+
+} // namespace
 
 // B = rho + rho^2 B' and B' = rho B, for any number of right-hand sides.
 TEST(Solve, AsManyRightHandSidesAsThereIsRoomFor) {

@@ -128,7 +128,7 @@ TEST(Adaptive, MistakesNoPixel) {
         scene->finish();
         TracedPicture p = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight, 2, true);
         View view = lookAt(camera.eye, camera.target, camera.roll, camera.fov, kWidth, kHeight);
-        int wrong = 0, told = 0;
+        int wrong = 0, compared = 0;
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; x += 8) {
                 Vec3x8 d = normalize(
@@ -137,12 +137,12 @@ TEST(Adaptive, MistakesNoPixel) {
                 for (int k = 0; k < 8; ++k) {
                     uint16_t shape = p.shapes[(size_t)(y * p.frame.stride + x + k)];
                     if (shape == kManyShapes) continue;
-                    ++told;
+                    ++compared;
                     wrong += shape != (hit.shape[k] < 0 ? kSkyShown : (uint16_t)hit.shape[k]);
                 }
             }
         EXPECT_EQ(wrong, 0) << name;
-        EXPECT_GT(told, kWidth * kHeight / 4) << name;
+        EXPECT_GT(compared, kWidth * kHeight / 4) << name;
 
         Quality fine = named(QualityName::Play);
         fine.coarse = 4;
@@ -155,7 +155,7 @@ TEST(Adaptive, MistakesNoPixel) {
             off += most > 16;
         }
         double share = 100. * off / (kWidth * kHeight);
-        std::printf("%s: %d of %d pixels wrong, %.4f %% off by more than 16\n", name, wrong, told, share);
+        std::printf("%s: %d of %d pixels wrong, %.4f %% off by more than 16\n", name, wrong, compared, share);
         EXPECT_LE(share, mostOff) << name;
     }
 }

@@ -57,11 +57,11 @@ namespace {
 struct Developed {
     static constexpr int kWidth = 512;
     Canvas canvas;
-    Curve curve;
+    ToneCurve curve;
 
     explicit Developed(const std::vector<float> &radiances, float exposure = 1, uint32_t seed = 0)
         : canvas(kWidth, (int)radiances.size()) {
-        makeCurve(curve);
+        makeToneCurve(curve);
         for (float *plane : canvas.frame.plane)
             for (size_t y = 0; y < radiances.size(); ++y)
                 std::fill_n(plane + y * kWidth, (size_t)kWidth, radiances[y]);
@@ -102,8 +102,8 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
     Canvas c(13, 5);
     for (float *plane : c.frame.plane) std::fill_n(plane, (size_t)c.frame.stride * 5, 0.2f);
     Workers workers = serialWorkers();
-    Curve curve;
-    makeCurve(curve);
+    ToneCurve curve;
+    makeToneCurve(curve);
     develop(curve, c.frame, workers, 1, 0);
     for (int i = 0; i < 13 * 5; ++i) {
         EXPECT_EQ(c.frame.rgba[4 * i + 3], 255);
@@ -116,8 +116,8 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
 TEST(Develop, ShowsNoSparks) {
     constexpr int kWidth = 21, kHeight = 9;
     Workers workers = serialWorkers();
-    Curve curve;
-    makeCurve(curve);
+    ToneCurve curve;
+    makeToneCurve(curve);
     for (int at = 0; at < kWidth * kHeight; ++at) {
         int x = at % kWidth, y = at / kWidth;
         for (bool pair : {false, true}) {
@@ -155,14 +155,14 @@ TEST(Develop, TheTableIsTheCurveAndNoiseShowsWhatLiesBetweenSteps) {
 
 // The table itself, without noise, at every float near a few places and at many others.
 TEST(Develop, TheTableIsWithinAFortiethOfAStep) {
-    Curve curve;
-    makeCurve(curve);
+    ToneCurve curve;
+    makeToneCurve(curve);
     double worst = 0;
     for (uint32_t b = 0; b < 0x7f800000; b += 997) {
         float radiance = fromBits((int32_t)b);
-        float v = clamp(radiance + Curve::kFoot, Curve::kFoot, Curve::kHead);
-        int at = bits(v) - bits(Curve::kFoot), place = curve.place[at >> Curve::kShift];
-        double share = (at & ((1 << Curve::kShift) - 1)) / (double)(1 << Curve::kShift);
+        float v = clamp(radiance + ToneCurve::kFoot, ToneCurve::kFoot, ToneCurve::kHead);
+        int at = bits(v) - bits(ToneCurve::kFoot), place = curve.place[at >> ToneCurve::kShift];
+        double share = (at & ((1 << ToneCurve::kShift) - 1)) / (double)(1 << ToneCurve::kShift);
         double shown = ((place >> 16) + (int16_t)place * share) / 128;
         worst = std::max(worst, std::fabs(shown - exact(radiance)));
     }

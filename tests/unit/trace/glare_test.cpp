@@ -101,8 +101,8 @@ TEST(Glare, IsSeenInTheDevelopedPicture) {
     for (int i = 0; i < h.frame.stride * h.frame.height; ++i)
         for (int c = 0; c < 3; ++c) h.frame.plane[c][i] = 0.2f;
     Threads pool(2);
-    auto curve = std::make_unique<Curve>();
-    makeCurve(*curve);
+    auto curve = std::make_unique<ToneCurve>();
+    makeToneCurve(*curve);
     auto developed = [&](const Glare *glare, const CameraLook &look) {
         develop(*curve, h.frame, pool.workers, 1, 3, glare, look);
         return std::vector<uint8_t>(h.frame.rgba, h.frame.rgba + 256 * 128 * 4);

@@ -177,8 +177,8 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     float low = std::log(std::max(common::quantile(all, 0.01), 1e-30f)),
           high = std::log(std::max(common::quantile(all, 0.998), 1e-30f));
     if (!s.logarithmic) {
-        Curve curve;
-        makeCurve(curve);
+        ToneCurve curve;
+        makeToneCurve(curve);
         develop(curve, frame, workers, exposure, 0);
     }
     for (int y = 0; y < s.height; ++y)

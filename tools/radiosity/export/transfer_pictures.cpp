@@ -144,8 +144,8 @@ void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderS
     Frame frame = {};
     if (!makeFrame(frame, memory.arena, camera.width, camera.height))
         throw std::runtime_error("there is not enough memory");
-    Curve curve;
-    makeCurve(curve);
+    ToneCurve curve;
+    makeToneCurve(curve);
     for (int l = 0; l < bands; ++l)
         for (int row = 0; row < 2; ++row) {
             int left = kGap + l * step, top = kGap + row * (camera.height + kLabel + kGap);

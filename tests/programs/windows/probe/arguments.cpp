@@ -24,8 +24,8 @@ bool put(const char16_t *text) {
     return true;
 }
 
-Arguments &split() {
-    Arguments &a = commandLine();
+CommandLine &split() {
+    CommandLine &a = commandLine();
     a = {};
     return commandLine();
 }
@@ -42,7 +42,7 @@ bool asWindows() {
     static char text[100000];
     int count = 0;
     WCHAR **values = reference(theLine, &count);
-    Arguments &a = split();
+    CommandLine &a = split();
     bool good = values && a.count == count;
     for (int i = 0; good && i < count; ++i) {
         WideCharToMultiByte(windows::kUtf8, 0, values[i], -1, text, sizeof text, nullptr, nullptr);
@@ -52,7 +52,7 @@ bool asWindows() {
 }
 
 bool is(const char *arguments) { // each with a '|' behind it
-    Arguments &a = split();
+    CommandLine &a = split();
     for (int i = 0; i < a.count; ++i) {
         for (const char *p = a.values[i]; *p; ++p)
             if (*arguments++ != *p) return false;
@@ -137,7 +137,7 @@ void arguments() {
     // The largest number and length of arguments
     for (int i = 0; i < 30000; ++i) theLine[i] = i % 2 ? ' ' : 'x';
     theLine[30000] = 0;
-    Arguments &many = split();
+    CommandLine &many = split();
     check("what is beyond the last is left out", many.count == 511 && !many.values[511], many.count);
     for (int i = 0; i < 30000; ++i) theLine[i] = 0x20ac;
     theLine[1] = ' ';
