@@ -38,7 +38,7 @@ int openScreen(Options &o) {
     if (!theEarly.opened) {
         Quiet libraries;
         if (const char *wrong = openWindow(window, !o.window, o.width, o.height, &theEarly.viewerLeft))
-            return refuse(wrong);
+            return showError(wrong);
     }
     if (o.sized) return 0;
     Area area = areaOf(window, o.width, o.height);
@@ -51,12 +51,12 @@ int openScreen(Options &o) {
 // Starts threads and takes memory; returns an exit status. What a dump lacks is reported to the script that
 // runs it, not in a window.
 int prepare(const Options &o, Prepared &f) {
-    auto refuseOrComplain = o.dump ? complain : refuse;
+    auto report = o.dump ? printError : showError;
     int count = o.threads ? o.threads : cpuCount();
     if (const char *missing = startWorkers(f.workers, count, &theEarly.viewerLeft)) {
         Message m;
         m << "cannot start " << count << " threads without " << missing << ": try --threads 1";
-        return refuseOrComplain(m.data);
+        return report(m.data);
     }
     // In-betweens also need the frames before the first and after the last
     double beside = o.live ? 1 / 60.0 : 0;
@@ -72,17 +72,17 @@ int prepare(const Options &o, Prepared &f) {
     if (f.arena.base) return 0;
     Message m;
     m << "not enough memory: " << (int64_t)(bytes >> 20) << " MB are needed: " << kMoreMemory;
-    return refuseOrComplain(m.data);
+    return report(m.data);
 }
 
 int dumpFilm(const Options &o, Prepared &f, bool stdoutClosed) {
     Gl gl;
     if (f.hall) {
         Quiet libraries;
-        if (const char *wrong = openHeadlessGl(gl)) return complain(wrong);
+        if (const char *wrong = openHeadlessGl(gl)) return printError(wrong);
     }
     if (const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &gl : nullptr))
-        return complain(wrong);
+        return printError(wrong);
     return dump(*f.intro, o, stdoutClosed);
 }
 
@@ -93,7 +93,7 @@ int playFilm(const Options &o, Prepared &f, int64_t began) {
                              {showLoading, &window, theEarly.opened ? kEarlyShare : 0});
     if (viewerLeft()) return 0;
     Sound *sound = f.heard ? loadSound(f.arena) : nullptr;
-    return wrong ? refuse(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
+    return wrong ? showError(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
 }
 
 int run(int argc, char **argv, bool stdoutClosed) {

@@ -52,7 +52,7 @@ static int refused(const Options &o, const char *to) {
     if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
     if (o.quality != QualityName::Count) wrong = "--shown plays as the governor says: leave out --quality";
     if (o.stats && isStdout(to)) wrong = "--shown - and --stats cannot both go to standard output";
-    if (wrong) return complain(wrong), 2;
+    if (wrong) return printError(wrong), 2;
     int closed = prepareDescriptors();
     if (int status = checkOutput(to, closed & 2)) return status;
     std::string folder = to;
@@ -66,22 +66,23 @@ int recordShown(const Options &o, const char *to) {
     static int leave = 0; // the window's thread sets it
     static Workers workers;
     int count = o.threads ? o.threads : cpuCount();
-    if (const char *missing = startWorkers(workers, count, &leave)) return complain(missing);
+    if (const char *missing = startWorkers(workers, count, &leave)) return printError(missing);
     IntroSettings settings = {o.width, o.height};
     settings.pairs = true;
     bool hall = needsHall(seconds(o.from), seconds(o.to));
     size_t bytes = memoryNeeded(settings, workers.count, hall) + soundMemory();
     Arena arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
-    if (!arena.base) return complain("not enough memory: try a smaller --size");
+    if (!arena.base) return printError("not enough memory: try a smaller --size");
     static FilmWindow window;
     {
         Quiet libraries;
-        if (const char *wrong = openWindow(window, false, o.width, o.height, &leave)) return complain(wrong);
+        if (const char *wrong = openWindow(window, false, o.width, o.height, &leave))
+            return printError(wrong);
     }
     Intro *intro;
     if (const char *wrong =
             load(intro, settings, arena, workers, hall ? &window.gl : nullptr, {showLoading, &window, 0}))
-        return complain(wrong);
+        return printError(wrong);
     std::vector<Row> rows;
     Recorder recorder = {addRow, &rows};
     if (int status = play(*intro, o.mute ? nullptr : loadSound(arena), o, window, &leave, began, &recorder))

@@ -15,20 +15,20 @@ const char *jitForbidden();
 // Whether the process could address that many bytes more (ulimit -v).
 bool couldAddress(size_t bytes);
 
-// Writes "NAME: LINE", with the film's name, to standard error. Returns 1, the exit status of a failure. On Windows, a program with
-// windows often has no standard descriptors: the line then appears in a message box.
-int complain(const char *line);
+// Writes "NAME: LINE", with the film's name, to standard error. Returns 1, the exit status of a failure. On
+// Windows, a program with windows often has no standard descriptors: the line then appears in a message box.
+int printError(const char *line);
 
-// While a Quiet exists, what libraries write to standard error is discarded; complain() is still heard.
+// While a Quiet exists, what libraries write to standard error is discarded; printError() is still heard.
 struct Quiet {
     Quiet();
     ~Quiet();
 };
 
-// Calls complain(), and also shows the line in a small window, for viewers who double-clicked and see no
+// Calls printError(), and also shows the line in a small window, for viewers who double-clicked and see no
 // standard error. The window closes at a key, at its button, or after half a minute. On Linux it opens if
 // there is a display, on Windows if there is no standard error. Runs on any processor.
-int refuse(const char *line);
+int showError(const char *line);
 
 // Prepares the standard descriptors, and returns a bit for each one that is closed. On Linux a closed one is
 // opened to /dev/null, so that no file of ours becomes standard error. Writing to a closed pipe, or beyond

@@ -16,14 +16,14 @@ int cannotWrite(const char *what, const char *why) {
     m << "cannot write ";
     if (length > kLongestName) m << "...", what += length - kLongestName;
     m << what << ": " << why;
-    return complain(m.data);
+    return printError(m.data);
 }
 
 int checkOutput(const char *to, bool stdoutClosed) {
     if (!isStdout(to)) return 0;
     if (stdoutClosed) return cannotWrite("standard output", "it is closed");
     if (!isTerminal(1)) return 0;
-    complain("what goes to - is not text: send it to a program or a file, not to the terminal");
+    printError("what goes to - is not text: send it to a program or a file, not to the terminal");
     return 2;
 }
 

@@ -78,7 +78,7 @@ int play(Intro &intro, Sound *sound, const Options &o, FilmWindow &window, const
     if (startThread(make, nullptr)) {
         Message m;
         m << "no thread to trace on: " << kMoreThreads;
-        return refuse(m.data);
+        return showError(m.data);
     }
 
     // The film and its sound begin when the first pictures are ready

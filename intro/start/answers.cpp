@@ -12,7 +12,7 @@ namespace odraz {
 bool answered(int argc, char **argv, bool stdoutClosed, Options &o, int &status) {
     Message wrong;
     if (!parseOptions(argc, argv, kEndRow / kRowsPerSecond, o, wrong)) {
-        complain(wrong.data);
+        printError(wrong.data);
         status = 2;
     } else if (stdoutClosed && (o.help || o.version || o.doctor || o.stats))
         status = cannotWrite("standard output", "it is closed");

@@ -20,7 +20,7 @@ void open(int argc, char **argv) {
     if (o.doctor || o.dump || o.wav) return;
     Quiet libraries;
     if (const char *line = openWindow(theEarly.window, !o.window, o.width, o.height, &theEarly.viewerLeft))
-        endProcess(refuse(line));
+        endProcess(showError(line));
     theEarly.opened = true;
 }
 

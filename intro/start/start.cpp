@@ -9,7 +9,7 @@ int odrazRun(int argc, char **argv, int closedDescriptors);
 int odrazMain(int argc, char **argv) {
     int closed = odraz::prepareDescriptors() | odraz::theEarly.closedDescriptors;
     if (!odraz::cpuSuffices())
-        return odraz::refuse(
+        return odraz::showError(
             "this film needs a processor with AVX2 and FMA (x86-64-v3: Intel since 2013, AMD since 2015)");
     return odrazRun(argc, argv, closed);
 }

@@ -40,7 +40,7 @@ early() { # early MAP: the objects that the linker put there; the table of quali
         sed 's|.*/||' | sort -u
 }
 neutral='answers.cpp.o early.cpp.o libengine.a(text.cpp.o) liboptions.a(options.cpp.o) liboutput.a(output.cpp.o)'
-host='clock cpu files library process refuse threads window'
+host='clock cpu error files library process threads window'
 early_is() { # early_is PROGRAM OBJECT...
     printf '%s\n' "${@:2}" | sort >"$WORK/expected"
     early "$WORK/$1.map" | diff "$WORK/expected" - >&2

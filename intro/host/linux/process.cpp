@@ -27,7 +27,7 @@ const char *jitForbidden() {
 
 bool couldAddress(size_t bytes) { return mayMap(bytes, sys::kNothing); }
 
-int complain(const char *line) {
+int printError(const char *line) {
     char text[512] = FILM_NAME ": ";
     int size = sizeof FILM_NAME + 1;
     // Keep it to one line, even if it quotes control characters that a user gave

@@ -42,7 +42,7 @@ WindowState theWindow; // one process shows one window
 int ignoreError(Display *, XErrorEvent *) { return 0; }
 
 int displayGone(Display *) {
-    complain("the display went away");
+    printError("the display went away");
     sys::exit(1);
 }
 

@@ -29,7 +29,7 @@ void check(const char *what, bool good, int64_t found) {
 void *function(const char *library, const char *name) {
     void *found = GetProcAddress(LoadLibraryA(library), name);
     if (!found) {
-        complain(name);
+        printError(name);
         endProcess(3);
     }
     return found;
@@ -39,7 +39,7 @@ void **kernelSlot(const char *wanted) {
     void *found = function("kernel32.dll", wanted);
     for (void *&slot : odrazFunctions.kernel32)
         if (slot == found) return &slot;
-    complain(wanted);
+    printError(wanted);
     endProcess(3);
 }
 
@@ -82,6 +82,7 @@ int odrazMain(int argc, char **argv) {
     else if (is(part, "times"))
         times();
     else
-        return complain("usage: probe arguments FILLER | floats | names FOLDER | passing | shown | times"), 2;
+        return printError("usage: probe arguments FILLER | floats | names FOLDER | passing | shown | times"),
+               2;
     return failures != 0;
 }

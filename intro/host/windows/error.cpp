@@ -43,8 +43,8 @@ int report(const char *line, bool box) {
 } // namespace
 
 // A script has at least standard output. If that is closed too, a viewer started us, who gets a box.
-int complain(const char *line) { return report(line, !GetFileType(standard(1))); }
+int printError(const char *line) { return report(line, !GetFileType(standard(1))); }
 
-int refuse(const char *line) { return report(line, true); }
+int showError(const char *line) { return report(line, true); }
 
 } // namespace odraz

@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-int refuse(const char *line) {
-    complain(line);
+int showError(const char *line) {
+    printError(line);
     Xlib x;
     if (loadXlib(x)) return 1;
     Display *display = x.XOpenDisplay(nullptr);
