@@ -1,5 +1,4 @@
-// What an Intro consists of: for intro.cpp, and for tools and tests that measure its parts. Hosts know
-// intro.h alone.
+// The parts of an Intro, for intro.cpp and for tools and tests that measure them. Hosts use intro.h alone.
 #pragma once
 
 #include "intro.h"
@@ -32,7 +31,7 @@ struct Intro {
     Slot slots[kSlots];
     // false: there is only slot 0, with the frame above and the film's scene
     bool pairs;
-    Between between;        // what making in-betweens needs
+    Between between;        // what in-betweens need
     uint8_t *made[kPlaces]; // in-betweens as they are shown; the first one is frame.rgba
 };
 

@@ -92,8 +92,8 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
     bool fewer = frame.width != intro.width || frame.height != intro.height;
     frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;
     spreadGlare(intro.glare, frame, *intro.workers);
-    // Squared, a fade looks even, because the eye quickly notices the first light. The noise changes with
-    // time: if it stood still, it would look like a veil
+    // A fade looks even when it is squared, because the eye quickly notices the first light. The noise
+    // changes with time: noise that stood still would look like a veil
     develop(intro.curve, frame, *intro.workers, exposure * now.fade * now.fade, (uint32_t)(seconds * 240),
             &intro.glare, kFilmLook);
     if (fewer)
@@ -126,7 +126,7 @@ Picture between(Intro &intro, int earlier, int later, double share, int place) {
     double apart = b->seconds - a->seconds, seconds = a->seconds + apart * share;
     Posed posed = poseAt(intro.film, seconds);
     now.view = posed.view(frame.width, frame.height);
-    // Beside a cut, that of its own shot serves for both
+    // Beside a cut, the picture of its own shot is used for both
     const Shot *shot = momentAt(kFilm, seconds * kRowsPerSecond).shot;
     if (a->shot != shot) a = b;
     if (b->shot != shot) b = a;

@@ -1,4 +1,4 @@
-// The seam between the film and its hosts: all that a host may call.
+// The seam between the film and its hosts: the functions that a host may call.
 #pragma once
 
 #include "base/arena.h"
@@ -16,8 +16,8 @@ struct Intro;
 
 struct IntroSettings {
     int width, height; // of its pictures
-    // What the credits say about this copy and this machine: the size of the executable and the processor's
-    // name; 0 and null if they must not be in the picture (dumps)
+    // For the credits: the size of the executable and the processor's name; 0 and null if they must not be
+    // in the picture (dumps)
     int64_t bytes = 0;
     const char *machine = nullptr;
     // whether there are two slots, for in-betweens; if not, there is only slot 0
@@ -83,7 +83,7 @@ Picture between(Intro &intro, int earlier, int later, double share = 0.5, int pl
 int64_t samplesTaken(const Intro &intro);
 const char *outgrown(const Intro &intro);
 
-// --- Sound: apart from the picture, for another thread if a host likes ---
+// --- Sound: independent of the picture, so that it may run on another thread ---
 
 // The film's music while it is being played. It is stereo: samples of the left and the right side alternate,
 // -1 .. 1.

@@ -31,8 +31,8 @@ struct Prepared {
     Intro *intro;
 };
 
-// Opens the window, if it is not open yet; returns an exit status. If the viewer has not said how large the
-// pictures are, they are as large as it can show them, up to what can be scaled up.
+// Opens the window, if it is not open yet; returns an exit status. Without --size, pictures are as large as
+// the window, up to the largest that can be scaled up.
 int openScreen(Options &o) {
     FilmWindow &window = theEarly.window;
     if (!theEarly.opened) {

@@ -23,14 +23,14 @@ struct Options {
     const char *dump = nullptr; // a directory, "-" for standard output, null to play
     const char *wav = nullptr;  // a file, "-" for standard output
     int width = 1280, height = 720;
-    bool sized = false;                       // whether they were given
+    bool sized = false;                       // whether --size was given
     int threads = 0;                          // 0: as many as there are processors
     QualityName quality = QualityName::Count; // Count: not given
     bool live = false;                        // every other frame is made from those beside it
     Decimal from = {0, 1}, to = {0, 0};       // scale 0: not given
     Rate fps = {25, 1};
 
-    // The quality asked for, or another if none is.
+    // The quality that was given, or another if none was.
     const Quality &qualityOr(QualityName otherwise) const {
         return kQualities[(int)(quality == QualityName::Count ? otherwise : quality)];
     }
@@ -41,8 +41,8 @@ bool isStdout(const char *path);
 
 using Message = Text<256>;
 
-// Reads the arguments after the program's name; false with one line that says what is wrong and what would be
-// right.
+// Reads the arguments after the program's name. If they are wrong, returns false and sets `wrong` to a line
+// that says what is wrong and what would be right.
 bool parseOptions(int argc, const char *const *argv, double duration, Options &options, AnyText &wrong);
 
 // The number of the first frame at or after a time: the smallest n with n / fps >= time.

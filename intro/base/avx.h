@@ -1,8 +1,8 @@
 // The instructions of x86-64-v3 that we use, and no others.
 //
 // GCC's <immintrin.h> brings AVX-512 and AMX along: .7 s of the second that a small file takes to compile.
-// Its parts refuse to be included by themselves, unless that header seems to be there. It can still be
-// included afterwards: each part keeps itself from being read twice.
+// Its parts cannot be included alone unless its guard is defined. It can still be included afterwards: each
+// part has a guard of its own.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__) && !defined(_IMMINTRIN_H_INCLUDED)

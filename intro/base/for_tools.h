@@ -3,8 +3,8 @@
 
 namespace odraz {
 
-// Whether it may be needed. The engine says yes, for tools, tests and odraz-debug. The film's main.cpp says
-// no, so that code behind this constant leaves the film when it is optimised as a whole.
+// True in the engine, for tools, tests and odraz-debug. The film's main.cpp defines it as false, so that
+// link-time optimisation removes the code that depends on it.
 extern const bool kForTools;
 
 } // namespace odraz

@@ -8,8 +8,8 @@ namespace odraz {
 // Each returns null, or what went wrong in a few words ("no space left on the device").
 const char *writeAll(int descriptor, const void *data, size_t size);
 
-// Writes a file beside `path`, under a name that nobody else uses (path + ".NUMBER.part"), and then renames
-// it to `path`. If that fails, the file is removed. A pipe or a device is written to directly.
+// Writes a file beside `path`, under a name that is not in use (path + ".NUMBER.part"), and then renames it
+// to `path`. If that fails, the file is removed. A pipe or a device is written to directly.
 const char *writeFile(const char *path, const void *data, size_t size);
 
 const char *makeDirectory(const char *path); // no error if it exists already

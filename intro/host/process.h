@@ -8,7 +8,7 @@ namespace odraz {
 void *takeMemory(size_t bytes);  // zeroed; null if there is not enough
 extern const char kMoreMemory[]; // what to do in that case
 
-// Null, or a line that says that the system lets no process run code that it wrote itself
+// Null, or a line for the viewer if the system lets no process run code that it wrote itself
 // (MemoryDenyWriteExecute, SELinux), as software OpenGL does.
 const char *jitForbidden();
 
@@ -19,7 +19,7 @@ bool couldAddress(size_t bytes);
 // Windows, a program with windows often has no standard descriptors: the line then appears in a message box.
 int printError(const char *line);
 
-// While a Quiet exists, what libraries write to standard error is discarded; printError() is still heard.
+// While a Quiet exists, what libraries write to standard error is discarded; printError() still prints.
 struct Quiet {
     Quiet();
     ~Quiet();

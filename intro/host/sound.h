@@ -14,11 +14,11 @@ struct SoundOutput {
     // Takes up to `frames` frames and never waits. Returns how many it took, or -1 if the device is lost; it
     // may then be opened again.
     int (*write)(const int16_t *samples, int frames);
-    // The number of frames that it has taken and nobody has heard yet; 0 or less if it cannot tell.
+    // The number of frames that it has taken and not yet played; 0 or less if it is unknown.
     int64_t (*delay)();
 };
 
-// The system's usual output. Says nothing on standard error, whatever happens.
+// The system's usual output. Prints nothing to standard error.
 extern const SoundOutput kSystemSound;
 extern const char kNoSound[]; // what is missing if it does not open
 

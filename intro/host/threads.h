@@ -13,7 +13,8 @@ int cpuCount();
 const char *startWorkers(Workers &workers, int count, const int *abort);
 
 // Runs body(context) on a thread of its own. Returns null, or what is missing. The system calls it with a
-// stack aligned to 16 bytes and the engine wants 32: a body has the attribute force_align_arg_pointer.
+// stack aligned to 16 bytes and the engine needs 32, so a body must have the attribute
+// force_align_arg_pointer.
 const char *startThread(void *(*body)(void *), void *context);
 extern const char kMoreThreads[]; // what to do if the system has no room for one
 

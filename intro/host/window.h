@@ -17,9 +17,10 @@ struct FilmWindow {
     int64_t loadingShown; // when loading was last shown, in nanoseconds()
 };
 
-// Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the close
-// button set *leave, on a thread of their own, whatever the others are doing; at most a tenth of a second
-// later the process ends with status 0. Returns null, or a line that says what is missing and what to do.
+// Opens a window, full screen or of width x height, and makes its context current. ESC, Alt-F4 and the
+// close button set *leave, on another thread, whatever the rest of the program is doing. The process ends
+// with status 0 at most a tenth of a second later. Returns null, or a line that says what is missing and
+// what to do.
 const char *openWindow(FilmWindow &window, bool fullScreen, int width, int height, int *leave);
 
 // Releases the context from this thread, so that the thread can use another one.

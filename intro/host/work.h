@@ -12,7 +12,7 @@ struct Work {
     const void *context;
     const int *abort;
     int count, size; // of all the work, and of a piece
-    int next;        // the first that nobody has taken
+    int next;        // the first piece not yet taken
     int busy;        // turns not yet done, without the caller's
     int idNext;      // hands out worker numbers
 

@@ -10,8 +10,8 @@ void FilmClock::start(double time, int64_t now) {
 
 void FilmClock::hear(double time, int64_t now) {
     double off = time - at(now);
-    // Correct it by at most a hundredth of the time that passed: so it never stands still, however often it
-    // is asked
+    // Correct it by at most a hundredth of the time that passed: so it never stands still, however often
+    // this is called
     double most = (double)(now - lastHeard) * 1e-11;
     lastHeard = now;
     double far = (off < 0 ? -off : off) * 1e3;

@@ -1,5 +1,6 @@
-// The time of the film as it is played: it runs with the system's clock and follows what the sound device
-// says is heard, so slowly that nobody sees it: by 1 % at most. It never goes back.
+// The time of the film as it is played. It runs with the system's clock, and is corrected by the position
+// that the sound device reports, by at most 1 % of the time that passes, which is not seen. It never goes
+// back.
 #pragma once
 
 #include <stdint.h>
@@ -14,8 +15,8 @@ public:
 
     // Sets the film's time: at the start, and when the viewer seeks.
     void start(double time, int64_t now);
-    // The device says that this time of the film is heard now. If that is more than kMostOff seconds off, the
-    // device is not believed.
+    // The device reports that this time of the film is heard now. A report that is more than kMostOff
+    // seconds off is ignored.
     void hear(double time, int64_t now);
     // Must be called once a picture, with the processor time that the process has used. If the process was
     // stopped since the last call (much time passed, and it did almost nothing), the film goes on where it
@@ -24,8 +25,8 @@ public:
     // How often watch() was called: after a gap in its own calls the sound waits for the next one.
     unsigned watched() const { return __atomic_load_n(&watches, __ATOMIC_ACQUIRE); }
 
-    // A histogram: how often the clock was off from what is heard by so many milliseconds; the last bin also
-    // counts all that was further off.
+    // A histogram of the clock's error against the sound: entry N counts errors of N milliseconds, the last
+    // one also all larger ones.
     static constexpr int kOffsets = 250;
     int offsets[kOffsets];
 

@@ -1,4 +1,4 @@
-// The film's music, played on a thread of its own, and the clock that film and music share.
+// The film's music, played on a separate thread, and the clock that film and music share.
 #pragma once
 
 #include "play/playback.h"

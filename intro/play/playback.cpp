@@ -7,9 +7,9 @@ static_assert(kSoundRate == kDeviceRate);
 namespace {
 
 constexpr int64_t kSecond = 1000000000, kNap = 2000000; // nanoseconds
-// Frames. Sound that is off by more than kLate is left out or waited for; if it is off by more than kFar, the
-// right place is sought. A device that takes all it gets, and cannot tell what it holds, is kept kLead ahead
-// of the film.
+// Frames. Sound that is off by more than kLate is left out or waited for; if it is off by more than kFar,
+// the right place is sought. A device that takes everything and does not report what it holds is kept kLead
+// ahead of the film.
 constexpr int64_t kLate = kSoundRate / 50, kFar = kSoundRate, kLead = kSoundRate / 5;
 constexpr float kFade = 0.5f; // change of the level in a block
 
@@ -83,8 +83,8 @@ int64_t Playback::step(int64_t now) {
         return taken ? 0 : kNap;
     }
 
-    // How much too late the next block would be heard, in frames. Until the film begins it is in time. If
-    // nobody knows what the device holds, the block may be early
+    // How many frames too late the next block would be heard. Until the film begins it is in time. If it is
+    // unknown what the device holds, the block may be early
     int64_t film = playing ? (int64_t)(clock->at(now) * kSoundRate) : begin;
     int64_t off = playing ? film + held - position : 0;
     bool leaps = still || !sought || off > kLate || off < -(held ? kLate : kLead + kLate);

@@ -23,11 +23,11 @@ public:
     // Called first, on zeroed memory. The source stands at the film's beginning.
     void prepare(const SoundSource &source, const SoundOutput &output, FilmClock &clock, double from);
 
-    // Must be called again and again, on a thread of its own; `now` is in nanoseconds(). Returns how long to
+    // Must be called again and again, on a separate thread; `now` is in nanoseconds(). Returns how long to
     // sleep, in nanoseconds.
     int64_t step(int64_t now);
 
-    // These may be called on any thread. Paused, it fades out; silence() tells when nothing is heard any
+    // These may be called on any thread. Paused, it fades out; silence() is true once nothing is heard any
     // more.
     void pause(bool on) { __atomic_store_n(&paused, on, __ATOMIC_RELEASE); }
     bool silence() const { return !__atomic_load_n(&heard, __ATOMIC_ACQUIRE); }
@@ -43,7 +43,7 @@ private:
     FilmClock *clock;
     int64_t begin;              // frame that the film is played from
     int64_t position;           // frame that the next block begins with
-    int64_t held;               // frames that the device had not yet played when last asked
+    int64_t held;               // frames that the device had not yet played at the last step
     int64_t quiet;              // frames of silence written since the last sound
     int64_t openAt, lastStep;   // moments
     unsigned watched;           // of the clock, when it was last in doubt

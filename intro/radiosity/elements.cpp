@@ -12,7 +12,7 @@ uint32_t hashOf(int chart, int x, int y) {
 }
 
 // Makes a texel fresh, for cells as small as those of `level`.
-void wake(Model &m, int number, int level) {
+void markFresh(Model &m, int number, int level) {
     Texel &t = m.texels[number];
     if (t.level < level) t.level = (uint8_t)level;
     if (t.fresh) return;
@@ -28,9 +28,9 @@ int findOrAdd(Model &m, int chart, int x, int y, int level) {
         uint32_t i = hashOf(chart, x, y);
         while (m.table[i & m.tableMask]) ++i;
         m.table[i & m.tableMask] = number + 1;
-        wake(m, number, level);
+        markFresh(m, number, level);
     } else if (m.texels[number].level < level) {
-        wake(m, number, level);
+        markFresh(m, number, level);
     }
     return number;
 }

@@ -1,5 +1,4 @@
-// Elements: the cells at the bottom of a model's quadtrees. They are divided further where the light needs
-// it.
+// Elements: the cells at the bottom of a model's quadtrees. They are divided further where light varies.
 //
 // The light of an element is that of the texels at its corners. New texels are fresh until their visibility
 // and direct light have been found (visible.h, direct.h). Cells are divided until they are fine enough, then
@@ -13,8 +12,7 @@ namespace odraz {
 // The texel at a place of a chart, in kSteps of an undivided cell; -1 if there is none.
 int findTexel(const Model &model, int chart, int x, int y);
 
-// Call it when the visibility and direct light of the fresh texels have been found: it marks them as no
-// longer fresh.
+// Marks all texels as no longer fresh: to be called when their visibility and direct light have been found.
 void settleFresh(Model &model);
 
 // Divides a cell into four; its level must be below the number of levels that divide() made room for. Texels

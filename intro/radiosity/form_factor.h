@@ -34,8 +34,8 @@ void deltaFormFactors(int px, float *delta);
 void accumulateFormFactors(int px, const float *delta, float *sums);
 
 // Adds the pixels of one hemicube to row[patch] for all patches of the model, using those sums. Returns the
-// share that saw nothing or the backs of things. A pixel that saw nothing between two that did, in its line
-// or column, is a crack of rasterisation; it gets what its neighbour saw.
+// share of pixels that show nothing, or backs. An empty pixel between two that are not, in its line or
+// column, is a crack of rasterisation; it counts as its neighbour.
 float sumHemicube(const Hemicubes &h, int index, const float *sums, float *row);
 
 // The role of a patch: it has none; it has a row and appears in the rows of others; or it only appears there.

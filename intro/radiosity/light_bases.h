@@ -1,7 +1,7 @@
 // Light bases: a model is solved for each of these lights alone. Light is linear, so the light of any moment
 // is a weighted sum of them.
 //
-// Their order is the same everywhere: skies, then suns, then lamps. BasisOrder tells the number of a basis.
+// Their order is the same everywhere: skies, then suns, then lamps. BasisOrder gives the number of a basis.
 #pragma once
 
 #include "base/for_tools.h"
@@ -31,19 +31,19 @@ struct Lamp {
     int chart;
 };
 
-// A facet that shines in a colour of its own. Its red, green and blue are added to the first three skies.
+// A facet that shines in its own colour. Its red, green and blue are added to the first three skies.
 struct Glow {
     int facet;
     int cells; // 1 .. kMaxLampCells
     Rgb radiance;
 };
 
-// Bases have one colour, except glows; the picture multiplies in the colour later. Whoever sets the counts
-// makes sure that they fit().
+// Bases have one colour, except glows; the picture multiplies in the colour later. Callers that set the
+// counts must check that they fit().
 struct LightBases : BasisOrder {
     int glowCount;
     // Skies stand in all windows. They are functions of the unit direction and may be negative, except the
-    // first, which tells where light from the windows changes. Null: there are no such functions, and the
+    // first, which shows where light from the windows changes. Null: there are no such functions, and the
     // only skies are the red, green and blue of the glows
     void (*sky)(const void *skies, const Vec3x8 &d, Float8 *radiance);
     const void *skies;

@@ -88,8 +88,8 @@ bool Model::divide(const Scene &scene, Arena &arena, Workers &workers, int block
     if (kForTools && overflow) return false;
     texelCount = cellCount = patchCount = tieCount = freshCount = 0;
     for (int i = 0; i < chartCount; ++i) {
-        // Charts hold whole patches: take the number of blocks nearest to what is asked, and the number of
-        // cells that fills them
+        // Charts hold whole patches: take the number of blocks nearest to the requested size, and the
+        // number of cells that fills them
         Chart &c = charts[i];
         auto divideSide = [&](int16_t &cells, int16_t &patches) {
             int blocks = max((cells + block / 2) / block, 1);

@@ -1,10 +1,11 @@
 // What radiosity works on: one-sided polygons in planes, divided into patches and elements.
 //
-// A chart is a rectangle of a plane with a grid of cells over it; facets are the parts of it that are really
-// there, rectangles or triangles (a wall with windows has several), so that light is continuous over a whole
-// wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their quadtrees are
-// the elements; they carry the light, at their corners (elements.h). World units as in Scene; any scale. A
-// model has up to kMaxCharts charts and kMaxFacets facets: divide() refuses one that was given more.
+// A chart is a rectangle of a plane with a grid of cells over it; facets are the parts of it that are
+// really there, rectangles or triangles (a wall with windows has several), so that light is continuous over
+// a whole wall. A patch is a block of cells: it carries a hemicube. The cells at the bottom of their
+// quadtrees are the elements; they carry the light, at their corners (elements.h). World units as in Scene;
+// any scale. A model has up to kMaxCharts charts and kMaxFacets facets: divide() fails for one that was
+// given more.
 #pragma once
 
 #include "base/arena.h"

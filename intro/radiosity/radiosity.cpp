@@ -24,8 +24,8 @@ void findDirect(Radiosity &r, Model &model, const Scene &scene, const RadiosityS
         findDirectLight(model, scene, bases, workers, r.direct, level ? Progress{} : progress);
         settleFresh(model);
         if (!kForTools || level == settings.levels) break; // the film's hall has fine cells everywhere
-        // Measure the light on undivided cells: it tells which change is large. Of skies that are functions,
-        // only the first one counts
+        // Measure the light on undivided cells: it decides which changes are large. Of skies that are
+        // functions, only the first one counts
         for (int k = 0; k < bases.count() && level == 0; ++k)
             if (k == 0 || k >= bases.functions())
                 count += measure(model, r.direct[k], settings.contrast, measures[count]);

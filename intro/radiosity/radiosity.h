@@ -22,13 +22,13 @@ namespace odraz {
 
 struct RadiositySettings {
     int px = 32;   // pixels along the top face of a hemicube
-    int block = 3; // a patch is so many undivided cells wide and high
+    int block = 3; // width and height of a patch, in undivided cells
     // Cells are divided up to `levels` times (kFinest at most) where some basis changes over them by more
     // than `contrast`, as a share of the root mean square of its light. The film's are not divided
     int levels = 0;
     float contrast = 0.3f;
     float residual = 1e-4f;
-    int sweeps = 100;       // at most so many
+    int sweeps = 100;       // at most
     size_t links = 6 << 20; // room for form factors
 };
 

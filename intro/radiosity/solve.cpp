@@ -28,7 +28,7 @@ Pair multiplyRow(const FormFactors &f, int patch, const float *values, int colum
 int solveBlock(System &s, int block, Workers &workers, float residual, int most, const Progress &progress) {
     int columns = s.columns;
     float *values = s.indirect + (size_t)block * (size_t)s.patches;
-    // What the sources put in
+    // The light of the sources
     Float8 put[2] = {};
     for (int i = 0; i < s.patches; ++i)
         for (int k = 0; k < 2; ++k) {

@@ -1,9 +1,9 @@
 // The radiosity system B = rho (D + F B), for many right-hand sides at once.
 //
 // D is direct light and F B the reflected light that arrives, both as irradiance / pi. The method is
-// Gauss-Seidel: sweeps over all patches use every new value at once, until a sweep changes less than the
-// residual asked for, as a share of what the sources put in. Right-hand sides are independent, so the result
-// does not depend on how threads share them.
+// Gauss-Seidel: sweeps over all patches use every new value at once, until a sweep changes less than
+// `residual`, as a share of the light of the sources. Right-hand sides are independent, so the result does
+// not depend on how threads share them.
 #pragma once
 
 #include "radiosity/direct.h"

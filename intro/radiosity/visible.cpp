@@ -9,18 +9,18 @@ namespace {
 
 void put(Vec3x8 &to, int k, Vec3 v) { to.x[k] = v.x, to.y[k] = v.y, to.z[k] = v.z; }
 
-// Whether the nearest thing that points see in a direction is a back: then they lie inside a solid. Rays of
-// the tracer stop only at fronts, light stops at both sides.
+// Whether the nearest surface in a direction from the points is a back: then they lie inside a solid. Rays
+// of the tracer stop only at fronts, light stops at both sides.
 Int8 seesBack(const Scene &scene, Vec3x8 p, Vec3x8 d, Int8 active) {
     Hit8 front = intersect(scene, {p, d}, active);
     Float8 open = transmittance(scene, {p, d}, min(front.t, kFar) * 0.9999f, active, broadcast(-1)).y;
     return active & (open < 0.5f);
 }
 
-// A place inside a solid that stands against a wall may look along the wall and see its front, so it looks in
-// several directions. It looks from two sides, so that what touches a solid's edge counts as inside. In a
-// model whose backs may be seen, a place is inside if it sees only backs on all sides; upwards it may see
-// other things, because tubes have no lids.
+// Rays go in several directions, because one from inside a solid that stands against a wall may run along
+// the wall and hit its front. They start on two sides of the place, so that what touches a solid's edge
+// counts as inside. In a model whose backs may be seen, a place is inside if rays to all sides hit only
+// backs; rays upwards may hit fronts, because tubes have no lids.
 Int8 insideSolid(const Model &model, const Scene &scene, const Texels8 &t, const Places8 &places) {
     Int8 some = {}, all = places.active;
     for (int i = 0; i < (model.noBacks() ? 4 : any(all) ? 8 : 0); ++i) {

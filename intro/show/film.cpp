@@ -7,8 +7,8 @@
 
 namespace odraz {
 
-// What scenes lose was measured by build/seen at `play` and nearly `film`, then adjusted by hand to what is
-// seen best on machines of 16 to 64 G instructions a second. tools/measure/seen/costs says how much work a
+// The penalties were measured by build/seen at `play` and near `film`, then adjusted by hand for the best
+// result on machines of 16 to 64 G instructions a second. tools/measure/seen/costs measures how much work a
 // step of coarseness saves.
 constexpr SceneEntry kScenes[kSceneCount] = {
     {.name = "point",

@@ -26,8 +26,8 @@ void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Fr
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
     float h = (float)frame.height, size = h * kUnfolded;
-    // The middle of its bottom, and its half sides: on the patch, and as far on the way to the cross as it is
-    // open. Through so long a lens the sides are alike everywhere
+    // The middle of its bottom, and its half sides: on the patch, and as far on the way to the cross as it
+    // is open. Through such a long lens the sides are alike everywhere
     float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
     const Vec3 ways[4] = {{}, c.u, c.v, c.n};
     for (int i = 0; i < 4; ++i) view.project(patch.p + ways[i] * (kHalfSide * rise), on[i][0], on[i][1]);

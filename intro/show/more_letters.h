@@ -1,5 +1,5 @@
-// Rows of font.cpp's table that the film has no use for, and compilers' messages have. Not in the film:
-// only `live` defines ODRAZ_MORE_LETTERS.
+// Rows of font.cpp's table for letters that compilers' messages need and the film does not. Not in the
+// film: only `live` defines ODRAZ_MORE_LETTERS.
 
 // clang-format off
     '\'', L 0, 12, 0, 9, kEnd,
@@ -26,4 +26,4 @@
     '|', L 0, 13, 0, -2, kEnd,
     '^', L 0, 9, 3, 12, L 3, 12, 6, 9, kEnd,
     '\\', L 0, 13, 6, -2, kEnd,
-// clang-format on
+    // clang-format on

@@ -5,7 +5,7 @@
 
 namespace odraz {
 
-// Each in a file of its own.
+// Each has its own file.
 void posePoint(const Cue &cue, Scene &scene);
 void poseTable(const Cue &cue, Scene &scene);
 void poseFlake(const Cue &cue, Scene &scene);

@@ -2,7 +2,7 @@
 // lettered.
 //
 // Story rows count from the start of a scene's first shot (8 a second, 16 a bar). Posing is a pure function
-// of the cue: no scene remembers anything.
+// of its input: scenes have no state.
 #pragma once
 
 #include "show/events.h"
@@ -14,14 +14,14 @@
 
 namespace odraz {
 
-// What the credits tell about this copy and this machine; null or 0 where the picture must not depend on it
+// What the credits show about this copy and this machine; null or 0 where the picture must not depend on it
 // (dumps).
 struct Facts {
     int64_t bytes;       // size of the executable
     const char *machine; // the processor's name
 };
 
-// What a scene is told when it is posed.
+// The input of posing and lettering.
 struct Cue {
     float row;        // of the scene's story
     CameraKey camera; // that looks at the scene, scripted or flown
@@ -41,7 +41,7 @@ struct SceneEntry {
 extern const SceneEntry kScenes[kSceneCount];
 extern const ShotList kFilm;
 
-// What the film is shown with: a scene that is posed anew for every picture, and what all of them share.
+// What pictures are made with: a scene that is posed anew for each of them, and what all of them share.
 struct Film {
     Scene *scene;
     Hall *hall; // null where no scene needs it

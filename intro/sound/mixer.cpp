@@ -29,7 +29,7 @@ void renderBlock(Mixer &m, float *stereo) {
     float ducked = m.ducked;
     if (m.block % kBlocksPerRow == 0) m.player(m, m.block / kBlocksPerRow);
 
-    // If there are many voices, the quietest one fades out within this block, so that the next row finds room
+    // If there are many voices, the quietest one fades out within this block, to make room for the next row
     int stolen = m.voiceCount > kVoices - kVoicesAtOnce ? m.quietest : -1;
     float least = kInfinity;
     int left = 0;
@@ -59,7 +59,8 @@ void renderBlock(Mixer &m, float *stereo) {
     if (stereo) {
         renderEcho(m.echo, m.block, m.late, m.dry, m.wet);
         renderReverb(m.reverb, m.block, m.wet, m.dry);
-        // After silence all is there at once, as struck notes are; otherwise the gain goes straight
+        // After silence the gain rises at once, so that struck notes keep their attack; otherwise it is
+        // linear
         float gain = kLoud * exp2(max(log2(m.power * (1 / kUsual)), 0.f) * -0.125f);
         if (m.hushed) gain = max(m.gain - kClosing, 0.f);
         float step = (gain - m.gain) / (m.gain > 0 ? kBlock : 48), most = max(gain, m.gain);

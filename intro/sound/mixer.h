@@ -1,5 +1,5 @@
-// All that sounds: voices, what they send to the room and its echo, and the two channels that come of it. A
-// slow compressor drives quiet scenes nearer to the loud ones, and leaves every hit its edge.
+// The mixer: voices, their sends to the room and to the echo, and the two channels of output. A slow
+// compressor brings quiet scenes closer to the loud ones, and keeps the attack of every hit.
 //
 // Stereo, 48 kHz, a block of 5 ms at a time; a row of the film is 25 blocks. Nothing is allocated, and a
 // block depends on what was played before and on nothing else: the bits are the same on every processor.
@@ -23,7 +23,7 @@ struct Mixer {
     RowPlayer player;
     int block;    // the next one
     float ducked; // how far loud instruments push the others down: 0 .. 1
-    bool hushed;  // the player's: all is silent, 30 ms from then on, until it says otherwise
+    bool hushed;  // set by the player: the gain falls to 0 within 30 ms, and stays 0 until this is cleared
     float power;  // mean square of all, over a tenth of a second as it grows and a second as it falls
     float gain;   // of all, at the last block's end
     int voiceCount;
@@ -35,13 +35,13 @@ struct Mixer {
     Float8 voice[kBlock], dry[kBlock], wet[kBlock], late[kBlock];
 };
 
-// Begins a note with the next block. Ignores it if its key or velocity is not positive, its room is negative,
-// one of them is NaN, or kVoices voices sound already. Partials above 20 kHz are silent, and so is a note
-// whose length is NaN.
+// Begins a note with the next block. Ignores it if its key or velocity is not positive, its room is
+// negative, one of them is NaN, or if kVoices voices are sounding. Partials above 20 kHz are silent, and so
+// is a note whose length is NaN.
 void playNote(Mixer &mixer, const Note &note);
 
 // Renders the next block: kBlock pairs of left and right, within -1 .. 1. With null, time goes on without
-// rendering, at hardly any cost: the voices are as they would be, the room and the echo are not.
+// rendering, at hardly any cost: voices are kept up to date, the room and the echo are not.
 void renderBlock(Mixer &mixer, float *stereo);
 
 // Goes to a block as if everything before it had been rendered, except that room and echo hold only what

@@ -10,8 +10,8 @@ static constexpr Float8 kLengths = {1511, 2039, 2741, 3697, 1753, 2371, 3187, 40
 
 static constexpr int kDiffusers[] = {223, 467, 907}; // samples
 
-// The lengths of the lines at the beginning of a block. Each goes to and fro with a period of its own, some
-// 20 seconds, and at constant speed, so that it puts everything equally out of tune.
+// The lengths of the lines at the beginning of a block. Each follows a triangle wave with a period of its
+// own, of some 20 seconds. Its speed is constant, so that all frequencies are detuned equally.
 static Float8 drifted(int block) {
     Float8 turned = fmadd(toFloat(kLanes), 0.00002f, 0.0002f) * (float)block;
     return fmadd(abs(turned - round(turned)), 4 * kDrift, kLengths);

@@ -1,11 +1,11 @@
 // The room that answers, and an echo in tempo. Both take and give eight lanes, 0 to 3 the left ones.
 //
-// Three allpasses diffuse what enters the room, so that its first echoes are no clicks (Schroeder, "Natural
-// sounding artificial reverberation", 1962). The room is a feedback delay network of eight lines, one a lane:
-// their outputs are mixed by a Hadamard matrix and go in again, until they sound like a room. A line's loss
+// Three allpasses diffuse what enters the room, so that its first echoes are not clicks (Schroeder,
+// "Natural sounding artificial reverberation", 1962). The room is a feedback delay network of eight lines,
+// one a lane: their outputs are mixed by a Hadamard matrix and fed back into the lines. A line's loss
 // follows from its length, so that all modes decay alike; a low-pass in each line makes high frequencies
-// decay faster. The lengths drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks for
-// designing artificial reverberators", 90th AES convention, 1991.
+// decay faster. The lengths drift slowly, so that no mode rings. Jot and Chaigne, "Digital delay networks
+// for designing artificial reverberators", 90th AES convention, 1991.
 #pragma once
 
 #include "base/float8.h"
@@ -15,7 +15,7 @@ namespace odraz {
 
 inline constexpr float kDecay = 3.4f;     // seconds for 60 dB, at low frequencies
 inline constexpr float kDecayHigh = 1.3f; // ... at the highest
-inline constexpr float kDrift = 9;        // samples, either way of a line's mean length
+inline constexpr float kDrift = 9;        // samples above and below a line's mean length
 
 struct Reverb {
     static constexpr int kLength = 8192; // a power of two above the longest line

@@ -1,5 +1,5 @@
 // Answers that need neither window nor hall: to wrong options, to --help and to --version. They are decoded
-// first, so that the packed program gives them at once.
+// first, so that the packed program prints them at once.
 #pragma once
 
 #include "options.h"

@@ -11,9 +11,9 @@ Early theEarly;
 
 namespace {
 
-// Answers what needs no film, and opens the window if the film is to be played.
+// Handles options that need no film, and opens the window if the film will be played.
 void open(int argc, char **argv) {
-    if (!cpuSuffices()) return; // main says so
+    if (!cpuSuffices()) return; // main reports it
     Options o;
     int status;
     if (answered(argc, argv, theEarly.closedDescriptors & 2, o, status)) endProcess(status);

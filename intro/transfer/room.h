@@ -36,8 +36,8 @@ struct Room {
     Model model;
 };
 
-// Size of the arena for solving. It suffices for a room of 26,000 texels, 5,300 patches and 64 bases, with a
-// quarter to spare.
+// Size of the arena for solving. It is enough for a room of 26,000 texels, 5,300 patches and 64 bases, with
+// a quarter to spare.
 inline constexpr size_t kRoomBytes = (size_t)192 << 20;
 
 // Solves room.model, lit by room.radiosity.bases. The scene must hold the posed, finished model; solving

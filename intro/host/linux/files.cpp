@@ -61,8 +61,8 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     if (stays) {
         fd = sys::call(sys::kOpen, (long)path, kWriteNew, 0666);
     } else {
-        // Find a name that nobody else uses: not another process that writes the same file, and no link or
-        // pipe put there
+        // Find a name that is not in use, neither by another process that writes the same file nor by a
+        // link or pipe put there
         size_t length = 0;
         for (; path[length]; ++length) {
             if (length > sizeof part - 32) return "the name is too long";

@@ -5,8 +5,8 @@
 
 namespace odraz {
 
-// Where standard error is kept while a Quiet exists, otherwise 0. Not the descriptor to write to: that would
-// be 2 at first, and what is not 0 at first is not there yet when the early part complains
+// Where standard error is kept while a Quiet exists, otherwise 0. Not the descriptor to write to: that
+// would be 2 at first, and only data that is 0 at first exists when the early part prints an error
 static long theKept;
 
 const char kMoreMemory[] = "end other programs, or raise ulimit -v";
@@ -40,7 +40,7 @@ int printError(const char *line) {
 Quiet::Quiet() {
     long kept = sys::call(sys::kFcntl, 2, 1030 /* F_DUPFD_CLOEXEC */, 3),
          nothing = sys::call(sys::kOpen, (long)"/dev/null", 0x80002 /* O_RDWR, cloexec */);
-    if (kept >= 0 && nothing >= 0) { // else libraries stay audible
+    if (kept >= 0 && nothing >= 0) { // else libraries still print
         sys::call(sys::kDup2, nothing, 2);
         theKept = kept;
     } else {

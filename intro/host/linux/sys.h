@@ -74,7 +74,8 @@ static inline void *map(size_t bytes, Protection protection) {
 
 enum Ready : short { kInput = 1, kOutput = 4 };
 
-// Waits until a descriptor can be read or written, at most so long (-1: for ever); false if the time is up.
+// Waits until a descriptor can be read or written, or the time is up (-1: never). Returns false if it is
+// up.
 static inline bool waitFor(int descriptor, Ready what, long milliseconds) {
     struct {
         int fd;

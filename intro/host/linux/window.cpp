@@ -79,7 +79,8 @@ bool isLeaving(WindowState &w, XEvent &event) {
 }
 
 // Suspends screen savers that support the MIT extension. Without its library, XResetScreenSaver above must
-// do. A display may lack the extension (Xwayland): it is asked first, because Xlib would print an error.
+// do. A display may lack the extension (Xwayland). That is checked first, because Xlib would print an
+// error.
 void suspendScreenSaver(Display *display) {
     struct {
         Bool (*known)(Display *, int *, int *);
@@ -135,7 +136,7 @@ void createWindow(WindowState &w, XVisualInfo *visual, bool fullScreen, int widt
     }
     hidePointer(w);
     x.XMapRaised(w.events, w.window);
-    // Without a window manager nobody gives us the keyboard focus; wait until the window can take it
+    // Without a window manager, the program must take the keyboard focus itself; wait until the window can
     if (!hasWindowManager(w)) {
         XEvent event;
         do x.XNextEvent(w.events, &event);

@@ -1,6 +1,6 @@
 // Converts calls from System V's convention, in which all our code is compiled, to Microsoft's. Every
-// function of windows.h and of OpenGL's table is a call of one piece of code; the return address tells that
-// code which function is meant. A function takes at most 12 arguments, and no float after an integer.
+// function of windows.h and of OpenGL's table is a call of one piece of code; that code finds the function
+// by the return address. A function takes at most 12 arguments, and no float after an integer.
 #include "host/windows/calls.h"
 
 #include "host/library.h"

@@ -1,4 +1,4 @@
-// Error messages: on standard error or, if nobody sees that, in a message box.
+// Error messages: on standard error or, if there is none, in a message box.
 #include "film.h"
 #include "host/clock.h"
 #include "host/library.h"
@@ -12,7 +12,7 @@ using namespace windows;
 
 namespace {
 
-// A script that runs us where nobody sees a box must not wait for ever.
+// A script that runs us must not wait for ever for a box that nobody closes.
 [[gnu::force_align_arg_pointer]] void *endLater(void *) {
     sleepFor(30000000000);
     endProcess(1);

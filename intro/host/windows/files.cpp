@@ -86,7 +86,7 @@ const char *writeFile(const char *path, const void *data, size_t size) {
     Text<kLongest> part;
     if (!stays) {
         CloseHandle(file);
-        // Find a name that nobody else uses
+        // Find a name that is not in use
         uint32_t id = GetCurrentProcessId(), last = id + 100;
         do {
             part.size = 0;

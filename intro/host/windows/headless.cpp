@@ -1,4 +1,4 @@
-// Headless OpenGL, through a window that nobody sees.
+// Headless OpenGL, through a hidden window.
 #include "host/headless.h"
 
 #include "host/process.h"

@@ -79,7 +79,7 @@ int write(const int16_t *samples, int frames) {
 int64_t delay() {
     WaveTime time = {};
     time.kind = 2; // TIME_SAMPLES
-    // With some drivers only this call tells that the device was unplugged
+    // With some drivers only this call fails when the device has been unplugged
     theLost |= waveOutGetPosition(theDevice, &time, sizeof time) != 0;
     if (time.kind != 2) return -1;
     return theTaken - time.samples;

@@ -12,13 +12,13 @@ namespace {
 // are often narrower than a pixel: with half a one they are dashed where surfaces meet.
 float filterOf(const Scene &scene) { return scene.lines != 0 ? 1 : 0.5f; }
 
-ODRAZ_INLINE void want(TileScratch &s, uint32_t place) {
-    s.wanted[s.wantedCount] = place;
-    s.wantedCount += s.traced[place] != s.stamp;
+ODRAZ_INLINE void request(TileScratch &s, uint32_t place) {
+    s.requested[s.requestedCount] = place;
+    s.requestedCount += s.traced[place] != s.stamp;
     s.traced[place] = s.stamp;
 }
-void wantCorners(TileScratch &s, Square q, int size) {
-    for (int k = 0; k < 4; ++k) want(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
+void requestCorners(TileScratch &s, Square q, int size) {
+    for (int k = 0; k < 4; ++k) request(s, placeAt(q.x + (k & 1) * size, q.y + (k >> 1) * size));
 }
 // Makes the corner in the middle of two their mean, with the marks of the first.
 void average(TileScratch &s, uint32_t a, uint32_t b) {
@@ -34,19 +34,20 @@ void average(TileScratch &s, uint32_t a, uint32_t b) {
     s.marks[middle] = s.marks[a];
 }
 
-// Takes the corner in the middle of corners a and b: makes it their mean if that may be and serves, or wants
-// it. A mean does not count as traced, so a square beside it may still want it.
+// Takes the corner in the middle of corners a and b: makes it their mean if that is allowed and good
+// enough, else has it traced. A mean does not count as traced, so a square beside it may still have it
+// traced.
 void takeMiddle(Tile &t, uint32_t a, uint32_t b, uint32_t place, int half, bool mayBeMean) {
     TileScratch &s = t.s;
     if (mayBeMean && s.traced[place] != s.stamp && meanServes(t, a, b, half))
         average(s, a, b);
     else
-        want(s, place);
+        request(s, place);
 }
 
-// Takes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may hide
-// what lies between its ends, and that mostly looks like something else in the square. So the square's own
-// contrast must be low: lines and outlines stay whole.
+// Takes the corners of a square's quarters, `half` wide, that are not corners of the square. A mean may
+// hide what lies between its ends. Such a thing mostly shows elsewhere in the square, so a mean is taken
+// only where the square's own contrast is low: lines and outlines stay whole.
 void takeMiddles(Tile &t, Square q, int half, Split why) {
     TileScratch &s = t.s;
     uint32_t c[4], across = (uint32_t)half, down = across << kPlaceShift,
@@ -55,7 +56,7 @@ void takeMiddles(Tile &t, Square q, int half, Split why) {
     bool calm = why == Split::Differs && !exceeds(rangeOf(s, c), 2.5f * t.quality.threshold);
     takeMiddle(t, c[0], c[1], middle - down, half, calm);
     takeMiddle(t, c[0], c[2], middle - across, half, calm);
-    want(s, middle);
+    request(s, middle);
     takeMiddle(t, c[1], c[3], middle + across, half, calm);
     takeMiddle(t, c[2], c[3], middle + down, half, calm);
 }
@@ -74,13 +75,13 @@ void takeMiddles(Tile &t, Square q, int half, Split why) {
     return count;
 }
 
-// Traces the wanted places.
-void traceWanted(Tile &t) {
+// Traces the places in s.requested.
+void traceRequested(Tile &t) {
     TileScratch &s = t.s;
-    for (int first = 0; first < s.wantedCount; first += kChunk) {
-        int count = min(s.wantedCount - first, kChunk);
+    for (int first = 0; first < s.requestedCount; first += kChunk) {
+        int count = min(s.requestedCount - first, kChunk);
         for (int i = 0; i < count; i += 8) {
-            Int8 place = loadInts((const int32_t *)s.wanted + first + i);
+            Int8 place = loadInts((const int32_t *)s.requested + first + i);
             Int8 x = place & ((1 << kPlaceShift) - 1), y = place >> kPlaceShift;
             store(s.x + i, toFloat(x + t.x0));
             store(s.y + i, toFloat(y + t.y0));
@@ -94,8 +95,8 @@ void traceWanted(Tile &t) {
             s.marks[at] = marksOf(s.corners[at]);
         }
     }
-    s.sampleCount += s.wantedCount;
-    s.wantedCount = 0;
+    s.sampleCount += s.requestedCount;
+    s.requestedCount = 0;
 }
 
 // Splits the first `count` squares, `size` wide, level by level, at most down to a pixel, and fills the rest.
@@ -124,11 +125,11 @@ int splitSquares(Tile &t, int count, int size) {
             else
                 squares[left++] = a;
         }
-        // Samples that neighbours wanted may split more squares. All are tested before one splits, because a
-        // split wants new corners
+        // Samples that were traced for neighbours may split more squares. All are tested before one splits,
+        // because a split adds corners
         for (int before = 0; size > 1 && splits > before;) {
             before = splits;
-            traceWanted(t);
+            traceRequested(t);
             Square *more = s.squares[2];
             int kept = 0, found = 0;
             for (int i = 0; i < left; ++i)
@@ -150,11 +151,11 @@ int splitSquares(Tile &t, int count, int size) {
 }
 
 // Where samples stand in a pixel, from its middle: the first kFirst and, where these differ, the others. A
-// search found these places, together with the weights of the corners below. They tell best how much of a
-// pixel lies beyond an edge that crosses it. Edges along the axes counted most, as their stairs are longest.
-// The first three are off by 0.074 (rms). A grid of three by three (corners, middles of sides, and the
-// middle) costs one more and is off by 0.096. All twelve are off by 0.033; five by five places are off by
-// 0.038.
+// search found these places, together with the weights of the corners below. They give the best estimate of
+// how much of a pixel lies beyond an edge that crosses it. Edges along the axes counted most, as their
+// stairs are longest. The first three are off by 0.074 (rms). A grid of three by three (corners, middles of
+// sides, and the middle) costs one more and is off by 0.096. All twelve are off by 0.033; five by five
+// places are off by 0.038.
 constexpr int kFirst = 3, kInside = 12;
 constexpr float kInsideAt[kInside][2] = {
     {-0.043f, -0.236f}, {0.242f, -0.006f}, {-0.215f, 0.224f},  {0.365f, -0.226f},
@@ -163,7 +164,7 @@ constexpr float kInsideAt[kInside][2] = {
 };
 constexpr float kOfCorner = 0.078f, kOfCornerAtLast = 0.038f;
 
-// Takes samples in pixels: kFirst in each, and the others where the quality asks for them and the first
+// Takes samples in pixels: kFirst in each, and the others where the quality takes them and the first
 // differ. A pixel shows a weighted mean of these and its corners.
 void sampleInside(Tile &t, int count) {
     TileScratch &s = t.s;
@@ -172,7 +173,7 @@ void sampleInside(Tile &t, int count) {
     const __m128 white = _mm_set1_ps(whiteOf(t.scene));
     for (int from = 0, to = kFirst; count; from = to, to = kInside) {
         int each = to - from, most = kChunk / each, kept = 0;
-        bool asks = !from && q.fine < 2;
+        bool again = !from && q.fine < 2;
         float ofCorner = from ? kOfCornerAtLast : kOfCorner, ofInside = (1 - 4 * ofCorner) / (float)to;
         for (int first = 0; first < count; first += most) {
             int few = min(count - first, most), samples = 0;
@@ -196,14 +197,14 @@ void sampleInside(Tile &t, int count) {
                 auto add = [&](__m128 &sum, __m128 radiance) {
                     sum += _mm_min_ps(radiance, white);
                     darkest = _mm_min_ps(darkest, radiance);
-                    if (!asks) return;
+                    if (!again) return;
                     __m128 seen = shown(t.scene, radiance);
                     lo = _mm_min_ps(lo, seen), hi = _mm_max_ps(hi, seen);
                 };
                 for (uint32_t k : c) add(corners, radianceOf(s.corners[k]));
                 if (from) inside = __m128{s.light[0][p], s.light[1][p], s.light[2][p], 0};
                 for (int k = from; k < to; ++k, ++v) add(inside, *v);
-                if (asks && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
+                if (again && exceeds(hi - lo, q.edge * 2)) pixels[kept++] = a;
                 __m128 sum = _mm_max_ps(corners * ofCorner + inside * ofInside, darkest);
                 for (int k = 0; k < 3; ++k) s.light[k][p] = inside[k], s.rest[k][p] = sum[k];
                 s.owner[p] = kMixed;
@@ -222,7 +223,7 @@ void traceAdaptive(Tile &t) {
         for (uint8_t &traced : s.traced) traced = 0;
         s.stamp = 1;
     }
-    s.wantedCount = 0;
+    s.requestedCount = 0;
     findBallsAndThinShapes(t);
     Square *squares = s.squares[0];
     int count = 0;
@@ -232,9 +233,9 @@ void traceAdaptive(Tile &t) {
     for (int y = 0; y < t.height; y += size)
         for (int x = 0; x < t.width; x += size) {
             squares[count] = {(uint8_t)x, (uint8_t)y};
-            wantCorners(s, squares[count++], size);
+            requestCorners(s, squares[count++], size);
         }
-    traceWanted(t);
+    traceRequested(t);
     sampleInside(t, splitSquares(t, count, size));
     finishTile(t);
 }

@@ -3,8 +3,7 @@
 // Every corner is traced once, or is the mean of two; criterion.h decides which, and which squares split.
 // Those that do not split are filled by bilinear interpolation (fill.h). Only light is interpolated; the
 // diffuse colour is taken at every pixel. Source: the intro thesis. The thesis also splits pixels, into
-// squares of a quarter. Here a pixel gets samples inside it, at the places that tell most about an edge of
-// any slope.
+// squares of a quarter. Here a pixel gets samples inside it, at places chosen for edges of any slope.
 #pragma once
 
 #include "trace/picture/tile.h"

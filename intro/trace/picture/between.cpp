@@ -15,15 +15,15 @@ struct Trust {
 namespace {
 
 constexpr int kRow = kTile + 16, kRows = kTile + 2; // pixels of a tile and a border of one, and room behind
-constexpr int kApart = 8; // how far those rows are apart that are always looked at; a power of two
-constexpr int kBlock = 8; // pixels along a side that are carried by their corners
+constexpr int kApart = 8;                           // rows are always traced at this distance; a power of two
+constexpr int kBlock = 8;                           // pixels along a side that are carried by their corners
 // Differences below this count as none in pictures two sixtieths of a second apart; in those further apart
 // larger ones do, but in a flat mirror only up to kAlikeInFloor.
 constexpr float kAlike = 0.06f, kAlikeInFloor = 0.09f;
-// How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians. Beyond
-// kTorn what only one picture shows of the ball does not count. Beyond kGhosts the allowance shrinks: both
-// pictures may show the same colour on either side of a thing that they show elsewhere. What glass shows
-// moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
+// How far a mirrored thing moves across a ball between the pictures, as seen from the eye, in radians.
+// Beyond kTorn, parts of the ball that only one picture shows do not count. Beyond kGhosts less difference
+// is allowed: both pictures may show the same colour on either side of a thing that has moved. What glass
+// shows moves up to twenty times as fast: kTornInGlass is kTorn for glass of any shape.
 constexpr float kTorn = 0.0028f, kTornInGlass = 0.00014f, kGhosts = 0.0055f;
 constexpr float kBlinding = 2.5f; // times white
 // Samples in a pixel that is traced anew: how many, and how far apart across and down
@@ -57,7 +57,7 @@ struct Sides {
 [[gnu::cold]] void findTrust(const Traced &before, const Traced &after, const Traced &now, float gap,
                              Carry *const (&carry)[2], Trust *trust) {
     const Scene &scene = *now.scene;
-    // Beside a cut one picture serves for both: what counts is how far it is from now
+    // Beside a cut one picture stands for both, and its distance from now counts
     const bool one = before.scene == after.scene;
     for (int i = 0; i <= scene.shapeCount; ++i) {
         const Shape &a = scene.shapes[i];
@@ -114,8 +114,8 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
             }
             float *const *plane = t.frame.plane;
             __m128 fetched = {plane[0][at], plane[1][at], plane[2][at], 0};
-            // What was fetched makes so few samples less noisy. Where they miss something bright, nothing of
-            // it may remain
+            // The fetched radiance makes these few samples less noisy. Where they miss something bright,
+            // nothing of it may remain
             sum = _mm_max_ps(sum * (1 / (float)each), least) * (1 - kFetchedShare) +
                   _mm_max_ps(_mm_min_ps(fetched, most * 3), least) * kFetchedShare;
             for (int c = 0; c < 3; ++c) plane[c][at] = sum[c];
@@ -124,8 +124,8 @@ void traceAnew(Tile &t, const uint16_t *pixels, int count) {
 }
 
 // Finds what every pixel of a tile and around it shows. Most rows lie between two that show the same, and
-// take it from them. On planes 1 / along is linear. Something small that is missed in this way stands in the
-// traced pictures, and is traced anew.
+// take it from them. On planes 1 / along is linear. Something small that is missed in this way is in the
+// traced pictures, so that the pixel is traced anew.
 ODRAZ_INLINE void findShown(const Tile &t, BetweenScratch &b) {
     const int sky = t.scene.shapeCount;
     const View &v = t.view;
@@ -169,7 +169,7 @@ ODRAZ_INLINE Blend blend(const Sides &sides, const Trust &trust, const Fetched &
     return {radiance, differs <= fmadd(bright, 4.f, 0.1f) * trust.alike};
 }
 
-// What eight pixels show, as far as it is known without tracing; and kInside where one shape fills them.
+// What is known of eight pixels without tracing; and kInside where one shape fills them.
 struct Known {
     Rgb8 radiance = {};
     Int8 done = {}, inside = {};
@@ -348,8 +348,8 @@ void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Trac
     carryTo(after, now, between.carry[1]);
     findTrust(before, after, now, gap, between.carry, between.trust);
     Sides sides = {before.frame, after.frame, between.carry, between.trust, share, now.scene->exposure};
-    // Mirrors and glass must look as in the traced pictures, or they flicker. But it is seen for a sixtieth
-    // of a second only, so twice the thresholds do
+    // Mirrors and glass must look as in the traced pictures, or they flicker. But an in-between is seen for
+    // a sixtieth of a second only, so twice the thresholds are enough
     Quality anew = quality;
     anew.fine = max(anew.fine, 2), anew.coarse = 32;
     anew.threshold *= 2, anew.markThreshold *= 2, anew.edge *= 2;

@@ -1,11 +1,11 @@
 // In-betweens: a picture between two traced ones in time, made from both.
 //
-// Rays find what pixels show at that moment. The point that is hit is moved with its shape to the moments of
-// both pictures, and the colours seen there are fetched. A colour counts if the picture shows the same shape
-// there. If both count, they must agree; if one does, it counts alone, unless the shape is a fast mirror or
-// moving glass. All other pixels are traced. After Herzog, Eisemann,
-// Myszkowski and Seidel, "Spatio-Temporal Upsampling on the GPU", I3D 2010, and Yang et al., "Image-Based
-// Bidirectional Scene Reprojection", SIGGRAPH Asia 2011.
+// Rays find what pixels show at that moment. The point that is hit is moved with its shape to the moments
+// of both pictures, and the colours seen there are fetched. A colour counts if the picture shows the same
+// shape there. If both count, they must agree; if one does, it counts alone, unless the shape is a fast
+// mirror or moving glass. All other pixels are traced. After Herzog, Eisemann, Myszkowski and Seidel,
+// "Spatio-Temporal Upsampling on the GPU", I3D 2010, and Yang et al., "Image-Based Bidirectional Scene
+// Reprojection", SIGGRAPH Asia 2011.
 #pragma once
 
 #include "trace/picture/tracer.h"
@@ -38,11 +38,11 @@ extern const size_t kBetweenBytes; // that makeBetween() takes at most, of the a
 // False if the arena is full.
 bool makeBetween(Between &between, Arena &arena, int workers);
 
-// Fills the frame of `now`, whose scene and view are those of its moment, from pictures before and after it,
-// which may be the same: `share` is how far it is on the way from one to the other, 0 .. 1; `gap` is how many
-// sixtieths of a second they are apart. What must be traced has their quality, but takes
-// twice its thresholds, squares of up to 8 pixels and at most three samples within a pixel. The result does
-// not depend on the number of workers.
+// Fills the frame of `now`, whose scene and view are those of its moment, from pictures before and after
+// it, which may be the same: `share` is how far it is on the way from one to the other, 0 .. 1; `gap` is
+// how many sixtieths of a second they are apart. Pixels that must be traced have `quality`, but with twice
+// its thresholds, squares of up to 8 pixels and at most three samples within a pixel. The result does not
+// depend on the number of workers.
 void traceBetween(Between &between, Tracer &tracer, Workers &workers, const Traced &before,
                   const Traced &after, float share, float gap, Traced &now, const Quality &quality);
 

@@ -1,12 +1,13 @@
 // Decides which squares and pixels of the quadtree split. All of that decision is here.
 //
-// After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of every
-// light there, (c) what secondary rays hit, level by level, and the texture cell there, (d) the intensities.
-// (a) to (c) are marks, which every Sample keeps. Of the four, only (d) decides whether a pixel gets samples
-// inside. Squares and pixels also split where there may be a shape that no corner shows (hidden.h). Squares
-// also split where a sample on one of their sides, traced for a neighbour, shows something new. The Quality
-// holds the thresholds. A new criterion belongs in splitsSquare() and splitsPixel(), a new mark in marksOf().
-// Where a square splits, meanServes() tells which of the new corners need not be traced.
+// After the intro thesis, the corners of a square are compared by (a) the object hit, (b) the state of
+// every light there, (c) what secondary rays hit, level by level, and the texture cell there, (d) the
+// intensities. (a) to (c) are marks, which every Sample keeps. Of the four, only (d) decides whether a
+// pixel gets samples inside. Squares and pixels also split where there may be a shape that no corner shows
+// (hidden.h). Squares also split where a sample on one of their sides, traced for a neighbour, shows
+// something new. The Quality holds the thresholds. A new criterion belongs in splitsSquare() and
+// splitsPixel(), a new mark in marksOf(). Where a square splits, meanServes() decides which of the new
+// corners need not be traced.
 #pragma once
 
 #include "trace/picture/hidden.h"
@@ -46,9 +47,9 @@ ODRAZ_INLINE __m128 intensityOf(const Scene &scene, const Sample &c) {
     return shown(scene, lit + fourOf(c.rest));
 }
 
-// The marks of a corner: the shape it shows, its lights, and what its secondary rays hit. They are the first
-// three of the thesis's four tests. The fourth number is not compared: it says whether a texture is mirrored
-// there.
+// The marks of a corner: the shape it shows, its lights, and what its secondary rays hit. They are the
+// first three of the thesis's four tests. The fourth number is not compared: it is set where a texture is
+// mirrored.
 ODRAZ_INLINE __m128i marksOf(const Sample &c) {
     return _mm_setr_epi32((int)c.id, (int)(c.lights & ~kTextured), (int)c.secondary,
                           (int)(c.lights & kTextured));
@@ -60,11 +61,11 @@ ODRAZ_INLINE int shapeOf(const TileScratch &s, uint32_t corner, int same) {
     return (same & kSameId) && c.id ? (int)c.shape() : -1;
 }
 
-// Why a square splits. Hidden: its corners tell nothing, but there may be a shape that they miss.
+// Why a square splits. Hidden: its corners are alike, but there may be a shape between them.
 enum class Split { No, Differs, Hidden };
 
 // Whether a square of more than a pixel splits, judged by its corners c. Where a mirror or glass shows a
-// texture, the corners of a larger square cannot tell what lies between them.
+// texture, the corners of a larger square do not show what lies between them.
 ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_t *c) {
     const TileScratch &s = t.s;
     int same = alike(s, c);
@@ -76,7 +77,8 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
         if (marks || textured) return Split::Differs;
     }
     __m128 difference = rangeOf(s, c);
-    // Where surfaces meet, their textures tell them apart too. Lines between patches stand on all edges
+    // Where surfaces meet, they may differ in their textures alone. Lines between patches stand on all
+    // edges
     if (exceeds(difference, t.quality.threshold) || (marks && exceeds(difference, t.quality.markThreshold)) ||
         (!(same & kSameId) && (t.scene.lines != 0 || seenExceeds(t, c, t.quality.markThreshold))))
         return Split::Differs;
@@ -84,8 +86,8 @@ ODRAZ_INLINE Split splitsSquare(const Tile &t, Square a, int size, const uint32_
 }
 
 // Whether the mean of corners a and b stands for the one in their middle, `half` from both. They must be
-// alike, and the closer in brightness the farther they are apart: what a straight line misses grows with the
-// square of its length. Near a mirrored lamp only a sample can tell. `film` traces them all.
+// alike, and the closer in brightness the farther they are apart: what a straight line misses grows with
+// the square of its length. Near a mirrored lamp all are traced, and in `film` everywhere.
 ODRAZ_INLINE bool meanServes(const Tile &t, uint32_t a, uint32_t b, int half) {
     const TileScratch &s = t.s;
     return t.quality.fine > 1 && alike(s, a, b) == kSameMarks && !(s.corners[a].secondary & kLamps) &&

@@ -95,7 +95,7 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
             uint8_t *out = f.rgba + (size_t)y * (size_t)f.width * 4;
             float down = (float)y + 0.5f - midY;
             const Float8 rest = broadcast(fmadd(down * down, -darker, 1.f) * exposure);
-            // At the picture's edges, neighbours are asked twice; in pictures of one row or of eight
+            // At the picture's edges, neighbours are used twice; in pictures of one row or of eight
             // columns, pixels themselves
             ptrdiff_t below = y + 1 < f.height ? f.stride : -(ptrdiff_t)(y > 0) * f.stride,
                       above = y > 0 ? -f.stride : below, left = f.width > 8, row = (ptrdiff_t)y * f.stride;
@@ -112,8 +112,8 @@ void develop(const ToneCurve &curve, Frame &frame, Workers &workers, float expos
                 Int8 shown[3];
                 for (int c = 0; c < 3; ++c) {
                     const float *at = f.plane[c] + (row + x);
-                    // What is brighter than all of its neighbours is mostly a sample that met something
-                    // thin by chance, which the next picture lacks
+                    // A pixel brighter than all of its neighbours is mostly a sample that hit something
+                    // thin by chance; the next picture will not have it
                     auto most = [&](const float *p) { return max(load(p + left), load(p + right)); };
                     const float *up = at + above, *under = at + below;
                     Float8 beside = max(max(most(up), most(under)), max(load(up), load(under)));

@@ -40,7 +40,7 @@ struct ThinShape {
 
 struct TileScratch {
     int64_t sampleCount;
-    int wantedCount, thinCount;
+    int requestedCount, thinCount;
     uint8_t stamp;
     Candidates among; // what the tile's primary rays may hit
     ThinShape thin[kThinShapes];
@@ -48,9 +48,9 @@ struct TileScratch {
     __m128 shown[kCorners * kCorners];  // intensities there as the eye weighs them, without the texture
     __m128i marks[kCorners * kCorners]; // by which they are compared: id, lights, secondary; then kTextured
     __m128 inside[kChunk];              // radiance of samples within pixels
-    uint8_t traced[kCorners << kPlaceShift]; // equal to `stamp` where a corner is traced or wanted
+    uint8_t traced[kCorners << kPlaceShift]; // equal to `stamp` where a corner is traced or requested
     // Places to trace next; one more may be written behind them
-    uint32_t wanted[kCorners * kCorners + 8];
+    uint32_t requested[kCorners * kCorners + 8];
     // Points that are being traced, in pixels of the picture, and the indices of their samples. They are read
     // eight at a time: behind the last one are old values
     float x[kChunk], y[kChunk];

@@ -18,8 +18,8 @@ void forTiles(Tracer &tracer, Workers &workers, const Scene &scene, const View &
     for (int i = 0; i < tracer.workers; ++i) tracer.scratch[i]->sampleCount = 0;
     int across = (frame.width + kTile - 1) / kTile, down = (frame.height + kTile - 1) / kTile;
     parallelFor(workers, across * down, [&](int piece, int worker) {
-        // From the bottom up: below are the dear ones, where things stand and mirrors lie. What ends a
-        // picture should be cheap, while other workers wait
+        // From the bottom up, because tiles at the bottom mostly take longer: the last tiles, during which
+        // other workers wait, should be quick
         int last = across * down - 1 - piece, x = last % across * kTile, y = last / across * kTile;
         Tile tile = {
             *tracer.scratch[worker],     scene, view, quality, frame, x, y, min(kTile, frame.width - x),

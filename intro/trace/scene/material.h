@@ -33,9 +33,9 @@ struct Material {
     bool rough() const { return texture.traits().rough || (cell > 0 && other.traits().rough); }
 };
 
-// The diffuse colour at local points q, seen along the local unit direction d by samples `width` wide (world
-// units, across the direction). `cosine` is between d and the normal. `cell` gets a number that tells the
-// cells of a checker apart.
+// The diffuse colour at local points q, seen along the local unit direction d by samples `width` wide
+// (world units, across the direction). `cosine` is between d and the normal. `cell` gets a number that
+// differs between neighbouring cells of a checker.
 Rgb8 albedo(const Material &material, const Vec3x8 &q, const Vec3x8 &d, Float8 cosine, Float8 width,
             Int8 &cell);
 

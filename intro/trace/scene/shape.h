@@ -20,7 +20,7 @@ inline constexpr float kFar = 1e9f;
 
 enum class ShapeKind : uint8_t { Sphere, Plane, Box, Cylinder, Rect, Triangle, Count };
 
-// What the rest of the program must know about a kind.
+// The properties of a kind that other code depends on.
 struct ShapeTraits {
     ShapeKind kind;
     bool bounded : 1 = false; // has a box, and is in the tree; every ray tries the shapes without

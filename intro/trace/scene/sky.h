@@ -26,8 +26,8 @@ Sky plainSky(const Rgb &low, const Rgb &high);
 // added to the sun's.
 inline constexpr float kNearGlow = 2 / 66.f;
 
-// The radiance from unit directions. Clouds lose the detail that is finer than `width`, a third of an angle
-// as it is at the zenith.
+// The radiance from unit directions. Clouds lose the detail that is finer than `width`: a third of an
+// angle, measured at the zenith.
 inline constexpr float kSharpClouds = 0.014f;
 Rgb8 radiance(const Sky &sky, const Vec3x8 &d, float width = kSharpClouds);
 

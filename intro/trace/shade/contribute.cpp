@@ -59,8 +59,8 @@ void begin(const Shading &c, const RayStream &in, const int32_t *ray, int count,
     }
 }
 
-// Clouds are calm in mirrors and glass: balls show them so small that they would look like spots of a fur,
-// and coarse squares would miss them
+// Clouds have less detail in mirrors and glass. Balls show them so small that they would look like spotted
+// fur, and coarse squares would miss them
 constexpr float kCalmClouds = 0.175f;
 
 Int8 hash(Int8 x) { return (Int8)pcg((Uint8)x) & ~kLamps; }

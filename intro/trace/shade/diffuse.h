@@ -12,7 +12,7 @@ ODRAZ_INLINE bool onePlainColour(const Scene &scene, const Material &m) {
 }
 
 // The diffuse colour at eight places of a shape, seen along d by samples `width` wide (world units, across
-// d). `cell` tells the cells of a checker apart or, in a scene that shows its patches, the patches.
+// d). `cell` gets a number for the cell of a checker or, in a scene that shows its patches, for the patch.
 Rgb8 diffuseColour(const Scene &scene, const Shape &shape, const Vec3x8 &p, const Vec3x8 &d, Float8 cosine,
                    Float8 width, Int8 &cell);
 

@@ -149,7 +149,7 @@ struct InTheWay {
     }
 };
 
-// What is lit, as far as it is the same for all places of a run.
+// What is the same for all places of a run.
 struct Lit {
     const Scene &scene;
     const Run &run;

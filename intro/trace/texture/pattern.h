@@ -13,11 +13,11 @@ namespace odraz {
 
 enum class Pattern : uint8_t { Plain, Marble, Wood, WoodAcross, Stone, Cloud, Count };
 
-// What the rest of the program must know about a pattern.
+// The properties of a pattern that other code depends on.
 struct PatternTraits {
     Pattern pattern;
     bool rough;      // several octaves, which fade a little too early or too late
-    float shares[4]; // how often each colour of the palette comes up, as counted
+    float shares[4]; // how often each colour of the palette appears, counted
 };
 
 inline constexpr PatternTraits kPatterns[] = {
