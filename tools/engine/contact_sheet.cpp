@@ -13,15 +13,17 @@ namespace odraz {
 
 using namespace pictures;
 
+namespace {
+
 // The moments that a poster shows, in seconds into the film; the large picture comes first.
-static constexpr int kPosterMoments[] = {FILM_POSTER};
+constexpr int kPosterMoments[] = {FILM_POSTER};
 
 // Writes with the film's own font over a box of the picture, which is first darkened to `shade`.
 struct Area {
     int x, y, width, height;
 };
-static void write(Image &picture, const Area &box, const char *text, float size, float weight, float tracking,
-                  Align align, const uint8_t colour[3], float shade) {
+void write(Image &picture, const Area &box, const char *text, float size, float weight, float tracking,
+           Align align, const uint8_t colour[3], float shade) {
     size_t pixels = (size_t)box.width * (size_t)box.height;
     std::vector<float> planes(3 * pixels); // all three are alike; only one is needed
     Frame frame = {box.width, box.height, box.width, {&planes[0], &planes[pixels], &planes[2 * pixels]},
@@ -40,7 +42,7 @@ static void write(Image &picture, const Area &box, const char *text, float size,
 }
 
 // Writes minutes:seconds into the lower left corner of the picture.
-static void label(Image &picture, int seconds) {
+void label(Image &picture, int seconds) {
     char text[16];
     std::snprintf(text, sizeof text, "%d:%02d", seconds / 60, seconds % 60);
     static constexpr uint8_t kGrey[3] = {230, 230, 230};
@@ -49,8 +51,8 @@ static void label(Image &picture, int seconds) {
 }
 
 // The frames that the program dumps with `options`, `width` pixels wide.
-static std::vector<Image> dumped(const std::string &program, const std::string &options, int width,
-                                 const std::string &quality) {
+std::vector<Image> dumped(const std::string &program, const std::string &options, int width,
+                          const std::string &quality) {
     // Trace twice as large as shown: the averaging smooths once more
     int traced = width * 2;
     std::string command = common::shellWord(program) + " --dump - " + options + " --quality " +
@@ -65,21 +67,20 @@ static std::vector<Image> dumped(const std::string &program, const std::string &
     return frames;
 }
 
-static std::vector<Image> framesOf(const std::string &program, int every, int width,
-                                   const std::string &quality) {
+std::vector<Image> framesOf(const std::string &program, int every, int width, const std::string &quality) {
     std::vector<Image> frames = dumped(program, "--fps 1/" + std::to_string(every), width, quality);
     for (size_t i = 0; i < frames.size(); ++i) label(frames[i], every * (int)i);
     return frames;
 }
 
-static void paste(Image &sheet, const Image &frame, int x, int y) {
+void paste(Image &sheet, const Image &frame, int x, int y) {
     for (int row = 0; row < frame.height; ++row)
         std::memcpy(&sheet.rgb[((size_t)(y + row) * (size_t)sheet.width + (size_t)x) * 3],
                     &frame.rgb[(size_t)row * (size_t)frame.width * 3], (size_t)frame.width * 3);
 }
 
 // A poster: one large picture, two rows of three below it, and the title.
-static Image poster(const std::string &program, int width, const std::string &quality) {
+Image poster(const std::string &program, int width, const std::string &quality) {
     constexpr int kAcross = 3;
     const int gap = width / 100, small = (width - (kAcross - 1) * gap) / kAcross, high = small * 9 / 16,
               band = width / 12;
@@ -108,7 +109,7 @@ static Image poster(const std::string &program, int width, const std::string &qu
 }
 
 // Lays out frames of one size, row by row.
-static Image layOut(const std::vector<Image> &frames, int columns) {
+Image layOut(const std::vector<Image> &frames, int columns) {
     constexpr int kGap = 6;
     const int width = frames[0].width, height = frames[0].height;
     int rows = ((int)frames.size() + columns - 1) / columns;
@@ -122,7 +123,7 @@ static Image layOut(const std::vector<Image> &frames, int columns) {
     return sheet;
 }
 
-static int run(common::CommandLine &line) {
+int run(common::CommandLine &line) {
     std::string program, out, quality;
     std::optional<int> width;
     int every = 5, columns = 5;
@@ -152,6 +153,8 @@ static int run(common::CommandLine &line) {
     std::printf("%s: %zu frames, one every %d s\n", out.c_str(), frames.size(), every);
     return 0;
 }
+
+} // namespace
 
 } // namespace odraz
 
