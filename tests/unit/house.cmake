@@ -1,4 +1,4 @@
-# Tests of this film, and of tools that only this house has
+# Tests of this film and its tools, which a new film (tools/new-film) does not have
 odraz_test(trace adaptive_test 5 subject)
 odraz_test(trace adaptive_faults_test 4 engine)
 odraz_test(sound note_test 2 recording engine)

@@ -1,8 +1,7 @@
 // No scene of this film plays in a room whose light is solved while it loads, so there is nothing to prepare.
 //
-// A film that has one defines Hall as a Room (transfer/room.h), and the first two functions with its model
-// and its lights; solveRoom() and kRoomBytes are those of transfer/room.h then. Scenes that play there say so
-// by .needsHall in film.cpp.
+// A film that has one defines Hall as a Room (transfer/room.h), whose solveRoom() and kRoomBytes it uses, and
+// the first two functions with its model and its lights. Scenes that play there have .needsHall in film.cpp.
 #pragma once
 
 #include "base/arena.h"

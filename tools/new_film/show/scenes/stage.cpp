@@ -20,18 +20,14 @@ static constexpr Shape kShapes[] = {
     sphere({2.15f, 0.4f, 0.25f}, 0.4f, kWood),
 };
 
-// How high a ball is that falls, lands, and leaps twice, each time on a beat. Metres.
+// How high a ball is that falls from rest, lands, and leaps twice. Metres.
 static float height(float row) {
-    constexpr float kHalfGravity = 4.9f, kRowsASecond = (float)kRowsPerSecond;
     constexpr float kLandings[] = {rowOf(kBallLands), rowOf(kBallLandsAgain), rowOf(kBallLandsAgain) + 4};
-    float before = 2 * kLandings[0] - kLandings[1]; // as if it had leapt once more
-    for (float landing : kLandings) {
-        if (row < landing) {
-            float up = (landing - row) / kRowsASecond, down = (row - before) / kRowsASecond;
-            return kHalfGravity * up * down;
-        }
-        before = landing;
-    }
+    constexpr float kScale = 4.9f / (float)(kRowsPerSecond * kRowsPerSecond);
+    float left = kLandings[0] - row;
+    if (left > 0) return kScale * left * left;
+    for (int i = 1; i < 3; ++i)
+        if (row < kLandings[i]) return kScale * (kLandings[i] - row) * (row - kLandings[i - 1]);
     return 0;
 }
 
@@ -39,12 +35,9 @@ void poseStage(const Cue &cue, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
     float row = cue.row;
-    // It falls from where it began at rest; later it leaps
-    float falls = rowOf(kBallLands) - row, since = falls / (float)kRowsPerSecond;
-    float high = falls > 0 ? 4.9f * since * since : height(row);
-    scene.add(sphere({1.05f, 0.5f + high, -0.3f}, 0.5f, kRed));
+    scene.add(sphere({1.05f, 0.5f + height(row), -0.3f}, 0.5f, kRed));
 
-    // The word stands before them, the larger the shorter it is
+    // A longer word has smaller letters
     const char *word = "@NAME@";
     int letters = 0;
     while (word[letters]) ++letters;
