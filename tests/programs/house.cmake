@@ -1,4 +1,4 @@
-# Tests of what only this house has: its film, its tools, the packer, the pages
+# Tests of this film and its tools, which a new film (tools/new-film) does not have
 odraz_script(binary 10 binary)
 odraz_script(ci 5 ci)
 odraz_script(doctor 5 doctor)
@@ -38,7 +38,9 @@ odraz_script(radiosity_study 100 radiosity_study)
 odraz_script(radiosity_transfer 60 radiosity_transfer)
 odraz_script(radiosity_view_transfer 40 radiosity_view_transfer)
 odraz_script(release 60 release)
-odraz_script(render 110 render)
+odraz_script(render 40 render)
+odraz_script(render_hosts 40 render_hosts)
+odraz_script(render_resumed 40 render_resumed)
 odraz_script(report 4 report)
 odraz_script(rocket 15 rocket)
 odraz_script(screens 20 screens)

@@ -9,8 +9,8 @@ list_shards() {
     done >"$parts/shards"
 }
 
-# judge_shard A B NAME: good, missing, or what is wrong with it
-judge_shard() {
+# check_shard A B NAME: prints good, missing, or what is wrong with the shard
+check_shard() {
     local sums=$parts/$3.sums in=$parts want=$(($2 - $1))
     [ -e "$sums" ] || { echo missing; return; }
     [ $kind != frames ] || in=$parts/frames
@@ -30,7 +30,8 @@ start() {
     engine=$!
     set +m
 }
-# signal NAME: signals the engine and the shards, which GNU parallel puts into groups of their own; false when none runs
+# signal NAME: signals the engine and the shards, which GNU parallel puts into process groups of their own; false if
+# none runs
 signal() {
     local group some=
     for group in "$engine" $(cat "$parts"/*.group 2>/dev/null); do
@@ -52,14 +53,14 @@ by_xargs() { exec xargs -P "$jobs" -L 1 -a "$parts/todo" bash "$parts/shard" "$p
 by_parallel() {
     local quoted
     printf -v quoted %q "$parts"
-    # Not by the shell and the settings of who calls: without $SHELL it ends well, and has done nothing
+    # Independent of the caller's shell and settings. Without $SHELL parallel does nothing, with status 0
     export PARALLEL_SHELL=$BASH PARALLEL_HOME=$parts/parallel
     mkdir -p "$PARALLEL_HOME"
     exec parallel --will-cite --jobs 100% --sshloginfile "$parts/hosts" --ssh "$parts/here" --retries 2 --halt soon,fail=1 \
         --colsep ' ' -a "$parts/todo" bash "$quoted/shard" "$quoted" '{1} {2} {3} {4} {5}'
 }
 by_sbatch() {
-    # Its number must be there while it waits, to be cancelled by
+    # Unbuffered, since scancel needs the job's number while sbatch waits
     exec stdbuf -oL sbatch --wait --parsable "${sbatch[@]}" --job-name=render --array="1-$left${jobs:+%$jobs}" --chdir=/ \
         --output="$parts/slurm-%a.log" "$parts/task" >"$parts/job"
 }
@@ -103,7 +104,7 @@ render_shards() {
         meet_hosts
         start by_parallel 2>"$parts/engine.err"
     elif [ -n "$slurm" ]; then
-        # A task's number is the line of what is to do
+        # A task's number is its line in todo
         printf '#!/bin/bash\nexport RENDER_THREADS=%q\nread -ra words <<<"$(sed -n "${SLURM_ARRAY_TASK_ID}p" %q)"\nexec bash %q %q "${words[@]}"\n' \
             "$threads" "$parts/todo" "$parts/shard" "$parts" >"$parts/task"
         start by_sbatch 2>"$parts/engine.err"
@@ -117,6 +118,6 @@ render_shards() {
     leave_hosts
     lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
     [ "$lacking" = 0 ] && return 0
-    [ ${#told[@]} -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
+    [ ${#reported[@]} -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
     fail "$lacking of $total shards are not done; --resume goes on with them"
 }

@@ -1,4 +1,4 @@
-# Sourced by tools/render: tells on stderr how far it is. A bar on a terminal, otherwise a line now and then.
+# Sourced by tools/render: prints its progress on stderr, as a bar on a terminal, otherwise as a line every 30 seconds.
 
 # frames_done: counts the frames of all shards, unfinished ones included
 frames_done() {
@@ -11,8 +11,8 @@ clock() { # clock SECONDS
 }
 
 barred=
-told_at=0
-# show WHAT DONE OF SINCE-WHICH DONE-THEN: the time left is by the rate since then
+printed_at=0
+# show WHAT DONE OF BEGAN DONE-THEN: estimates the time left from the rate since it began
 show() {
     local what=$1 done=$2 of=$3 took=$((SECONDS - $4)) new=$(($2 - $5)) left= full width=30
     if [ $new -gt 0 ] && [ $took -gt 0 ]; then left=", $(clock $((took * (of - done) / new))) left"; fi
@@ -20,8 +20,8 @@ show() {
         full=$((done * width / of))
         printf '\r%s [%s%s] %d of %d frames%s\e[K' "$what" "$(printf "%${full}s" | tr ' ' '#')" "$(printf "%$((width - full))s")" "$done" "$of" "$left" >&2
         barred=1
-    elif [ $((SECONDS - told_at)) -ge 30 ]; then
-        told_at=$SECONDS
+    elif [ $((SECONDS - printed_at)) -ge 30 ]; then
+        printed_at=$SECONDS
         echo "tools/render: $what: $done of $of frames$left" >&2
     fi
 }
@@ -32,31 +32,31 @@ follow() {
     local what=$1 of=$2 status=0 then since=$SECONDS shown=-1
     shift 2
     then=$("$@")
-    told_at=$SECONDS
+    printed_at=$SECONDS
     while kill -0 "$engine" 2>/dev/null; do
         if [ $SECONDS != $shown ]; then
             shown=$SECONDS
             show "$what" "$("$@")" "$of" "$since" "$then"
-            tell_failures
+            report_failures
         fi
         sleep 0.1
     done
     wait "$engine" || status=$?
     engine=
     bar_ends
-    tell_failures
+    report_failures
     return $status
 }
 
-# tell_failures: a line for every shard that failed, once
-declare -A told=()
-tell_failures() {
+# report_failures: prints a line for every shard that failed, once
+declare -A reported=()
+report_failures() {
     local failed name reason host
     for failed in "$parts"/*.failed; do
         [ -e "$failed" ] || continue
         name=$(basename "$failed" .failed)
-        [ -z "${told[$name]-}" ] || continue
-        told[$name]=1
+        [ -z "${reported[$name]-}" ] || continue
+        reported[$name]=1
         host=$(cat "$failed") reason=$(grep -m 1 . "$parts/$name.err" || true)
         bar_ends
         echo "tools/render: frames $((10#${name%-*})) to $((10#${name#*-} - 1)) failed${host:+ on $host}: ${reason:-it ended without a word}" >&2
