@@ -14,7 +14,7 @@ check "... and again, by another umask and zone" bash -c 'umask 077; TZ=Asia/Tok
 check "... the same to the byte" diff -r "$WORK/one" "$WORK/two"
 tgz=$(echo "$WORK"/one/odraz-[0-9]*.tar.gz) zip=$(echo "$WORK"/one/*.zip)
 name=$(basename "$tgz" .tar.gz)
-check "the name tells the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
+check "the name has the version" test "$name" = "odraz-$("$BUILD/odraz-safe" --version | cut -d' ' -f2)-unclean"
 
 # unpacked HOW COMMAND...: each way that a viewer may unpack
 modes() { (cd "$WORK/$1/$name" && find . -type f -printf '%m %f\n' | LC_ALL=C sort | tr '\n' ,); }
@@ -43,11 +43,11 @@ check "every character is one of ASCII, and so of CP437" plain
 columns() { tr -d '\r' <"$inside/$1" | wc -L; }
 check "the NFO has 80 columns" test "$(columns odraz.nfo)" -le 80
 check "... which end as DOS has it" test "$(grep -c $'\r$' "$inside/odraz.nfo")" = "$(wc -l <"$inside/odraz.nfo")"
-check "... and tells the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
-check "... and tells the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
+check "... and has the size for Windows" grep -q "$(stat -c %s "$BUILD/odraz.exe" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
+check "... and has the size" grep -q "$(stat -c %s "$BUILD/odraz" | sed 's/...$/,&/') bytes" "$inside/odraz.nfo"
 check "file_id.diz has 45 columns" test "$(columns file_id.diz)" -le 45
 check "... and 10 lines" test "$(wc -l <"$inside/file_id.diz")" -le 10
-for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt tells of $word" grep -qF -e "$word" "$inside/README.txt"; done
+for word in ESC 'chmod +x' scanner libdl.so.2 --doctor AVX2 Wine odraz.exe; do check "README.txt mentions $word" grep -qF -e "$word" "$inside/README.txt"; done
 
 # The tools: in an archive of their own, for older systems, too
 tools=odraz-tools-${name#odraz-}-linux-x86_64
@@ -59,8 +59,8 @@ check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc
 check "nothing is left to fill in" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
 check "their README has 80 columns" test "$(wc -L <README.txt)" -le 80
 for program in compare pack radiosity; do
-    check "$program may be run, and tells how it is used" prints '^usage: ' "./$program" --help
-    check "... README.txt tells of it" grep -q "^  $program  " README.txt
+    check "$program may be run, and has a --help" prints '^usage: ' "./$program" --help
+    check "... README.txt lists it" grep -q "^  $program  " README.txt
     objdump -p $program >"$WORK/needs"
     if [ $program = radiosity ]; then
         check "... it needs glibc alone" test "$(sed -n 's/^ *NEEDED *//p' "$WORK/needs" | grep -cvE '^(libc|libm|libdl|libpthread|ld-linux-x86-64)\.so\.[0-9]$')" = 0
@@ -72,7 +72,7 @@ for program in compare pack radiosity; do
 done
 check "radiosity solves" bash -c './radiosity generate cube -o "$1/cube.obj" >/dev/null && ./radiosity solve "$1/cube.obj" -o "$1/cube.rad" >/dev/null 2>&1' - "$WORK"
 check "... what the one of build/ solves" bash -c '"$2" solve "$1/cube.obj" -o "$1/same.rad" >/dev/null 2>&1 && cmp "$1/cube.rad" "$1/same.rad"' - "$WORK" "$BUILD/radiosity"
-check "... and says what is wrong with a file" refuses 2 "cannot read" ./radiosity solve "$WORK/needs.obj" -o "$WORK/x"
+check "... and reports what is wrong with a file" refuses 2 "cannot read" ./radiosity solve "$WORK/needs.obj" -o "$WORK/x"
 cd "$WORK" || exit 1
 
 # What is refused
@@ -86,7 +86,7 @@ if command -v ffmpeg >/dev/null; then
     check "... is one, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/capture/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
     check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = 5
 fi
-refuses_unclean() { # a program that says that its tree differed
+refuses_unclean() { # a program whose version says that its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
     chmod +x "$WORK/other/odraz"
