@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Quad {
     Vec3d corner, u, v;
@@ -103,4 +103,4 @@ inline double legendre(int l, double x) {
     return b;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include "tools/radiosity/transfer/transfer_command.h"
 #include "tools/radiosity/view/view_command.h"
 
-using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

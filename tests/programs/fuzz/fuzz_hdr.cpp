@@ -8,6 +8,7 @@
 #include <fstream>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 static void mustBeLight(const Rgb &c) {
     for (float x : {c.x, c.y, c.z})

@@ -11,6 +11,7 @@
 #include <memory>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 // Checks what readers of a mesh rely on
 static void mustBeSound(const Mesh &mesh) {

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     std::ofstream("a.prt") << TransferRoom::withChecksum({(const char *)data, size});

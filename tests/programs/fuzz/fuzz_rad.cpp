@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     std::ofstream("a.rad") << Solution::withChecksum({(const char *)data, size});

@@ -163,7 +163,7 @@ TEST(Rows, ClustersBeatBlocksBeatOneSubspace) {
 
 TEST(Rows, RelightAsTheyWere) {
     TransferRows rows = rowsOf(solved(), true);
-    PcaSettings settings = {.clusters = 128, .dimensions = 32};
+    radiosity::PcaSettings settings = {.clusters = 128, .dimensions = 32};
     Compressed c = compressed(rows, blocksOf(solved().hall->model, 128), settings, serial);
     std::vector<float> light((size_t)rows.columns);
     TexelPlanes planes(rows.rows);

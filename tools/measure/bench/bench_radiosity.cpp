@@ -4,14 +4,15 @@
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/radiosity/generate/generate.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 
 #include <cmath>
 #include <cstdio>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

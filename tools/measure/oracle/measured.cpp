@@ -7,6 +7,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 Mesh generatedMesh(const std::string &kind, double area) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "model.mtl", generateMtl());

@@ -6,6 +6,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 namespace {
 
 // The one or two triangles of a facet

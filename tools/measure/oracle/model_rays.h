@@ -3,9 +3,9 @@
 #pragma once
 
 #include "radiosity/model.h"
+#include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
-#include "tools/radiosity/patches/row_finder.h"
 
 #include <functional>
 
@@ -25,14 +25,14 @@ struct ModelRays {
     double facetFormFactor(int facet, const Chart &from, Vec3 p, int side, uint32_t seed) const;
 
     const Model &model;
-    std::vector<int> chartOf; // of each triangle
-    Obstacles obstacles;      // the triangles
+    std::vector<int> chartOf;       // of each triangle
+    radiosity::Obstacles obstacles; // the triangles
 };
 
 // Where rays from a place of a chart start: safely in front of it.
 Vec3d before(const Chart &chart, Vec3 p);
 
 // A RowFinder that casts side x side rays from each patch.
-RowFinder rowsByRays(int side);
+radiosity::RowFinder rowsByRays(int side);
 
 } // namespace odraz

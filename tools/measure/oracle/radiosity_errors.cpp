@@ -7,6 +7,7 @@
 #include <cstdio>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 static constexpr char kUsage[] =
     "usage: radiosity_errors MODEL.obj SOLUTION [--probes N] [--side N] [--middles] [--list]\n";

@@ -8,6 +8,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 std::vector<Probe> placeProbes(const Model &m, int count) {
     double area = 0;
     for (int i = 0; i < m.chartCount; ++i)

@@ -18,7 +18,7 @@ std::vector<Probe> placeProbes(const Model &model, int count);
 
 // Finds the probes' light. Each probe sends side x side rays, which bring the radiosity of what they hit in a
 // solution between patches; as many shadow rays go to each lamp. Drops the probes that lie inside a solid.
-void traceProbes(const Solved &solved, std::vector<Probe> &probes, int side, Workers &workers);
+void traceProbes(const radiosity::Solved &solved, std::vector<Probe> &probes, int side, Workers &workers);
 // Whether a place counts as inside, given how many of side x side rays hit backs.
 bool insideBy(int backs, int side);
 void dropInside(std::vector<Probe> &probes);

@@ -7,6 +7,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 SolvedHall::SolvedHall(const RadiositySettings &settings, const Gl &gl, Workers &workers, size_t bytes,
                        const std::function<void(LightBases &)> &change, const Progress &progress)
     : memory(bytes), scene(std::make_unique<Scene>()), hall(std::make_unique<Hall>()) {

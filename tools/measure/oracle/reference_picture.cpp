@@ -10,6 +10,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 namespace {
 
 constexpr double kPiD = std::numbers::pi, kOff = 1e-7;

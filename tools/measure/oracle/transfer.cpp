@@ -7,6 +7,8 @@
 
 namespace odraz {
 
+using namespace radiosity;
+
 TransferRows rowsOf(const SolvedHall &solved, bool suns) {
     const Radiosity &r = solved.hall->radiosity;
     const Model &m = solved.hall->model;

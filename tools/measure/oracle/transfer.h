@@ -23,7 +23,7 @@ std::vector<int> blocksOf(const Model &model, int clusters);
 
 struct Compressed {
     std::unique_ptr<HeapArena> memory;
-    ClusteredPca pca;
+    radiosity::ClusteredPca pca;
     double seconds;      // of processor time
     double errorPercent; // of the whole matrix, Frobenius norm
     size_t bytes() const {
@@ -32,11 +32,11 @@ struct Compressed {
                sizeof(float);
     }
 };
-Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
-                      Workers &workers);
+Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds,
+                      const radiosity::PcaSettings &settings, Workers &workers);
 
 // Light from compressed rows. `light` has the weight of each column; each plane has one value for each row.
-void relightRows(const ClusteredPca &pca, const float *light, float *const plane[3]);
+void relightRows(const radiosity::ClusteredPca &pca, const float *light, float *const plane[3]);
 
 // The relit hall's errors over the day. Each reference is solved for the exact sky and sun of its hour, from
 // the same form factors.

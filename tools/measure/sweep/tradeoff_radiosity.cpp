@@ -1,12 +1,13 @@
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/measure/sweep/tradeoff.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 
 #include <algorithm>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

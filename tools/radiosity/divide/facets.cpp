@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Twice the signed area of a triangle: positive if p lies to the left of the line from a to b.
 static float side(PlanePoint a, PlanePoint b, PlanePoint p) {
@@ -58,4 +58,4 @@ int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {
     return cell;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A place on a chart, in world units along its axes.
 struct PlanePoint {
@@ -25,4 +25,4 @@ inline const Cell &cellAt(const Model &model, const Chart &chart, PlanePoint p) 
     return model.cells[cellAt(model.cells, chart, p)];
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

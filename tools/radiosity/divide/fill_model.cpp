@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void poseFacets(const Model &model, Scene &scene) {
     for (int i = 0; i < model.facetCount; ++i) {
@@ -31,4 +31,4 @@ void fillModel(Model &model, const Regions &regions) {
     model.chartCount = (int)regions.charts.size(), model.facetCount = (int)regions.facets.size();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

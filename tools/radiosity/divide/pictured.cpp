@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -177,4 +177,4 @@ void Pictured::toPatches(Model &m) const {
         if (sums[(size_t)i].area > 0) m.patches[i].reflects = sums[(size_t)i].mean();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -6,7 +6,7 @@
 
 #include <span>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Pictured {
     std::vector<Rgb> ofCell, ofChart; // both empty if no material has a readable picture
@@ -19,4 +19,4 @@ struct Pictured {
     void toPatches(Model &model) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &borders, double tiny) {
     struct Upright {
@@ -61,4 +61,4 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
     return done;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

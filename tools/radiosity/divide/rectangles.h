@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 using Vec2d = std::array<double, 2>;
 
@@ -17,4 +17,4 @@ struct Rectangle {
 // Empty if the region is not made of rectangles.
 std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &borders, double tiny);
 
-} // namespace odraz
+} // namespace odraz::radiosity

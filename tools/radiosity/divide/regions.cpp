@@ -7,7 +7,7 @@
 #include <numeric>
 #include <span>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -276,4 +276,4 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     return regions;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include "radiosity/model.h"
 #include "tools/radiosity/read/mesh.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // The charts and facets of a mesh, in lists of any length.
 struct Regions {
@@ -25,4 +25,4 @@ void fillModel(Model &model, const Regions &regions);
 // Adds all facets of a model to a scene, as its material 0.
 void poseFacets(const Model &model, Scene &scene);
 
-} // namespace odraz
+} // namespace odraz::radiosity

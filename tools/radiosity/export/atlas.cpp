@@ -13,7 +13,7 @@
 #include <stb/stb_rect_pack.h>
 #pragma GCC diagnostic pop
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -230,4 +230,4 @@ std::vector<float> paintPage(const Solution &b, const Atlas &atlas, int page, He
     return to;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // What a page holds. Light is irradiance / pi; times reflectance, plus what is emitted, it is Radiosity.
 // Reflectance gets pages only if it comes from pictures.
@@ -67,4 +67,4 @@ std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int p
 void exportAtlas(const Solution &solution, const AtlasSettings &settings, const std::string &folder,
                  std::vector<std::string> &notes);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -16,7 +16,7 @@
 
 #include <stb/stb_image_write.h>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -142,4 +142,4 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
                         " polygons have fewer texels than asked for: raise --page");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <map>
 #include <tuple>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
     : solution(b), name(atlas.settings.radiosity ? "radiosity" : "light"),
@@ -153,4 +153,4 @@ void writeGltf(const AtlasModel &m, const std::string &path, const std::string &
     common::writeWhole(path, json);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

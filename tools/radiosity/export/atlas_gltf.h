@@ -3,7 +3,7 @@
 
 #include "tools/radiosity/export/atlas.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct AtlasPoint {
     Vec3 p;
@@ -37,4 +37,4 @@ struct AtlasModel {
 // which keeps its colour and emission; radiosity is shown unlit (KHR_materials_unlit).
 void writeGltf(const AtlasModel &model, const std::string &path, const std::string &binary);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::string cameraLine(RenderSettings s) {
     return placeOptions(s) + rest;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include "tools/common/arguments.h"
 #include "tools/radiosity/export/render.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class CameraOptions {
 public:
@@ -30,4 +30,4 @@ std::string placeOptions(RenderSettings &settings);
 // The same with all other options of the picture.
 std::string cameraLine(RenderSettings settings);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 int runExport(common::Arguments &words) {
     std::string in, kind, out, ofAtlas;
@@ -52,4 +52,4 @@ int runExport(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

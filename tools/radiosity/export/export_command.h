@@ -3,8 +3,8 @@
 
 #include "tools/common/arguments.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 int runExport(common::Arguments &words);
 
-} // namespace odraz
+} // namespace odraz::radiosity

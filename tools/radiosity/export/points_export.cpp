@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -142,4 +142,4 @@ void exportObj(const Solution &solution, const std::string &path) {
     common::writeWhole(path, text);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

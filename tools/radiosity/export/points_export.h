@@ -4,7 +4,7 @@
 
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // CSV: polygon, middle, normal, area and mean radiosity of every element.
 void exportCsv(const Solution &solution, const std::string &path);
@@ -12,4 +12,4 @@ void exportCsv(const Solution &solution, const std::string &path);
 void exportPly(const Solution &solution, const std::string &path);
 void exportObj(const Solution &solution, const std::string &path);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -14,7 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void placeCamera(const Solution &solution, RenderSettings &s) {
     std::vector<Vec3> corners;
@@ -202,4 +202,4 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     pictures::writePng(path, picture);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include "base/parallel.h"
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct RenderSettings {
     Vec3 eye, target; // in the model's coordinates
@@ -26,4 +26,4 @@ std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &settings
 void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
             const std::string &path);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 int runRender(common::Arguments &words) {
     std::string in, out, pictures;
@@ -60,4 +60,4 @@ int runRender(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

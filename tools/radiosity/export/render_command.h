@@ -3,10 +3,10 @@
 
 #include "tools/common/arguments.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Runs `render` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit
 // status.
 int runRender(common::Arguments &words);
 
-} // namespace odraz
+} // namespace odraz::radiosity

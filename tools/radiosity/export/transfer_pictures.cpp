@@ -11,7 +11,7 @@
 #include <cmath>
 #include <filesystem>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -185,4 +185,4 @@ void picturesOf(const TransferRoom &room, const Lighting &lighting, const Render
     drawBands(room, lighting, settings, workers, folder + "/bands.png");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/transfer/relight.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Makes the folder if need be, and writes two PNGs into it. basis.png: each function on a ball, orange where
 // it is above 0 and blue where it is below, a row for each band. bands.png: the room by the first 1, 2 ..
@@ -13,4 +13,4 @@ namespace odraz {
 void picturesOf(const TransferRoom &room, const Lighting &lighting, const RenderSettings &settings,
                 Workers &workers, const std::string &folder);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-using odraz::Vec3d;
+namespace odraz::radiosity {
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr Material kMaterials[] = {
     {"floor", {0.35, 0.33, 0.3}, {}},  {"lamp", {0.5, 0.5, 0.5}, {20, 18, 15}},
 };
 
-struct Writer : odraz::ObjWriter {
+struct Writer : ObjWriter {
     // A rectangle that is lit on the side of u x v. It is divided into as many steps along its sides as the
     // area needs; no side of a step is more than twice the other.
     void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
@@ -177,3 +177,5 @@ std::string generateMtl(const std::vector<MaterialChange> &changes) {
     }
     return text;
 }
+
+} // namespace odraz::radiosity

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 int runGenerate(common::Arguments &words) {
     std::string kind, out;
@@ -44,4 +44,4 @@ int runGenerate(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,9 +3,9 @@
 
 #include "tools/common/arguments.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Runs `generate` with the words that follow it. Throws Refused. Returns the exit status.
 int runGenerate(common::Arguments &words);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -166,4 +166,4 @@ void makeTerrain(ObjWriter &w) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

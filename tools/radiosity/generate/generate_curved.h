@@ -3,7 +3,7 @@
 
 #include "tools/radiosity/generate/obj_writer.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A nave under a barrel vault with two rows of columns, arched windows to the sky, cloths, and vases, balls
 // and rings on the floor: 30,000 triangles, or the number that ObjWriter::area gives. It has no lamp.
@@ -12,4 +12,4 @@ void makeVault(ObjWriter &w);
 // A closed room with a lamp. Its floor is hills with boulders.
 void makeTerrain(ObjWriter &w);
 
-} // namespace odraz
+} // namespace odraz::radiosity

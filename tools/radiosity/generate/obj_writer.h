@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Collects polygons as the text of an OBJ, with each point once.
 struct ObjWriter {
@@ -53,4 +53,4 @@ struct ObjWriter {
     }
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

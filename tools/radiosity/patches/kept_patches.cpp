@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -17,8 +17,8 @@ struct Kept {
 
     bool get(std::string_view from) {
         size_t at = 0;
-        return odraz::get(from, at, cells) && odraz::get(from, at, texels) && odraz::get(from, at, patches) &&
-               odraz::get(from, at, ties) && at == from.size();
+        return radiosity::get(from, at, cells) && radiosity::get(from, at, texels) &&
+               radiosity::get(from, at, patches) && radiosity::get(from, at, ties) && at == from.size();
     }
     // Whether every index lies within its list: a checksum does not help against forgers.
     bool fits(const Regions &regions) const {
@@ -71,4 +71,4 @@ void restorePatches(const PreparedSolve &prepared, const Regions &regions, Patch
     m.tieRoom = m.tieCount = fill(p.arena, m.ties, kept.ties);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,11 +4,11 @@
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void savePatches(const Model &model, std::string &to);
 
 // Fills the model of a system. Throws std::runtime_error if it does not fit, or if memory is short.
 void restorePatches(const PreparedSolve &prepared, const Regions &regions, PatchSystem &patches);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
     DirectShares kept;
@@ -55,4 +55,4 @@ void addOutside(DirectShares &kept, const SolveTask &task, const PatchSystem &p)
         kept.outside[t] = Rgb{direct[0][t], direct[1][t], direct[2][t]} - kept.outside[t];
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

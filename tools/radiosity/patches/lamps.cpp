@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples) {
     std::vector<Glow> glows;
@@ -21,4 +21,4 @@ std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Mode
     return glows;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 
 #include "radiosity/direct.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // If lamps have more facets than this, hemicubes find their light better.
 inline constexpr size_t kManyLamps = 256;
@@ -14,4 +14,4 @@ inline constexpr size_t kManyLamps = 256;
 // area.
 std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -2,7 +2,7 @@
 
 #include "radiosity/ties.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const float *radiosity) {
     const Model &m = *p.model;
@@ -37,4 +37,4 @@ std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const f
     return light;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -1,6 +1,6 @@
 #include "tools/radiosity/patches/odd_hemicube.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 bool openAnyHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
     // What holds an even one has room enough
@@ -82,4 +82,4 @@ bool findRowsFrom(Hemicubes &h, const Model &m, const uint8_t *lit, Workers &wor
     return true;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // As openHemicubes() and hemicubeBytes(), for odd px too, 4 .. kMaxHemicube.
 bool openAnyHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
@@ -28,4 +28,4 @@ using EyeOf = std::function<Eye(int patch, int k)>;
 bool findRowsFrom(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
                   FormFactors &factors, const Progress &progress, int step, const EyeOf &eyeOf = {});
 
-} // namespace odraz
+} // namespace odraz::radiosity

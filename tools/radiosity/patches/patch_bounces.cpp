@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static constexpr int kMostSweeps = 10000;
 
@@ -106,4 +106,4 @@ void PatchSolver::afterSweep(float residual) {
     watch(r.system.indirect);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

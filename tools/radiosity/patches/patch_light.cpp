@@ -5,7 +5,7 @@
 #include "tools/radiosity/patches/sky_light.h"
 #include "tools/radiosity/solution/memory.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static constexpr int kSkyRays = 1024; // from each texel
 
@@ -65,4 +65,4 @@ void PatchSolver::addOutsideLight() {
     if (around.sky.width) addSky(m, *p.scene, around.sky, kSkyRays, task.workers, r.direct);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

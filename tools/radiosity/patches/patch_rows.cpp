@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -118,4 +118,4 @@ void findPatchRows(SolveTask &task, PatchSystem &p, const Gl &gl) {
     count();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Fills radiosity.factors, starting with the rows of task.settings.resumed. Sets report.whole to whether all
 // rows were found before a stop, and report.rows to their number. Sets workers.abort and restores it.
@@ -15,4 +15,4 @@ std::string savedPatchRows(const PatchSystem &patches);
 // Hands them to settings.keep.
 void keepPatchRows(const SolveTask &task, const PatchSystem &patches);
 
-} // namespace odraz
+} // namespace odraz::radiosity

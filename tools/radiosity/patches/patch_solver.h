@@ -5,7 +5,7 @@
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Finding form factors and solving may be cut short; the other stages always run to their end.
 class PatchSolver {
@@ -74,4 +74,4 @@ private:
     void watch(const float *radiosity);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <sys/mman.h>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void PatchSystem::Unmap::operator()(void *memory) const { munmap(memory, bytes); }
 
@@ -18,4 +18,4 @@ PatchSystem::PatchSystem(size_t bytes) {
     scene = std::make_unique<Scene>();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct PatchSystem {
     // Throws std::runtime_error if there is not enough memory.
@@ -28,4 +28,4 @@ struct PatchSystem {
     float *light[3] = {}; // planes of texels: all light that arrives, irradiance / pi
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

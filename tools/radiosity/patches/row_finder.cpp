@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors) {
     size_t links = 0;
@@ -130,4 +130,4 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf 
     };
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

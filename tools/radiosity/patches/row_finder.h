@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Finds rows by hemicubes that OpenGL draws, of `px` pixels, `turns` for each patch. Another `turn` rotates
 // all of them differently. Refuses at once if the estimate does not fit the arena.
@@ -22,4 +22,4 @@ void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &fact
 // The patch at a place of a chart.
 uint32_t patchAt(const Model &model, int chart, Vec3 at);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 bool seesBacks(const Model &m, const Mesh &mesh) {
     static constexpr int kPlaces = 500, kAround = 96;
@@ -23,4 +23,4 @@ bool seesBacks(const Model &m, const Mesh &mesh) {
     return false;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 HemicubeShooter::HemicubeShooter(const Gl &gl, const Model &model, int px, uint32_t turn)
     : model(model), memory(anyHemicubeBytes(px) + 64), sums(formFactorSums(px)), number(turn) {
@@ -36,4 +36,4 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     return (int)shots.size();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

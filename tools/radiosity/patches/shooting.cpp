@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -161,4 +161,4 @@ Columns::Columns(const FormFactors &f, int patches) : first((size_t)patches + 1)
         }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

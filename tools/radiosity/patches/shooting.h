@@ -15,7 +15,7 @@
 #include <span>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Which patches shoot together.
 struct Shooters {
@@ -113,4 +113,4 @@ private:
     uint32_t number; // of the next hemicube: it sets its rotation
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

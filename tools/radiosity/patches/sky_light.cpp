@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -81,4 +81,4 @@ void addSky(const Model &model, const Scene &scene, const SkyPicture &sky, int r
     });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

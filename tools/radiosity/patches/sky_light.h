@@ -5,7 +5,7 @@
 #include "radiosity/model.h"
 #include "tools/radiosity/read/surroundings.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Adds the sky's light to the texels, in three planes of irradiance / pi. Rays go through a grid over the
 // cosine-weighted hemisphere, a quarter of them from each of a texel's places; the grid is rotated
@@ -13,4 +13,4 @@ namespace odraz {
 void addSky(const Model &model, const Scene &scene, const SkyPicture &sky, int rays, Workers &workers,
             float *const *direct);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void PatchSolver::run() {
     report.whole = true;
@@ -149,4 +149,4 @@ std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl) {
     return p;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

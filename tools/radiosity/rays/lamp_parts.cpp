@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Spreads the bits of a number to every third place. Three of these make a Morton code: numbers of close
 // places are close.
@@ -100,4 +100,4 @@ void LampRays::sortParts(const Mesh &mesh) {
     parts = std::move(sorted);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -218,4 +218,4 @@ DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, cons
     return kept;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

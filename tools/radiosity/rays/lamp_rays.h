@@ -13,7 +13,7 @@
 #include "tools/radiosity/read/surroundings.h"
 #include "tools/radiosity/solution/direct_shares.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class LampRays {
 public:
@@ -71,4 +71,4 @@ DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, cons
                           const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
                           Workers &workers);
 
-} // namespace odraz
+} // namespace odraz::radiosity

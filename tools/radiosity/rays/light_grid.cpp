@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {} // namespace
 
@@ -207,4 +207,4 @@ void LightGrid::fill(std::vector<Rgb> &light) const {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -16,7 +16,7 @@
 #include <string_view>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // The corners of a mesh's triangles, for RayTree.
 std::vector<RayTree::Corners> cornersOf(const Mesh &mesh);
@@ -70,4 +70,4 @@ private:
     bool fits(const Regions &regions) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

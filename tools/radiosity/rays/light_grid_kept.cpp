@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void LightGrid::save(std::string &to) const {
     put(to, cells), put(to, texels), put(to, siteOf), put(to, sites), put(to, places), put(to, tied),
@@ -48,4 +48,4 @@ bool LightGrid::fits(const Regions &regions) const {
            });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 NearSites::NearSites(const LightGrid &grid)
     : middles(grid.sites.size()), order(middles.size()), axes(middles.size()) {
@@ -35,4 +35,4 @@ void NearSites::sort(size_t first, size_t end) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

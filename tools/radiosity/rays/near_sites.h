@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A k-d tree: the node of a range is its middle item.
 class NearSites {
@@ -45,4 +45,4 @@ private:
     }
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <map>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -273,4 +273,4 @@ void RaySystem::finalGather(int from, int to, int count, const std::vector<Rgb> 
     });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

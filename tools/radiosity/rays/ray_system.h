@@ -19,7 +19,7 @@
 #include <functional>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class RaySystem {
 public:
@@ -110,4 +110,4 @@ private:
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

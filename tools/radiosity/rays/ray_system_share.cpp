@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 template <class Visit>
 void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
@@ -135,4 +135,4 @@ void RaySystem::atTexels(float share, const float *values, int columns, float *t
     });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct RayTree::Ray {
     Vec3x8 o, inverse;
@@ -137,4 +137,4 @@ bool RayTree::blocked(const Vec3 &origin, const Vec3 &direction, float end) cons
     return false;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

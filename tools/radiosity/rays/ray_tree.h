@@ -12,7 +12,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct RayHit {
     float t = kInfinity; // in lengths of the direction
@@ -52,4 +52,4 @@ private:
     template <bool kFronts> RayHit find(const Vec3 &origin, const Vec3 &direction) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct RayTree::Builder {
     const std::vector<Corners> &triangles;
@@ -141,4 +141,4 @@ RayTree::RayTree(const std::vector<Corners> &triangles) {
     b.build({0, triangles.size(), b.boxOf(0, triangles.size())}, 0);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -1,6 +1,6 @@
 #include "tools/radiosity/rays/site_values.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<Rgb> meansOfSites(const LightGrid &grid, const std::vector<uint16_t> &behind,
                               const std::vector<Rgb> &texels) {
@@ -33,4 +33,4 @@ std::vector<Rgb> reflectanceOfSites(const LightGrid &grid, const Solution &solut
     return reflects;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

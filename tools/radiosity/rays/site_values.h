@@ -4,7 +4,7 @@
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // If more than this share of a model's area emits, rays find that light, and it counts as no lamp.
 inline constexpr double kLargeLamps = 0.25;
@@ -19,4 +19,4 @@ std::vector<Rgb> meansOfSites(const LightGrid &grid, const std::vector<uint16_t>
 // What the sites reflect.
 std::vector<Rgb> reflectanceOfSites(const LightGrid &grid, const Solution &solution);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -252,8 +252,8 @@ private:
 
 static bool get(std::string_view from, size_t &at, const LightGrid &grid, RaySystem::Sharing &to) {
     size_t texels = grid.texels.size();
-    if (!odraz::get(from, at, to.firstOf) || !odraz::get(from, at, to.sites) ||
-        !odraz::get(from, at, to.weights) || to.firstOf.size() != texels + 1 || to.firstOf[0] != 0 ||
+    if (!radiosity::get(from, at, to.firstOf) || !radiosity::get(from, at, to.sites) ||
+        !radiosity::get(from, at, to.weights) || to.firstOf.size() != texels + 1 || to.firstOf[0] != 0 ||
         to.firstOf[texels] != to.sites.size() || to.weights.size() != to.sites.size() ||
         !std::is_sorted(to.firstOf.begin(), to.firstOf.end()))
         return false;
@@ -300,4 +300,4 @@ void solveByRays(SolveTask &task) {
     if (task.progress) task.progress(nullptr, 1, report.residual);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,9 +3,9 @@
 
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Fills task.solution and task.report. Throws std::runtime_error.
 void solveByRays(SolveTask &task);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -186,4 +186,4 @@ private:
 
 HdrPicture readHdr(const std::string &path) { return HdrReader(path).read(); }
 
-} // namespace odraz
+} // namespace odraz::radiosity

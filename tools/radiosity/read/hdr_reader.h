@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct HdrPicture {
     int width, height;
@@ -20,4 +20,4 @@ struct HdrPicture {
 // Reads up to 2^27 pixels. Throws Refused.
 HdrPicture readHdr(const std::string &path);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+namespace odraz::radiosity {
+
 namespace {
 
 constexpr double kMostPower = 1e12; // as material files may have
@@ -99,3 +101,5 @@ void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<boo
                           ": name a material and give its R,G,B; there are " + namesOf(materials, used));
     }
 }
+
+} // namespace odraz::radiosity

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace odraz::radiosity {
+
 struct MeshMaterial;
 
 // What `--reflectance` or `--power` asks, as [NAME=]R,G,B or [NAME=]FACTOR.
@@ -25,3 +27,5 @@ MaterialChange readMaterialChange(const std::string &option, const std::string &
 // or a power above 1e12, and for a factor where nothing emits.
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,
                      const std::vector<MaterialChange> &changes);
+
+} // namespace odraz::radiosity

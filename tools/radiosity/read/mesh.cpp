@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-using odraz::Vec3d;
+namespace odraz::radiosity {
 
 Vec3d normalOf(const Mesh &m, const Triangle &t) {
     Vec3d a = m.points[(size_t)t.corners[0]];
@@ -39,3 +39,5 @@ Vec3d Mesh::middle() const {
     auto [lo, hi] = boxOf(points);
     return (lo + hi) / 2;
 }
+
+} // namespace odraz::radiosity

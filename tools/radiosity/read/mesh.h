@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+namespace odraz::radiosity {
+
 // An error in a file: one line that begins with the file's name and, if known, the line number.
 struct ModelError : common::Refused {
     using common::Refused::Refused;
@@ -44,7 +46,7 @@ struct MaterialNames {
 };
 
 struct Mesh {
-    std::vector<odraz::Vec3d> points; // all different
+    std::vector<Vec3d> points; // all different
     std::vector<Triangle> triangles;
     // Texture coordinates of each triangle's corners, NaN for a triangle that has none; empty if no material
     // has a picture
@@ -54,7 +56,7 @@ struct Mesh {
     int flat = 0, twice = 0; // triangles left out: without area; duplicates
 
     double size() const; // the diagonal of its bounding box
-    odraz::Vec3d middle() const;
+    Vec3d middle() const;
 };
 
 struct ReadSettings {
@@ -74,13 +76,15 @@ std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const Mate
                                              std::vector<std::string> &notes);
 
 // The triangle's normal, with a length of twice its area.
-odraz::Vec3d normalOf(const Mesh &mesh, const Triangle &t);
+Vec3d normalOf(const Mesh &mesh, const Triangle &t);
 
 // The least and greatest coordinates of the points; there must be at least one.
-std::pair<odraz::Vec3d, odraz::Vec3d> boxOf(const std::vector<odraz::Vec3d> &points);
+std::pair<Vec3d, Vec3d> boxOf(const std::vector<Vec3d> &points);
 
 // Whether some triangle emits light.
 bool shines(const Mesh &mesh);
 
 // The area of all triangles.
 double areaOf(const Mesh &mesh);
+
+} // namespace odraz::radiosity

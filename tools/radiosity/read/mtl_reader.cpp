@@ -11,6 +11,8 @@
 #include <set>
 #include <sstream>
 
+namespace odraz::radiosity {
+
 namespace {
 
 using Colour = std::array<double, 3>;
@@ -197,3 +199,5 @@ std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vec
     if (!wrong.empty()) notes.push_back(model + ": its materials cannot be read: " + wrong);
     return reader.materials;
 }
+
+} // namespace odraz::radiosity

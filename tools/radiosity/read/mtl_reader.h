@@ -3,6 +3,8 @@
 
 #include "tools/radiosity/read/mesh.h"
 
+namespace odraz::radiosity {
+
 // Finds a file whose name comes from another program: with backslashes, folders of another system, or other
 // capitals. Searches in `folder`, which ends with a slash or is empty. If there is no such file, returns
 // folder and name joined.
@@ -13,3 +15,5 @@ std::string findFile(const std::string &folder, std::string name);
 // material.
 std::vector<MeshMaterial> readMaterials(const std::string &model, const std::vector<std::string> &libraries,
                                         std::vector<std::string> &notes);
+
+} // namespace odraz::radiosity

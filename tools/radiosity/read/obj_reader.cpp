@@ -14,7 +14,7 @@
 #include <tuple>
 #include <unordered_map>
 
-using odraz::Vec3d;
+namespace odraz::radiosity {
 
 namespace {
 
@@ -257,3 +257,5 @@ std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const Mate
     changeMaterials(all, used, changes);
     return all;
 }
+
+} // namespace odraz::radiosity

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <unordered_map>
 
+namespace odraz::radiosity {
+
 static bool blank(char c) { return c == ' ' || c == '\t'; }
 
 std::string plainText(std::string text) {
@@ -105,3 +107,5 @@ ObjText::ObjText(const std::string &path, std::string given) {
         refuse(farthestLine,
                "there is no point " + std::to_string(farthest) + ": there are " + std::to_string(points));
 }
+
+} // namespace odraz::radiosity

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+namespace odraz::radiosity {
+
 // Ends every line with LF instead of CR LF or CR. Joins lines that end with a backslash to the next, and
 // removes the byte order mark and zero bytes. The number of lines stays the same.
 std::string plainText(std::string text);
@@ -21,3 +23,5 @@ struct ObjText {
     // Throws ModelError with the line number for anything that the parser would read wrongly.
     ObjText(const std::string &path, std::string text);
 };
+
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <memory>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -160,4 +160,4 @@ Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
     return {(float)(sum[0] / all), (float)(sum[1] / all), (float)(sum[2] / all)};
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Coordinates on a picture: it fills 0 .. 1, and its first row lies at 1.
 using TexturePoint = std::array<double, 2>;
@@ -37,4 +37,4 @@ private:
     static Rgb texel(const Level &level, int64_t i, int64_t j, bool clamp);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -165,4 +165,4 @@ SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns) 
     return SkyReader(readHdr(path), upIsZ).read(suns);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

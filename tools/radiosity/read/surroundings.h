@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Sun {
     Vec3 towards; // of length 1
@@ -51,4 +51,4 @@ SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns);
 // is up) towards +x.
 Vec3 sunTowards(double elevation, double azimuth, bool upIsZ);
 
-} // namespace odraz
+} // namespace odraz::radiosity

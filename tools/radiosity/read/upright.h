@@ -3,10 +3,10 @@
 
 #include "base/vec3.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Turns a place or a direction of the model so that y is up and x stays; and back.
 inline Vec3 upright(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, p.z, -p.y} : p; }
 inline Vec3 asInModel(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, -p.z, p.y} : p; }
 
-} // namespace odraz
+} // namespace odraz::radiosity

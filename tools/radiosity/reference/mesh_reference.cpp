@@ -2,16 +2,16 @@
 
 #include "tools/common/statistics.h"
 #include "tools/engine/luminance.h"
+#include "tools/radiosity/read/reflectance_picture.h"
 #include "tools/radiosity/reference/obstacles.h"
 #include "tools/radiosity/reference/sampler.h"
-#include "tools/radiosity/read/reflectance_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -271,4 +271,4 @@ MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
             100 * std::sqrt(noise / all)};
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -6,7 +6,7 @@
 #include "tools/radiosity/read/surroundings.h"
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct MeshProbe {
     int chart;
@@ -38,4 +38,4 @@ struct MeshErrors {
 };
 MeshErrors errorsOf(const std::vector<MeshProbe> &probes);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -252,4 +252,4 @@ bool Obstacles::blocked(Vec3d o, Vec3d d, double end) const {
     return is || (!balls.empty() && nearest(o, d).t < end);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -11,7 +11,7 @@
 #include <array>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class Obstacles {
 public:
@@ -57,4 +57,4 @@ private:
     template <class Visit> void walk(Vec3d origin, Vec3d direction, const double &end, Visit visit) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -73,4 +73,4 @@ double coneOfBall(double distance, double radius) {
     return std::sqrt(1 - sine * sine);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

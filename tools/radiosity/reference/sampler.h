@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdint>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // splitmix64 (Steele, Lea and Flood, 2014): a hash of 64 bits.
 uint64_t mixed(uint64_t x);
@@ -45,4 +45,4 @@ Vec3d inCone(Vec3d axis, double cosine, SquarePoint at);
 // The cosine for the cone in which a ball is seen from outside.
 double coneOfBall(double distance, double radius);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 inline uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
     uint64_t sum = 0xcbf29ce484222325u;
@@ -68,4 +68,4 @@ template <class T> bool getWhereItLies(std::string_view from, size_t &at, std::s
     return true;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

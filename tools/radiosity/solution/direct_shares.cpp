@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<Rgb> DirectShares::light(const std::vector<Rgb> &emits, size_t texels) const {
     std::vector<Rgb> all = outside;
@@ -40,4 +40,4 @@ bool DirectShares::fits(size_t texels) const {
            std::all_of(shares.begin(), shares.end(), [&](const auto &s) { return s.size() == texels; });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

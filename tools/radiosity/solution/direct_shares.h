@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct DirectShares {
     // For more materials that emit it is not worth while: direct light is then gathered again.
@@ -28,4 +28,4 @@ struct DirectShares {
     bool fits(size_t texels) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -27,15 +27,15 @@ uint64_t sumOfLanes(std::string_view all) {
 }
 
 void put(std::string &to, const std::vector<std::string> &words) {
-    odraz::put(to, std::vector<uint64_t>{words.size()});
-    for (const std::string &word : words) odraz::put(to, std::vector<char>(word.begin(), word.end()));
+    radiosity::put(to, std::vector<uint64_t>{words.size()});
+    for (const std::string &word : words) radiosity::put(to, std::vector<char>(word.begin(), word.end()));
 }
 bool get(std::string_view from, size_t &at, std::vector<std::string> &words) {
     std::vector<uint64_t> count;
-    if (!odraz::get(from, at, count) || count.size() != 1) return false;
+    if (!radiosity::get(from, at, count) || count.size() != 1) return false;
     for (uint64_t k = 0; k < count[0]; ++k) {
         std::vector<char> word;
-        if (!odraz::get(from, at, word)) return false;
+        if (!radiosity::get(from, at, word)) return false;
         words.emplace_back(word.begin(), word.end());
     }
     return true;
@@ -66,13 +66,13 @@ void KeptRows::save(const std::string &path) const {
     std::string all(kMagic);
     all.reserve(rows.size() + prepared.size() + 65536);
     all.resize(kHead);
-    odraz::put(all, std::vector<uint64_t>{model, sky, solution, evenSky});
-    odraz::put(all, away);
+    radiosity::put(all, std::vector<uint64_t>{model, sky, solution, evenSky});
+    radiosity::put(all, away);
     put(all, words), put(all, names.libraries), put(all, names.asked), put(all, names.all);
-    odraz::put(all, names.known), odraz::put(all, names.used);
+    radiosity::put(all, names.known), radiosity::put(all, names.used);
     putBytes(all, prepared);
     // Rows are used where they lie: place them as their items need it
-    odraz::put(all, std::vector<char>(8 - all.size() % 8));
+    radiosity::put(all, std::vector<char>(8 - all.size() % 8));
     putBytes(all, rows);
     uint64_t sum = sumOfLanes(std::string_view(all).substr(kHead));
     std::memcpy(&all[kLine], &sum, sizeof sum);
@@ -88,12 +88,12 @@ KeptRows::KeptRows(const std::string &path) : file(common::readWholeFile(path)) 
     size_t at = kHead;
     std::vector<uint64_t> head;
     std::vector<char> padding;
-    bool good = sum == sumOfLanes(all.substr(kHead)) && odraz::get(all, at, head) && head.size() == 4 &&
-                odraz::get(all, at, away) && away.size() == 3 && get(all, at, words) &&
+    bool good = sum == sumOfLanes(all.substr(kHead)) && radiosity::get(all, at, head) && head.size() == 4 &&
+                radiosity::get(all, at, away) && away.size() == 3 && get(all, at, words) &&
                 get(all, at, names.libraries) && get(all, at, names.asked) && get(all, at, names.all) &&
-                odraz::get(all, at, names.known) && odraz::get(all, at, names.used) &&
+                radiosity::get(all, at, names.known) && radiosity::get(all, at, names.used) &&
                 names.known.size() == names.asked.size() && names.used.size() == names.all.size() &&
-                getBytes(all, at, prepared) && odraz::get(all, at, padding) && getBytes(all, at, rows) &&
+                getBytes(all, at, prepared) && radiosity::get(all, at, padding) && getBytes(all, at, rows) &&
                 at == all.size();
     if (!good)
         throw common::Refused(path + ": is damaged, or from another version: solve with --keep-rows again");
@@ -105,4 +105,4 @@ uint64_t sumOfFile(const std::string &path) {
     return checksum(all.data(), all.size());
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

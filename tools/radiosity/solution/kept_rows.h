@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct KeptRows {
     // What they belong to
@@ -42,4 +42,4 @@ private:
 // The checksum of a file. Throws Refused.
 uint64_t sumOfFile(const std::string &path);
 
-} // namespace odraz
+} // namespace odraz::radiosity

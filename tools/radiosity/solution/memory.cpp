@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void refuseMemory(size_t bytes, size_t most, const char *remedy) {
     throw std::runtime_error("needs about " + std::to_string(bytes >> 20) + " MB, more than the " +
@@ -14,4 +14,4 @@ void refuseMemory(const Arena &arena, size_t more) {
     refuseMemory(arena.used + more, arena.size, "larger patches or elements need less");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 
 #include "base/arena.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Throws std::runtime_error: `bytes` are needed, `most` are allowed; `remedy` says which option lowers the
 // need.
@@ -16,4 +16,4 @@ template <class T> T *takeOrRefuse(Arena &arena, size_t count) {
     refuseMemory(arena, count * sizeof(T));
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::string SolveTask::prepare(const DirectShares &direct, std::span<const Chart> charts,
                                std::span<const Facet> facets) const {
@@ -54,4 +54,4 @@ std::vector<int> SolveTask::emitters() const {
     return all;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -16,12 +16,14 @@ constexpr char kMagic[] = "odraz radiosity 2\n";
 } // namespace
 
 void Solution::put(std::string &to) const {
-    odraz::put(to, charts), odraz::put(to, facets), odraz::put(to, cells), odraz::put(to, texels);
-    odraz::put(to, light), odraz::put(to, reflects), odraz::put(to, emits), odraz::put(to, cellReflects);
+    radiosity::put(to, charts), radiosity::put(to, facets), radiosity::put(to, cells),
+        radiosity::put(to, texels);
+    radiosity::put(to, light), radiosity::put(to, reflects), radiosity::put(to, emits),
+        radiosity::put(to, cellReflects);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
-    auto read = [&](auto &list) { return odraz::get(from, at, list); };
+    auto read = [&](auto &list) { return radiosity::get(from, at, list); };
     return read(charts) && read(facets) && read(cells) && read(texels) && read(light) && read(reflects) &&
            read(emits) && read(cellReflects) && valid(*this);
 }
@@ -32,7 +34,7 @@ void Solution::save(const std::string &path) const {
     common::writeWhole(path, withChecksum(body));
 }
 
-std::string Solution::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
+std::string Solution::withChecksum(const std::string &body) { return radiosity::withChecksum(kMagic, body); }
 
 Solution::Solution(const std::string &path) {
     std::string all = common::readWhole(path);
@@ -95,4 +97,4 @@ Rgb Solution::radiosityAt(int chart, const Vec3 &p) const {
     return radiosityIn(s.cell, s.u, s.v);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A point of an element's outline, and the radiosity there.
 struct SolutionPoint {
@@ -75,4 +75,4 @@ bool valid(const Solution &solution);
 // The checksum that a solution's file has in its head. Throws std::runtime_error if it is none.
 uint64_t sumOfSolution(const std::string &path);
 
-} // namespace odraz
+} // namespace odraz::radiosity

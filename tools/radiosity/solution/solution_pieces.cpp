@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 size_t Solution::elements() const {
     size_t count = 0;
@@ -123,4 +123,4 @@ void Solution::forPieces(
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -65,4 +65,4 @@ bool valid(const Solution &b) {
            all(b.cells, [&](const Cell &c) { return valid(c, number++, b); });
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

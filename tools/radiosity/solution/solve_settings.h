@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // How light is transported between surfaces: by rays from every element (rays/), or between patches by
 // hemicubes that OpenGL draws, as in the film (patches/).
@@ -71,4 +71,4 @@ struct SolveSettings {
     std::function<void(std::string rows, std::string prepared)> keepRows;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

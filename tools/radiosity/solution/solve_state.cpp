@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -77,4 +77,4 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
     return checksum(all.data(), all.size());
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct SolveState {
     std::vector<std::string> words; // of the command, after `solve`
@@ -28,4 +28,4 @@ uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky);
 // Of the sky alone.
 uint64_t sumOf(const SkyPicture &sky);
 
-} // namespace odraz
+} // namespace odraz::radiosity

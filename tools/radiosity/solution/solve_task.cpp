@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 const char *nameOf(SolveStep step) {
     switch (step) {
@@ -92,4 +92,4 @@ float SolveTask::solvedShare(float residual) {
                              1.);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

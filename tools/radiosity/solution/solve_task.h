@@ -6,7 +6,7 @@
 #include "tools/radiosity/solution/direct_shares.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 enum class SolveStep { kDividing, kFormFactors, kDirectLight, kSolving, kFinalRays };
 inline constexpr int kSolveSteps = 5;
@@ -98,4 +98,4 @@ double cellSide(const Mesh &mesh, const SolveSettings &settings);
 // Throws std::runtime_error because SolveSettings::resumed does not belong to this model.
 [[noreturn]] void refuseResumed();
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 ProgressBar::ProgressBar(bool lines)
     : terminal(isatty(STDERR_FILENO)), lines(lines && !terminal), start(common::wallSeconds()) {}
@@ -40,4 +40,4 @@ void ProgressBar::clear() {
     step = nullptr;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

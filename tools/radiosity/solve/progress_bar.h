@@ -1,7 +1,7 @@
 // Progress: a bar on a terminal or, if asked for, lines if stderr is a file.
 #pragma once
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class ProgressBar {
 public:
@@ -22,4 +22,4 @@ private:
     bool ended = false;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

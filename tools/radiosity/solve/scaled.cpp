@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -58,4 +58,4 @@ bool scaleLight(Solution &b, const Mesh &mesh, const PreparedSolve &prepared, co
     return true;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include "tools/radiosity/solution/solve_settings.h"
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Scales the light of a solution to these materials. False, and nothing is changed, if they reflect otherwise
 // than the solution's, if its lamps do not all change by the same factors of red, green and blue, or if there
@@ -13,4 +13,4 @@ namespace odraz {
 bool scaleLight(Solution &solution, const Mesh &materials, const PreparedSolve &prepared,
                 const SolveSettings &settings);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 Vec3d offsetOf(const Mesh &mesh) {
     Vec3d middle = mesh.middle();
@@ -76,7 +76,7 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
     bool dark = task.emitters().empty() && !settings.surroundings.shine();
     if (dark && settings.evenSky && !evenSky) refuseDark();
     if (dark && settings.evenSky)
-        task.settings.surroundings.sky = odraz::evenSky({1, 1, 1});
+        task.settings.surroundings.sky = radiosity::evenSky({1, 1, 1});
     else if (evenSky)
         prepared.direct.outside.clear();
     std::unique_ptr<PatchSystem> patches;
@@ -90,4 +90,4 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
     return solved;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

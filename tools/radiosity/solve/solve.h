@@ -4,7 +4,7 @@
 #include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/solution/solve_task.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Solved {
     Solution solution;
@@ -33,4 +33,4 @@ Mesh moved(const Mesh &mesh, const Vec3d &from);
 // Throws std::runtime_error: a fresh solution would get an even sky, which kept rows do not have.
 [[noreturn]] void refuseDark();
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -11,7 +11,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -205,4 +205,4 @@ int runSolve(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -2,7 +2,7 @@
 
 #include "tools/common/whole_file.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::unique_ptr<KeptRows> findRows(SolveJob &job) {
     return kept;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct SolveJob {
     std::string model, out;
@@ -29,4 +29,4 @@ SolveJob beginJob(common::Arguments &words, SolveState &state, std::string &resu
 // if they do not belong to its model or solution.
 std::unique_ptr<KeptRows> findRows(SolveJob &job);
 
-} // namespace odraz
+} // namespace odraz::radiosity

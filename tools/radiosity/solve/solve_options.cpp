@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -171,4 +171,4 @@ void SolveOptions::finish() {
                               " lamps");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class SolveOptions {
 public:
@@ -34,4 +34,4 @@ private:
     std::vector<std::string> suns, lamps;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

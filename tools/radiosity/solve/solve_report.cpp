@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static void printSweeps(const SolveReport &r, const SolveSettings &settings) {
     if (settings.bounces >= 0)
@@ -57,4 +57,4 @@ void printRelit(const Solved &solved, const SolveSettings &settings) {
         printSweeps(r, settings);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,10 +3,10 @@
 
 #include "tools/radiosity/solve/solve.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings);
 // The same for kept rows, without what takes time to count.
 void printRelit(const Solved &solved, const SolveSettings &settings);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static int *theStop; // a handler of signals has no other way to it
 
@@ -18,4 +18,4 @@ void tell(const std::vector<std::string> &notes) {
     for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // From now on the first of these signals sets `stop` to 1; a second one ends the program.
 void stopAt(int &stop, const std::vector<int> &signals);
@@ -13,4 +13,4 @@ void stopAt(int &stop, const std::vector<int> &signals);
 // Prints notes on stderr, a line each.
 void tell(const std::vector<std::string> &notes);
 
-} // namespace odraz
+} // namespace odraz::radiosity

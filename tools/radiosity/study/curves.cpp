@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -177,4 +177,4 @@ std::vector<float> Converging::lampsSeen() const {
     return seen;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 
 #include "tools/radiosity/study/study.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // One step: a pass over all patches, or some shots.
 struct Step {
@@ -51,4 +51,4 @@ private:
     Rgb ofColumns(const float *values, int patch) const;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

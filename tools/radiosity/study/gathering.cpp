@@ -10,7 +10,7 @@
 #include <numeric>
 #include <set>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -184,4 +184,4 @@ pictures::Image Gathering::unfolded(int patch, int px) {
     return picture;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include "tools/picture/picture.h"
 #include "tools/radiosity/study/study.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A hemicube's eye near corner k of a patch, a tenth of its side inside; in its middle if part of the patch
 // is hidden.
@@ -45,4 +45,4 @@ private:
     std::vector<float> expected; // luminance of all that arrives there, by the reference
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -135,4 +135,4 @@ void Page::finish() {
                                    rest + "</body>\n</html>\n");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

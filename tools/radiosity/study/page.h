@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A number as text, with so many significant digits; empty if it is not finite, for what was not measured.
 std::string shown(double number, int digits = 3);
@@ -63,4 +63,4 @@ private:
     void write(const std::string &file, const std::string &content);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

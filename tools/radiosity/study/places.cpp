@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 Places::Places(const Solution &reference, int count) {
     // All triangles of what reflects, with running sums of their area
@@ -44,7 +44,7 @@ LightErrors Places::errorsOf(const Solution &solution) const {
         values.push_back(luminance(solution.lightAt(p.chart, p.p)));
         reference.push_back(p.light);
     }
-    return odraz::errorsOf(values, reference);
+    return radiosity::errorsOf(values, reference);
 }
 
 LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference) {
@@ -62,4 +62,4 @@ LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> 
     return {100 * std::sqrt(error / all), 100 * common::median(std::move(relative))};
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

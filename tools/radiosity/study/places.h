@@ -3,7 +3,7 @@
 
 #include "tools/radiosity/solution/solution.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // In percent. rms: the root mean square of the differences as a share of that of the reference's light;
 // median: of the relative differences, at places that have a thousandth of the mean light at least. Of
@@ -32,4 +32,4 @@ private:
 // The same of values, one for each place; `reference` has them as they should be.
 LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -71,4 +71,4 @@ RowFinder rowsByRays(int rays, bool atCorners) {
     };
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

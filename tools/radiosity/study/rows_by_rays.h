@@ -4,10 +4,10 @@
 
 #include "tools/radiosity/solution/solve_settings.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Every patch sends out so many rays by the cosine law, from its middle or a quarter of them from near each
 // of its corners; each counts the same.
 RowFinder rowsByRays(int rays, bool atCorners = false);
 
-} // namespace odraz
+} // namespace odraz::radiosity

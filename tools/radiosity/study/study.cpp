@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string_view>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static constexpr int kCoarse = 1500;
 static constexpr double kReferenceShare = 0.1; // of the time
@@ -220,4 +220,4 @@ double Study::hemicubeSeconds(int px) {
     return costs[px] = std::isfinite(best) ? best : 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <map>
 #include <optional>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct StudySettings {
     std::string model;
@@ -143,4 +143,4 @@ void studyDisplay(Study &study);  // flat and interpolated; mappings
 void studyElements(Study &study); // uniform and adaptive
 void writeSummary(Study &study);  // what to choose
 
-} // namespace odraz
+} // namespace odraz::radiosity

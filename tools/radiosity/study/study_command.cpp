@@ -13,7 +13,7 @@
 #include <cstdio>
 #include <span>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -149,4 +149,4 @@ int runStudy(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,9 +3,9 @@
 
 #include "tools/common/arguments.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Runs `study` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
 int runStudy(common::Arguments &words);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -181,7 +181,7 @@ private:
                                shown(std::min(e.interpolated, e.flat)) + " % off instead of " +
                                shown(std::max(e.interpolated, e.flat)) + " %, at no cost.");
     }
-    static std::string shown(double number, int digits = 3) { return odraz::shown(number, digits); }
+    static std::string shown(double number, int digits = 3) { return radiosity::shown(number, digits); }
 };
 
 } // namespace
@@ -199,4 +199,4 @@ void studyDisplay(Study &study) {
     mappings(study, solution);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

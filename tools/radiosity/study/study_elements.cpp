@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 void studyElements(Study &study) {
     Page &page = study.page;
@@ -95,4 +95,4 @@ void studyElements(Study &study) {
                            " uniform ones " + shown(u.rms) + " % after " + shown(u.seconds) + " s.");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

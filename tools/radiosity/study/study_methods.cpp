@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -190,4 +190,4 @@ void studyMethods(Study &study) {
     tellOrders(study, curves[0], curves[1]);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

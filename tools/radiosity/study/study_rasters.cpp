@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -196,4 +196,4 @@ void studyRasters(Study &study) {
     solveAt(study, asked, gathering);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -96,4 +96,4 @@ void writeSummary(Study &study) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -171,4 +171,4 @@ void studyTable(Study &study, bool ofThesis) {
     table.finish();
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

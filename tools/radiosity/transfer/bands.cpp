@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -96,4 +96,4 @@ BandLight turned(const BandLight &light, int bands, const Turn &turn) {
     return out;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 
 #include <array>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 inline constexpr int kMostBands = 6, kMostSh = kMostBands * kMostBands;
 
@@ -39,4 +39,4 @@ Turn operator*(const Turn &second, const Turn &first);
 // nothing is lost. It is summed by quadrature, which is exact for six bands.
 BandLight turned(const BandLight &light, int bands, const Turn &turn);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -203,4 +203,4 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
     return true;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A light to try: its bands, as a room is relit with, and the same as a picture or as given, to be solved
 // for.
@@ -41,4 +41,4 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -2,7 +2,7 @@
 
 #include "base/random.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -156,4 +156,4 @@ bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Worker
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -14,7 +14,7 @@
 #include "base/float8.h"
 #include "base/parallel.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct PcaSettings {
     int clusters;       // 1 ..
@@ -41,4 +41,4 @@ struct ClusteredPca {
 // row starts in (0 .. settings.clusters - 1); compress() changes `p.cluster`. False when the arena is full.
 bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Workers &workers);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <functional>
 #include <numeric>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -171,4 +171,4 @@ double lossOf(const Clusters &c, const std::vector<float> &rows, const std::vect
     return all > 0 ? std::sqrt(lost / all) : 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Solution;
 
@@ -44,4 +44,4 @@ std::vector<int> blocksOf(const Solution &model, int count);
 double lossOf(const Clusters &clusters, const std::vector<float> &rows, const std::vector<float> &scale,
               int rank);
 
-} // namespace odraz
+} // namespace odraz::radiosity

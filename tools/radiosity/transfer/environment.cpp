@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::string lossOf(const std::string &name, const Projected &p, int bands) {
     return name + text;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Projected {
     BandLight light = {};
@@ -27,4 +27,4 @@ Projected readEnvironment(const std::string &option, const std::string &text, bo
 // One line: what share of the energy so many bands hold, and what they lose.
 std::string lossOf(const std::string &name, const Projected &projected, int bands);
 
-} // namespace odraz
+} // namespace odraz::radiosity

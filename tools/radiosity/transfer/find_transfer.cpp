@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -293,4 +293,4 @@ TransferRoom findTransfer(const Mesh &given, const TransferSettings &settings, W
     return room;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

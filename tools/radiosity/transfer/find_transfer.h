@@ -9,7 +9,7 @@
 #include "tools/radiosity/solution/solve_task.h"
 #include "tools/radiosity/transfer/transfer_room.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct TransferSettings {
     int bands = kBands;
@@ -43,4 +43,4 @@ TransferRoom findTransfer(const Mesh &mesh, const TransferSettings &settings, Wo
                           const std::function<void(const char *step, float done)> &progress,
                           TransferReport &report);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <memory>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -160,4 +160,4 @@ void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const Lig
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

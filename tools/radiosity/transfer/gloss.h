@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct Solution;
 
@@ -44,4 +44,4 @@ void findGloss(GlossyChart &gloss, const Chart &chart, int rays, float exponent,
 void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const LightVector &light,
                const Vec3 &eye, float polish);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around) {
     std::vector<LampSource> lamps;
@@ -36,4 +36,4 @@ void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes) 
     lamps.resize((size_t)kMaxLamps);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

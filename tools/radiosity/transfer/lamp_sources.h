@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // A light of the model or of the settings, of which the rest is dark.
 struct LampSource {
@@ -22,4 +22,4 @@ std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around);
 // Makes the last lamp that there is room for (kMaxLamps) stand for all others, with a note.
 void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes);
 
-} // namespace odraz
+} // namespace odraz::radiosity

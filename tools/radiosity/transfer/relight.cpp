@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt) {
     if (turn == 0 && tilt == 0) return sky;
@@ -79,4 +79,4 @@ Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3
     return model;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // How strong everything is, and how it is summed up.
 struct Lighting {
@@ -46,4 +46,4 @@ Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3
 // Sets the emission of the model's charts, from the lamps' strengths.
 void lightLamps(const TransferRoom &room, const Lighting &lighting, Solution &model);
 
-} // namespace odraz
+} // namespace odraz::radiosity

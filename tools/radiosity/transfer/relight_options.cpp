@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -115,4 +115,4 @@ Solution readLit(const std::string &path, const RelightOptions &options, Workers
     return litModel(room, lighting, eyeFor ? &eye : nullptr);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include "tools/radiosity/transfer/environment.h"
 #include "tools/radiosity/transfer/relight.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class RelightOptions {
 public:
@@ -40,4 +40,4 @@ using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
                  const EyeFor &eyeFor = nullptr);
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -63,4 +63,4 @@ int ColumnSystem::solve(float residual, Workers &workers) {
     return sweeps;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // The columns are red, green and blue of each light: 3 light + channel.
 class ColumnSystem {
@@ -42,4 +42,4 @@ private:
     std::vector<float> sources;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -10,7 +10,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -121,4 +121,4 @@ int runTransfer(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

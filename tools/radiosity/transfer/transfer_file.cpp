@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -118,7 +118,9 @@ std::vector<float> TransferRoom::rows() const {
     return all;
 }
 
-std::string TransferRoom::withChecksum(const std::string &body) { return odraz::withChecksum(kMagic, body); }
+std::string TransferRoom::withChecksum(const std::string &body) {
+    return radiosity::withChecksum(kMagic, body);
+}
 
 void TransferRoom::save(const std::string &path) const {
     std::string body;
@@ -149,4 +151,4 @@ TransferRoom TransferRoom::read(const std::string &path) {
     return room;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

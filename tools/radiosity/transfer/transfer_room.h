@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct TransferRoom {
     int bands = 0; // 1 .. kMostBands
@@ -52,4 +52,4 @@ struct TransferRoom {
     static std::string withChecksum(const std::string &body);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

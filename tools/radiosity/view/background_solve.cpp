@@ -6,7 +6,7 @@
 
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera,
                                  void (*wake)())
@@ -102,4 +102,4 @@ std::string BackgroundSolve::step() {
     return does;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -13,7 +13,7 @@
 #include <mutex>
 #include <thread>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // The news since the last call; pointers are null if nothing came.
 struct SolveNews {
@@ -64,4 +64,4 @@ private:
     std::thread thread; // last member: starts when all others exist
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -3,7 +3,7 @@
 
 #include "base/gl.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // clang-format off
 #define ODRAZ_VIEW_GL(F) \
@@ -125,4 +125,4 @@ void main() {
     o = vec4(shown, 1.0);
 })";
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -23,7 +23,7 @@
     }
 ODRAZ_GLFW(ODRAZ_JUMP)
 
-const char *odraz::openGlfw() {
+const char *odraz::radiosity::openGlfw() {
 #define ODRAZ_PLACE(name) &odraz_##name,
     static void **const places[] = {ODRAZ_GLFW(ODRAZ_PLACE)};
     void *found[sizeof places / sizeof *places];

@@ -1,10 +1,10 @@
 // GLFW, opened by name when a window is wanted, so that all other commands run where it is not installed.
 #pragma once
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Makes the functions of <GLFW/glfw3.h> callable. Returns null, or a line that says what is missing and what
 // to do.
 const char *openGlfw();
 
-} // namespace odraz
+} // namespace odraz::radiosity

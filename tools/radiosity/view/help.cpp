@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // In heights of a digit
 static constexpr float kLine = 2, kMargin = 1.5f, kSecond = 8, kWide = 33, kHigh = 2 * kMargin - 1;
@@ -39,4 +39,4 @@ pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height) {
     return p;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

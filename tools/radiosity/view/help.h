@@ -6,7 +6,7 @@
 #include <span>
 #include <string>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct ViewKey {
     const char *keys, *does;
@@ -59,4 +59,4 @@ std::string viewKeysLine(std::span<const ViewKey> keys);
 // The keys on a dark ground, one line each; the picture is at most this large.
 pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height);
 
-} // namespace odraz
+} // namespace odraz::radiosity

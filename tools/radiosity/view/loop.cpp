@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 // Samples along a pixel's side while nothing moves: this many come close to the tracer's edges.
 static constexpr int kStillSamples = 4;
@@ -125,4 +125,4 @@ void ViewWindow::run(BackgroundSolve *solver) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

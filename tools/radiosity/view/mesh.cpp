@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <unordered_map>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::vector<Rgb> ViewMesh::light(const Solution &solution) const {
     return light;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 
 #include <memory>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct ViewPoint {
     Vec3 p;
@@ -42,4 +42,4 @@ private:
     void placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -1,10 +1,10 @@
 // `radiosity view` in a build without GLFW.
 #include "tools/radiosity/view/view_command.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 int runView(common::Arguments &) {
     throw std::runtime_error("view was left out of this build: install GLFW (libglfw3-dev) and build again");
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -209,4 +209,4 @@ void ViewPicture::drawHemicube(int patch, bool upIsZ) {
     gl.glDisable(GL_SCISSOR_TEST);
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

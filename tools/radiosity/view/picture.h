@@ -9,7 +9,7 @@
 #include "tools/radiosity/view/mesh.h"
 #include "trace/rays/view.h"
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct ViewLayers {
     bool patches = false, elements = false, wireframe = false, hemicube = false, backs = false;
@@ -65,4 +65,4 @@ private:
     int samples = 1;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <new>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
@@ -165,4 +165,4 @@ std::string RelitRoom::words() const {
     return lighting.lamps.empty() ? all : all + " --lamps " + (lamps.empty() ? "none" : lamps.substr(1));
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

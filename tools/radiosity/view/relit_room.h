@@ -11,7 +11,7 @@
 #include <mutex>
 #include <thread>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 class RelitRoom {
 public:
@@ -66,4 +66,4 @@ private:
     void setClusters(int count);
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 bool ViewPicture::measure(int most, ViewTone &tone) {
     int across = scene.width / samples, down = scene.height / samples, width = std::min(across, most),
@@ -104,4 +104,4 @@ pictures::Image ViewPicture::read() const {
     return p;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 namespace {
 
@@ -149,4 +149,4 @@ int runView(common::Arguments &words) {
     return 0;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

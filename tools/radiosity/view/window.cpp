@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace odraz {
+namespace odraz::radiosity {
 
 static ViewWindow &of(GLFWwindow *window) { return *(ViewWindow *)glfwGetWindowUserPointer(window); }
 
@@ -173,4 +173,4 @@ bool ViewWindow::fly(float seconds) {
     return redraw = true;
 }
 
-} // namespace odraz
+} // namespace odraz::radiosity

@@ -9,7 +9,7 @@
 
 struct GLFWwindow;
 
-namespace odraz {
+namespace odraz::radiosity {
 
 struct ViewSettings {
     std::string name; // name of the model, for the title
@@ -72,4 +72,4 @@ private:
     std::string titled;
 };
 
-} // namespace odraz
+} // namespace odraz::radiosity

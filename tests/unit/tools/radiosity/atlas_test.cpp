@@ -14,6 +14,7 @@
 #include <random>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

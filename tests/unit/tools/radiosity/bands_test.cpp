@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 // The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle.
 TEST(Bands, ObeyTheAdditionTheorem) {

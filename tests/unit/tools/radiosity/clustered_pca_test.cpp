@@ -14,6 +14,7 @@
 #include <vector>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

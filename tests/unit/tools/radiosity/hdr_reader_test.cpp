@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

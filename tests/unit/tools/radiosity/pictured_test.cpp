@@ -11,6 +11,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

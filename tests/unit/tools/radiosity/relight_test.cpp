@@ -13,6 +13,7 @@
 #include <random>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 static Workers serial = serialWorkers();
 

@@ -14,6 +14,7 @@
 #include <memory>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 

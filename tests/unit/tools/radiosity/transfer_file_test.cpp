@@ -9,6 +9,7 @@
 #include <cstdio>
 
 using namespace odraz;
+using namespace odraz::radiosity;
 
 namespace {
 
