@@ -1,11 +1,20 @@
-// One shape of each kind, for tests of all kinds. A new kind needs a case in the switch.
+// Scenes for tests: an empty one, and one shape of each kind.
 #pragma once
 
-#include "trace/scene/shape.h"
+#include "trace/scene/scene.h"
+
+#include <memory>
 
 namespace odraz {
 
-// A shape with a given centre, in the world's frame. Kinds with fewer than three sizes use the first ones.
+inline std::unique_ptr<Scene> emptyScene() {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    return scene;
+}
+
+// A shape with a given centre, in the world's frame. Kinds with fewer than three sizes use the first ones. A
+// new kind needs a case in the switch.
 inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {
     switch (kind) {
     case ShapeKind::Sphere:

@@ -1,9 +1,8 @@
 // Traces whole rays through small scenes, one at a time, for tests of shading.
 #pragma once
 
+#include "tests/support/shapes.h"
 #include "trace/shade/whitted.h"
-
-#include <memory>
 
 namespace odraz {
 
@@ -23,9 +22,8 @@ inline Material matte(Rgb colour) {
 }
 
 struct Stage {
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    std::unique_ptr<Scene> scene = emptyScene();
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
-    Stage() { scene->clear(); }
 
     // Traces the ray from eye to target. The picture has one pixel of some 40 degrees; the sample is `size`
     // pixels wide.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "show/show.h"
+#include "tests/support/shapes.h"
 #include "tests/support/threads.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/picture/psnr.h"
@@ -9,7 +10,6 @@
 #include "trace/picture/tracer.h"
 
 #include <gtest/gtest.h>
-#include <memory>
 #include <vector>
 
 namespace odraz {
@@ -57,8 +57,7 @@ inline CameraKey scripted(int scene, float row) {
 }
 
 inline std::unique_ptr<Scene> posed(int scene, float row) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     kScenes[scene].pose({row, scripted(scene, row), nullptr, {}}, *s);
     s->finish();
     return s;

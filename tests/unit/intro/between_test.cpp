@@ -3,11 +3,10 @@
 #include "inside.h"
 #include "show/materials.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/threads.h"
 
 #include <cmath>
-#include <gtest/gtest.h>
 #include <vector>
 
 using namespace odraz;
@@ -17,20 +16,8 @@ namespace {
 constexpr int kWidth = 320, kHeight = 180;
 constexpr double kStep = 1 / 60.0;
 
-struct Loaded {
-    Threads threads;
-    IntroSettings settings;
-    HeapArena memory;
-    Intro *intro = nullptr;
-    explicit Loaded(int count, bool hall, int width = kWidth, int height = kHeight)
-        : threads(count), settings{width, height},
-          memory((settings.pairs = true, memoryNeeded(settings, count, hall))) {
-        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers, hall ? &headlessGl() : nullptr),
-                     nullptr);
-    }
-};
 Intro &film() {
-    static Loaded loaded(2, true);
+    static LoadedFilm loaded(2, kWidth, kHeight, true, &headlessGl());
     return *loaded.intro;
 }
 
@@ -74,16 +61,16 @@ double decibels(const Intro &intro, const std::vector<float> &a, const std::vect
 } // namespace
 
 TEST(Between, IsNearerToTheTruthThanADraft) {
-    std::vector<double> moments = {14, 56, 144, 7, 22, 30, 44, 66, 90, 93, 107, 138, 156};
-    if (kSanitized) moments.resize(1);
-    for (double seconds : moments) {
+    std::vector<double> times = {14, 56, 144, 7, 22, 30, 44, 66, 90, 93, 107, 138, 156};
+    if (kSanitized) times.resize(1);
+    for (double seconds : times) {
         auto truth = traced(film(), seconds, named(QualityName::Reference));
         double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));
         double between = decibels(film(), truth, made(film(), seconds));
         double anew = (double)tracedAnew(film().between) / (kWidth * kHeight);
         std::printf("%s at %g s: %.1f dB, draft %.1f, traced anew %.2f %%\n", sceneName(sceneAt(seconds)),
                     seconds, between, draft, 100 * anew);
-        EXPECT_GT(between, std::fmin(draft + 0.7, 42)) << seconds; // above that nobody sees a difference
+        EXPECT_GT(between, std::fmin(draft + 0.7, 42)) << seconds; // above that no difference is seen
         EXPECT_LT(anew, 0.2) << seconds;
     }
 }
@@ -129,11 +116,11 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
     EXPECT_LT(anew, 0.005);
 }
 
-// At any fraction of a wider gap, too: at least as near as the half-way one of a coarse picture.
+// At any fraction of a wider gap it is about as near as a draft.
 TEST(Between, IsNearAtEveryFraction) {
-    std::vector<double> moments = {20, 24.1, 30, 44, 98, 121, 150};
-    if (kSanitized) moments.resize(1);
-    for (double seconds : moments) {
+    std::vector<double> times = {20, 24.1, 30, 44, 98, 121, 150};
+    if (kSanitized) times.resize(1);
+    for (double seconds : times) {
         auto truth = traced(film(), seconds, named(QualityName::Reference));
         double draft = decibels(film(), truth, traced(film(), seconds, named(QualityName::Draft)));
         for (int gap : {4, 6})
@@ -192,7 +179,7 @@ TEST(Between, BesideACutIsOfItsOwnShot) {
         double seconds = cut + (share * 4 - 2.5) * kStep;
         Picture p = between(intro, 0, 1, share);
         std::vector<uint8_t> shown(p.rgba, p.rgba + kWidth * kHeight * 4);
-        Loaded other(1, false);
+        LoadedFilm other(1, kWidth, kHeight, true);
         Picture q = picture(*other.intro, 0, seconds, named(QualityName::Play));
         double squares = 0;
         for (size_t i = 0; i < shown.size(); ++i) squares += std::pow(shown[i] - q.rgba[i], 2);
@@ -219,7 +206,8 @@ TEST(Between, IsOfTheSlotsThatAreNamed) {
 // The result does not depend on the number of threads: at moments of the whole film, the gaps in turn.
 TEST(Between, IsTheSameForAllThreads) {
     bool hall = !kSanitized;
-    Loaded one(1, hall), five(5, hall);
+    const Gl *gl = hall ? &headlessGl() : nullptr;
+    LoadedFilm one(1, kWidth, kHeight, true, gl), five(5, kWidth, kHeight, true, gl);
     for (double seconds = 2; seconds < (hall ? 160 : 60); seconds += hall ? 10 : 20) {
         int gap = 2 + (int)(seconds / 10) % 3 * 2;
         EXPECT_EQ(made(*one.intro, seconds, gap, 1), made(*five.intro, seconds, gap, 1))
@@ -233,7 +221,7 @@ TEST(Between, OfPicturesOfDifferentSizesIsAsNearToTheTruth) {
         int width, height;
     };
     constexpr Size kSmall = {640, 360}, kMiddle = {648, 364}, kLarge = {656, 369};
-    Loaded loaded(2, false, kLarge.width, kLarge.height);
+    LoadedFilm loaded(2, kLarge.width, kLarge.height, true);
     Intro &intro = *loaded.intro;
     auto trace = [&](Traced &to, double seconds, Size size, QualityName quality) {
         Film film = intro.film;

@@ -1,11 +1,9 @@
 // Pictures that are traced in fewer pixels than they have: those of a smaller film, scaled up; in any order;
 // and in-betweens of them.
 #include "inside.h"
-#include "tests/support/threads.h"
-#include "tools/engine/heap_arena.h"
+#include "tests/support/loaded_film.h"
 #include "trace/picture/enlarge.h"
 
-#include <gtest/gtest.h>
 #include <vector>
 
 using namespace odraz;
@@ -15,15 +13,8 @@ namespace {
 constexpr int kWidth = 320, kHeight = 180;
 constexpr double kAtTable = 25, kAtFlake = 53, kAtCredits = 156; // the last one has letters
 
-struct Loaded {
-    Threads threads{2};
-    IntroSettings settings;
-    HeapArena memory;
-    Intro *intro = nullptr;
-    Loaded(int width, int height, bool pairs)
-        : settings{width, height, 0, nullptr, pairs}, memory(memoryNeeded(settings, 2, false)) {
-        EXPECT_STREQ(load(intro, settings, memory.arena, threads.workers), nullptr);
-    }
+struct Loaded : LoadedFilm {
+    Loaded(int width, int height, bool pairs) : LoadedFilm(2, width, height, pairs) {}
     std::vector<uint8_t> at(double seconds, TracedSize traced = {}, int slot = 0) {
         Picture p = picture(*intro, slot, seconds, kQualities[(int)QualityName::Draft], nullptr, traced);
         return bytesOf(p);

@@ -38,7 +38,7 @@ struct Room {
     void addBall(Vec3 centre, float radius) {
         r->bases.lamps[r->bases.lampCount++] = {centre * scale, radius * scale, -1};
     }
-    bool solve(RadiositySettings settings = {}) {
+    bool solve(RadiositySettings settings = {}, const Progress &progress = {}) {
         scene->clear();
         scene->add(plain(walls));
         scene->add(plain(floor));
@@ -47,7 +47,7 @@ struct Room {
         scene->add(lamp);
         model->pose(*scene);
         scene->finish();
-        return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, {});
+        return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, progress);
     }
     // The value of a texel in one of the planes
     float at(const float *plane, int chart, int i, int j) const {
@@ -344,15 +344,10 @@ TEST(Solve, ProgressRisesToOne) {
     Room room;
     room.addWalls();
     room.addBall({0, 2, 0}, 0.1f);
-    room.scene->clear();
-    for (Rgb c : {room.walls, room.floor}) room.scene->add(Room::plain(c));
-    room.model->pose(*room.scene);
-    room.scene->finish();
     std::vector<float> shares;
     Progress progress = {[](float done, void *context) { ((std::vector<float> *)context)->push_back(done); },
                          &shares};
-    ASSERT_TRUE(solveRadiosity(*room.r, *room.model, *room.scene, {}, headlessGl(), room.memory.arena,
-                               room.workers, progress));
+    ASSERT_TRUE(room.solve({}, progress));
     ASSERT_GT(shares.size(), 10u);
     for (size_t i = 1; i < shares.size(); ++i) EXPECT_GE(shares[i], shares[i - 1]);
     EXPECT_GE(shares.front(), 0);

@@ -69,8 +69,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
 
 // A scene with nothing but one emitting shape.
 static std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     Material bright = {};
     bright.emit = radiance;
     s->add(bright);
@@ -137,8 +136,7 @@ TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
 // A camera moves by fractions of a pixel through 64 positions. Returns in how many a bright point blinks: its
 // brightest pixel is below half of its maximum.
 static int blinks(const Quality &quality, const std::function<void(Scene &)> &pose) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     pose(*s);
     s->finish();
     std::vector<int> bright;
@@ -207,8 +205,7 @@ TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
 // of 255 it shows what a lamp just as bright as white would. The edge is steep, so that stairs would be long.
 TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
     auto edge = [](float radiance, QualityName quality) {
-        auto s = std::make_unique<Scene>();
-        s->clear();
+        auto s = emptyScene();
         Material lamp = {};
         lamp.emit = {radiance, radiance, radiance};
         s->add(lamp);
@@ -254,8 +251,7 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
     map.charts = charts, map.cells = &cell;
     for (auto &plane : map.plane) plane = light;
 
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     Material dark = {};
     dark.diffuse = 1;
     for (float grey : {0.008f, 0.009f}) {
@@ -292,8 +288,7 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
 
 // Two surfaces that are alike but for their textures meet in a line without steps.
 TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     Material wall = {}, tiles = {};
     wall.diffuse = tiles.diffuse = 1;
     wall.texture.palette[0] = {0.5f, 0.5f, 0.5f};

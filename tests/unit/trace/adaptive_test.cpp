@@ -63,8 +63,7 @@ TEST(Adaptive, TakesFewerSamplesThanPixels) {
 
 // Along an edge, the sides of squares that do not cross it are not traced again.
 TEST(Adaptive, TracesNoSideBetweenCornersThatAreAlike) {
-    auto s = std::make_unique<Scene>();
-    s->clear();
+    auto s = emptyScene();
     Material bright = {};
     bright.emit = {0.02f, 0.02f, 0.02f};
     s->add(bright);
@@ -122,8 +121,7 @@ TEST(Adaptive, MistakesNoPixel) {
     };
     constexpr int kWidth = 1280, kHeight = 720;
     for (auto &[name, pose, camera, mostOff] : scenes) {
-        auto scene = std::make_unique<Scene>();
-        scene->clear();
+        auto scene = emptyScene();
         pose(*scene);
         scene->finish();
         TracedPicture p = traced(*scene, camera, named(QualityName::Play), kWidth, kHeight, 2, true);
@@ -161,8 +159,7 @@ TEST(Adaptive, MistakesNoPixel) {
 }
 
 TEST(Adaptive, TakesTheLargestFrame) {
-    auto scene = std::make_unique<Scene>();
-    scene->clear();
+    auto scene = emptyScene();
     posePeerA(*scene);
     scene->finish();
     TracedPicture p = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth, kMaxHeight);
@@ -188,8 +185,7 @@ TEST(Adaptive, AbortLeavesAtOnce) {
     Tracer tracer;
     Frame frame;
     ASSERT_TRUE(makeTracer(tracer, memory.arena, 2) && makeFrame(frame, memory.arena, 320, 180));
-    auto posed = std::make_unique<Scene>();
-    posed->clear();
+    auto posed = emptyScene();
     posed->finish();
     traceFrame(tracer, pool.workers, *posed, lookAt({}, {}, 0, 40, 320, 180), named(QualityName::Film),
                frame);
@@ -200,8 +196,7 @@ TEST(Adaptive, AbortLeavesAtOnce) {
 // alone.
 TEST(Adaptive, TakesFewSamplesWhereMirroredTexturesAreDark) {
     auto samples = [](float strength) {
-        auto s = std::make_unique<Scene>();
-        s->clear();
+        auto s = emptyScene();
         Material mirror = {}, wall = {};
         mirror.texture = {Pattern::Plain, 1, {{}, {}, {}, {}}};
         mirror.reflect = 0.8f, mirror.tint = {1, 1, 1};

@@ -1,11 +1,10 @@
 #include "inside.h"
 #include "show/font.h"
-#include "tools/engine/heap_arena.h"
+#include "tests/support/loaded_film.h"
 #include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 
 #include <cmath>
-#include <gtest/gtest.h>
 #include <vector>
 
 using namespace odraz;
@@ -195,11 +194,8 @@ TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
 
 // Where the film hardly moves, its noise does; the same time has the same noise.
 TEST(Develop, NoiseMovesWithTheFilm) {
-    IntroSettings settings = {320, 180};
-    HeapArena memory(memoryNeeded(settings, 1, false));
-    Workers workers = serialWorkers();
-    Intro *intro = nullptr;
-    ASSERT_EQ(load(intro, settings, memory.arena, workers), nullptr);
+    LoadedFilm film(1, 320, 180, false);
+    Intro *intro = film.intro;
     const Frame &frame = intro->frame;
     constexpr size_t kPixels = 320 * 180;
     struct Shown {

@@ -4,18 +4,11 @@
 #include "trace/shade/diffuse.h"
 
 #include <gtest/gtest.h>
-#include <memory>
 #include <string>
 
 using namespace odraz;
 
 namespace {
-
-std::unique_ptr<Scene> cleared() {
-    auto scene = std::make_unique<Scene>();
-    scene->clear();
-    return scene;
-}
 
 const Shape &put(Scene &scene, ShapeKind kind, Vec3 centre) {
     return *scene.add(shapeOf(kind, centre, {1, 1, 1}));
@@ -25,10 +18,10 @@ float meet(const Shape &s, Vec3 o, Vec3 d) { return distance(s, {broadcast(o), b
 
 } // namespace
 
-TEST(Shapes, AreWhatTheirTraitsSay) {
+TEST(Shapes, HaveTheirTraits) {
     for (const ShapeTraits &traits : kShapeTraits) {
         SCOPED_TRACE((int)traits.kind);
-        auto scene = cleared();
+        auto scene = emptyScene();
         scene->add(Material{});
         const Vec3 centre = {3, 5, -2}, in = centre + Vec3{0.2f, 0, 0.3f};
         const Shape &s = put(*scene, traits.kind, centre);
@@ -76,7 +69,7 @@ TEST(Shapes, AreWhatTheirTraitsSay) {
 TEST(Shapes, JoinTheirTexturesOrNot) {
     Texture cloud = {.pattern = Pattern::Cloud, .scale = 1, .palette = {{0, 0, 0}, {1, 1, 1}, {0, 0, 0}}};
     for (const ShapeTraits &traits : kShapeTraits) {
-        auto scene = cleared();
+        auto scene = emptyScene();
         scene->add(Material{.texture = cloud, .diffuse = 1});
         put(*scene, traits.kind, {0.3f, 0, 0});
         put(*scene, traits.kind, {1.7f, 0, 0.4f});
@@ -92,8 +85,8 @@ TEST(Shapes, JoinTheirTexturesOrNot) {
 }
 
 // Nothing is dropped silently: the error names the constant to raise.
-TEST(Scene, TellsWhatItHasTooMuchOf) {
-    auto scene = cleared();
+TEST(Scene, NamesTheLimitThatIsExceeded) {
+    auto scene = emptyScene();
     auto fills = [&](const char *limit, int most, auto &&add) {
         scene->clear();
         for (int i = 0; i < most; ++i) add();
