@@ -1,4 +1,4 @@
-#include "files.h"
+#include "packer/files.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,14 +1,14 @@
 // pack: makes a small self-unpacking executable out of another, and takes it apart again.
-#include "elf_reader.h"
-#include "elf_writer.h"
-#include "files.h"
-#include "loader_reader.h"
-#include "loader_writer.h"
-#include "model_parameters.h"
-#include "options.h"
-#include "pe_writer.h"
-#include "report_html.h"
-#include "search.h"
+#include "packer/files.h"
+#include "packer/model/model_parameters.h"
+#include "packer/model/search.h"
+#include "packer/options.h"
+#include "packer/read/elf_reader.h"
+#include "packer/read/loader_reader.h"
+#include "packer/report/report_html.h"
+#include "packer/write/elf_writer.h"
+#include "packer/write/loader_writer.h"
+#include "packer/write/pe_writer.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,4 +1,4 @@
-#include "options.h"
+#include "packer/options.h"
 
 #include <cstdio>
 #include <cstdlib>

@@ -1,7 +1,7 @@
 // The command line of pack.
 #pragma once
 
-#include "texts.h"
+#include "packer/write/texts.h"
 
 #include <string>
 

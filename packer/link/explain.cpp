@@ -1,5 +1,5 @@
 // What the linker says, for people: one line with what to do.
-#include "linker.h"
+#include "packer/link/linker.h"
 
 #include <set>
 #include <sstream>

@@ -1,6 +1,6 @@
-#include "imports.h"
+#include "packer/link/imports.h"
 
-#include "program.h"
+#include "packer/read/program.h"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // What a program imports, and how it can find that by itself: the plan of the way `imports`.
 #pragma once
 
-#include "libraries.h"
-#include "objects.h"
+#include "packer/link/libraries.h"
+#include "packer/link/objects.h"
 
 namespace pack::linking {
 

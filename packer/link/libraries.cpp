@@ -1,7 +1,7 @@
-#include "libraries.h"
+#include "packer/link/libraries.h"
 
-#include "elf_file.h"
-#include "files.h"
+#include "packer/files.h"
+#include "packer/read/elf_file.h"
 
 namespace pack::linking {
 

@@ -1,9 +1,9 @@
-#include "linker.h"
+#include "packer/link/linker.h"
 
-#include "files.h"
-#include "linker_map.h"
-#include "program.h"
-#include "start.h"
+#include "packer/files.h"
+#include "packer/link/linker_map.h"
+#include "packer/link/start.h"
+#include "packer/read/program.h"
 #include "tools/common/arguments.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Links a program in each of the ways, by the compiler.
 #pragma once
 
-#include "imports.h"
-#include "options.h"
+#include "packer/link/imports.h"
+#include "packer/link/options.h"
 
 namespace pack::linking {
 

@@ -1,4 +1,4 @@
-#include "linker_map.h"
+#include "packer/link/linker_map.h"
 
 #include <algorithm>
 #include <sstream>

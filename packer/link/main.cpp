@@ -1,8 +1,8 @@
 // pack-link: links a program for the packer, in the ways that are possible, and keeps the smallest.
-#include "options.h"
-#include "tries.h"
+#include "packer/link/options.h"
+#include "packer/link/tries.h"
 
-#include "program.h"
+#include "packer/read/program.h"
 #include "tools/common/arguments.h"
 #include "tools/common/temporary_folder.h"
 

@@ -1,7 +1,7 @@
-#include "objects.h"
+#include "packer/link/objects.h"
 
-#include "elf_file.h"
-#include "files.h"
+#include "packer/files.h"
+#include "packer/read/elf_file.h"
 
 #include <cstdlib>
 

@@ -1,6 +1,6 @@
-#include "options.h"
+#include "packer/link/options.h"
 
-#include "objects.h"
+#include "packer/link/objects.h"
 #include "tools/common/arguments.h"
 
 #include <filesystem>

@@ -1,7 +1,7 @@
 // The command line of pack-link.
 #pragma once
 
-#include "process.h"
+#include "packer/link/process.h"
 
 namespace common {
 class Arguments;

@@ -1,4 +1,4 @@
-#include "process.h"
+#include "packer/link/process.h"
 
 #include "tools/common/arguments.h"
 

@@ -1,4 +1,4 @@
-#include "start.h"
+#include "packer/link/start.h"
 
 namespace pack::linking {
 

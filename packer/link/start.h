@@ -1,7 +1,7 @@
 // The source, in assembler, of what starts a program in place of crt1.
 #pragma once
 
-#include "imports.h"
+#include "packer/link/imports.h"
 
 namespace pack::linking {
 

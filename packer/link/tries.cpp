@@ -1,8 +1,8 @@
-#include "tries.h"
+#include "packer/link/tries.h"
 
-#include "elf_file.h"
-#include "files.h"
-#include "small_model.h"
+#include "packer/files.h"
+#include "packer/link/small_model.h"
+#include "packer/read/elf_file.h"
 #include "tools/common/arguments.h"
 
 #include <cstdio>

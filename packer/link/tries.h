@@ -1,7 +1,7 @@
 // Links and packs a program in all ways that are possible, to see which file is the smallest.
 #pragma once
 
-#include "linker.h"
+#include "packer/link/linker.h"
 
 namespace pack::linking {
 

@@ -1,13 +1,13 @@
 // For libFuzzer: whatever the input is, the packer's readers answer with a program or an error line. The
 // first byte of the input chooses the reader.
-#include "elf_reader.h"
-#include "elf_writer.h"
-#include "loader_reader.h"
-#include "loader_writer.h"
-#include "model_parameters.h"
-#include "pe_format.h"
-#include "pe_writer.h"
-#include "stub.h"
+#include "packer/model/model_parameters.h"
+#include "packer/read/elf_reader.h"
+#include "packer/read/loader_reader.h"
+#include "packer/stub/pe_format.h"
+#include "packer/stub/stub.h"
+#include "packer/write/elf_writer.h"
+#include "packer/write/loader_writer.h"
+#include "packer/write/pe_writer.h"
 #include "tests/support/pe_rules.h"
 
 #include "stub_bytes.h"

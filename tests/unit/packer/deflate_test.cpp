@@ -1,5 +1,5 @@
 // What deflate() packs, stb's decoder unpacks.
-#include "deflate.h"
+#include "packer/report/deflate.h"
 
 #include <gtest/gtest.h>
 #include <random>

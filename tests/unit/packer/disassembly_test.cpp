@@ -1,4 +1,4 @@
-#include "disassembly.h"
+#include "packer/report/disassembly.h"
 
 #include <gtest/gtest.h>
 

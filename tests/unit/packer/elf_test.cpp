@@ -1,8 +1,8 @@
-#include "elf_reader.h"
-#include "elf_writer.h"
-#include "loader_reader.h"
-#include "loader_writer.h"
-#include "model_parameters.h"
+#include "packer/model/model_parameters.h"
+#include "packer/read/elf_reader.h"
+#include "packer/read/loader_reader.h"
+#include "packer/write/elf_writer.h"
+#include "packer/write/loader_writer.h"
 
 #include <cstring>
 #include <elf.h>

@@ -1,7 +1,7 @@
-#include "elf_writer.h"
-#include "estimate.h"
-#include "model_parameters.h"
-#include "search.h"
+#include "packer/model/estimate.h"
+#include "packer/model/model_parameters.h"
+#include "packer/model/search.h"
+#include "packer/write/elf_writer.h"
 #include "tests/support/sanitized.h"
 
 #include <cstring>

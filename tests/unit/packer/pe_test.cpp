@@ -1,6 +1,6 @@
-#include "files.h"
-#include "model_parameters.h"
-#include "pe_writer.h"
+#include "packer/files.h"
+#include "packer/model/model_parameters.h"
+#include "packer/write/pe_writer.h"
 #include "tests/support/pe_rules.h"
 
 #include <cstring>

@@ -1,4 +1,4 @@
-#include "report.h"
+#include "packer/report/report.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -174,7 +174,8 @@ TEST(Markdown, TellsTotalBudgetAndLargestChanges) {
     EXPECT_NE(text.find("|       +9 |       11 |        2 | `f(int)` |\n"), std::string::npos) << text;
     EXPECT_EQ(text.find("`g`"), std::string::npos) << text; // did not change
     EXPECT_NE(printMarkdown("a", now, &before, 110).find("**over budget by 5** of 110"), std::string::npos);
-    EXPECT_NE(printMarkdown("a", now, &now, -1).find("No symbol changed by four bytes or more."), std::string::npos);
+    EXPECT_NE(printMarkdown("a", now, &now, -1).find("No symbol changed by four bytes or more."),
+              std::string::npos);
     EXPECT_NE(printMarkdown("a", now, nullptr, -1).find("|      100 | `(stub)` |"), std::string::npos);
     // What is gone, and a report without symbols
     before.symbols["old"].bits = 16000;

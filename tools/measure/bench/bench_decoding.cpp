@@ -6,9 +6,9 @@
 #include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
 
-#include "elf_writer.h"
-#include "files.h"
-#include "stub.h"
+#include "packer/files.h"
+#include "packer/stub/stub.h"
+#include "packer/write/elf_writer.h"
 
 #include <cerrno>
 #include <chrono>

@@ -8,10 +8,10 @@
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/corpus.h"
 
-#include "elf_writer.h"
-#include "files.h"
-#include "model_parameters.h"
-#include "search.h"
+#include "packer/files.h"
+#include "packer/model/model_parameters.h"
+#include "packer/model/search.h"
+#include "packer/write/elf_writer.h"
 
 #include <cstdio>
 #include <cstdlib>

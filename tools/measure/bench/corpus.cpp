@@ -3,8 +3,8 @@
 #include "tools/common/arguments.h"
 #include "tools/common/whole_file.h"
 
-#include "elf_reader.h"
-#include "files.h"
+#include "packer/files.h"
+#include "packer/read/elf_reader.h"
 
 #include <cstring>
 #include <elf.h>

@@ -1,7 +1,7 @@
 // Machine code for measuring the packer: parts of the instructions of this film and of system libraries.
 #pragma once
 
-#include "program.h"
+#include "packer/read/program.h"
 
 namespace pack {
 

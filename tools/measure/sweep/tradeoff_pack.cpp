@@ -4,10 +4,10 @@
 #include "tools/measure/bench/corpus.h"
 #include "tools/measure/sweep/tradeoff.h"
 
-#include "elf_writer.h"
-#include "model_parameters.h"
-#include "search.h"
-#include "stub.h"
+#include "packer/model/model_parameters.h"
+#include "packer/model/search.h"
+#include "packer/stub/stub.h"
+#include "packer/write/elf_writer.h"
 
 using namespace pack;
 using common::processorSeconds;

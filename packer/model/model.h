@@ -1,0 +1,272 @@
+// The model: it predicts the next bit from the bits that followed the same contexts before.
+//
+// A context is a choice of fields (fields.h); their values are hashed. Together with the bits of the byte so
+// far, the hash selects a slot, which gives three adaptive probabilities: the slot's own; one selected by the
+// last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
+// slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
+// slot's own also as p - 1/2. One more input is what the places say that an operand may name
+// (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; fields and bits of its own
+// select one. A ninth set, whose row the phase selects, mixes the eight results. A last table, selected by
+// fields and bits too, corrects the mixed probability. The weights are trained by the error (as in Mahoney's
+// PAQ), a row that was used often more slowly.
+//
+// This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
+// anything. They must agree to the last bit: single-precision floats, one operation at a time in the order
+// written, sums in four lanes. Compile without contraction. The order of contexts and counters matters too,
+// because slots may collide.
+#pragma once
+
+#include "packer/model/surroundings.h"
+
+namespace pack {
+
+constexpr uint32_t kContextCounters = 3;
+constexpr uint32_t kMostContexts = 16; // 24 gained nothing
+constexpr uint32_t kSets = 8;
+constexpr uint32_t kRowBits = 12, kRows = 1 << kRowBits; // rows of a set's weights
+constexpr uint32_t kLeastSlotBits = 12, kMostSlotBits = 23;
+
+// What the packer chooses for each program.
+struct ModelParameters {
+    uint32_t contexts; // a multiple of four, 4 .. kMostContexts
+    uint32_t slotBits; // 2^slotBits slots of eight bytes
+    // Which fields each context uses, one bit for each field from kColumn on; then the same for the selectors
+    // of all sets but the first. [0] is for code, [1] for data
+    uint32_t masks[2][kMostContexts + kSets - 1];
+
+    uint32_t hashes() const { return contexts + kSets - 1; }
+    uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
+    bool sane() const {
+        uint32_t unknown = 0; // bits of fields that cannot be used
+        for (int type = 0; type < 2; ++type)
+            for (uint32_t mask : masks[type]) unknown |= mask & ~kMayUse[type];
+        return contexts >= 4 && contexts <= kMostContexts && contexts % 4 == 0 &&
+               slotBits >= kLeastSlotBits && slotBits <= kMostSlotBits && !unknown;
+    }
+};
+
+// The upper 24 bits are a probability, signed: -kHalf .. kHalf for 0 .. 1. The lower 8 bits count the bits
+// that it has seen, up to 255. Zeroed memory is a counter that has seen nothing.
+typedef uint32_t Counter;
+constexpr int32_t kSeenBits = 8, kProbabilityBits = 24;
+constexpr int32_t kHalf = 1 << (kProbabilityBits - 1), kCertain = kHalf - 1;
+// A counter moves by 1 / (seen + settled) of its error. Of a context's three counters, the one selected by
+// the last byte is the most cautious
+constexpr float kSettled[kContextCounters] = {1.05f, 1.3f, 1.4f};
+constexpr int32_t kShareBits = 20; // of the probability that predict() returns
+
+struct Slot {
+    Counter counter;
+    uint8_t history;  // a leading one and the last bits seen, at most seven; the lowest bit is stored flipped
+    uint8_t lastByte; // only in the slot of a byte's first bit: the last byte seen here
+    uint16_t check;   // low bits of the hash that owns the slot
+};
+
+constexpr uint32_t kHistoryFull = 128; // the leading one of a history of seven bits
+
+typedef float Float4 __attribute__((vector_size(16)));
+// Logarithms are in units of a float's last bit: 2^23 for a factor of 2.
+constexpr float kLogUnit = 0.69314718f / (1 << 23);
+constexpr float kFirstWeight = 1.0f / 25, kFinalLearning = 1.0f / 1250 * kLogUnit;
+// The rate of a row that was used n times: kLearning + kEarlyLearning / (n + kEarlyUses)
+constexpr float kLearning = 0.0035f * kLogUnit, kEarlyUses = 75,
+                kEarlyLearning = 0.019f * kLogUnit * kEarlyUses;
+constexpr int32_t kLinearShift = 2;       // of the input p - 1/2: kHalf << kLinearShift for 1/2
+constexpr int32_t kOddsShift = 2;         // of the logarithm of Surroundings::odds
+constexpr float kMostSum = 11 / kLogUnit; // limit of a weighted sum, on either side of 0
+// Corrections: a hash selects one of 16,384 rows, and the weighted sum one of its 32 counters, 1.25 of them
+// for a factor of e
+constexpr uint32_t kCorrectionRowBits = 14, kCorrectionBits = 5;
+constexpr float kSteepness = 1.25f * kLogUnit, kMiddle = 1 << (kCorrectionBits - 1);
+constexpr uint32_t kFirstTrust = 14; // bits that a new correction counts as seen
+
+// The slots of one nibble are adjacent, sixteen of them in two cache lines; the bits coded of the nibble so
+// far select one of them. The nibble's hash selects four such sixteens, one after another: a slot may be in
+// any of the four.
+struct Nibble {
+    uint32_t start, step; // a leading one and the byte's bits before the nibble; which of its slots: 1 .. 15
+    uint32_t number() const { return start ^ 16; } // 0 .. 15 for the second one, 17 for the first
+};
+inline Nibble nibbleOf(uint32_t bits) {
+    uint32_t coded = (uint32_t)(31 - __builtin_clz(bits)) & 3, start = bits >> coded;
+    return {start, bits - ((start - 1) << coded)};
+}
+constexpr uint32_t kNibbles = 18, kNibbleSlots = 16, kWays = 4;
+
+// The counters that all slots of a context share. Each phase of the parser has a table: first those that the
+// history selects, then those that nibble, last byte and step select. To save memory, each table begins
+// before the one in front of it ends. Places that two tables have in common are used by both. The histories,
+// which are busy, fall on a rare place of the other table: last bytes of 0x70 to 0x7f where the byte begins
+// with a 9.
+constexpr uint32_t kHistories = 256, kAfterByte = 256 * kNibbleSlots;
+constexpr uint32_t kPhaseCounters = kHistories + 9 * kAfterByte + 0x70 * kNibbleSlots;
+constexpr uint32_t kSharedCounters = (kPhases - 1) * kPhaseCounters + kHistories + kNibbles * kAfterByte;
+
+struct Context {
+    Slot *slot, *byteSlot; // of this bit, and of this byte's first bit
+    Counter *counter[kContextCounters];
+    Counter shared[kSharedCounters]; // by all slots
+};
+
+struct Model {
+    // The odds and three zeros; then those of each context: its three counters' and the slot's p - 1/2. In
+    // the rows of weights, the last of the first four is not a weight: it counts how often the row was used
+    Float4 inputs[1 + kMostContexts], results[kSets / 4];
+    Float4 *rows[kSets];
+    Counter *correction;
+    float mixed;
+    uint32_t phase; // of the parser, at this byte
+    uint32_t hashes[kMostContexts + kSets - 1];
+    Context contexts[kMostContexts];
+    uint8_t opcodes[kOpcodes];
+    Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
+    Float4 finalWeights[kPhases][kSets / 4], weights[kSets][kRows][1 + kMostContexts];
+};
+
+union FloatBits {
+    float value;
+    int32_t bits;
+};
+
+// ln(x), piecewise linear: a float's bits are its logarithm, nearly.
+inline int32_t logBits(int32_t x) { return FloatBits{(float)x}.bits; }
+
+// ln(p / (1 - p)) of a counter, and back, by the same kind of curve.
+inline float stretch(Counter c) {
+    int32_t p = (int32_t)c >> kSeenBits;
+    return (float)(logBits(kCertain + 2 + p) - logBits(kCertain + 2 - p));
+}
+inline float linear(Counter c) { return (float)(((int32_t)c >> kSeenBits) * (1 << kLinearShift)); }
+inline float logOf(Surroundings::Odds odds) {
+    return (float)((logBits((int32_t)odds.ones) - logBits((int32_t)odds.zeros)) * (1 << kOddsShift));
+}
+inline float squash(float x) {
+    FloatBits odds;
+    odds.bits = (int32_t)x + FloatBits{1}.bits;
+    return odds.value / (odds.value + 1);
+}
+
+inline float mix(const Float4 *weights, const Float4 *inputs, uint32_t count4) {
+    Float4 sums = {};
+    while (count4--) sums += weights[count4] * inputs[count4];
+    float sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    return sum > kMostSum ? kMostSum : sum < -kMostSum ? -kMostSum : sum;
+}
+
+inline void train(Float4 *weights, const Float4 *inputs, uint32_t count4, float by) {
+    while (count4--) weights[count4] += inputs[count4] * by;
+}
+
+constexpr uint32_t kMostSeen = (1 << kSeenBits) - 1;
+inline uint32_t seenBy(Counter c) { return c & kMostSeen; }
+
+inline void adapt(Counter &c, uint32_t bit, float settled) {
+    int32_t p = (int32_t)c >> kSeenBits;
+    uint32_t seen = seenBy(c);
+    p += (int32_t)((float)((bit ? kCertain : ~kCertain) - p) / ((float)(int32_t)seen + settled));
+    c = (uint32_t)p << kSeenBits | (seen + (seen < kMostSeen));
+}
+
+// Hash of the fields that context i uses, in code (type 0) or data (1). After the contexts, i counts the
+// selectors of all sets but the first.
+inline uint32_t hashOf(const ModelParameters &parameters, uint32_t type, uint32_t i, const uint32_t *fields) {
+    uint32_t hash = mixIn(parameters.hashes() - i + type, fields[kWhere]), mask = parameters.masks[type][i];
+    for (uint32_t j = kColumn; mask; mask >>= 1, ++j)
+        if (mask & 1) hash = mixIn(hash, fields[j]);
+    return hash;
+}
+
+inline uint32_t phaseOf(const uint32_t *fields) { return fields[kWhere] & ((1 << kPhaseBits) - 1); }
+
+// Finds a context's counters. `hash` is that of the nibble.
+inline void find(Context &c, Slot *slots, uint32_t slotBits, uint32_t hash, uint32_t phase, Nibble nibble) {
+    uint16_t check = (uint16_t)hash;
+    uint32_t place = hash >> (32 - slotBits) & ~((kWays - 1) * kNibbleSlots);
+    Slot *s = slots + (place ^ nibble.step), *worst = s;
+    uint32_t ways = kWays;
+    for (; ways && s->check != check; --ways, s += kNibbleSlots)
+        if (seenBy(s->counter) < seenBy(worst->counter)) worst = s;
+    if (!ways) *(s = worst) = Slot{0, 0, 0, check}; // forgets the one that has seen least
+    c.slot = s;
+    if (nibble.start == 1 && nibble.step == 1) c.byteSlot = s;
+    Counter *shared = c.shared + phase * kPhaseCounters;
+    c.counter[0] = &s->counter;
+    c.counter[1] = shared + s->history;
+    shared += kHistories + nibble.number() * kAfterByte + nibble.step;
+    c.counter[2] = shared + c.byteSlot->lastByte * kNibbleSlots;
+}
+
+inline void learn(Context &c, uint32_t bit) {
+    for (uint32_t k = 0; k < kContextCounters; ++k) adapt(*c.counter[k], bit, kSettled[k]);
+    uint8_t &history = c.slot->history;
+    uint32_t h = history ^ 1u;
+    if (h & kHistoryFull) h = (h & (kHistoryFull / 2 - 1)) | kHistoryFull / 2; // forgets the oldest
+    history = (uint8_t)((h * 2 + bit) ^ 1);
+}
+
+// The row of a set's weights, selected by the hash of its selector and by some of the byte's bits so far; in
+// the first set by the phase and all bits so far.
+inline uint32_t rowOf(uint32_t set, uint32_t hash, uint32_t phase, uint32_t bits) {
+    return set ? hash >> (32 - kRowBits) ^ bits >> ((kSets + 1 - set) | 4) : phase << 8 | bits;
+}
+
+// A new byte begins, in code (0) or data (1).
+inline void begin(Model &m, const ModelParameters &parameters, const uint32_t *fields, uint32_t type) {
+    for (uint32_t i = 0; i < parameters.hashes(); ++i) m.hashes[i] = hashOf(parameters, type, i, fields);
+    m.phase = phaseOf(fields);
+}
+
+// The probability that the next bit is a one, in units of 2^-kShareBits: 1 .. 2^kShareBits - 1. `bits`: a
+// leading one, then the byte's bits so far.
+inline uint32_t predict(Model &m, const ModelParameters &parameters, Slot *slots, uint32_t bits,
+                        Surroundings::Odds odds) {
+    Nibble nibble = nibbleOf(bits);
+    for (uint32_t i = 0; i < parameters.contexts; ++i) {
+        if (nibble.step == 1)
+            m.hashes[i] = mixIn(m.hashes[i], nibble.start); // those of the nibble, from here on
+        find(m.contexts[i], slots, parameters.slotBits, m.hashes[i], m.phase, nibble);
+    }
+    float *results = (float *)m.results;
+    m.inputs[0] = Float4{logOf(odds), 0, 0, 0};
+    for (uint32_t i = 0; i < parameters.contexts; ++i) {
+        Counter **c = m.contexts[i].counter;
+        m.inputs[1 + i] = Float4{stretch(*c[0]), stretch(*c[1]), stretch(*c[2]), linear(*c[0])};
+    }
+
+    // Mix. The results are stored in reverse order of the sets
+    for (uint32_t i = 0; i < kSets; ++i) {
+        m.rows[i] = m.weights[i][rowOf(i, m.hashes[parameters.contexts + i - 1], m.phase, bits)];
+        results[kSets - 1 - i] = mix(m.rows[i], m.inputs, parameters.inputs4());
+    }
+    float sum = mix(m.finalWeights[m.phase], m.results, kSets / 4);
+    m.mixed = squash(sum);
+
+    // Correct
+    m.correction = m.corrections[mixIn(m.hashes[parameters.contexts], bits) >> (32 - kCorrectionRowBits)] +
+                   (int32_t)(sum * kSteepness + kMiddle);
+    int32_t p = (int32_t)(m.mixed * (1 << kProbabilityBits));
+    if (!*m.correction) *m.correction = (uint32_t)(p - kHalf) << kSeenBits | kFirstTrust;
+    // The mean of the mixed and the corrected probability
+    int32_t twice = ((int32_t)*m.correction >> kSeenBits) + kHalf + p;
+    return (uint32_t)twice >> (kProbabilityBits + 1 - kShareBits) | 1;
+}
+
+inline void learn(Model &m, const ModelParameters &parameters, uint32_t bit) {
+    float y = (float)(int32_t)bit;
+    const float *results = (const float *)m.results;
+    for (uint32_t i = 0; i < kSets; ++i) {
+        float &used = ((float *)m.rows[i])[3], rate = kEarlyLearning / (used + kEarlyUses) + kLearning;
+        used += 1;
+        train(m.rows[i], m.inputs, parameters.inputs4(), (y - squash(results[kSets - 1 - i])) * rate);
+    }
+    train(m.finalWeights[m.phase], m.results, kSets / 4, (y - m.mixed) * kFinalLearning);
+    for (uint32_t i = 0; i < parameters.contexts; ++i) learn(m.contexts[i], bit);
+    adapt(*m.correction, bit, kSettled[0]);
+}
+
+// Ends a byte that was decoded as `byte`.
+inline void end(Model &m, const ModelParameters &parameters, uint8_t byte) {
+    for (uint32_t i = 0; i < parameters.contexts; ++i) m.contexts[i].byteSlot->lastByte = byte;
+}
+
+} // namespace pack

@@ -1,0 +1,132 @@
+#include "packer/model/model_parameters.h"
+
+#include <iterator>
+#include <sstream>
+#include <vector>
+
+namespace pack {
+
+namespace {
+
+// Of the fields that contexts choose from.
+constexpr struct {
+    uint32_t field;
+    const char *name;
+} kNames[] = {
+    {kColumn, "column"},     {kByte5, "byte5"},       {kByte4, "byte4"},
+    {kByte3, "byte3"},       {kByte2, "byte2"},       {kByte1, "byte1"},
+    {kToMark, "to-mark"},    {kTarget, "target"},     {kFunction, "function"},
+    {kWritten1, "written1"}, {kWritten2, "written2"}, {kInstruction1, "instruction1"},
+    {kOpcode1, "opcode1"},   {kOpcode2, "opcode2"},   {kOpcode3, "opcode3"},
+    {kOpcode, "opcode"},     {kMode, "mode"},         {kSoFar, "so-far"},
+};
+consteval bool inOrderOfFields() {
+    for (uint32_t i = 0; i < kChoices; ++i)
+        if (kNames[i].field != kColumn + i) return false;
+    return std::size(kNames) == kChoices;
+}
+static_assert(inOrderOfFields(), "a name for every field, in the order of their bits in a mask");
+constexpr const char *kKinds[2][2] = {{"code", "code-weights"}, {"data", "data-weights"}};
+
+std::string printMask(uint32_t mask) {
+    std::string text;
+    for (uint32_t i = 0; i < kChoices; ++i)
+        if (mask >> i & 1) text += (text.empty() ? "" : "+") + std::string(kNames[i].name);
+    return text.empty() ? "-" : text;
+}
+
+bool parseMask(const std::string &text, uint32_t &mask) {
+    mask = 0;
+    if (text == "-") return true;
+    std::istringstream names(text);
+    for (std::string name; std::getline(names, name, '+');) {
+        uint32_t i = 0;
+        while (i < kChoices && name != kNames[i].name) ++i;
+        if (i == kChoices) return false;
+        mask |= 1u << i;
+    }
+    return mask != 0;
+}
+
+} // namespace
+
+// Found for the film. They suit other programs as well: bench_pack.
+const ModelParameters &defaultParameters() {
+    static const ModelParameters parameters = {
+        16,
+        22,
+        {{0x10000, 0x00020, 0x3b620, 0x00018, 0x00200, 0x38000, 0x08040, 0x0f000,
+          0x09000, 0x18180, 0x00124, 0x21200, 0x00a20, 0x0b040, 0x10100, 0x00130,
+          0x10040, 0x249b4, 0x00020, 0x08000, 0x00000, 0x01000, 0x00010},
+         {0x8d, 0x20, 0x30, 0x78, 0x3c, 0x21, 0x00, 0xa1, 0xa7, 0x82, 0x81, 0x11,
+          0x45, 0xc0, 0x19, 0x3e, 0x01, 0xb0, 0x40, 0x44, 0x10, 0x20, 0x03}}};
+    return parameters;
+}
+
+// Found for bash.
+const ModelParameters &fastParameters() {
+    static const ModelParameters parameters = {
+        4,
+        21,
+        {{0x3be10, 0x00020, 0x38040, 0x29200, 0x20000, 0x19000, 0x00000, 0x18000, 0x00010, 0x249bc, 0x08040},
+         {0x80, 0xb0, 0x78, 0x17, 0x41, 0x20, 0x45, 0x44, 0xd1, 0xb0, 0x0b}}};
+    return parameters;
+}
+
+std::string printParameters(const ModelParameters &parameters) {
+    std::string text = "slots " + std::to_string(parameters.slotBits) + "\n";
+    for (int type = 0; type < 2; ++type)
+        for (uint32_t i = 0; i < parameters.hashes(); ++i)
+            text += std::string(kKinds[type][i >= parameters.contexts]) + " " +
+                    printMask(parameters.masks[type][i]) + "\n";
+    return text;
+}
+
+std::string parseParameters(const std::string &text, ModelParameters &parameters) {
+    std::vector<uint32_t> masks[2][2];
+    std::istringstream lines(text);
+    int number = 0;
+    parameters = {};
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        auto wrong = [&](const std::string &what) { return "line " + std::to_string(number) + ": " + what; };
+        std::istringstream words(line);
+        std::string kind, value, more;
+        if (!(words >> kind) || kind[0] == '#') continue;
+        if (!(words >> value) || words >> more) return wrong("a word and its value are needed");
+        if (kind == "slots") {
+            if (value.size() > 2 || value.find_first_not_of("0123456789") != std::string::npos)
+                return wrong("slots needs a number of bits");
+            if (parameters.slotBits) return wrong("slots is given twice");
+            parameters.slotBits = (uint32_t)std::stoi(value);
+            continue;
+        }
+        bool known = false;
+        for (int type = 0; type < 2; ++type)
+            for (int weights = 0; weights < 2; ++weights)
+                if (kind == kKinds[type][weights]) {
+                    uint32_t mask;
+                    if (!parseMask(value, mask)) return wrong("unknown field in '" + value + "'");
+                    if (mask & ~kMayUse[type])
+                        return wrong("'" + printMask(mask & ~kMayUse[type]) + "' cannot be used in " +
+                                     kKinds[type][0]);
+                    masks[type][weights].push_back(mask);
+                    known = true;
+                }
+        if (!known) return wrong("unknown word '" + kind + "'");
+    }
+    parameters.contexts = (uint32_t)masks[0][0].size();
+    if (masks[1][0].size() != parameters.contexts || !parameters.sane())
+        return "it needs slots " + std::to_string(kLeastSlotBits) + " to " + std::to_string(kMostSlotBits) +
+               ", and as many contexts for data as for code: 4, 8, 12 .. " + std::to_string(kMostContexts);
+    for (int type = 0; type < 2; ++type) {
+        if (masks[type][1].size() != kSets - 1)
+            return "it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1];
+        uint32_t *to = parameters.masks[type];
+        for (auto &group : masks[type])
+            for (uint32_t mask : group) *to++ = mask;
+    }
+    return "";
+}
+
+} // namespace pack

@@ -1,0 +1,28 @@
+// Model parameters: those that every search starts from, and parameters as text files, one context a line:
+//
+//     slots 22
+//     code byte1+byte2          a context of code sees these fields
+//     data column               ... of data
+//     code-weights opcode       what selects a set of weights
+//     data-weights -            nothing but what every context sees
+//
+// Code may use all fields but column and byte5, data those up to target (kMayUse in fields.h).
+#pragma once
+
+#include "packer/model/model.h"
+
+#include <string>
+
+namespace pack {
+
+const ModelParameters &defaultParameters();
+
+// Four contexts instead of 16: they decode more than twice as fast, and cost 4 to 12 % more bytes.
+const ModelParameters &fastParameters();
+
+std::string printParameters(const ModelParameters &parameters);
+
+// Returns an empty string, or a message that says what is wrong, with the line's number.
+std::string parseParameters(const std::string &text, ModelParameters &parameters);
+
+} // namespace pack

@@ -1,0 +1,66 @@
+// An ELF file that may be cut short or lie about itself, read with bounds.
+#pragma once
+
+#include "packer/read/program.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace pack {
+
+// Whether `size` bytes at `address` lie in the `span` bytes from `base`, for any values.
+inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span) {
+    return address >= base && size <= span && address - base <= span - size;
+}
+
+// All of these throw Unsuitable where the file does not hold what is asked for.
+struct ElfFile {
+    const std::vector<uint8_t> &bytes;
+
+    template <class T> T at(uint64_t offset, const char *otherwise) const {
+        need(within(offset, sizeof(T), 0, bytes.size()), otherwise);
+        T value;
+        std::memcpy(&value, bytes.data() + offset, sizeof value);
+        return value;
+    }
+    // And `header`, the ELF header. Only an executable for x86-64 has any.
+    std::vector<Elf64_Phdr> programHeaders(Elf64_Ehdr &header) const {
+        need(bytes.size() >= 4 && !std::memcmp(bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
+        need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64,
+             "a 32-bit ELF file: only x86-64 is packed");
+        need(bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
+        header = at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
+        need(header.e_machine == EM_X86_64, "not for x86-64: only that is packed");
+        need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
+        need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
+             "its program headers make no sense");
+        std::vector<Elf64_Phdr> all;
+        for (uint64_t i = 0; i < header.e_phnum; ++i)
+            all.push_back(at<Elf64_Phdr>(header.e_phoff + i * sizeof(Elf64_Phdr),
+                                         "cut short: program headers are missing"));
+        return all;
+    }
+    // Empty for a file without section headers; some tools strip them.
+    std::vector<Elf64_Shdr> sections() const {
+        constexpr char kCut[] = "cut short: its section headers are incomplete";
+        auto header = at<Elf64_Ehdr>(0, kCut);
+        need(header.e_shnum == 0 || header.e_shentsize == sizeof(Elf64_Shdr),
+             "its section headers make no sense");
+        std::vector<Elf64_Shdr> all;
+        for (uint64_t i = 0; i < header.e_shnum; ++i)
+            all.push_back(at<Elf64_Shdr>(header.e_shoff + i * sizeof(Elf64_Shdr), kCut));
+        need(all.empty() || header.e_shstrndx < all.size(), "its section headers make no sense");
+        return all;
+    }
+    // The string at `offset` in a table of strings, which begins at `table` in the file.
+    std::string text(uint64_t table, uint64_t offset) const {
+        constexpr char kCut[] = "cut short: a table of names is incomplete";
+        need(within(table, offset, 0, bytes.size()), kCut);
+        auto begin = bytes.begin() + (long)(table + offset), end = std::find(begin, bytes.end(), 0);
+        need(end != bytes.end(), kCut);
+        return {begin, end};
+    }
+    std::string text(const Elf64_Shdr &table, uint64_t offset) const { return text(table.sh_offset, offset); }
+};
+
+} // namespace pack

@@ -1,0 +1,52 @@
+// Which section, object file and symbol each byte of a program belongs to: one of each, and no byte twice.
+#pragma once
+
+#include "packer/read/program.h"
+
+#include <string>
+
+namespace pack {
+
+inline constexpr char kNothingNamed[] = "(nothing named)";
+inline constexpr char kWholeProgram[] = "(optimised as a whole)"; // an object that -flto makes of all others
+
+// Whether a map means that by an object's name, which differs at every link.
+inline bool isWholeProgram(const std::string &object) { return object.find(".ltrans") != std::string::npos; }
+
+// Neighbouring bytes of a program that belong to the same parts.
+struct Stretch {
+    uint32_t begin, size; // in Program::bytes
+    std::string section, object, room, symbol;
+    // The symbol is plain, not as the linker knows it. What has no symbol is "(nothing named in SECTION)",
+    // and so is what has no object. Room and object are empty if there is no map.
+};
+
+// A part says that it has some addresses. Others may say the same.
+struct Claim {
+    uint64_t begin, end;
+    std::string name;
+    std::string room = {}; // an object's
+};
+
+// No address twice, in order. Where claims overlap, the one that begins last has it, and of those that begin
+// at one address the shortest; if that is the same, the first by name.
+std::vector<Claim> exclusive(std::vector<Claim> claims);
+
+// An object file, and the archive or folder that it lies in, of a path like folder/lib.a(object.o) or
+// folder/object.o.
+struct Home {
+    std::string object, room;
+};
+Home homeOf(const std::string &path);
+
+// Whether the text is a map that GNU ld writes with -Map.
+bool isMap(const std::string &text);
+
+// The stretches of the whole program, in order. `elf`: the program as it was read, for its sections and, if
+// it is not stripped, its functions and objects. `map`: the linker's, for the object files; may be empty.
+// `symbols`: what `nm -A` prints of the object files that are optimised as a whole when they are linked,
+// which the map shows as one; may be empty. Throws Unsuitable.
+std::vector<Stretch> attribute(const std::vector<uint8_t> &elf, const std::string &map,
+                               const std::string &symbols, const Program &program);
+
+} // namespace pack

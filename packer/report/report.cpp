@@ -1,0 +1,119 @@
+#include "packer/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace pack {
+
+namespace {
+
+std::string printCosts(const Costs &all, const char *title, size_t most) {
+    if (!hasNames(all)) return "";
+    std::vector<std::pair<std::string, Cost>> sorted(all.begin(), all.end());
+    std::stable_sort(sorted.begin(), sorted.end(),
+                     [](auto &a, auto &b) { return a.second.bits > b.second.bits; });
+    if (sorted.size() > most) sorted.resize(most);
+    constexpr size_t kWidth = 60;
+    std::string text = format("%-60s %7s %7s\n", title, "packed", "before");
+    for (auto &[name, cost] : sorted) {
+        std::string label = name.substr(0, kWidth);
+        if (name.size() > kWidth) label.replace(kWidth - 3, 3, "...");
+        text += format("%-60s %7.0f %7llu\n", label.c_str(), cost.bits / 8, (unsigned long long)cost.bytes);
+    }
+    return text;
+}
+
+const std::string *find(const std::map<std::string, std::string> &all, const std::string &key) {
+    auto found = all.find(key);
+    return found == all.end() ? nullptr : &found->second;
+}
+
+} // namespace
+
+bool hasNames(const Costs &costs) {
+    return std::any_of(costs.begin(), costs.end(),
+                       [](auto &cost) { return cost.first.rfind("(nothing named", 0) != 0; });
+}
+
+Rooms readRooms(const std::string &text) {
+    constexpr long kMostBytes = 1L << 40;
+    Rooms rooms;
+    std::istringstream lines(text);
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        std::istringstream words(line);
+        std::string room, share, object;
+        if (!(words >> room) || room[0] == '#') continue;
+        words >> share;
+        char *end;
+        long bytes = std::strtol(share.c_str(), &end, 10);
+        need(share == "-" || (!share.empty() && !*end && bytes >= 0 && bytes <= kMostBytes),
+             "line " + std::to_string(number) + ": a room's name, its share of bytes or -, and object files");
+        if (share != "-") rooms.shares[room] = bytes;
+        while (words >> object) rooms.of[object] = room;
+    }
+    need(!rooms.of.empty(), "no room has an object file: ROOM SHARE OBJECT...");
+    return rooms;
+}
+
+Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits, size_t fileSize,
+                  size_t overhead, const Rooms *rooms) {
+    Report report;
+    report.fileSize = fileSize;
+    report.overhead = overhead;
+    double sum = 0;
+    for (float b : bits) {
+        double before = std::round(sum);
+        sum += b * kUnit;
+        report.sixteenths.push_back((uint16_t)(std::round(sum) - before));
+    }
+    if (rooms) {
+        report.shares = rooms->shares;
+        report.roomOf = rooms->of; // of what is gone, too
+        auto stub = rooms->of.find(kStub);
+        if (stub != rooms->of.end()) report.stubRoom = stub->second;
+    }
+    double all = 0;
+    for (Stretch &s : stretches) {
+        if (rooms) {
+            auto room = rooms->of.find(s.object);
+            s.room = room == rooms->of.end() ? kNothingNamed : room->second;
+        }
+        if (!s.object.empty()) report.roomOf.emplace(s.object, s.room);
+        uint64_t units = 0;
+        for (uint32_t i = s.begin; i < s.begin + s.size; ++i) units += report.sixteenths[i];
+        auto count = [&](Costs &costs, const std::string &name) {
+            if (name.empty()) return;
+            costs[name].bytes += s.size;
+            costs[name].bits += (double)units / kUnit;
+        };
+        count(report.sections, s.section);
+        count(report.objects, s.object);
+        count(report.rooms, s.room);
+        count(report.symbols, s.symbol);
+        all += (double)units / kUnit;
+    }
+    report.rest = 8.0 * (double)(fileSize - overhead) - all;
+    report.stretches = std::move(stretches);
+    return report;
+}
+
+std::string printReport(const Report &report) {
+    return printCosts(report.objects, "object", SIZE_MAX) +
+           printCosts(report.symbols, "the 20 costliest symbols", 20);
+}
+
+void arrange(Report &before, const Report &now) {
+    before.rooms.clear();
+    for (auto &[object, cost] : before.objects) {
+        const std::string *home = find(now.roomOf, object);
+        if (!home) home = find(before.roomOf, object);
+        Cost &room = before.rooms[home ? *home : kNothingNamed];
+        room.bytes += cost.bytes;
+        room.bits += cost.bits;
+    }
+}
+
+} // namespace pack

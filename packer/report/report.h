@@ -1,0 +1,81 @@
+// What each part of a program costs, packed, and how that changed.
+#pragma once
+
+#include "packer/report/attribution.h"
+
+#include <map>
+
+namespace pack {
+
+struct Cost {
+    uint64_t bytes = 0; // not packed
+    double bits = 0;    // packed
+};
+using Costs = std::map<std::string, Cost>;
+
+// Whether any part has a name of its own.
+bool hasNames(const Costs &costs);
+
+// Costs are counted in sixteenths of a bit, so that they add up: 8 bits for each byte of the file are
+// `overhead` bytes, what all sections cost, and `rest`; instead of sections, so do objects, rooms or symbols.
+// (There are no objects and no rooms if there was no map.)
+struct Report {
+    size_t fileSize = 0, overhead = 0; // of the packed file; overhead: what is not payload
+    double rest = 0;                   // bits: the payload's end, and zeros up to a multiple of bytes
+    Costs sections, objects, symbols, rooms;
+    std::map<std::string, std::string> roomOf = {}; // an object's
+    std::map<std::string, long> shares = {};        // bytes that a room may take, if they were given
+    std::string stubRoom = {};                      // the room of stub and headers, if one was given
+    std::vector<Stretch> stretches = {};            // of the program, all of it
+    std::vector<uint16_t> sixteenths = {};          // the cost of each byte of the program
+};
+inline constexpr int kUnit = 16; // units of a bit
+
+// What a file of rooms says, a line each: ROOM SHARE OBJECT..., the share in bytes or -. The room of "(stub)"
+// is that of stub and headers.
+struct Rooms {
+    std::map<std::string, std::string> of; // an object's
+    std::map<std::string, long> shares;
+};
+inline constexpr char kStub[] = "(stub)";
+
+// Throws Unsuitable with the line that is wrong.
+Rooms readRooms(const std::string &text);
+
+// `bits`: the cost of each byte of the program; `stretches`: what attribute() makes. With `rooms`, an object
+// that they do not name has none; without, its room is its archive or folder.
+Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits, size_t fileSize,
+                  size_t overhead, const Rooms *rooms = nullptr);
+
+// As text: the object files by their cost, and the twenty costliest symbols.
+std::string printReport(const Report &report);
+
+// As JSON (report_json.cpp), one part a line, ordered by name, costs in whole bits, which add up like those
+// of the report.
+std::string printJson(const Report &report);
+
+// What printJson() printed, without stretches. Sections must be there, other parts may be missing. There
+// are no rooms, but roomOf. Throws Unsuitable.
+Report readJson(const std::string &text);
+
+// Gives an earlier report the rooms of a later one, so that they can be compared: an object is where it is
+// now or, if it is gone, where it was.
+void arrange(Report &before, const Report &now);
+
+// For a comment on a change, in Markdown that can be read as it stands: the total, how it changed, what is
+// left of the budget (if there is one: >= 0), and the ten parts that changed most; if there is nothing to
+// compare with, the ten that cost most. Parts are symbols, or objects or sections if one of the two reports
+// has no symbols.
+std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget);
+
+// snprintf for numbers and short words: at most 199 characters.
+std::string format(const char *pattern, auto... values) {
+    char line[200];
+    std::snprintf(line, sizeof line, pattern, values...);
+    return line;
+}
+
+// A string of JSON.
+std::string quote(const std::string &text);
+
+} // namespace pack

@@ -1,0 +1,201 @@
+#include "packer/report/report_html.h"
+
+#include "packer/report/deflate.h"
+#include "packer/report/disassembly.h"
+#include "report_page_body.h"
+#include "report_page_script.h"
+#include "report_page_style.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <unordered_map>
+
+namespace pack {
+
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+std::string units(double bits) { return format("%.0f", std::round(bits * kUnit)); }
+
+// --- Tables: a line each of [name, bytes, units, units before or null, share in bytes or null] ---
+
+class Table {
+public:
+    Table(const Page &page, const Report &report, Costs Report::*costs)
+        : before(page.before && !(page.before->*costs).empty() ? page.before : nullptr) {
+        const Costs &all = report.*costs;
+        bool rooms = costs == &Report::rooms;
+        auto old = [&](const std::string &name) {
+            auto was = (before->*costs).find(name);
+            return was == (before->*costs).end() ? 0 : was->second.bits;
+        };
+        auto share = [&](const std::string &name) {
+            auto found = report.shares.find(name);
+            return rooms && found != report.shares.end() ? found->second : -1;
+        };
+        for (auto &[name, cost] : all) {
+            numbers[name] = numbers.size();
+            add(name, cost.bytes, cost.bits, before ? old(name) : 0, share(name));
+        }
+        if (all.empty()) return;
+        if (before)
+            for (auto &[name, cost] : before->*costs)
+                if (!all.count(name)) add(name, 0, 0, cost.bits, share(name));
+        const std::string &room = report.stubRoom;
+        std::string stub = rooms && !room.empty() && !all.count(room) ? room : kStub;
+        add(stub, 0, 8.0 * (double)report.overhead, before ? 8.0 * (double)before->overhead : 0, share(stub));
+        add("(end of the payload)", 0, report.rest, before ? restOf(costs) : 0, -1);
+    }
+    std::string json() const { return "[" + lines + "]"; }
+    // A name's line, or -1
+    long number(const std::string &name) const {
+        auto found = numbers.find(name);
+        return found == numbers.end() ? -1 : (long)found->second;
+    }
+
+private:
+    // So that the earlier costs add up, too, even if parts overlapped then
+    double restOf(Costs Report::*costs) const {
+        double bits = 8.0 * (double)(before->fileSize - before->overhead);
+        for (auto &[name, cost] : before->*costs) bits -= cost.bits;
+        return bits;
+    }
+    void add(const std::string &name, uint64_t bytes, double bits, double was, long share) {
+        lines += (lines.empty() ? "\n[" : ",\n[") + quote(name) + "," + std::to_string(bytes) + "," +
+                 units(bits) + "," + (before ? units(was) : "null") + "," +
+                 (share >= 0 ? std::to_string(share) : "null") + "]";
+    }
+    const Report *before;
+    std::string lines;
+    std::unordered_map<std::string, size_t> numbers;
+};
+
+// --- Bytes and instructions ---
+
+// Costs as bytes, and those that do not fit as JSON [[offset, units], ...].
+Bytes lowCosts(const Report &report, std::string &high) {
+    Bytes low;
+    for (size_t i = 0; i < report.sixteenths.size(); ++i) {
+        uint16_t cost = report.sixteenths[i];
+        low.push_back((uint8_t)std::min<uint16_t>(cost, 255));
+        if (cost >= 255)
+            high += (high.empty() ? "[" : ",[") + std::to_string(i) + "," + std::to_string(cost) + "]";
+    }
+    return low;
+}
+
+// What objdump says of the program: the numbers of forms, and as JSON the forms and where instructions follow
+// each other, [[offset, number of instructions], ...].
+struct Code {
+    Bytes numbers;
+    std::string forms, runs;
+    size_t instructions = 0;
+};
+Code readCode(const char *path, const Program &program) {
+    struct Place {
+        uint32_t begin, size, form;
+    };
+    std::vector<Place> places;
+    std::unordered_map<std::string, uint32_t> known;
+    std::vector<std::pair<uint32_t, const std::string *>> forms; // how often, and which
+    disassemble(path, [&](const Instruction &i) {
+        uint64_t begin = i.address - program.base, all = program.bytes.size();
+        // (not what is in the file alone, or lies elsewhere)
+        if (begin >= all || all - begin < i.bytes.size() ||
+            std::memcmp(&program.bytes[begin], i.bytes.data(), i.bytes.size()))
+            return;
+        auto [form, added] = known.try_emplace(formOf(i), (uint32_t)forms.size());
+        if (added) forms.push_back({0, &form->first});
+        ++forms[form->second].first;
+        places.push_back({(uint32_t)begin, (uint32_t)i.bytes.size(), form->second});
+    });
+    std::stable_sort(places.begin(), places.end(),
+                     [](const Place &a, const Place &b) { return a.begin < b.begin; });
+    // The commonest get the lowest numbers
+    std::vector<uint32_t> order(forms.size()), numbers(forms.size());
+    for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(),
+                     [&](uint32_t a, uint32_t b) { return forms[a].first > forms[b].first; });
+    Code code;
+    for (uint32_t i = 0; i < order.size(); ++i) {
+        numbers[order[i]] = i;
+        code.forms += (i ? ",\n" : "") + quote(*forms[order[i]].second);
+    }
+    uint32_t end = 0, run = 0, count = 0;
+    auto endRun = [&] {
+        if (count) code.runs += format("%s[%u,%u]", code.runs.empty() ? "" : ",", run, count);
+        count = 0;
+    };
+    for (const Place &p : places) {
+        if (p.begin < end) continue; // sections that overlap
+        if (p.begin != end || !count) {
+            endRun();
+            run = p.begin;
+        }
+        end = p.begin + p.size;
+        ++count;
+        ++code.instructions;
+        uint32_t number = numbers[p.form];
+        for (; number > 127; number >>= 7) code.numbers.push_back((uint8_t)(number | 128));
+        code.numbers.push_back((uint8_t)number);
+    }
+    endRun();
+    return code;
+}
+
+// [begin, bytes, units, and the lines of the tables: section, object or -1, room or -1, symbol]
+std::string printStretches(const Report &report, const Table &sections, const Table &objects,
+                           const Table &rooms, const Table &symbols) {
+    std::string text = "[";
+    for (const Stretch &s : report.stretches) {
+        uint64_t cost = 0;
+        for (uint32_t i = s.begin; i < s.begin + s.size; ++i) cost += report.sixteenths[i];
+        text += format("%s[%u,%u,%llu,%ld,%ld,%ld,%ld]", &s == &report.stretches[0] ? "\n" : ",\n", s.begin,
+                       s.size, (unsigned long long)cost, sections.number(s.section), objects.number(s.object),
+                       rooms.number(s.room), symbols.number(s.symbol));
+    }
+    return text + "]";
+}
+
+std::string element(const char *id, const Bytes &data) {
+    return std::string("<script type=\"application/octet-stream\" id=\"") + id + "\">" +
+           base64(deflate(data)) + "</script>\n";
+}
+template <size_t N> std::string text(const unsigned char (&bytes)[N]) { return {bytes, bytes + N}; }
+
+} // namespace
+
+std::string printHtml(const Page &page, const Report &report, const Program &program) {
+    Table sections(page, report, &Report::sections), objects(page, report, &Report::objects),
+        rooms(page, report, &Report::rooms), symbols(page, report, &Report::symbols);
+    bool shown = program.bytes.size() <= kMostShown;
+    std::string high;
+    Bytes low = lowCosts(report, high);
+    Code code;
+    if (shown) code = readCode(page.path, program);
+    std::string json =
+        "{\"name\":" + quote(page.name) +
+        format(",\n\"file\":%zu,\"budget\":%ld,\"base\":%u,\"size\":%zu,\"unit\":%d,\"shown\":%s",
+               report.fileSize, page.budget, program.base, program.bytes.size(), kUnit,
+               shown ? "true" : "false");
+    json += ",\n\"before\":";
+    json += page.before
+                ? "{\"name\":" + quote(page.beforeName) + format(",\"file\":%zu}", page.before->fileSize)
+                : "null";
+    json += ",\n\"rooms\":" + rooms.json() + ",\n\"objects\":" + objects.json() +
+            ",\n\"sections\":" + sections.json() + ",\n\"symbols\":" + symbols.json();
+    json += ",\n\"stretches\":" + printStretches(report, sections, objects, rooms, symbols);
+    json += ",\n\"high\":[" + (shown ? high : "") + "],\n\"forms\":[" + code.forms + "],\n\"runs\":[" +
+            code.runs + format("],\n\"instructions\":%zu}\n", code.instructions);
+    return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>What it "
+           "costs</title>\n"
+           "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n" +
+           text(kReportPageStyle) + "</style>\n</head>\n<body>\n" + text(kReportPageBody) +
+           element("tables", {json.begin(), json.end()}) + element("bytes", shown ? program.bytes : Bytes()) +
+           element("costs", shown ? low : Bytes()) + element("code", code.numbers) + "<script>\n" +
+           text(kReportPageScript) + "</script>\n</body>\n</html>\n";
+}
+
+} // namespace pack

@@ -1,0 +1,106 @@
+// For a comment on a change: the total and the largest changes.
+#include "packer/report/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pack {
+
+namespace {
+
+constexpr size_t kMost = 10;
+constexpr double kLeastChange = 4; // bytes
+
+// 64916 as 64,916
+std::string thousands(double value) {
+    std::string digits = format("%.0f", std::abs(value)), text = std::round(value) < 0 ? "-" : "";
+    for (size_t i = 0; i < digits.size(); ++i) {
+        if (i && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
+    return text;
+}
+std::string change(double value) { return (std::round(value) >= 0 ? "+" : "") + thousands(value); }
+
+// A part in both reports.
+struct Change {
+    std::string name;
+    double now, was; // bytes
+};
+std::vector<Change> compare(const Costs &now, const Costs &was) {
+    std::map<std::string, Change> all;
+    for (auto &[name, cost] : now) all[name] = {name, cost.bits / 8, 0};
+    for (auto &[name, cost] : was) {
+        all[name].name = name;
+        all[name].was = cost.bits / 8;
+    }
+    std::vector<Change> changes;
+    for (auto &[name, c] : all) changes.push_back(c);
+    std::stable_sort(changes.begin(), changes.end(), [](const Change &a, const Change &b) {
+        return std::abs(a.now - a.was) > std::abs(b.now - b.was);
+    });
+    return changes;
+}
+
+// The text as code, whatever it holds: a table's cell ends at |, code at `.
+std::string cell(std::string text) {
+    constexpr size_t kWidth = 90;
+    if (text.size() > kWidth) text.replace(kWidth - 3, std::string::npos, "...");
+    std::replace(text.begin(), text.end(), '|', '/');
+    std::replace(text.begin(), text.end(), '`', '\'');
+    return "`" + text + "`";
+}
+
+std::string headline(const std::string &name, double now, const Report *before, double budget) {
+    std::string text = "**" + cell(name) + ": " + thousands(now) + " bytes**";
+    if (before) {
+        auto was = (double)before->fileSize;
+        text += ", " + change(now - was) + format(" (%+.2f %%)", was > 0 ? 100 * (now - was) / was : 0);
+    }
+    if (budget >= 0)
+        text += (now > budget ? ", **over budget by " + thousands(now - budget) + "**"
+                              : ", " + thousands(budget - now) + " left") +
+                " of " + thousands(budget);
+    return text + "\n\n";
+}
+
+// The finest parts that both reports have.
+struct Kind {
+    const char *name;
+    Costs Report::*costs;
+};
+Kind finest(const Report &report, const Report *before) {
+    for (Kind kind : {Kind{"symbol", &Report::symbols}, Kind{"object file", &Report::objects}})
+        if (hasNames(report.*kind.costs) && (!before || hasNames(before->*kind.costs))) return kind;
+    return {"section", &Report::sections};
+}
+
+} // namespace
+
+std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget) {
+    std::string text = headline(name, (double)report.fileSize, before, (double)budget);
+    Kind kind = finest(report, before);
+    Costs now = report.*kind.costs, was = before ? before->*kind.costs : Costs();
+    now[kStub].bits = 8.0 * (double)report.overhead;
+    if (before) was[kStub].bits = 8.0 * (double)before->overhead;
+    std::vector<Change> changes = compare(now, was);
+    // A changed byte moves the costs of others by a fraction each: smaller changes tell nothing
+    double least = before ? kLeastChange : 0.5;
+    std::erase_if(changes, [&](const Change &c) { return std::abs(c.now - c.was) < least; });
+    if (changes.empty()) return text + "No " + kind.name + " changed by four bytes or more.\n";
+    if (changes.size() > kMost) changes.resize(kMost);
+    text += before ? "|   change |      now |      was | " : "|   packed | ";
+    text += kind.name;
+    text += before ? " |\n|---------:|---------:|---------:|---|\n" : " |\n|---------:|---|\n";
+    for (const Change &c : changes) {
+        if (before)
+            text += format("| %8s | %8s | %8s | ", change(c.now - c.was).c_str(), thousands(c.now).c_str(),
+                           thousands(c.was).c_str());
+        else
+            text += format("| %8s | ", thousands(c.now).c_str());
+        text += cell(c.name) + " |\n";
+    }
+    return text;
+}
+
+} // namespace pack

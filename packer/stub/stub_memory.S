@@ -1,0 +1,104 @@
+// Part of the stubs: numbers shared with C++, and the layout of memory while decoding.
+
+.intel_syntax noprefix
+
+// --- Numbers shared with C++ ---
+#define STUB_NUMBER(name, value, meaning) .set name, value;
+#include "packer/stub/stub_numbers.h"
+
+// --- Relative to rbx: the payload header, and before it the constants at the end of stub_rest.S ---
+.set MOST, -52
+.set LEAST, -48
+.set ONE, -44
+.set SETTLED, -40 // three
+.set EARLY_USES, -28
+.set EARLY_LEARNING, -24
+.set LEARNING, -20
+.set FINAL_LEARNING, -16
+.set STEEPNESS, -12
+.set MIDDLE, -8
+.set SCALE, -4
+
+// --- The model's memory, relative to rbp, which points past the first variables so that most offsets are one byte ---
+.set FIELDS, -128
+.set WHERE, FIELDS + 4 * FIELD_WHERE
+.set TARGET, FIELDS + 4 * FIELD_TARGET
+.set FUNCTION, FIELDS + 4 * FIELD_FUNCTION
+.set WRITTEN1, FIELDS + 4 * FIELD_WRITTEN1
+.set WRITTEN2, FIELDS + 4 * FIELD_WRITTEN2
+.set INSTRUCTION1, FIELDS + 4 * FIELD_INSTRUCTION1
+.set OPCODE1, FIELDS + 4 * FIELD_OPCODE1
+.set OPCODE2, FIELDS + 4 * FIELD_OPCODE2
+.set OPCODE, FIELDS + 4 * FIELD_OPCODE
+.set MODRM, FIELDS + 4 * FIELD_MODRM
+.set MODE, FIELDS + 4 * FIELD_MODE
+.set SO_FAR, FIELDS + 4 * FIELD_SO_FAR
+// The parser's state, in the order in which it is cleared, and the decoder's
+.set PHASE, FIELDS + 4 * FIELD_COUNT
+.set LEFT, PHASE + 4
+.set HIGH, LEFT + 4
+.set IMMEDIATE, HIGH + 4
+.set RELATIVE, IMMEDIATE + 4
+.set MAP, RELATIVE + 4
+.set RANGE, MAP + 4
+.set CODE, RANGE + 4
+.set POSITION, CODE + 4
+.set TYPE, POSITION + 4
+.set FLIP, TYPE + 4
+.set RESULTS, 0
+.set STEP, RESULTS + 4 * SETS
+.set AFTER, STEP + 4 // of the nibble, in the table of what followed last
+.set ROWS, AFTER + 4 // the last set's row first, like the results
+.set BLOCK, ROWS + 8 * SETS
+.set HASHES, BLOCK + 8
+.set INPUTS, HASHES + 4 * (MOST_CONTEXTS + SETS)
+.set COUNTERS, INPUTS + ROW
+.set BYTE_SLOTS, COUNTERS + 8 * CONTEXT_COUNTERS * (MOST_CONTEXTS + 1) // the correction's too
+.set OPCODES, BYTE_SLOTS + 8 * (MOST_CONTEXTS + 1) // aligned
+.set FINAL_WEIGHTS, OPCODES + OPCODE_CLASSES
+.set WEIGHTS, FINAL_WEIGHTS + 4 * SETS * PHASES
+.set ROW, 16 * (1 + MOST_CONTEXTS)
+.set USED, 12 // in a row
+.set ALL_ROWS, SETS << SET_ROW_BITS
+.set CORRECTIONS, WEIGHTS + ALL_ROWS * ROW
+.set HISTORIES, CORRECTIONS + (COUNTER << (CORRECTION_ROW_BITS + CORRECTION_BITS))
+.set SLOTS_FROM, HISTORIES + MOST_CONTEXTS * SHARED - FIELDS
+.set WAYS_SIZE, WAYS * NIBBLE_SLOTS * SLOT
+.set SLOTS, SLOTS_FROM + WAYS_SIZE - 1 - (SLOTS_FROM + WAYS_SIZE - 1) % WAYS_SIZE + FIELDS // a mask finds the first of the four
+// The slots follow, then the places
+
+.set AFTER_BITS, 14 // of a nibble in the table of what followed last
+
+// --- What the code relies on beyond these names ---
+#define EQUAL(a, b) .ifne (a) - (b); .error "these are not equal"; .endif
+EQUAL(FIELD_WHERE, 0) // fields up to FIELD_TO_MARK are written in a row
+EQUAL(FIELD_COLUMN, 1)
+EQUAL(FIELD_BYTE5, 2)
+EQUAL(FIELD_TO_MARK, FIELD_BYTE1 + 1)
+EQUAL(FIELD_OPCODE2, FIELD_OPCODE1 + 1) // two are copied at once
+EQUAL(FIELD_OPCODE3, FIELD_OPCODE1 + 2)
+EQUAL(FIELD_MODE, FIELD_OPCODE + 1) // what is cleared with the parser's state
+EQUAL(FIELD_SO_FAR, FIELD_OPCODE + 2)
+EQUAL(FIELD_MODRM, FIELD_OPCODE + 3)
+EQUAL(FIELD_COUNT, FIELD_OPCODE + 4)
+EQUAL(PHASE_START, 0) // phases are compared in this order
+EQUAL(PHASE_VEX, 1)
+EQUAL(PHASE_MODRM, 2)
+EQUAL(PHASE_SIB, 3)
+EQUAL(PHASE_DISPLACEMENT, 4)
+EQUAL(PHASE_JUMP, PHASE_OPERAND + 1)
+EQUAL(RELATIVE8, RELATIVE32 + 1)
+EQUAL(PLACE, 2) // lodsw takes one
+EQUAL(CODE_MASK, 2)
+EQUAL(DATA_MASK, 1)
+EQUAL(PLACE_NAMED, 0x80) // the sign bit of a byte
+EQUAL(SLOT_COUNTER, 0) // a new slot is its check, shifted up
+EQUAL(SLOT_CHECK, SLOT - 2)
+EQUAL(SLOT * NIBBLE_SLOTS, 128) // what a signed byte can subtract
+EQUAL(COUNTER, 4) // its lowest byte counts the bits seen
+EQUAL(SEEN_BITS, 8)
+EQUAL(HISTORY_FULL, 128) // the sign bit of a byte
+EQUAL(1 << AFTER_BITS, 256 * NIBBLE_SLOTS * COUNTER)
+EQUAL((SLOTS - FIELDS) & (WAYS_SIZE - 1), 0)
+EQUAL((INPUTS | FINAL_WEIGHTS | WEIGHTS) & 15, 0) // vectors
+EQUAL(FLIP + 8, RESULTS) // the variables end before RESULTS, which is aligned; four bytes are free

@@ -1,0 +1,232 @@
+#include "packer/write/pe_writer.h"
+
+#include "packer/stub/pe_format.h"
+#include "packer/stub/stub.h"
+#include "stub_windows_bytes.h"
+
+#include <cstring>
+#include <iterator>
+
+namespace pack {
+
+namespace {
+
+constexpr uint32_t fileWhole(uint64_t bytes) {
+    return (uint32_t)(bytes + kPeFileAlign - 1) & ~(kPeFileAlign - 1);
+}
+
+// Where the first section lies; the headers take the page before
+constexpr uint32_t kFirst = kPage;
+
+// The fields of a header that do not depend on the program.
+PeHeader makeHeader(uint32_t base, uint32_t sections) {
+    PeHeader h = {};
+    h.dosMagic = 0x5a4d;
+    h.headerAt = offsetof(PeHeader, signature);
+    h.signature = 0x4550;
+    h.machine = 0x8664;
+    h.sections = (uint16_t)sections;
+    h.optionalSize = sizeof h - offsetof(PeHeader, magic);
+    h.flags = 0x23; // relocations stripped, executable, may use addresses above 2 GiB
+    h.magic = 0x20b;
+    h.base = base;
+    h.sectionAlign = kPage;
+    h.fileAlign = kPeFileAlign;
+    h.system[0] = h.subsystemVersion[0] = 6; // Windows Vista and later
+    h.headerSize = kPeFileAlign;
+    h.subsystem = 2;     // graphical: a double-click opens no console
+    h.dllFlags = 0x8100; // no data is executed; knows of terminal servers
+    h.stackReserve = h.stackCommit = kPeStack;
+    h.heapReserve = 1 << 20;
+    h.heapCommit = kPage;
+    h.directoryCount = kPeDirectories;
+    return h;
+}
+
+// What a plain file imports. Names are preceded by a hint of two bytes, which may be wrong.
+struct Imports {
+    PeImports library, end;
+    uint64_t names[3];
+    struct {
+        uint16_t hint;
+        char name[18];
+    } functions[2];
+    char libraryName[16];
+};
+
+// `first`: the function whose slot comes first.
+Imports makeImports(uint32_t at, uint32_t slots, uint32_t first) {
+    Imports i = {};
+    i.library = {at + (uint32_t)offsetof(Imports, names), 0, 0, at + (uint32_t)offsetof(Imports, libraryName),
+                 slots};
+    for (uint32_t k = 0; k < 2; ++k) {
+        i.names[k] = at + offsetof(Imports, functions) + k * sizeof i.functions[0];
+        std::strcpy(i.functions[k].name, kWindows.functions[k ^ first]);
+    }
+    std::strcpy(i.libraryName, kWindows.library);
+    return i;
+}
+
+// Where things lie in a packed file
+constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
+                 kPayloadSectionAt = kStubAt + sizeof kStubWindows,
+                 kCheckedFrom = kStartAt + sizeof(PeStart::slots);
+
+// What a packed file imports: for the program in the order of its slots, then for the stub.
+PeStart makeStart(const Program &program) {
+    uint32_t first = program.slots[1] < program.slots[0];
+    const char *functions[] = {
+        [kPeProgram1] = kWindows.functions[first],
+        [kPeProgram2] = kWindows.functions[1 - first],
+        [kPeLoadLibrary] = "LoadLibraryA",
+        [kPeGetProcAddress] = "GetProcAddress",
+        [kPeVirtualAlloc] = "VirtualAlloc",
+        [kPeVirtualFree] = "VirtualFree",
+        [kPeVirtualProtect] = "VirtualProtect",
+        [kPeGetStdHandle] = "GetStdHandle",
+        [kPeWriteFile] = "WriteFile",
+        [kPeExitProcess] = "ExitProcess",
+    };
+    static_assert(std::size(functions) == kPeImportCount);
+    PeStart s = {};
+    auto at = [](size_t offset) { return kFirst + (uint32_t)offset; };
+    size_t end = 0;
+    for (int i = 0; i < kPeImportCount; ++i) {
+        for (int k = 0; k < i; ++k)
+            if (!std::strcmp(functions[k], functions[i])) s.slots[i] = s.slots[k];
+        if (s.slots[i]) continue;
+        s.slots[i] = at(offsetof(PeStart, names) + end);
+        std::strcpy(s.names + end + 2, functions[i]); // behind a hint of two bytes, which may be wrong
+        end += 2 + std::strlen(functions[i]) + 1;
+    }
+    std::strcpy(s.libraryName, kWindows.library);
+    s.library = {0, 0, 0, at(offsetof(PeStart, libraryName)), at(0)};
+    return s;
+}
+
+PeTexts makeTexts(const Names &names) {
+    PeTexts t = {{}, {}, {}, "user32", "MessageBoxA"};
+    char *places[] = {
+        [Text::kDamaged] = t.damaged, [Text::kNoMemory] = t.noMemory, [Text::kMayNotRun] = t.mayNotRun};
+    for (const Text &text : kTexts) std::strcpy(places[text.what], withNames(text, names).c_str());
+    return t;
+}
+
+// The names that the texts were made with, if the texts are whole; else perhaps others.
+Names namesIn(const PeTexts &texts) {
+    // Of "use NAME instead" and "NAME is damaged"
+    auto between = [](const char(&text)[24], const std::string &before, const char *behind) {
+        std::string line(text, sizeof text);
+        size_t from = before.size(), to = line.find(behind, from);
+        return line.compare(0, from, before) || to == line.npos ? "" : line.substr(from, to - from);
+    };
+    Names names = {between(texts.damaged, "", " is damaged"), between(texts.mayNotRun, "use ", " ")};
+    try {
+        checkNames(names);
+    } catch (const Unsuitable &) {
+        return {};
+    }
+    return names;
+}
+
+// The headers of a packed file of `size` bytes.
+PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
+    uint32_t base = (program.base - kFirst - (uint32_t)wholePages(size)) & ~(kPeBaseAlign - 1),
+             programAt = program.base - base;
+    PeFront f = {makeHeader(base, 2),
+                 {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
+                  {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}},
+                 makeTexts(names)};
+    f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
+    f.header.imageSize = programAt + f.sections[1].memorySize;
+    f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
+    f.header.directories[kPeImportSlots] = {kFirst, sizeof(PeStart::slots)};
+    return f;
+}
+
+} // namespace
+
+size_t overheadPe(const ModelParameters &parameters) {
+    return kPayloadSectionAt + payloadSectionOverhead(parameters);
+}
+
+std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
+                                   const std::vector<uint8_t> &payload, const Names &names) {
+    uint32_t size = fileWhole(overheadPe(parameters) + payload.size());
+    need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
+    PeFront f = makeFront(program, size, names);
+    PeStart start = makeStart(program);
+
+    std::vector<uint8_t> out(kPayloadSectionAt);
+    std::memcpy(out.data(), &f, sizeof f);
+    std::memcpy(out.data() + kStartAt, &start, sizeof start);
+    std::memcpy(out.data() + kStubAt, kStubWindows, sizeof kStubWindows);
+    appendPayloadSection(out, program, parameters, payload, kCheckedFrom, size);
+    return out;
+}
+
+std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
+    return decodePayloadSection(packed, kPayloadSectionAt, stubDecodeWindows);
+}
+
+bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
+
+Program readPackedPe(const std::vector<uint8_t> &file) {
+    constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning",
+                   kDamaged[] = "damaged: get it afresh";
+    need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
+    need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
+    PeFront f;
+    PeStart start;
+    std::memcpy(&f, file.data(), sizeof f);
+    std::memcpy(&start, file.data() + kStartAt, sizeof start);
+    Packed packed = openPayloadSection(file, kPayloadSectionAt, kCheckedFrom, f.sections[1].memorySize);
+    Program &program = packed.program;
+    need(program.base > kBelow, kDamaged);
+    need(program.slots[0] >= program.base && program.slots[0] - program.base + 16 <= program.span, kDamaged);
+    if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
+        std::swap(program.slots[0], program.slots[1]);
+    // Headers and slots are not in the check: the loader reads them
+    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.texts));
+    PeStart slots = makeStart(program);
+    need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
+    Workspace workspace;
+    program.bytes =
+        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
+    return program;
+}
+
+std::vector<uint8_t> writePlainPe(const Program &program) {
+    // The section of the imports fills what is left between the header and the program
+    uint32_t base = (program.base - kFirst - (uint32_t)kPage) & ~(kPeBaseAlign - 1),
+             codeAt = program.base - base, dataAt = codeAt + program.readOnly,
+             end = codeAt + (uint32_t)wholePages(program.span);
+    need(dataAt < end, "it has no data");
+    std::vector<uint8_t> image = program.bytes;
+    if (image.size() < program.readOnly) image.resize(program.readOnly);
+    uint32_t first = program.slots[1] < program.slots[0], slots = program.slots[first] - program.base;
+    if (image.size() < slots + 16) image.resize(slots + 16);
+
+    PeHeader h = makeHeader(base, 3);
+    h.entry = program.entry - base;
+    h.imageSize = end;
+    h.directories[kPeImports] = {kFirst, sizeof(PeImports) * 2};
+    h.directories[kPeImportSlots] = {codeAt + slots, 16};
+    Imports imports = makeImports(kFirst, codeAt + slots, first);
+    std::memcpy(image.data() + slots, imports.names, 16); // a copy of the names' table, as loaders expect
+    uint32_t codeFile = kPeFileAlign + fileWhole(sizeof imports), dataFile = codeFile + program.readOnly;
+    PeSection sections[3] = {
+        {".idata", codeAt - kFirst, kFirst, fileWhole(sizeof imports), kPeFileAlign, {}, kPeConst},
+        {".text", program.readOnly, codeAt, program.readOnly, codeFile, {}, kPeCode},
+        {".data", end - dataAt, dataAt, fileWhole(image.size() - program.readOnly), dataFile, {}, kPeData}};
+    static_assert(sizeof h + sizeof sections <= kPeFileAlign && sizeof imports <= kPeFileAlign);
+
+    std::vector<uint8_t> out(dataFile + sections[2].fileSize);
+    std::memcpy(out.data(), &h, sizeof h);
+    std::memcpy(out.data() + sizeof h, sections, sizeof sections);
+    std::memcpy(out.data() + kPeFileAlign, &imports, sizeof imports);
+    std::copy(image.begin(), image.end(), out.begin() + codeFile);
+    return out;
+}
+
+} // namespace pack
