@@ -15,12 +15,13 @@
 #include "host/process.h"
 #include "host/threads.h"
 #include "intro.h"
+#include "maker/debug_options.h"
+#include "maker/edits.h"
 #include "maker/follower.h"
+#include "maker/keys/key_file.h"
 #include "maker/panel/input.h"
 #include "maker/panel/steps.h"
-#include "maker/remote.h"
 #include "maker/screen.h"
-#include "maker/words.h"
 #include "options.h"
 #include "play/music.h"
 #include "record.h"
@@ -36,6 +37,7 @@
 #include <vector>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 namespace {
 
@@ -45,8 +47,8 @@ struct Maker {
     // Asked for: keys of the camera, the tracks, steps back and on, the sources
     bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false,
          leaves = false;
-    std::string told; // what came of it, over the picture for a while
-    double toldUntil = 0;
+    std::string message; // what came of it, over the picture for a while
+    double messageUntil = 0;
     bool warned = false, closes = false;
     CameraKey camera = {};
     int quality = (int)QualityName::Play;
@@ -64,10 +66,9 @@ void takeOver(Maker &m) {
 }
 
 void printCamera(const Maker &m) {
-    CameraKey c = m.flying ? m.camera : cameraAt(m.time);
-    std::printf("{%.0f, {%.3ff, %.3ff, %.3ff}, {%.3ff, %.3ff, %.3ff}, %.2ff, %.2ff},\n",
-                (double)cameraAt(m.time).row, (double)c.eye.x, (double)c.eye.y, (double)c.eye.z,
-                (double)c.target.x, (double)c.target.y, (double)c.target.z, (double)c.roll, (double)c.fov);
+    KeyNumbers key = numbersOf(m.flying ? m.camera : cameraAt(m.time));
+    for (size_t i = 1; i < key.size(); ++i) key[i] = std::round(key[i] * 1000) / 1000;
+    std::puts(writtenKey(key, written(std::round(cameraAt(m.time).row))).c_str());
     std::fflush(stdout);
 }
 
@@ -173,26 +174,26 @@ void keepTime(Maker &m) {
     m.sought = false;
 }
 
-// The film, while the window tells how far it is. Returns null, or what is missing; m.closes if it was left.
+// Loads the film, while the window shows how far it is. Returns null, or what is missing; m.closes if it was
+// left.
 const char *loadFilm(Stage &stage, Screen &screen, uint64_t solvers, Maker &m) {
     std::vector<uint8_t> black((size_t)screen.width * (size_t)screen.height * 4);
-    const Live &live = *liveInUse();
-    const char *line = live.needsHall(0, live.duration()) ? "solving the hall: some seconds" : "loading";
-    auto waits = [&](float share) {
+    const char *line = needsHall(0, duration()) ? "solving the hall: some seconds" : "loading";
+    auto wait = [&](float share) {
         glfwWaitEventsTimeout(0.03);
         std::fill(black.begin(), black.end(), (uint8_t)0);
         Picture p = {screen.width, screen.height, black.data()};
-        live.write(p, line, share);
+        drawStatus(p, line, share);
         show(screen, p);
         return !(m.closes = m.closes || m.leaves || glfwWindowShouldClose(screen.window));
     };
     const char *problem = stage.loadFirst(
-        screen.gl, solvers, [&](bool on) { screen.hiddenCurrent(on); }, waits);
+        screen.gl, solvers, [&](bool on) { screen.hiddenCurrent(on); }, wait);
     return m.closes ? nullptr : problem;
 }
 
-// Where and how fast we are.
-void tell(const Screen &s, const Maker &m, double passed, const std::string &more) {
+// The title: where and how fast we are.
+void setTitle(const Screen &s, const Maker &m, double passed, const std::string &more) {
     char title[200];
     std::snprintf(title, sizeof title, FILM_NAME "-debug  %s  %d:%05.2f  row %.1f  %s%s  %.1f ms  %s",
                   sceneName(sceneAt(m.time)), (int)m.time / 60, std::fmod(m.time, 60),
@@ -202,52 +203,53 @@ void tell(const Screen &s, const Maker &m, double passed, const std::string &mor
 }
 
 // Writes the tracks where the maker's editor will look for them, but not over what somebody else has written.
-void writeTracks(Remote &remote, const Stage &stage, std::string &news) {
+void writeTracks(Edits &edits, const Stage &stage, std::string &message) {
     static std::filesystem::file_time_type ours; // when we wrote it
     const std::string file = FILM_NAME ".rocket";
     std::string wrong = file + " is there already: move it away";
     std::error_code none;
     if (!std::filesystem::exists(file) || std::filesystem::last_write_time(file, none) == ours)
-        wrong = remote.writeDocument(stage, file, news);
+        wrong = edits.writeDocument(stage, file, message);
     if (wrong.empty()) ours = std::filesystem::last_write_time(file, none);
-    if (!wrong.empty()) news = wrong;
-    fail(news.c_str());
+    if (!wrong.empty()) message = wrong;
+    fail(message.c_str());
 }
 
 // What was asked for by keys and by the editor.
-void edit(Maker &m, Remote &remote, const Stage &stage, std::string &news) {
-    Remote::Told told = remote.update(stage, glfwGetTime(), m.time * kRowsPerSecond);
-    if (!told.news.empty()) fail(told.news.c_str());
-    if (told.pause) m.paused = *told.pause;
-    if (told.row) {
-        m.time = *told.row / kRowsPerSecond;
+void edit(Maker &m, Edits &edits, const Stage &stage, std::string &message) {
+    Edits::Requests asked = edits.update(stage, glfwGetTime(), m.time * kRowsPerSecond);
+    if (!asked.message.empty()) fail(asked.message.c_str());
+    if (asked.pause) m.paused = *asked.pause;
+    if (asked.row) {
+        m.time = *asked.row / kRowsPerSecond;
         m.sought = true;
     }
     if (m.sets || m.removes) {
         double row = m.time * kRowsPerSecond;
         CameraKey view = m.flying ? m.camera : cameraAt(m.time);
-        uint32_t at = m.sets ? remote.setView(stage, row, view, news) : remote.removeView(stage, row, news);
+        uint32_t at =
+            m.sets ? edits.setView(stage, row, view, message) : edits.removeView(stage, row, message);
         m.time = at / kRowsPerSecond;
         m.sought = true;
         m.flying = false;
     }
-    if (m.undoes) remote.undo(stage, news);
-    if (m.redoes) remote.redo(stage, news);
+    if (m.undoes) edits.undo(stage, message);
+    if (m.redoes) edits.redo(stage, message);
     if (m.saves) {
-        std::string wrong = remote.save(stage, news);
-        if (!wrong.empty()) news = wrong;
-        fail(news.c_str());
+        std::string wrong = edits.save(stage, message);
+        if (!wrong.empty()) message = wrong;
+        fail(message.c_str());
     }
-    if (m.writes || told.save) writeTracks(remote, stage, news);
-    if (!remote.unsaved()) m.warned = false;
-    if (m.leaves && remote.unsaved() && !m.warned) {
-        news = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
+    if (m.writes || asked.save) writeTracks(edits, stage, message);
+    if (!edits.unsaved()) m.warned = false;
+    if (m.leaves && edits.unsaved() && !m.warned) {
+        message = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
         m.warned = true;
     } else
         m.closes |= m.leaves;
-    if (m.sets || m.removes || m.writes || told.save || m.undoes || m.redoes || m.saves || m.leaves) {
-        m.told = news;
-        m.toldUntil = glfwGetTime() + 4;
+    if (m.sets || m.removes || m.writes || asked.save || m.undoes || m.redoes || m.saves || m.leaves) {
+        m.message = message;
+        m.messageUntil = glfwGetTime() + 4;
     }
     m.sets = m.removes = m.writes = m.undoes = m.redoes = m.saves = m.leaves = false;
 }
@@ -261,7 +263,7 @@ void help() {
         "TAB shows the panel, H all keys.\n"
         "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
         "with it stands in the picture.\n"
-        "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if not told.\n"
+        "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if none is named.\n"
         "--tracks writes them as a document that such an editor opens, and ends.\n"
         "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"
         "build/seen.");
@@ -270,33 +272,33 @@ void help() {
 } // namespace
 
 int main(int argc, char **argv) {
-    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path(), news;
+    std::string build = std::filesystem::read_symlink("/proc/self/exe").parent_path(), message;
     Options o;
-    Words words;
+    DebugOptions own;
     Message wrong;
     Stage stage(build + "/live/live.so");
     if (!stage.problem().empty()) return fail((stage.problem() + ": build it anew").c_str());
-    if (std::string line = takeWords(argc, argv, words); !line.empty()) return fail(line.c_str()), 2;
+    if (std::string line = takeOptions(argc, argv, own); !line.empty()) return fail(line.c_str()), 2;
     if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
     if (o.help) return help(), 0;
-    if (words.shown) return recordShown(o, words.shown);
+    if (own.shown) return recordShown(o, own.shown);
     static const int never = 0;
     Screen screen = {};
-    if (const char *missing = open(screen, o.width, o.height, !words.tracks)) return fail(missing);
+    if (const char *missing = open(screen, o.width, o.height, !own.tracks)) return fail(missing);
     glfwSetKeyCallback(screen.window, onKey);
     Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
-        news = word;
+        message = word;
         if (!line.empty()) fail(line.c_str());
     });
-    Remote remote(follower.showFolder(), words.host, words.port);
-    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || words.tracks);
+    Edits edits(follower.showFolder(), own.host, own.port);
+    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || own.tracks);
     prepare(screen);
     Maker &m = theMaker;
     if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
     if (m.closes) return glfwTerminate(), 0;
-    if (words.tracks) {
-        std::string problem = remote.writeDocument(stage, words.tracks, news);
-        if (problem.empty()) std::puts(news.c_str());
+    if (own.tracks) {
+        std::string problem = edits.writeDocument(stage, own.tracks, message);
+        if (problem.empty()) std::puts(message.c_str());
         glfwTerminate();
         return problem.empty() ? 0 : fail(problem.c_str());
     }
@@ -313,22 +315,22 @@ int main(int argc, char **argv) {
         double now = glfwGetTime(), passed = now - last;
         last = now;
         if (follower.follow(screen, theMusic.block)) {
-            remote.renew();
+            edits.renew();
             panel.forget();
             panel.learn();
         }
         panel.steer(m.time, m.paused, m.sought);
-        edit(m, remote, stage, news);
+        edit(m, edits, stage, message);
         keepTime(m);
         fly(screen.window, m, (float)passed, !panel.grabs());
         Picture p =
             panel.picture(stage.intro(), {m.time, kQualities[m.quality], m.flying ? &m.camera : nullptr});
         Picture above = p; // the time line
         if (panel.visible() && panel.timeLine().area.height) above.height = panel.timeLine().area.y;
-        follower.write(above, outgrown(stage.intro()), glfwGetTime() < m.toldUntil ? m.told : "");
+        follower.drawState(above, outgrown(stage.intro()), glfwGetTime() < m.messageUntil ? m.message : "");
         show(screen, p);
         follower.wait();
-        tell(screen, m, passed, news);
+        setTitle(screen, m, passed, message);
     }
     endMusic(theMusic);
     stage.giveUp();

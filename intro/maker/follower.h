@@ -7,19 +7,20 @@
 
 #include <functional>
 
-namespace odraz {
+namespace odraz::maker {
 
 class Follower {
 public:
-    // `build`: the folder of the build. What goes on is told to `say`, in a word for the title and in a line.
-    using Say = std::function<void(const std::string &word, const std::string &line)>;
-    Follower(const std::string &build, Stage &stage, Say say);
+    // Called with what goes on: a word for the title, and a line for stderr that may be empty.
+    using Report = std::function<void(const std::string &word, const std::string &line)>;
+    // `build`: the folder of the build.
+    Follower(const std::string &build, Stage &stage, Report report);
 
     // Once a picture, before it is made; `block` is where the music is. True: there is a new film.
     bool follow(Screen &screen, int block);
-    // What there is to tell, over the picture. `limit`: a constant that is too small, or null; `recent`: what
-    // is told if there is nothing else.
-    void write(const Picture &p, const char *limit, const std::string &recent) const;
+    // Draws the state over a picture: an error, progress, or else `limit`, a constant that is too small, or
+    // null, or else `recent`.
+    void drawState(const Picture &p, const char *limit, const std::string &recent) const;
     // The compiler needs the processors: until it is done, few pictures are made.
     void wait() const;
 
@@ -29,8 +30,8 @@ public:
 private:
     Rebuilder rebuilder;
     Stage &stage;
-    Say say;
+    Report report;
     bool failed = false;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

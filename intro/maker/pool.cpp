@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace odraz {
+namespace odraz::maker {
 
 Pool::Pool(int count) {
     auto share = [](Workers &w, int all, int size, void (*body)(const void *, int, int, int),
@@ -47,4 +47,4 @@ void Pool::run(int count, int size, void (*body)(const void *, int, int, int), c
     ends.wait(lock, [&] { return job.busy == 0; });
 }
 
-} // namespace odraz
+} // namespace odraz::maker

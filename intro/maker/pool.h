@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 class Pool {
 public:
@@ -36,4 +36,4 @@ private:
     std::vector<std::thread> threads;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -1,5 +1,8 @@
 #include "maker/rebuilder.h"
 
+#include "tools/common/hash.h"
+#include "tools/common/whole_file.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -15,7 +18,7 @@
 
 extern char **environ;
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -24,18 +27,11 @@ constexpr double kSettled = 0.03; // seconds without a change: editors write in 
 constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
 bool isSource(const std::string &name) {
-    for (const char *end : {".cpp", ".h", "CMakeLists.txt"})
+    for (const char *end : {".cpp", ".h", ".keys", "CMakeLists.txt"})
         if (name.size() >= std::strlen(end) &&
             !name.compare(name.size() - std::strlen(end), std::string::npos, end))
             return true;
     return false;
-}
-
-uint64_t hashOf(const std::filesystem::path &file, uint64_t hash) {
-    std::ifstream in(file, std::ios::binary);
-    for (char block[65536]; in.read(block, sizeof block), in.gcount() > 0;)
-        for (std::streamsize i = 0; i < in.gcount(); ++i) hash = (hash ^ (uint8_t)block[i]) * 0x100000001b3;
-    return hash;
 }
 
 } // namespace
@@ -151,7 +147,7 @@ void Rebuilder::readError() {
         firstError.erase(at, source.size() + 1);
 }
 
-Rebuilder::News Rebuilder::poll(double now) {
+Rebuilder::Event Rebuilder::poll(double now) {
     if (sawChange()) {
         dirty = true;
         changedAt = now;
@@ -161,19 +157,19 @@ Rebuilder::News Rebuilder::poll(double now) {
         stopped = dirty;
         int status;
         pid_t ended = waitpid(compiling, &status, WNOHANG);
-        if (ended == 0) return News::None;
+        if (ended == 0) return Event::None;
         compiling = -1;
         backdate();
-        if (dirty) return News::None;
-        if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return News::Built;
+        if (dirty) return Event::None;
+        if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return Event::Built;
         readError();
-        return News::Failed;
+        return Event::Failed;
     }
-    if (!dirty || now < changedAt + kSettled) return News::None;
+    if (!dirty || now < changedAt + kSettled) return Event::None;
     dirty = stopped = false;
     savedAt = changedAt;
     start();
-    return compiling > 0 ? News::Building : News::Failed;
+    return compiling > 0 ? Event::Building : Event::Failed;
 }
 
 // Of the target: they lie in a folder of its own, under the paths of their sources.
@@ -187,12 +183,12 @@ std::vector<std::string> Rebuilder::objects() const {
 }
 
 uint64_t Rebuilder::solverHash() const {
-    uint64_t hash = 0xcbf29ce484222325;
+    uint64_t hash = common::kFnvStart;
     for (const std::string &file : objects())
         if (std::any_of(std::begin(kSolvers), std::end(kSolvers),
                         [&](const char *part) { return file.find(part) != file.npos; }))
-            hash = hashOf(file, hash);
+            hash = common::fnv1a(common::readWholeFile(file).view(), hash);
     return hash;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

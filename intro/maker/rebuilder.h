@@ -6,7 +6,7 @@
 #include <sys/types.h>
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 class Rebuilder {
 public:
@@ -16,14 +16,14 @@ public:
     ~Rebuilder();
     Rebuilder(const Rebuilder &) = delete;
 
-    enum class News {
+    enum class Event {
         None,
         Building, // a build has begun
         Failed,   // error() says why
         Built,    // it is to be loaded
     };
     // What happened since the last call; does not wait. `now`: seconds of any clock.
-    News poll(double now);
+    Event poll(double now);
 
     bool building() const { return compiling > 0; }
 
@@ -54,4 +54,4 @@ private:
     double changedAt = 0, savedAt = 0;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

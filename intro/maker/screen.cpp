@@ -3,7 +3,7 @@
 #include "film.h"
 #include "host/library.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 const char *open(Screen &s, int width, int height, bool visible) {
     if (!glfwInit()) return "no display: set DISPLAY";
@@ -41,4 +41,4 @@ void show(Screen &s, const Picture &p) {
     glfwSwapBuffers(s.window);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

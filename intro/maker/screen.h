@@ -7,7 +7,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace odraz {
+namespace odraz::maker {
 
 struct Screen {
     GLFWwindow *window, *hidden; // the latter's context is for what is loaded in the background
@@ -25,4 +25,4 @@ const char *open(Screen &s, int width, int height, bool visible);
 void prepare(Screen &s);
 void show(Screen &s, const Picture &p);
 
-} // namespace odraz
+} // namespace odraz::maker

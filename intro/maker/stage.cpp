@@ -4,7 +4,7 @@
 #include <cstring>
 #include <sys/mman.h>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -27,7 +27,7 @@ uint64_t hallHash(const Live &live) {
 } // namespace
 
 Stage::Stage(std::string file) : object(std::move(file)) {
-    now.live = openLive(object, wrong, &now.symbols);
+    now.live = openLive(object, wrong);
     if (now.live) useLive(now.live, nullptr);
 }
 void Stage::settle(int w, int h, int count, bool silent) {
@@ -76,12 +76,12 @@ void Stage::loadOnThread(Loaded &to, const Gl &gl, const Current &current) {
 }
 
 const char *Stage::loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
-                             const std::function<bool(float)> &waits) {
+                             const std::function<bool(float)> &wait) {
     now.solvers = solvers;
     now.hall = hallHash(*now.live);
     loadOnThread(now, gl, current);
     while (!done)
-        if (!waits(progress)) now.pool->abort();
+        if (!wait(progress)) now.pool->abort();
     loading.join();
     done = false;
     if (missing) return missing;
@@ -99,19 +99,16 @@ void Stage::giveUp() {
 void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &current) {
     giveUp(); // what it loads is stale
     wrong.clear();
-    std::vector<Symbol> symbols;
-    const Live *live = openLive(object, wrong, &symbols);
+    const Live *live = openLive(object, wrong);
     if (!live) return;
     uint64_t hall = hallHash(*live);
     if (solvers == now.solvers && hall == now.hall &&
         !std::memcmp(live->sizes, now.live->sizes, sizeof live->sizes)) {
         now.live = live;
-        now.symbols = std::move(symbols);
         useLive(live, newSound(now, block));
         return;
     }
     next.live = live;
-    next.symbols = std::move(symbols);
     next.solvers = solvers;
     next.hall = hall;
     loadOnThread(next, gl, current);
@@ -126,7 +123,7 @@ bool Stage::poll(int block) {
     return true;
 }
 
-std::string Stage::told() const {
+std::string Stage::state() const {
     if (!wrong.empty() || !loads()) return wrong;
     char line[80];
     bool same = next.hall == now.hall && next.solvers == now.solvers;
@@ -135,4 +132,4 @@ std::string Stage::told() const {
     return line;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -10,7 +10,7 @@
 #include <string>
 #include <thread>
 
-namespace odraz {
+namespace odraz::maker {
 
 class Stage {
 public:
@@ -23,11 +23,11 @@ public:
     void settle(int width, int height, int threads, bool mute);
     using Current = std::function<void(bool)>;
     // Loads the film, on a thread that calls current(true) first, to make another context of OpenGL current,
-    // and current(false) at its end. Until then waits(share), 0 .. 1, is called again and again; it returns
+    // and current(false) at its end. Until then wait(share), 0 .. 1, is called again and again; it returns
     // false to give up. Returns null, or a line that says what is missing. `solvers`: a hash of the code that
     // solves the hall.
     const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
-                          const std::function<bool(float)> &waits);
+                          const std::function<bool(float)> &wait);
 
     // Takes the object that was built. Where its data are laid out as before and the hall's light is the
     // same, the next picture is of it. If not, it is loaded in the background, as above. `block`: where the
@@ -41,16 +41,14 @@ public:
     Intro &intro() const { return *now.intro; }
     Sound *sound() const { return now.sound; }
     const Live &live() const { return *now.live; }
-    const std::vector<Symbol> &symbols() const { return now.symbols; } // of its tables
-    // What goes on in the background, or what went wrong, as one line; empty if there is nothing to tell.
-    std::string told() const;
+    // What goes on in the background, or what went wrong, as one line; or empty.
+    std::string state() const;
     bool loads() const { return loading.joinable(); }
     float loaded() const { return loads() ? progress.load() : 0; } // how much of it, 0 .. 1
 
 private:
     struct Loaded {
         const Live *live = nullptr;
-        std::vector<Symbol> symbols;
         Intro *intro = nullptr;
         Sound *sound = nullptr;
         Arena arena = {};
@@ -73,4 +71,4 @@ private:
     const char *missing = nullptr;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -1,34 +1,39 @@
 #include "maker/tracks.h"
 
+#include "maker/panel/content.h"
+#include "timeline/key_table.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <cstdio>
-#include <utility>
+#include <filesystem>
 
-namespace odraz {
-
-using maker::KeyNumbers;
+namespace odraz::maker {
 
 namespace {
 
-constexpr const char *kChannelNames[kChannels] = {"eye.x",    "eye.y",    "eye.z", "target.x",
-                                                  "target.y", "target.z", "roll",  "lens"};
-constexpr int kMostTables = 512;
-constexpr int kView = 6; // eye and target: the first numbers of a camera
+constexpr const char *kChannels[] = {"eye.x",    "eye.y",    "eye.z", "target.x",
+                                     "target.y", "target.z", "roll",  "lens"};
+constexpr size_t kChannelCount = std::size(kChannels),
+                 kView = 6; // eye and target: the first numbers of a camera
 
-// "kToTheDoor" as "toTheDoor", "kGrow[1]" as "grow1"
-std::string tableName(const Table &t, const std::vector<Symbol> &symbols) {
-    int element;
-    const Symbol *s = symbolOf(symbols, t, element);
-    if (!s) return "track";
-    std::string name = s->name;
+// "./intro/show/scenes/hall.keys" as "scenes/hall.keys"
+std::string fileOf(const KeyTable &table) {
+    const std::string file = table.file, show = "/show/";
+    return file.substr(file.rfind(show) + show.size());
+}
+
+// "kToTheDoor" as "toTheDoor"
+std::string plainName(std::string name) {
     if (name.size() > 1 && name[0] == 'k' && std::isupper((unsigned char)name[1])) {
         name.erase(0, 1);
         name[0] = (char)std::tolower((unsigned char)name[0]);
     }
-    return element < 0 ? name : name + std::to_string(element);
+    return name;
 }
+
+double filmRow(double shift, float row) { return std::round((double)row + shift); }
 
 Interpolation fromRocket(rocket::Interpolation i) {
     constexpr Interpolation kOurs[] = {kStep, Interpolation::Linear, Interpolation::Smooth, kRamp};
@@ -39,95 +44,131 @@ rocket::Interpolation toRocket(Interpolation i) {
     return i == kStep ? Step : i == kRamp ? Ramp : i == Interpolation::Smooth ? Smooth : Linear;
 }
 
+CameraKey posed(const std::vector<CameraKey> &path, double row) {
+    return pose({path.data(), (int)path.size()}, (float)row);
+}
+
+// An editor may give one number of a camera keys on other rows than another. The film's table has all numbers
+// on every row, so what is shown has, too: a number without a key there is where its own curve is.
+std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
+    std::vector<CameraKey> paths[kChannelCount]; // of each only its own number counts
+    std::map<float, size_t> rows;                // and how many keys are on each
+    for (size_t c = 0; c < kChannelCount; ++c) {
+        std::map<float, size_t> mine;
+        for (const Key &k : channels[c]) {
+            rows[k.row] = std::max(rows[k.row], ++mine[k.row]);
+            CameraKey &key = paths[c].emplace_back(CameraKey{k.row, {}, {}, 0, 0});
+            (&key.eye.x)[c] = k.value;
+        }
+    }
+    std::vector<KeyNumbers> result;
+    for (auto &[row, times] : rows)
+        result.resize(result.size() + times, numbersOf(CameraKey{row, {}, {}, 0, 0}));
+    for (size_t c = 0; c < kChannelCount; ++c) {
+        size_t next = 0;
+        for (KeyNumbers &key : result) {
+            while (next < paths[c].size() && paths[c][next].row < key[0]) ++next;
+            bool has = next < paths[c].size() && paths[c][next].row == key[0];
+            CameraKey at = has ? paths[c][next++] : posed(paths[c], (double)key[0]);
+            key[c + 1] = (&at.eye.x)[c];
+        }
+    }
+    return result;
+}
+
 } // namespace
 
-void Tracks::find(const Live &from, Intro &intro, const std::vector<Symbol> &symbols) {
+void Tracks::find(const Live &from) {
     live = &from;
-    live->replaceTables(nullptr, 0);
-    tables.resize(kMostTables);
-    tables.resize((size_t)live->findTables(intro, tables.data(), kMostTables));
-    hand.find(tables, symbols);
-    all.clear();
+    Content film = contentOf(live->inspector());
+    shots = film.shots;
+    Events rows;
+    for (const EventInfo &e : film.events) rows[e.name] = e.row;
+    std::set<std::string> names;
+    for (KeyTable *t = live->keyTables(); t; t = t->next) names.insert(fileOf(*t));
+    files.read(names, rows);
+    tables.clear();
+    for (KeyTable *t = live->keyTables(); t; t = t->next) {
+        // The shot that it is read for: a path's own, or the first of the scene that its file is named after
+        std::string file = fileOf(*t), scene = std::filesystem::path(file).stem();
+        auto shot = std::find_if(shots.begin(), shots.end(), [&](const ShotInfo &s) {
+            return t->camera ? s.path->keys == t->poses : live->sceneName(s.scene) == scene;
+        });
+        int i = files.find(file, t->name);
+        if (shot == shots.end() || i < 0) continue;
+        std::string name = live->sceneName(shot->scene) + (t->camera ? std::string(".camera.") : ":");
+        double shift = shot->story * kRowsPerSecond + (double)t->start;
+        tables.push_back({t, shot->scene, shift, i, name + plainName(t->name), 0});
+    }
+    std::reverse(tables.begin(), tables.end()); // the list begins with the last
+    std::stable_sort(tables.begin(), tables.end(), [](const Table &a, const Table &b) {
+        return std::pair(a.scene, !a.live->camera) < std::pair(b.scene, !b.live->camera);
+    });
     allNames.clear();
-    for (size_t t = 0; t < tables.size(); ++t) {
-        const Table &table = tables[t];
-        std::string scene = live->sceneName(table.scene), name = tableName(table, symbols);
-        std::string prefix = table.camera ? scene + ".camera." + name : scene + ":" + name;
-        auto taken = [&](const std::string &p) {
-            return std::any_of(allNames.begin(), allNames.end(),
-                               [&](auto &n) { return n == p || n == p + ":" + kChannelNames[0]; });
-        };
-        std::string unique = prefix;
-        for (int i = 2; taken(unique); ++i) unique = prefix + "-" + std::to_string(i);
-        for (int c = 0; c < (table.camera ? kChannels : 1); ++c) {
-            all.push_back({t, c});
-            allNames.push_back(table.camera ? unique + ":" + kChannelNames[c] : unique);
-        }
+    tableOf.clear();
+    for (size_t i = 0; i < tables.size(); ++i) {
+        Table &t = tables[i];
+        t.firstTrack = allNames.size();
+        if (!t.live->camera) allNames.push_back(t.name);
+        for (size_t c = 0; t.live->camera && c < kChannelCount; ++c)
+            allNames.push_back(t.name + ":" + kChannels[c]);
+        tableOf.resize(allNames.size(), i);
     }
     show();
 }
 
-size_t Tracks::firstOf(size_t table) const {
-    size_t first = 0;
-    while (all[first].table != table) ++first;
-    return first;
+const std::vector<KeyNumbers> &Tracks::own(const Table &t) const {
+    return files.tables()[(size_t)t.file].keys;
 }
 
-std::vector<Key> Tracks::own(const One &one) const {
-    const Table &t = tables[one.table];
+std::vector<Key> Tracks::own(const Table &t, size_t channel) const {
     std::vector<Key> result;
-    for (const KeyNumbers &k : hand.keys(t))
-        result.push_back(t.camera ? Key{k[0], k[(size_t)one.channel + 1], Interpolation::Smooth}
-                                  : maker::keyOf(k));
+    for (const KeyNumbers &k : own(t))
+        result.push_back(t.live->camera ? Key{k[0], k[channel + 1], Interpolation::Smooth} : keyOf(k));
     return result;
 }
 
-bool Tracks::onRow(const Table &t, const Key &key, uint32_t row) const {
-    return std::round(filmRow(t, key.row)) == (double)row;
-}
-
-std::vector<Key> Tracks::edited(size_t i) const {
-    const Table &t = tables[all[i].table];
-    std::vector<Key> mine = own(all[i]), result = mine;
-    auto edit = edits.find(allNames[i]);
+std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
+    std::vector<Key> mine = own(t, channel), result = mine;
+    auto edit = edits.find(allNames[t.firstTrack + channel]);
     if (edit == edits.end()) return result;
-    // The exact row of the film's own key, if there is one
-    auto exact = [&](uint32_t row) {
-        for (const Key &k : mine)
-            if (onRow(t, k, row)) return k.row;
-        return (float)((double)row - (double)t.shift);
-    };
-    const Edit &e = edit->second;
-    if (!e.editor.empty())
-        std::erase_if(result, [&](const Key &k) {
-            double row = std::round(filmRow(t, k.row));
-            return row > -0.5 && !e.byHand.count((uint32_t)row);
-        });
-    for (auto &[row, key] : e.editor)
-        if (!e.byHand.count(row)) result.push_back({exact(row), key.value, fromRocket(key.interpolation)});
+    const auto &[editor, byHand] = edit->second;
+    std::erase_if(result, [&](const Key &k) {
+        double row = filmRow(t.shift, k.row);
+        return row >= 0 && !byHand.count((uint32_t)row);
+    });
+    for (auto &[row, key] : editor) {
+        if (byHand.count(row)) continue;
+        // The exact row of the film's own key, if there is one
+        auto there = std::find_if(mine.begin(), mine.end(),
+                                  [&](const Key &k) { return filmRow(t.shift, k.row) == (double)row; });
+        float at = there == mine.end() ? (float)((double)row - t.shift) : there->row;
+        result.push_back({at, key.value, fromRocket(key.interpolation)});
+    }
     std::stable_sort(result.begin(), result.end(), [](const Key &a, const Key &b) { return a.row < b.row; });
     return result;
 }
 
 rocket::Track Tracks::track(size_t i) const {
     rocket::Track result;
-    const Table &t = tables[all[i].table];
-    for (const Key &k : edited(i)) {
-        double row = std::round(filmRow(t, k.row));
-        if (row >= 0) result[(uint32_t)row] = {k.value, toRocket(k.interpolation)};
-    }
+    const Table &t = tables[tableOf[i]];
+    for (const Key &k : edited(t, i - t.firstTrack))
+        if (double row = filmRow(t.shift, k.row); row >= 0)
+            result[(uint32_t)row] = {k.value, toRocket(k.interpolation)};
     return result;
 }
 
 int Tracks::offRows() const {
     int count = 0;
-    for (const One &one : all) {
+    for (const Table &t : tables) {
+        int off = 0;
         double last = -1; // two keys on a row are a jump, which Rocket has not, either
-        for (const Key &k : own(one)) {
-            double row = filmRow(tables[one.table], k.row);
-            count += row < 0 || row != std::round(row) || row == last;
+        for (const KeyNumbers &k : own(t)) {
+            double row = (double)k[0] + t.shift;
+            off += row < 0 || row != std::round(row) || row == last;
             last = row;
         }
+        count += off * (t.live->camera ? (int)kChannelCount : 1);
     }
     return count;
 }
@@ -135,35 +176,34 @@ int Tracks::offRows() const {
 void Tracks::takeFromEditor(size_t i, const rocket::Track &now) {
     Edit &edit = edits[allNames[i]];
     auto changed = [&](uint32_t row) {
-        auto a = std::as_const(edit.editor).find(row), b = now.find(row);
-        return (a == edit.editor.cend()) != (b == now.end()) || (b != now.end() && a->second != b->second);
+        auto a = edit.editor.find(row);
+        auto b = now.find(row);
+        return (a == edit.editor.end()) != (b == now.end()) || (b != now.end() && a->second != b->second);
     };
     std::erase_if(edit.byHand, changed);
     edit.editor = now;
-    if (edit.none()) edits.erase(allNames[i]);
+    if (now.empty()) edits.erase(allNames[i]);
 }
 
-int Tracks::cameraAt(double row) const {
-    const void *path = live->pathAt(row / kRowsPerSecond);
-    for (size_t i = 0; i < all.size(); ++i)
-        if (tables[all[i].table].keys == path) return (int)i;
+int Tracks::tableAt(double row) const {
+    const CameraKey *path = Content{0, shots, {}}.shotAt(row / kRowsPerSecond).path->keys;
+    for (size_t i = 0; i < tables.size(); ++i)
+        if (tables[i].live->poses == path) return (int)i;
     return -1;
 }
 
 uint32_t Tracks::rowOfView(double row) const {
     double nearest = std::fmax(std::round(row), 0);
-    if (live->pathAt(nearest / kRowsPerSecond) != live->pathAt(row / kRowsPerSecond))
-        nearest = std::fmax(std::floor(row), 0);
-    return (uint32_t)nearest;
+    return (uint32_t)(tableAt(nearest) == tableAt(row) ? nearest : std::fmax(std::floor(row), 0));
 }
 
 std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
-    int first = cameraAt(row);
-    if (first < 0) return "there is no camera's path";
-    const Table &t = tables[all[(size_t)first].table];
-    if (std::string why = hand.whyNot(t); !why.empty()) return names()[(size_t)first] + ": " + why;
-    std::vector<KeyNumbers> now = hand.keys(t);
-    auto here = std::find_if(now.begin(), now.end(), [&](auto &k) { return onRow(t, maker::keyOf(k), row); });
+    int at = tableAt(row);
+    if (at < 0) return files.problems().empty() ? "its path is in no file of keys" : files.problems();
+    const Table &t = tables[(size_t)at];
+    std::vector<KeyNumbers> now = own(t);
+    auto here =
+        std::find_if(now.begin(), now.end(), [&](auto &k) { return filmRow(t.shift, k[0]) == (double)row; });
     if (!camera) {
         if (here == now.end()) return "there is no key";
         if (now.size() == 1) return "it is the path's only key";
@@ -171,20 +211,19 @@ std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
     } else {
         if (here == now.end()) {
             std::vector<CameraKey> path;
-            for (const KeyNumbers &k : now) path.push_back(maker::cameraKeyOf(k));
-            double own = (double)row - (double)t.shift;
-            here = now.insert(here, maker::numbersOf(pose({path.data(), (int)path.size()}, own)));
+            for (const KeyNumbers &k : now) path.push_back(cameraKeyOf(k));
+            here = now.insert(here, numbersOf(posed(path, (double)row - t.shift)));
         }
-        KeyNumbers view = maker::numbersOf(*camera);
+        KeyNumbers view = numbersOf(*camera);
         std::copy_n(view.begin() + 1, kView, here->begin() + 1);
         // To the millimetre, and to a thousandth of a degree: more cannot be seen, and fewer digits read well
         for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
     }
-    for (int c = 0; c < kChannels; ++c) {
-        auto edit = edits.find(allNames[(size_t)(first + c)]);
+    for (size_t c = 0; c < kChannelCount; ++c) {
+        auto edit = edits.find(allNames[t.firstTrack + c]);
         if (edit != edits.end()) edit->second.byHand.insert(row);
     }
-    hand.change(t, std::move(now));
+    files.change(t.file, std::move(now));
     show();
     return "";
 }
@@ -193,11 +232,11 @@ std::string Tracks::removeView(uint32_t row) { return setByHand(row, nullptr); }
 
 std::string Tracks::rowInWords(uint32_t row) const {
     constexpr double kNear = 4; // rows, a beat
-    int first = cameraAt(row);
-    if (first < 0) return "row " + std::to_string(row);
-    const Table &t = tables[all[(size_t)first].table];
-    double own = (double)row - (double)t.shift, nearest = kNear;
-    for (const KeyNumbers &k : contents(all[(size_t)first].table))
+    int at = tableAt(row);
+    if (at < 0) return "row " + std::to_string(row);
+    const Table &t = tables[(size_t)at];
+    double own = (double)row - t.shift, nearest = kNear;
+    for (const KeyNumbers &k : contents(t))
         if (double away = std::fabs((double)k[0] - own); away > 0.5) nearest = std::min(nearest, away);
     char words[160];
     int length = std::snprintf(words, sizeof words, "row %g of %s", own, live->sceneName(t.scene));
@@ -209,99 +248,61 @@ std::string Tracks::rowInWords(uint32_t row) const {
     return words;
 }
 
-bool Tracks::edited(const Table &t, size_t table) const {
-    if (hand.edited(t)) return true;
-    for (size_t i = 0; i < all.size(); ++i)
-        if (all[i].table == table && edits.count(allNames[i])) return true;
-    return false;
-}
-
-// An editor may give one number of a camera keys on other rows than another. The film's table has all numbers
-// on every row, so what is shown has, too: a number without a key there is where its own curve is.
-std::vector<KeyNumbers> Tracks::contents(size_t table) const {
-    const Table &t = tables[table];
+std::vector<KeyNumbers> Tracks::contents(const Table &t) const {
+    size_t count = t.live->camera ? kChannelCount : 1;
+    bool untouched = true; // by an editor
+    for (size_t c = 0; c < count; ++c) untouched &= !edits.count(allNames[t.firstTrack + c]);
+    if (untouched) return own(t);
+    std::vector<std::vector<Key>> channels;
+    for (size_t c = 0; c < count; ++c) channels.push_back(edited(t, c));
     std::vector<KeyNumbers> result;
-    size_t first = firstOf(table);
-    if (!t.camera) {
-        for (const Key &k : edited(first)) result.push_back(maker::numbersOf(k));
-        return result;
-    }
-    std::vector<Key> channels[kChannels];
-    std::map<float, size_t> rows; // and how many keys are on each
-    for (int c = 0; c < kChannels; ++c) {
-        channels[c] = edited(first + (size_t)c);
-        std::map<float, size_t> mine;
-        for (const Key &k : channels[c]) rows[k.row] = std::max(rows[k.row], ++mine[k.row]);
-    }
-    for (auto &[row, times] : rows)
-        for (size_t n = 0; n < times; ++n) result.push_back({row, 0, 0, 0, 0, 0, 0, 0, 0});
-    for (size_t c = 0; c < kChannels; ++c) {
-        std::vector<CameraKey> path;
-        for (const Key &k : channels[c]) {
-            path.push_back({k.row, {}, {}, 0, 0});
-            (&path.back().eye.x)[c] = k.value;
-        }
-        size_t next = 0;
-        for (KeyNumbers &key : result) {
-            while (next < path.size() && path[next].row < key[0]) ++next;
-            bool has = next < path.size() && path[next].row == key[0];
-            CameraKey at = has ? path[next++] : pose({path.data(), (int)path.size()}, (double)key[0]);
-            key[c + 1] = (&at.eye.x)[c];
-        }
-    }
-    for (KeyNumbers &key : result) key = hand.rounded(t, std::move(key));
+    if (t.live->camera)
+        result = merged(channels);
+    else
+        for (const Key &k : channels[0]) result.push_back(numbersOf(k));
+    for (KeyNumbers &key : result) key = files.tables()[(size_t)t.file].saved.rounded(key);
     return result;
 }
 
 void Tracks::show() {
-    live->replaceTables(nullptr, 0);
-    replaced.clear();
-    keys.clear();
-    poses.clear();
     unsavedByEditor = 0;
-    for (size_t i = 0; i < tables.size(); ++i) {
-        const Table &t = tables[i];
-        if (!edited(t, i)) continue;
-        Replaced r = {t.keys, {}, {}};
-        std::vector<Key> &track = keys.emplace_back();
-        std::vector<CameraKey> &path = poses.emplace_back();
-        std::vector<KeyNumbers> now = contents(i);
-        unsavedByEditor += now != hand.keys(t);
+    for (const Table &t : tables) {
+        std::vector<KeyNumbers> now = contents(t);
+        unsavedByEditor += now != own(t);
+        now.resize(std::min(now.size(), (size_t)kMostKeys));
+        std::vector<Key> keys;
+        std::vector<CameraKey> poses;
         for (const KeyNumbers &k : now)
-            if (t.camera)
-                path.push_back(maker::cameraKeyOf(k));
+            if (t.live->camera)
+                poses.push_back(cameraKeyOf(k));
             else
-                track.push_back(maker::keyOf(k));
-        r.track = {track.data(), (int)track.size()};
-        for (CameraPath &channel : r.channels)
-            if (t.camera) channel = {path.data(), (int)path.size()};
-        replaced.push_back(r);
+                keys.push_back(keyOf(k));
+        const void *all = t.live->camera ? (const void *)poses.data() : keys.data();
+        live->setKeys(*t.live, all, (int)now.size());
     }
-    live->replaceTables(replaced.data(), (int)replaced.size());
 }
 
-std::string Tracks::save(std::string &news) {
+std::string Tracks::save(std::string &message) {
     std::string wrong;
-    for (size_t i = 0; i < tables.size(); ++i) {
-        const Table &t = tables[i];
-        if (!edited(t, i)) continue;
-        size_t first = firstOf(i);
-        std::vector<KeyNumbers> now = contents(i);
-        if (now == hand.keys(t)) continue; // edited by hand alone, or an editor has what the film has
-        std::string why = hand.whyNot(t);
-        bool foreign = !t.camera && std::any_of(now.begin(), now.end(), [](const KeyNumbers &k) {
-            return maker::keyOf(k).interpolation >= kStep;
+    for (const Table &t : tables) {
+        std::vector<KeyNumbers> now = contents(t);
+        if (now == own(t)) continue; // edited by hand alone, or an editor has what the film has
+        bool foreign = !t.live->camera && std::any_of(now.begin(), now.end(), [](const KeyNumbers &k) {
+            return keyOf(k).interpolation >= kStep;
         });
-        if (foreign) why = "the film has no steps and ramps: choose linear or smooth";
-        if (why.empty())
-            hand.change(t, std::move(now));
+        if (foreign)
+            wrong += (wrong.empty() ? "not saved: " : "; ") + t.name +
+                     ": the film has no steps and ramps: choose linear or smooth";
         else
-            wrong += (wrong.empty() ? "not saved: " : "; ") + names()[first] + ": " + why;
+            files.change(t.file, std::move(now));
     }
-    std::string unwritten = hand.save(news);
+    std::set<std::string> written;
+    std::string unwritten = files.save(written);
     if (!wrong.empty() && !unwritten.empty()) wrong += "; ";
+    message = written.empty() ? "nothing to save" : "saved";
+    for (const std::string &file : written) message += (file == *written.begin() ? " " : ", ") + file;
     show();
     return wrong + unwritten;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

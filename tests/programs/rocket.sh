@@ -100,7 +100,7 @@ kept flown
 cp "$WORK/shot.png" "$WORK/flown.png"
 press k
 check "a key is set" comes 'titled "key set on row" && titled "172"'
-# The film's keys have few bits (coarse() in show/film.cpp): the view is kept almost
+# The film's keys have few bits (PATH(kTableWide, 8) in show/film.keys): the view is kept almost
 error() { shot && compare -metric RMSE "$WORK/flown.png" "$WORK/shot.png" null: 2>&1 | sed 's/.*(\(.*\))/\1/'; }
 check "... which keeps the view, as nearly as the table can" comes '! is film && less "$(error)" 0.1'
 press r

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::maker {
 
 // --- Actions ---
 
@@ -53,7 +53,7 @@ void Panel::act(Action action) {
         stop = stop || differs;
         break;
     case Action::LoopShot: {
-        const ShotSeen &shot = content.shotAt(time);
+        const ShotInfo &shot = content.shotAt(time);
         stretch = stretch.on() ? Loop{} : loopBetween(shot.from, shot.to, content.end);
         break;
     }
@@ -152,4 +152,4 @@ void Panel::steer(double &time, bool &paused, bool &sought) {
     now = time;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -27,7 +27,8 @@ Lettering letter(const std::string &text, float size) {
     for (auto &plane : planes) plane.assign((size_t)stride * (size_t)l.height, 0.f);
     Frame frame = {stride,  l.height, stride, {planes[0].data(), planes[1].data(), planes[2].data()},
                    nullptr, nullptr};
-    drawText(frame, text.c_str(), 2, (float)l.above, size, kWeight, kTracking, Align::Left, {1, 1, 1}, 1);
+    inspector().drawText(frame, text.c_str(), 2, (float)l.above, size, kWeight, kTracking, Align::Left,
+                         {1, 1, 1}, 1);
     for (int y = 0; y < l.height; ++y)
         for (int x = 0; x < stride; ++x)
             if (planes[0][(size_t)(y * stride + x)] > 0) l.width = std::max(l.width, x + 1);
@@ -116,4 +117,26 @@ float widthOf(const std::string &text, float size) {
     return text.empty() ? 0 : (float)lettering(text, size).width;
 }
 
-} // namespace odraz
+void drawStatus(const Picture &p, const std::string &text, float done) {
+    constexpr float kSize = 12;
+    constexpr int kLineHeight = 26, kIndent = 12, kBarHeight = 4;
+    std::vector<std::string> lines;
+    float letter = widthOf(text, kSize) / (float)text.size();
+    auto most = (size_t)std::max((float)(p.width - 2 * kIndent) / letter * 0.9f, 1.f);
+    for (size_t at = 0, length; at < text.size(); at += length) {
+        length = std::min(most, text.size() - at);
+        size_t blank = text.rfind(' ', at + length - 1);
+        if (at + length < text.size() && blank != text.npos && blank > at + length / 2)
+            length = blank + 1 - at;
+        lines.push_back(text.substr(at, length));
+    }
+    Canvas canvas(p);
+    int tall = (int)lines.size() * kLineHeight, top = p.height - kBarHeight - tall;
+    canvas.fill({0, top, p.width, tall}, {0, 0, 0}, 0.7f);
+    for (const std::string &line : lines)
+        canvas.text(line, kIndent, (float)((top += kLineHeight) - 8), kSize, {255, 255, 255});
+    canvas.fill({0, p.height - kBarHeight, (int)((float)p.width * done), kBarHeight},
+                {217, 122, 60}); // copper
+}
+
+} // namespace odraz::maker

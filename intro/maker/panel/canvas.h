@@ -1,12 +1,11 @@
 // Draws on a developed picture: rectangles, lines, dots, other pictures, and text in the film's own font.
 #pragma once
 
-#include "intro.h"
-#include "show/font.h"
+#include "maker/panel/inspector.h"
 
 #include <string>
 
-namespace odraz {
+namespace odraz::maker {
 
 struct Colour {
     uint8_t r, g, b; // sRGB
@@ -34,7 +33,7 @@ public:
     void fill(Rect where, Colour colour, float opacity = 1);
     void line(float x0, float y0, float x1, float y1, float width, Colour colour, float opacity = 1);
     void dot(float x, float y, float radius, Colour colour, float opacity = 1);
-    // One line of text with its baseline at y; `size` is the height of a figure. The font has letters,
+    // One line of text with its baseline at y; `size` is the height of a figure. The film's font has letters,
     // figures and . , : - + / alone.
     void text(const std::string &text, float x, float y, float size, Colour colour,
               Align align = Align::Left);
@@ -55,4 +54,8 @@ float textSize(int height);
 // How wide a line of text is, in pixels.
 float widthOf(const std::string &text, float size);
 
-} // namespace odraz
+// Draws text on a dark ground at the lower edge of a picture, in as many lines as it takes; and below it a
+// bar that is filled up to `done`, 0 .. 1 of the width.
+void drawStatus(const Picture &picture, const std::string &text, float done);
+
+} // namespace odraz::maker

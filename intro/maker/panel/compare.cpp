@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::maker {
 
 Kept Kept::of(const Picture &p) {
     return {p.width, p.height, {p.rgba, p.rgba + (size_t)p.width * (size_t)p.height * 4}};
@@ -98,4 +98,4 @@ void drawDifference(Canvas &canvas, const Difference &d, const std::string &what
     canvas.text(text, (float)(left + wide) + size * 0.5f, base, size, kInk);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 // A picture that is kept: four bytes a pixel.
 struct Kept {
@@ -38,4 +38,4 @@ void drawSplit(Canvas &canvas, const Kept &other, int column, const std::string 
 void drawDifference(Canvas &canvas, const Difference &difference, const std::string &what);
 Colour differenceColour(float share); // of Difference::most
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::maker {
 
 static constexpr Colour kPartColours[(int)Cost::Count] = {
     {150, 146, 140}, {222, 130, 70}, {236, 210, 120}, {110, 160, 220}, {120, 190, 140}};
@@ -148,4 +148,4 @@ Rect drawHeatLegend(Canvas &canvas, int x, int y) {
     return r;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

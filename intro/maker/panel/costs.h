@@ -1,12 +1,12 @@
 // What a picture costs: time by part, samples, and where in the picture the samples are.
 #pragma once
 
-#include "maker/panel/backstage.h"
 #include "maker/panel/canvas.h"
+#include "maker/panel/inspector.h"
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 const char *nameOf(Cost part);
 
@@ -32,4 +32,4 @@ void drawHeat(Canvas &canvas, const std::vector<uint32_t> &samples);
 // ... and what the colours mean. Returns the rectangle that it took.
 Rect drawHeatLegend(Canvas &canvas, int x, int y);
 
-} // namespace odraz
+} // namespace odraz::maker

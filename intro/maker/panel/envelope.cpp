@@ -5,12 +5,12 @@
 #include <cstdlib>
 #include <memory>
 
-namespace odraz {
+namespace odraz::maker {
 
-void Envelope::start(const Backstage &backstage, double seconds) {
+void Envelope::start(const Inspector &inspector, double seconds) {
     stop();
     blocks.assign((size_t)std::ceil(seconds / kBlock), {});
-    thread = std::thread([this, &backstage] { render(backstage); });
+    thread = std::thread([this, &inspector] { render(inspector); });
 }
 
 void Envelope::stop() {
@@ -20,17 +20,17 @@ void Envelope::stop() {
     done = 0;
 }
 
-void Envelope::render(const Backstage &backstage) {
-    size_t bytes = backstage.soundMemory() + 64;
+void Envelope::render(const Inspector &inspector) {
+    size_t bytes = inspector.soundMemory() + 64;
     std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
                                                             std::free);
     if (!memory) return;
     Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
-    Sound *sound = backstage.loadSound(arena);
+    Sound *sound = inspector.loadSound(arena);
     if (!sound) return;
     for (size_t i = 0; i < blocks.size() && !leave; ++i) {
         float stereo[2 * kSoundBlock];
-        backstage.soundBlock(*sound, stereo);
+        inspector.soundBlock(*sound, stereo);
         for (int k = 0; k < kSoundBlock; ++k) {
             blocks[i].left = std::max(blocks[i].left, std::abs(stereo[2 * k]));
             blocks[i].right = std::max(blocks[i].right, std::abs(stereo[2 * k + 1]));
@@ -50,4 +50,4 @@ Level Envelope::most(double from, double to) const {
     return level;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -2,13 +2,13 @@
 // music.
 #pragma once
 
-#include "maker/panel/backstage.h"
+#include "maker/panel/inspector.h"
 
 #include <atomic>
 #include <thread>
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 // The greatest amplitude of each side, 0 .. 1.
 struct Level {
@@ -22,7 +22,7 @@ public:
     ~Envelope() { stop(); }
 
     // Begins to render a film of so many seconds; what was known before is forgotten.
-    void start(const Backstage &backstage, double seconds);
+    void start(const Inspector &inspector, double seconds);
     // Ends that. Must be called before the film's code goes away.
     void stop();
     bool started() const { return thread.joinable(); }
@@ -34,7 +34,7 @@ public:
 
 private:
     static constexpr double kBlock = (double)kSoundBlock / kSoundRate;
-    void render(const Backstage &backstage);
+    void render(const Inspector &inspector);
 
     std::vector<Level> blocks;
     std::atomic<int> done = 0;
@@ -42,4 +42,4 @@ private:
     std::thread thread;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

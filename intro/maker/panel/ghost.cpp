@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -15,7 +15,7 @@ struct Ball {
 };
 
 // About the box of all that must be seen
-Ball ballOf(const ShotSeen &shot, const CameraKey &now) {
+Ball ballOf(const ShotInfo &shot, const CameraKey &now) {
     Vec3 lo = now.eye, hi = now.eye;
     auto take = [&](const Vec3 &p) {
         lo = {std::min(lo.x, p.x), std::min(lo.y, p.y), std::min(lo.z, p.z)};
@@ -66,7 +66,7 @@ void GhostPlace::orbit(float degreesAround, float degreesUp) {
 }
 void GhostPlace::zoom(float factor) { nearness = std::clamp(nearness * factor, 0.3f, 5.f); }
 
-CameraKey outside(const ShotSeen &shot, const CameraKey &now, const GhostPlace &place) {
+CameraKey outside(const ShotInfo &shot, const CameraKey &now, const GhostPlace &place) {
     Ball ball = ballOf(shot, now);
     float around = place.turn * (kPi / 180), up = place.rise * (kPi / 180),
           away = ball.radius / std::sin(kFov * (kPi / 360)) / place.nearness;
@@ -94,9 +94,9 @@ void cornersOf(const CameraKey &c, float aspect, float distance, Vec3 corners[4]
     }
 }
 
-void drawGhost(Canvas &canvas, const Projection &project, const ShotSeen &shot, const CameraKey &now,
+void drawGhost(Canvas &canvas, const Projection &project, const ShotInfo &shot, const CameraKey &now,
                float aspect) {
-    CameraPath path = shot.keys();
+    CameraPath path = *shot.path;
     if (path.count > 0) {
         // The path from the first key, or the cut, to the last
         double first = std::min(shot.from, timeOf(shot, path.keys[0])),
@@ -122,4 +122,4 @@ void drawGhost(Canvas &canvas, const Projection &project, const ShotSeen &shot, 
     drawDot(canvas, project, now.eye, 3.5f, kInk);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -5,7 +5,7 @@
 #include "maker/panel/strip.h"
 #include "trace/rays/view.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 // How the maker looks at it: degrees around the path's middle and above it, and how near.
 struct GhostPlace {
@@ -17,7 +17,7 @@ struct GhostPlace {
 
 // The camera that looks at a shot from a place outside, so that all of its path and targets, and the camera
 // now, are in the picture.
-CameraKey outside(const ShotSeen &shot, const CameraKey &now, const GhostPlace &place);
+CameraKey outside(const ShotInfo &shot, const CameraKey &now, const GhostPlace &place);
 
 // A point of the world in a rectangle of the canvas, as that camera sees it; false if it lies behind it.
 struct Projection {
@@ -33,7 +33,7 @@ void cornersOf(const CameraKey &camera, float aspect, float distance, Vec3 corne
 
 // Draws the path of a shot's camera over a picture that outside() sees: what the shot shows, what lies beyond
 // its cuts (faint), the keys as dots, the camera's frustum now, and the line to its target.
-void drawGhost(Canvas &canvas, const Projection &project, const ShotSeen &shot, const CameraKey &now,
+void drawGhost(Canvas &canvas, const Projection &project, const ShotInfo &shot, const CameraKey &now,
                float aspect);
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -3,7 +3,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -69,4 +69,4 @@ void listen(Panel &panel, GLFWwindow *window) {
     glfwSetScrollCallback(window, onWheel);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -5,10 +5,10 @@
 
 struct GLFWwindow;
 
-namespace odraz {
+namespace odraz::maker {
 
 // Sets the window's callbacks. Those for keys and the mouse that were there are called too: for all keys that
 // are not the panel's, and always for the mouse. The panel must outlive the window.
 void listen(Panel &panel, GLFWwindow *window);
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 Action actionOf(int key, bool shift) {
     for (const KeyRow &row : kKeys)
@@ -41,4 +41,4 @@ void drawHelp(Canvas &canvas) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::maker

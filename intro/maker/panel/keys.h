@@ -3,7 +3,7 @@
 
 #include "maker/panel/canvas.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 // clang-format off
 enum class Action {
@@ -71,4 +71,4 @@ Action actionOf(int key, bool shift);
 
 void drawHelp(Canvas &canvas);
 
-} // namespace odraz
+} // namespace odraz::maker

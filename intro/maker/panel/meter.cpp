@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::maker {
 
 float decibels(float amplitude) {
     return amplitude > 0 ? std::max(20 * std::log10(amplitude), Meter::kFloor) : Meter::kFloor;
@@ -44,4 +44,4 @@ void drawMeter(Canvas &canvas, Rect r, const Meter &meter) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::maker

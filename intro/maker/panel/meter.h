@@ -4,7 +4,7 @@
 #include "maker/panel/canvas.h"
 #include "maker/panel/envelope.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 class Meter {
 public:
@@ -29,4 +29,4 @@ float decibels(float amplitude); // kFloor at least
 
 void drawMeter(Canvas &canvas, Rect where, const Meter &meter);
 
-} // namespace odraz
+} // namespace odraz::maker

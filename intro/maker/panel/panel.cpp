@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace odraz {
+namespace odraz::maker {
 
 Panel::Panel(int width, int height, double rate, int64_t (*clock)())
     : width(width), height(height), rate(rate), clock(clock) {
@@ -14,7 +14,7 @@ Panel::Panel(int width, int height, double rate, int64_t (*clock)())
 }
 
 void Panel::learn() {
-    stage = &backstage();
+    stage = &inspector();
     content = contentOf(*stage);
     bool other = content.end != strip.end;
     if (other) strip = stripOf(width, height, content.end);
@@ -141,7 +141,7 @@ Rect Panel::inset() const {
 void Panel::drawInset(Canvas &canvas, const Moment &m) {
     Rect r = inset();
     if (!r.width || !ghost) return;
-    const ShotSeen &shot = content.shotAt(m.time);
+    const ShotInfo &shot = content.shotAt(m.time);
     CameraKey camera = cameraOf(m);
     canvas.fill({r.x - 1, r.y - 1, r.width + 2, r.height + 2}, kFaint);
     canvas.put(r.x, r.y, ghostPicture.rgba.data(), r.width, r.height);
@@ -185,4 +185,4 @@ void Panel::draw(const Picture &p, const Moment &m) {
     if (help) drawHelp(canvas);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -14,7 +14,7 @@
 #include "maker/panel/strip.h"
 #include "maker/panel/swatches.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 // What is to be shown. `camera`: null: the film's own.
 struct Moment {
@@ -68,7 +68,7 @@ private:
     void drawInset(Canvas &canvas, const Moment &moment);
     void seek(double to);
 
-    const Backstage *stage; // of the film's code that is in use
+    const Inspector *stage; // of the film's code that is in use
     int width, height;
     double rate;
     int64_t (*clock)();
@@ -114,4 +114,4 @@ private:
     int64_t last = 0;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

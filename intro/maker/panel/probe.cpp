@@ -6,7 +6,7 @@
 #include "trace/picture/tracer.h"
 #include "trace/shade/whitted.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -115,4 +115,4 @@ ODRAZ_WRAPPED(void, traceSamples,
     traceSamplesItself(scene, view, quality, scratch, among, size, samples, x, y, index, to);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -3,11 +3,11 @@
 // The film is linked without, so it is the same to the byte.
 #pragma once
 
-#include "maker/panel/backstage.h"
+#include "maker/panel/inspector.h"
 
-namespace odraz {
+namespace odraz::maker {
 
 // From now on this probe notes what happens; null: none. No picture may be in the making.
 void watchPictures(Probe *probe);
 
-} // namespace odraz
+} // namespace odraz::maker

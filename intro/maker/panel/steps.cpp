@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::maker {
 
 static constexpr double kNear = 1e-6; // of a unit, or seconds
 
@@ -33,4 +33,4 @@ double looped(const Loop &loop, double time) {
     return loop.on() && (time < loop.from || time >= loop.to) ? loop.from : time;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 // The next (way 1) or the former (way -1) multiple of `unit`, within [0, end]. A time within a millionth of a
 // unit from a multiple stands on it.
@@ -30,4 +30,4 @@ Loop loopBetween(double a, double b, double end);
 // its start. Without a loop it is the time itself.
 double looped(const Loop &loop, double time);
 
-} // namespace odraz
+} // namespace odraz::maker

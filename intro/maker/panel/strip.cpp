@@ -4,30 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::maker {
 
 // --- Where things are ---
-
-const ShotSeen &Content::shotAt(double time) const {
-    auto next = std::upper_bound(shots.begin() + 1, shots.end(), time,
-                                 [](double t, const ShotSeen &s) { return t < s.from; });
-    return *(next - 1);
-}
-
-std::vector<double> Content::eventTimes() const {
-    std::vector<double> times;
-    for (const EventSeen &e : events) times.push_back(e.at);
-    return times;
-}
-
-Content contentOf(const Backstage &backstage) {
-    Content c;
-    c.shots.resize(1024), c.events.resize(1024);
-    c.shots.resize((size_t)backstage.shots(c.shots.data(), 1024));
-    c.events.resize((size_t)backstage.events(c.events.data(), 1024));
-    c.end = c.shots.back().to;
-    return c;
-}
 
 double Strip::timeAt(double x) const {
     return std::clamp(from + (x - area.x) / area.width * (to - from), 0., end);
@@ -57,10 +36,10 @@ Strip stripOf(int width, int height, double end) {
     return {{0, height - tall, width, tall}, end, 0, end};
 }
 
-const EventSeen *eventNear(const Strip &strip, const Content &content, double x) {
-    const EventSeen *nearest = nullptr;
+const EventInfo *eventNear(const Strip &strip, const Content &content, double x) {
+    const EventInfo *nearest = nullptr;
     double least = 6; // pixels
-    for (const EventSeen &e : content.events)
+    for (const EventInfo &e : content.events)
         if (double off = std::abs(strip.xOf(e.at) - x); off < least) least = off, nearest = &e;
     return nearest;
 }
@@ -109,13 +88,13 @@ struct Drawing {
     }
     void drawEvents() const {
         float middle = (float)events + kEvents * size * 0.5f;
-        for (const EventSeen &e : content.events)
+        for (const EventInfo &e : content.events)
             canvas.dot(x(e.at), middle, e.heard ? size * 0.28f : size * 0.18f, e.heard ? kWarm : kFaint);
     }
     void drawKeys() const {
         float middle = (float)keys + kKeys * size * 0.5f, arm = std::max(size * 0.22f, 1.5f);
-        for (const ShotSeen &s : content.shots) {
-            CameraPath path = s.keys();
+        for (const ShotInfo &s : content.shots) {
+            CameraPath path = *s.path;
             for (int i = 0; i < path.count; ++i) {
                 double t = timeOf(s, path.keys[i]);
                 if (t < s.from - 1e-6 || t > s.to + 1e-6) continue; // keys beyond the cuts
@@ -146,10 +125,10 @@ struct Drawing {
         double t = strip.timeAt(px);
         upright(t, names, strip.area.bottom(), kInk, 0.5f);
         char text[96];
-        const EventSeen *event = eventNear(strip, content, px);
+        const EventInfo *event = eventNear(strip, content, px);
         std::snprintf(text, sizeof text, "%d:%05.2f  bar %d  row %.1f%s%s", (int)t / 60, std::fmod(t, 60),
                       (int)(t * kRowsPerSecond / kRowsPerBar), t * kRowsPerSecond, event ? "  " : "",
-                      event ? event->name : "");
+                      event ? inWords(*event).c_str() : "");
         float wide = widthOf(text, size) + size,
               left = std::clamp((float)px - wide * 0.5f, 0.f, std::max((float)canvas.width() - wide, 0.f));
         canvas.fill({(int)left, names - (int)(size * 2.2f), (int)wide, (int)(size * 2)}, kGround, 0.85f);
@@ -175,4 +154,4 @@ void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const
     d.drawPointer(pointer);
 }
 
-} // namespace odraz
+} // namespace odraz::maker

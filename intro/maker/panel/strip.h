@@ -2,28 +2,17 @@
 // sound's envelope, and in it the loop and the time that is shown. Times are seconds of the film.
 #pragma once
 
-#include "maker/panel/backstage.h"
 #include "maker/panel/canvas.h"
+#include "maker/panel/content.h"
 #include "maker/panel/envelope.h"
 #include "maker/panel/steps.h"
 
 #include <vector>
 
-namespace odraz {
-
-// What the strip shows of the film.
-struct Content {
-    double end = 0;
-    std::vector<ShotSeen> shots;
-    std::vector<EventSeen> events;
-
-    const ShotSeen &shotAt(double time) const; // there is at least one
-    std::vector<double> eventTimes() const;
-};
-Content contentOf(const Backstage &backstage);
+namespace odraz::maker {
 
 // The film's time of a key of a shot's camera.
-inline double timeOf(const ShotSeen &shot, const CameraKey &key) {
+inline double timeOf(const ShotInfo &shot, const CameraKey &key) {
     return shot.story + key.row / kRowsPerSecond;
 }
 
@@ -46,10 +35,10 @@ struct Strip {
 Strip stripOf(int width, int height, double end);
 
 // The event at a pixel of the strip, or null.
-const EventSeen *eventNear(const Strip &strip, const Content &content, double x);
+const EventInfo *eventNear(const Strip &strip, const Content &content, double x);
 
 // `pointer`: the pixel column that the mouse is over, or below 0.
 void drawStrip(Canvas &canvas, const Strip &strip, const Content &content, const Envelope &envelope,
                const Loop &loop, double time, double pointer);
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -4,24 +4,24 @@
 #include <cstdlib>
 #include <memory>
 
-namespace odraz {
+namespace odraz::maker {
 
-void Swatches::look(const Backstage &backstage, Intro &intro, int wide) {
-    MaterialSeen now[kMostMaterials];
-    int n = backstage.materials(intro, now);
+void Swatches::look(const Inspector &inspector, Intro &intro, int wide) {
+    MaterialInfo now[kMostMaterials];
+    int n = inspector.materials(intro, now);
     bool same = side == wide && n == count() &&
                 std::equal(now, now + n, known.begin(), [](auto &a, auto &b) { return a.hash == b.hash; });
     known.assign(now, now + n);
     side = wide;
     if (same) return;
     ++times;
-    size_t bytes = backstage.swatchMemory(kAcross, side);
+    size_t bytes = inspector.swatchMemory(kAcross, side);
     std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
                                                             std::free);
     rgba.assign((size_t)(kAcross * side * std::max(rows(), 1) * side * 4), 0);
     if (!memory) return;
     Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
-    backstage.swatches(intro, arena, kAcross, side, rgba.data());
+    inspector.swatches(intro, arena, kAcross, side, rgba.data());
 }
 
 Rect Swatches::draw(Canvas &canvas, int x, int y) const {
@@ -43,4 +43,4 @@ Rect Swatches::draw(Canvas &canvas, int x, int y) const {
     return r;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -1,17 +1,17 @@
 // The scene's materials: each as a ball that the film's own tracer shows, with its number.
 #pragma once
 
-#include "maker/panel/backstage.h"
 #include "maker/panel/canvas.h"
+#include "maker/panel/inspector.h"
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::maker {
 
 class Swatches {
 public:
     // Looks at the materials of the last picture, and traces those balls again if a material has changed.
-    void look(const Backstage &backstage, Intro &intro, int side);
+    void look(const Inspector &inspector, Intro &intro, int side);
     int count() const { return (int)known.size(); }
     int rows() const { return (count() + kAcross - 1) / kAcross; }
     // How often they were traced.
@@ -23,9 +23,9 @@ public:
     static constexpr int kAcross = 8;
 
 private:
-    std::vector<MaterialSeen> known;
+    std::vector<MaterialInfo> known;
     std::vector<uint8_t> rgba;
     int side = 0, times = 0;
 };
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -11,7 +11,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 namespace {
 
@@ -197,4 +197,4 @@ void Client::sendRow(uint32_t row) {
     write();
 }
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

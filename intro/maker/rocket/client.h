@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 inline constexpr int kPort = 1338;
 inline constexpr uint32_t kMostRow = 1 << 24; // what is beyond is taken for garbage
@@ -79,4 +79,4 @@ private:
     bool toldSave = false;
 };
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

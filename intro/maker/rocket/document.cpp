@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows) {
     char line[160];
@@ -21,4 +21,4 @@ std::string document(const std::vector<std::string> &names, const std::vector<Tr
     return text + "\t</tracks>\n\t<bookmarks/>\n</sync>\n";
 }
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

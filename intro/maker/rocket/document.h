@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 // XML, as the original editor writes it and emoon's reads it. `rows`: how many the document has. Names have
 // no characters that XML knows (names of ours have letters, digits, '.', '-' and ':').
 std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows);
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 double value(const Track &track, double row) {
     if (track.empty()) return 0;
@@ -30,4 +30,4 @@ double value(const Track &track, double row) {
     return from + ((double)next->second.value - from) * t;
 }
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <map>
 
-namespace odraz::rocket {
+namespace odraz::maker::rocket {
 
 // As the protocol numbers them.
 enum class Interpolation : uint8_t {
@@ -25,4 +25,4 @@ using Track = std::map<uint32_t, Key>; // by row
 // The value at any finite row: before the first key its value, after the last key that one's; 0 without keys.
 double value(const Track &track, double row);
 
-} // namespace odraz::rocket
+} // namespace odraz::maker::rocket

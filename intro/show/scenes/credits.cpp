@@ -4,10 +4,11 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
 
-using enum Interpolation;
+#include "show/scenes/credits.keys"
 
 enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
@@ -31,9 +32,6 @@ void poseCredits(const Cue &cue, Scene &scene) {
     scene.fog = 0.09f;
     scene.exposure = cue.row > kLastBeat ? 0 : 1.3f;
 }
-
-// A page of text, from its event on
-static constexpr Key kPage[] = {{0, 0, Smooth}, {5, 1, Linear}, {20, 1, Smooth}, {24, 0, Linear}};
 
 void letterCredits(const Cue &cue, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;

@@ -3,10 +3,11 @@
 #include "base/maths.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
 
-using enum Interpolation;
+#include "show/scenes/flake.keys"
 
 namespace {
 
@@ -15,10 +16,7 @@ constexpr int kShades = 6;
 // Detail is chosen as for a picture of kLines lines, whatever its size and the lens. kPixelsPerUnit: the
 // pixels of a length of 1 at distance 1
 constexpr float kLines = 720, kPixelsPerUnit = kLines * 25 / 18;
-// When each generation grows out of the one before
-constexpr Key kGrow[kLevels][2] = {{{rowOf(kGeneration1), 0, Smooth}, {rowOf(kGeneration1) + 14, 1, Linear}},
-                                   {{rowOf(kGeneration2), 0, Smooth}, {rowOf(kGeneration2) + 14, 1, Linear}},
-                                   {{rowOf(kGeneration3), 0, Smooth}, {rowOf(kGeneration3) + 14, 1, Linear}}};
+constexpr float kGenerations[kLevels] = {rowOf(kGeneration1), rowOf(kGeneration2), rowOf(kGeneration3)};
 
 struct Flake {
     Scene &scene;
@@ -53,7 +51,7 @@ struct Flake {
 
 void poseFlake(const Cue &cue, Scene &scene) {
     Flake flake = {scene, cue.camera, {}, cue.row * 0.002f, 0, {}};
-    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow[i]), cue.row);
+    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), cue.row - kGenerations[i]);
     flake.silver = scene.add(kMirror);
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)

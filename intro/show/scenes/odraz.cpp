@@ -5,34 +5,11 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
 
-using enum Interpolation;
-
-static constexpr Key kStripsGo[] = {{rowOf(kLampLights), 1, Smooth},
-                                    {rowOf(kLampLights) + 24, 0.7f, Linear},
-                                    {rowOf(kDoorDies), 0.7f, Smooth},
-                                    {rowOf(kDoorDies) + 20, 0, Linear}};
-// On bars one side of the door goes out, then the other, and all shadows turn
-static constexpr Key kSway[] = {{64, 0, Smooth},     {72, 0.5f, Linear},  {80, 0.5f, Smooth},
-                                {88, -0.5f, Linear}, {96, -0.5f, Smooth}, {108, 0, Linear}};
-// How much of their light is drawn with shadows: more when there are balls that cast them
-static constexpr Key kDoor[] = {{0, 0, Smooth}, {24, 0.8f, Linear}, {72, 1, Linear}};
-// The lanterns are equally strong, so that the tracer draws none of them, until one is left
-static constexpr Key kOuter[] = {{rowOf(kLampLights), 0, Linear},
-                                 {rowOf(kLampLights) + 20, 0.38f, Linear},
-                                 {rowOf(kOuterLampsDie), 0.38f, Smooth},
-                                 {rowOf(kOuterLampsDie) + 16, 0, Linear}};
-static constexpr Key kLast[] = {{rowOf(kOuterLampsDie), 0, Smooth},
-                                {rowOf(kOuterLampsDie) + 16, 0.3f, Linear}};
-static constexpr Key kExposure[] = {{0, 2.1f, Smooth},  {24, 1.9f, Linear},  {48, 1.9f, Linear},
-                                    {48, 2.7f, Linear}, {112, 4.2f, Linear}, {112, 2.5f, Linear}};
-
-// The share of the way from the door that a ball still has before it, and the share that it has gone back.
-// Both are squared, so that balls brake and set off evenly.
-static constexpr Key kLeft[] = {{-4, 1, Linear}, {44, 0, Linear}};
-static constexpr Key kBack[] = {{0, 0, Linear}, {40, 1, Linear}};
+#include "show/scenes/odraz.keys"
 
 // In the order in which they are added below
 enum : uint8_t { kSilver = kHallMaterials, kClear, kRed, kPale, kGround };

@@ -7,30 +7,13 @@
 #include "show/font.h"
 #include "show/half_cube.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
 
-using enum Interpolation;
+#include "show/scenes/patches.keys"
 
 static constexpr float kGrey = 0.6f; // albedo of everything, at first
-static constexpr Key kRise[] = {{rowOf(kHalfCubeRises), 0, Smooth},
-                                {rowOf(kHalfCubeRises) + 12, 1, Linear},
-                                {rowOf(kHalfCubeCloses) + 2, 1, Smooth},
-                                {rowOf(kHalfCubeCloses) + 10, 0, Linear}};
-static constexpr Key kOpen[] = {{rowOf(kHalfCubeOpens), 0, Smooth},
-                                {rowOf(kHalfCubeOpens) + 14, 1, Linear},
-                                {rowOf(kHalfCubeCloses), 1, Smooth},
-                                {rowOf(kHalfCubeCloses) + 8, 0, Linear}};
-static constexpr Key kTaken[] = {{rowOf(kPatchTakesColour), 0, Smooth},
-                                 {rowOf(kPatchTakesColour) + 6, 1, Linear}};
-static constexpr Key kExposure[] = {{rowOf(kPatchesMelt), 1.9f, Smooth},
-                                    {rowOf(kPatchesMelt) + 44, 1.7f, Linear}};
-// Lines between patches: they glow, go out before there is light, and are dark in the light
-static constexpr Key kLines[] = {{rowOf(kHalfCubeCloses), -16, Smooth},
-                                 {rowOf(kDirectLight), 0, Smooth},
-                                 {rowOf(kBounce1), 0.75f, Linear}};
-static constexpr Key kMelt[] = {{rowOf(kPatchesMelt) + 2, 0, Smooth}, {rowOf(kPatchesMelt) + 30, 1, Linear}};
-static constexpr Key kReal[] = {{rowOf(kPatchesMelt) + 8, 0, Smooth}, {rowOf(kPatchesMelt) + 36, 1, Linear}};
 
 // Direct light and the bounces, one after the other: the row on which each begins, and by how much its
 // contribution is brightened.

@@ -5,30 +5,11 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
 
-using enum Interpolation;
-
-static constexpr Key kKeyLight[] = {{rowOf(kLightIsBorn), 0, Smooth},
-                                    {rowOf(kLightIsBorn) + 3, 0.85f, Smooth},
-                                    {rowOf(kLightGrows), 0.8f, Smooth},
-                                    {rowOf(kRimLightWakes), 1, Linear}};
-// The light begins beside the ball, passes behind it, rises above it and goes on: the ball's caustic comes
-// near on the stone, shrinks to its cusp and wanders
-static constexpr Key kPasses[] = {{rowOf(kLightIsBorn), -2.45f, Smooth},
-                                  {rowOf(kRimLightWakes) - 8, -1.45f, Smooth},
-                                  {rowOf(kWordStands) + 16, -0.1f, Linear}};
-static constexpr Key kRises[] = {{rowOf(kLightIsBorn) + 16, 0.6f, Smooth},
-                                 {rowOf(kCausticFalls) + 8, 1.2f, Smooth},
-                                 {rowOf(kWordStands) + 16, 1.4f, Linear}};
-static constexpr Key kRimLight[] = {{rowOf(kRimLightWakes), 0, Smooth},
-                                    {rowOf(kRimLightWakes) + 48, 1, Linear}};
-// The word's light: more with each stroke, a flash as it stands
-static constexpr Key kWord[] = {{rowOf(kWordComes), 0.2f, Linear},
-                                {rowOf(kWordStands), 0.9f, Smooth},
-                                {rowOf(kWordStands) + 2, 1.6f, Smooth},
-                                {rowOf(kWordStands) + 12, 1, Linear}};
+#include "show/scenes/point.keys"
 
 enum { kMarble, kClear };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kClear] = &kGlass};

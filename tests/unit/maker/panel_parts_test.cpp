@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 // --- Steps and loops ---
 
@@ -131,14 +132,14 @@ TEST(Strip, FollowsWhatIsShown) {
 TEST(Strip, FindsTheEventUnderThePointer) {
     Content c;
     c.end = 100;
-    c.events = {{10, "one", true}, {11, "two", false}, {50, "three", true}};
+    c.events = {{10, 0, true, "one"}, {11, 0, false, "two"}, {50, 0, true, "three"}};
     Strip s = stripOf(1000, 600, 100); // ten pixels a second
     EXPECT_STREQ(eventNear(s, c, 101)->name, "one");
     EXPECT_STREQ(eventNear(s, c, 108)->name, "two");
     EXPECT_EQ(eventNear(s, c, 300), nullptr);
 }
 
-TEST(Content, TellsTheShotOfATime) {
+TEST(Content, HasTheShotOfATime) {
     Content c;
     c.shots = {{0, 5, 0, 0, {}}, {5, 9, 0, 1, {}}, {9, 20, 9, 1, {}}};
     EXPECT_EQ(&c.shotAt(-1), &c.shots[0]);
@@ -150,9 +151,9 @@ TEST(Content, TellsTheShotOfATime) {
 // --- The camera from outside ---
 
 TEST(Ghost, ShowsTheWholePathAndTheTarget) {
-    Content film = contentOf(backstage());
+    Content film = contentOf(inspector());
     Rect inset = {900, 12, 384, 216};
-    for (const ShotSeen &shot : film.shots)
+    for (const ShotInfo &shot : film.shots)
         for (float turn : {35.f, 170.f, 290.f})
             for (double share : {0., 0.4, 1.}) {
                 GhostPlace place;

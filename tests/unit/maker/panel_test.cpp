@@ -9,6 +9,7 @@
 #include <thread>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 namespace {
 
@@ -134,9 +135,9 @@ TEST(Probe, NotesNothingUnlessAsked) {
     Loaded film(64, 36);
     Probe probe;
     probe.clock = nanosecondsNow;
-    backstage().watch(&probe);
+    inspector().watch(&probe);
     picture(*film.intro, 0, 22, kDraft, nullptr, {32, 18});
-    backstage().watch(nullptr);
+    inspector().watch(nullptr);
     for (int64_t spent : probe.spent) EXPECT_GT(spent, 0); // enlarging too
     Probe before = probe;
     picture(*film.intro, 0, 22, kDraft);
@@ -305,22 +306,22 @@ TEST(Panel, LeavesTheMouseToTheHostElsewhere) {
 // --- What it knows of the film ---
 
 TEST(Content, IsInOrderAndInTheFilm) {
-    Content c = contentOf(backstage());
+    Content c = contentOf(inspector());
     EXPECT_EQ(c.end, duration());
     EXPECT_EQ(c.shots[0].from, 0);
     for (size_t i = 1; i < c.shots.size(); ++i) EXPECT_EQ(c.shots[i].from, c.shots[i - 1].to);
     ASSERT_FALSE(c.events.empty());
     for (size_t i = 1; i < c.events.size(); ++i) EXPECT_GE(c.events[i].at, c.events[i - 1].at);
-    EXPECT_STREQ(c.events[0].name, "light is born");
+    EXPECT_EQ(inWords(c.events[0]), "light is born");
     bool found = false;
-    for (const EventSeen &e : c.events) {
+    for (const EventInfo &e : c.events) {
         EXPECT_LT(e.at, c.end);
-        found = found || !std::strcmp(e.name, "generation 2");
+        found = found || inWords(e) == "generation 2";
         // The scene of an event is the one on screen
         EXPECT_GE(e.at, c.shotAt(e.at).story);
     }
     EXPECT_TRUE(found);
-    for (const ShotSeen &s : c.shots)
+    for (const ShotInfo &s : c.shots)
         for (double t : {s.from, (s.from + s.to) / 2}) {
             CameraKey a = cameraAt(t), b = s.at(t);
             EXPECT_NEAR(length(a.eye - b.eye), 0, 1e-4) << t;
@@ -331,9 +332,9 @@ TEST(Swatches, ShowEveryMaterialAndAreTracedOnlyWhenOneChanges) {
     Loaded film(320, 180);
     Picture p = picture(*film.intro, 0, 22, kDraft);
     Swatches s;
-    s.look(backstage(), *film.intro, 24);
+    s.look(inspector(), *film.intro, 24);
     EXPECT_GE(s.count(), 5);
-    s.look(backstage(), *film.intro, 24);
+    s.look(inspector(), *film.intro, 24);
     EXPECT_EQ(s.traced(), 1);
     std::vector<uint8_t> before = bytesOf(p);
     Canvas canvas(p);
@@ -341,14 +342,14 @@ TEST(Swatches, ShowEveryMaterialAndAreTracedOnlyWhenOneChanges) {
     EXPECT_NE(bytesOf(p), before);
     EXPECT_TRUE(canvas.whole().holds(r.right(), r.bottom()));
     picture(*film.intro, 0, 45, kDraft); // another scene
-    s.look(backstage(), *film.intro, 24);
+    s.look(inspector(), *film.intro, 24);
     EXPECT_EQ(s.traced(), 2);
 }
 
 TEST(Envelope, IsThatOfTheMusic) {
     constexpr double kSeconds = 4;
     Envelope envelope;
-    envelope.start(backstage(), kSeconds);
+    envelope.start(inspector(), kSeconds);
     while (envelope.known() < kSeconds) std::this_thread::yield();
     HeapArena memory(soundMemory());
     Sound *sound = loadSound(memory.arena);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 namespace {
 

@@ -9,7 +9,8 @@
 #include <unistd.h>
 
 using namespace odraz;
-using News = Rebuilder::News;
+using namespace odraz::maker;
+using Event = Rebuilder::Event;
 
 namespace {
 
@@ -42,18 +43,18 @@ public:
 };
 
 // The next news other than that a build has begun, waiting for a minute at most.
-News next(Rebuilder &r, double &now) {
+Event next(Rebuilder &r, double &now) {
     for (int i = 0; i < 6000; ++i) {
-        News what = r.poll(now += 0.01);
-        if (what == News::Built || what == News::Failed) return what;
+        Event what = r.poll(now += 0.01);
+        if (what == Event::Built || what == Event::Failed) return what;
         usleep(10000);
     }
-    return News::None;
+    return Event::None;
 }
 // Polls for some time in which nothing may happen.
 bool quiet(Rebuilder &r, double &now) {
     for (int i = 0; i < 20; ++i, usleep(5000))
-        if (r.poll(now += 0.01) != News::None) return false;
+        if (r.poll(now += 0.01) != Event::None) return false;
     return true;
 }
 
@@ -67,7 +68,7 @@ TEST(Rebuilder, BuildsWhatIsSaved) {
     EXPECT_TRUE(quiet(r, now));
     EXPECT_EQ(r.object(), p.build() + "/live/live.so");
     p.write("intro/show/a.cpp", "two");
-    ASSERT_EQ(next(r, now), News::Built);
+    ASSERT_EQ(next(r, now), Event::Built);
     EXPECT_FALSE(r.building());
     EXPECT_EQ(p.read("build/live/live.so"), "two");
     EXPECT_GT(r.saved(), 0);
@@ -75,7 +76,7 @@ TEST(Rebuilder, BuildsWhatIsSaved) {
     p.write("intro/show/.a.cpp.swp", "three");
     EXPECT_TRUE(quiet(r, now)); // no source
     std::filesystem::rename(p.folder / "intro/show/.a.cpp.swp", p.folder / "intro/show/a.cpp");
-    ASSERT_EQ(next(r, now), News::Built);
+    ASSERT_EQ(next(r, now), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
 }
 
@@ -84,11 +85,11 @@ TEST(Rebuilder, TellsTheFirstError) {
     Rebuilder r(p.build());
     double now = 0;
     p.write("intro/show/a.cpp", "oops");
-    ASSERT_EQ(next(r, now), News::Failed);
+    ASSERT_EQ(next(r, now), Event::Failed);
     EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: error: oops");
     EXPECT_TRUE(quiet(r, now));
     p.write("intro/show/a.cpp", "well");
-    ASSERT_EQ(next(r, now), News::Built);
+    ASSERT_EQ(next(r, now), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "well");
 }
 
@@ -102,7 +103,7 @@ TEST(Rebuilder, BuildsAgainWhatWasSavedMeanwhile) {
     ASSERT_TRUE(r.building());
     usleep(600000); // it has copied
     p.write("intro/show/a.cpp", "three");
-    ASSERT_EQ(next(r, now), News::Built);
+    ASSERT_EQ(next(r, now), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
     EXPECT_TRUE(quiet(r, now));
 }
@@ -114,7 +115,7 @@ TEST(Rebuilder, WatchesNewFolders) {
     std::filesystem::create_directory(p.folder / "intro/show/scenes");
     EXPECT_TRUE(quiet(r, now));
     p.write("intro/show/scenes/new.cpp", "new");
-    EXPECT_EQ(next(r, now), News::Built);
+    EXPECT_EQ(next(r, now), Event::Built);
 }
 
 TEST(Rebuilder, SaysWhatItCannotWatch) {

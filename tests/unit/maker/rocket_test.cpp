@@ -7,7 +7,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-using namespace odraz::rocket;
+using namespace odraz::maker::rocket;
 
 namespace {
 

@@ -2,138 +2,130 @@
 
 #include "maker/rocket/document.h"
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 namespace {
 
-// A film of two scenes: a camera's path and a track in the first, in the second one table that is read twice.
-constexpr CameraKey kPath[] = {{-8, {1, 2, 3}, {4, 5, 6}, 7, 40}, {16, {2, 3, 4}, {5, 6, 7}, 8, 50}};
-constexpr Key kLamp[] = {
-    {0, 1, Interpolation::Linear}, {2.5f, 2, Interpolation::Smooth}, {8, 3, Interpolation::Linear}};
-constexpr Key kGrow[2][2] = {{{0, 0, Interpolation::Linear}, {4, 1, Interpolation::Linear}},
-                             {{4, 0, Interpolation::Linear}, {8, 1, Interpolation::Linear}}};
-
-const Table kTables[] = {{kPath, 2, 0, true, 0},
-                         {kLamp, 3, 0, false, 0},
-                         {kGrow[0], 2, 1, false, 100},
-                         {kGrow[1], 2, 1, false, 100}};
-const Replaced *theReplaced;
-int theCount;
-
-int findTables(Intro &, Table *to, int) {
-    for (const Table &t : kTables) *to++ = t;
-    return 4;
-}
-const char *sceneName(int scene) { return scene ? "end" : "start"; }
-double theCut = 1e9; // where another shot begins, in seconds
-const CameraKey *pathAt(double seconds) { return seconds < theCut ? kPath : kPath + 1; }
-void replaceTables(const Replaced *all, int count) {
-    theReplaced = all;
-    theCount = count;
-}
-
-// What the film's source says.
-constexpr char kSource[] = R"(constexpr CameraKey kPath[] = {
+// A film of two scenes: a camera's path and a track in the first, in the second a track whose rows count from
+// the fourth one.
+constexpr char kFilmKeys[] = R"(PATH(kPath, 24)
     {-8, {1, 2, 3}, {4, 5, 6}, 7, 40},
     {16, {2, 3, 4}, {5, 6, 7}, 8, 50},
-};
-constexpr Key kLamp[] = {
-    {0, 1, Interpolation::Linear}, {2.5f, 2, Interpolation::Smooth}, {8, 3, Interpolation::Linear}};
+END
+PATH(kOther, 24)
+    {0, {1, 2, 3}, {4, 5, 6}, 7, 40},
+END
 )";
-struct Show {
-    std::string folder = testing::TempDir() + "tracks_test." + std::to_string(getpid());
-    Show() {
-        std::filesystem::create_directories(folder);
-        write(kSource);
-        std::ofstream(folder + "/.clang-format") << "ColumnLimit: 110\nIndentWidth: 4\n";
-    }
-    ~Show() { std::filesystem::remove_all(folder); }
-    void write(const std::string &text) const { std::ofstream(folder + "/film.cpp") << text; }
-    std::string text() const {
-        std::ifstream in(folder + "/film.cpp");
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-    bool has(const char *what) const { return text().find(what) != std::string::npos; }
-};
+constexpr char kStartKeys[] = R"(TRACK(kLamp)
+    {0, 1, Linear},
+    {2.5, 2, Smooth},
+    {8, 3, Linear},
+END
+)";
+constexpr char kEndKeys[] = "TRACK(kGrow, rowOf(kSprouts))\n    {0, 0, Linear},\n    {4, 1, Linear},\nEND\n";
+KeyTable kPath = {
+    "kPath", "./show/film.keys", 24, {{-8, {1, 2, 3}, {4, 5, 6}, 7, 40}, {16, {2, 3, 4}, {5, 6, 7}, 8, 50}}};
+KeyTable kOther = {"kOther", "./show/film.keys", 24, {{0, {1, 2, 3}, {4, 5, 6}, 7, 40}}};
+using enum odraz::Interpolation;
+KeyTable kLamp = {
+    "kLamp", "./show/scenes/start.keys", 0.f, {{0, 1, Linear}, {2.5f, 2, Smooth}, {8, 3, Linear}}};
+KeyTable kGrow = {"kGrow", "./show/scenes/end.keys", 4.f, {{0, 0, Linear}, {4, 1, Linear}}};
+
+CameraPath thePaths[2];
+double theCut = 1e9; // where the second scene begins, in seconds
+const char *sceneName(int scene) { return scene ? "end" : "start"; }
+int shots(ShotInfo *to, int) {
+    to[0] = {0, theCut, 0, 0, &thePaths[0]};
+    to[1] = {theCut, 2e9, 100 / kRowsPerSecond, 1, &thePaths[1]};
+    return 2;
+}
+int events(EventInfo *to, int) {
+    to[0] = {13, 4, true, "kSprouts"};
+    return 1;
+}
+void setKeys(KeyTable &table, const void *keys, int count) {
+    std::memcpy(table.keys, keys, (size_t)count * (table.camera ? sizeof(CameraKey) : sizeof(odraz::Key)));
+    table.count = count;
+}
+Inspector theInspector = {};
 
 struct Fixture : testing::Test {
+    std::string folder = testing::TempDir() + "tracks_test." + std::to_string(getpid());
+    Live live = {};
+    Tracks tracks{folder};
+    std::string message;
+
     Fixture() {
-        live.findTables = findTables;
+        std::filesystem::create_directories(folder + "/scenes");
+        write("film.keys", kFilmKeys);
+        write("scenes/start.keys", kStartKeys);
+        write("scenes/end.keys", kEndKeys);
+        theCut = 1e9;
+        thePaths[0] = path(kPath), thePaths[1] = path(kOther);
         live.sceneName = sceneName;
-        live.pathAt = pathAt;
-        live.replaceTables = replaceTables;
+        live.setKeys = setKeys;
+        theInspector.shots = shots, theInspector.events = events;
+        live.inspector = []() -> const Inspector & { return theInspector; };
+        live.keyTables = [] { return KeyTable::newest; };
         find();
     }
-    void find() {
-        tracks.find(live, *(Intro *)&live, // which none of these functions reads
-                    {{(const char *)kPath, sizeof kPath, "kPath"},
-                     {(const char *)kLamp, sizeof kLamp, "kLamp"},
-                     {(const char *)kGrow, sizeof kGrow, "kGrow"}});
+    ~Fixture() { std::filesystem::remove_all(folder); }
+    void find() { tracks.find(live); }
+    void write(const std::string &name, const std::string &text) const {
+        std::ofstream(folder + "/" + name) << text;
     }
-    Show show;
-    Live live = {};
-    Tracks tracks{show.folder};
-    std::string news;
+    std::string read(const std::string &name) const {
+        std::ifstream in(folder + "/" + name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    bool has(const char *name, const char *what) const { return read(name).find(what) != std::string::npos; }
 };
 
-// What the film reads instead of a table.
-const Replaced *instead(const void *keys) {
-    for (int i = 0; i < theCount; ++i)
-        if (theReplaced[i].keys == keys) return theReplaced + i;
-    return nullptr;
-}
-enum { kEyeX, kEyeY, kLens = 7, kTheLamp, kGrow0, kGrow1 };
+enum { kEyeX, kEyeY, kLens = 7, kTheLamp, kOtherX, kTheGrow = kOtherX + 8 };
 using rocket::Interpolation::Ramp, rocket::Interpolation::Step;
 constexpr auto kLinear = rocket::Interpolation::Linear, kSmooth = rocket::Interpolation::Smooth;
+const CameraKey kView = {0, {8, 7, 6}, {5, 4, 3}, 0, 0};
 
 } // namespace
 
 TEST_F(Fixture, NamesThemAfterTheSource) {
-    EXPECT_EQ(tracks.names(),
-              (std::vector<std::string>{"start.camera.path:eye.x", "start.camera.path:eye.y",
-                                        "start.camera.path:eye.z", "start.camera.path:target.x",
-                                        "start.camera.path:target.y", "start.camera.path:target.z",
-                                        "start.camera.path:roll", "start.camera.path:lens", "start:lamp",
-                                        "end:grow0", "end:grow1"}));
+    std::vector<std::string> names = tracks.names();
+    ASSERT_EQ(names.size(), (size_t)kTheGrow + 1);
+    const char *channels[] = {"eye.x", "eye.y", "eye.z", "target.x", "target.y", "target.z", "roll", "lens"};
+    for (size_t c = 0; c < 8; ++c) EXPECT_EQ(names[c], std::string("start.camera.path:") + channels[c]);
+    EXPECT_EQ(names[kTheLamp], "start:lamp");
+    EXPECT_EQ(names[kOtherX], "end.camera.other:eye.x");
+    EXPECT_EQ(names[kTheGrow], "end:grow");
 }
 
-TEST_F(Fixture, NamesThemWithoutSymbolsToo) {
-    tracks.find(live, *(Intro *)&live, {});
-    EXPECT_EQ(tracks.names()[0], "start.camera.track:eye.x");
-    EXPECT_EQ(tracks.names()[kGrow0], "end:track");
-    EXPECT_EQ(tracks.names()[kGrow1], "end:track-2");
-}
-
-TEST_F(Fixture, SaysThemAsRocketDoes) {
+TEST_F(Fixture, HasThemAsRocketDoes) {
     EXPECT_EQ(tracks.track(kLens), (rocket::Track{{16, {50, kSmooth}}})); // row -8 is none
     EXPECT_EQ(tracks.track(kTheLamp),
               (rocket::Track{{0, {1, kLinear}}, {3, {2, kSmooth}}, {8, {3, kLinear}}}));
-    EXPECT_EQ(tracks.track(kGrow1), (rocket::Track{{104, {0, kLinear}}, {108, {1, kLinear}}}));
+    EXPECT_EQ(tracks.track(kTheGrow), (rocket::Track{{104, {0, kLinear}}, {108, {1, kLinear}}}));
     EXPECT_EQ(tracks.offRows(), 8 + 1);
-    EXPECT_EQ(theCount, 0); // nothing was edited
 }
 
 TEST_F(Fixture, TakesWhatAnEditorHas) {
     tracks.takeFromEditor(kTheLamp, {{1, {5, Step}}, {3, {6, Ramp}}, {9, {7, kSmooth}}});
     tracks.takeFromEditor(kEyeY, {{4, {9, kLinear}}});
     tracks.show();
-    ASSERT_EQ(theCount, 2);
-    const Track &lamp = instead(kLamp)->track;
-    ASSERT_EQ(lamp.count, 3);
-    EXPECT_EQ(lamp.keys[0].interpolation, kStep);
-    EXPECT_EQ(lamp.keys[1].row, 2.5f); // where the film's own key is
-    EXPECT_EQ(lamp.keys[1].interpolation, kRamp);
-    EXPECT_EQ(lamp.keys[2].row, 9);
-    EXPECT_EQ(lamp.keys[2].value, 7);
-    const CameraPath *channels = instead(kPath)->channels;
+    ASSERT_EQ(kLamp.count, 3);
+    EXPECT_EQ(kLamp.keys[0].interpolation, kStep);
+    EXPECT_EQ(kLamp.keys[1].row, 2.5f); // where the film's own key is
+    EXPECT_EQ(kLamp.keys[1].interpolation, kRamp);
+    EXPECT_EQ(kLamp.keys[2].row, 9);
+    EXPECT_EQ(kLamp.keys[2].value, 7);
     // All numbers of the camera have a key on every row that one of them has, as the film's table will
-    ASSERT_EQ(channels[kEyeY].count, 3);
-    const CameraKey *path = channels[kEyeY].keys;
+    ASSERT_EQ(kPath.count, 3);
+    const CameraKey *path = kPath.poses;
     EXPECT_EQ(path[0].row, -8); // which the editor cannot see: it stays
     EXPECT_EQ(path[0].eye.y, 2);
     EXPECT_EQ(path[1].row, 4);
@@ -146,20 +138,18 @@ TEST_F(Fixture, TakesWhatAnEditorHas) {
     tracks.takeFromEditor(kTheLamp, {});
     tracks.takeFromEditor(kEyeY, {});
     tracks.show();
-    EXPECT_EQ(theCount, 0);
+    EXPECT_EQ(kLamp.keys[1].value, 2);
+    EXPECT_EQ(kPath.count, 2);
 }
 
 TEST_F(Fixture, CountsRowsOfTheFilm) {
-    tracks.takeFromEditor(kGrow1, {{102, {1, kLinear}}});
+    tracks.takeFromEditor(kTheGrow, {{102, {1, kLinear}}});
     tracks.show();
-    ASSERT_TRUE(instead(kGrow[1]));
-    EXPECT_FALSE(instead(kGrow[0]));
-    EXPECT_EQ(instead(kGrow[1])->track.keys[0].row, 2);
+    EXPECT_EQ(kGrow.keys[0].row, -2);
 }
 
 TEST_F(Fixture, HasKeysSetByHand) {
-    CameraKey view = {0, {8, 7, 6}, {5, 4, 3}, 0, 0};
-    EXPECT_EQ(tracks.setView(4, view), "");
+    EXPECT_EQ(tracks.setView(4, kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {2, kSmooth}}}));
     EXPECT_EQ(tracks.track(kLens)[4].value, 45); // as it is there
     EXPECT_EQ(tracks.removeView(16), "");
@@ -167,20 +157,20 @@ TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(tracks.removeView(16), "there is no key");
     // An editor that changes a key of these has the last word; others stay
     tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
-    EXPECT_EQ(tracks.setView(4, view), "");
+    EXPECT_EQ(tracks.setView(4, kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
     tracks.takeFromEditor(kEyeX, {{4, {1, kSmooth}}, {16, {3, kSmooth}}});
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
-    // A film that is loaded anew keeps all that
+    // A film that is loaded again keeps all that
     find();
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
     EXPECT_EQ(tracks.track(kEyeY), (rocket::Track{{4, {7, kSmooth}}}));
-    EXPECT_EQ(theCount, 1);
+    EXPECT_EQ(kPath.poses[0].eye.y, 2);
 }
 
 TEST_F(Fixture, StepsAreUndone) {
     EXPECT_FALSE(tracks.undo());
-    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+    tracks.setView(4, kView);
     tracks.setView(4, {0, {9, 7, 6}, {5, 4, 3}, 0, 0});
     EXPECT_TRUE(tracks.undo());
     EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
@@ -188,7 +178,7 @@ TEST_F(Fixture, StepsAreUndone) {
     EXPECT_FALSE(tracks.undo());
     EXPECT_EQ(tracks.unsaved(), 0);
     tracks.show();
-    EXPECT_EQ(theCount, 0);
+    EXPECT_EQ(kPath.count, 2);
     EXPECT_TRUE(tracks.redo());
     EXPECT_EQ(tracks.unsaved(), 1);
 }
@@ -198,7 +188,7 @@ TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
     tracks.show();
     EXPECT_EQ(tracks.unsaved(), 1);
     EXPECT_EQ(tracks.unsavedByHand(), 0);
-    EXPECT_EQ(tracks.save(news), "");
+    EXPECT_EQ(tracks.save(message), "");
     EXPECT_EQ(tracks.unsaved(), 0);
     tracks.takeFromEditor(kTheLamp, {});
     tracks.show();
@@ -207,93 +197,78 @@ TEST_F(Fixture, WhatAnEditorHasIsNotSaved) {
 
 TEST_F(Fixture, ARowBesideACutIsInTheShotThatIsSeen) {
     theCut = 24 / kRowsPerSecond;
+    find();
     EXPECT_EQ(tracks.rowOfView(23.4), 23u);
     EXPECT_EQ(tracks.rowOfView(23.6), 23u);
     EXPECT_EQ(tracks.rowOfView(24), 24u);
     EXPECT_EQ(tracks.rowOfView(24.6), 25u);
     EXPECT_EQ(tracks.rowOfView(0), 0u);
     theCut = 1e9;
+    find();
     EXPECT_EQ(tracks.rowOfView(23.6), 24u);
 }
 
-TEST_F(Fixture, OfTwoTablesOfOneNameNoneIsEdited) {
-    show.write(std::string(kSource) +
-               "void f() {\n    constexpr Key kLamp[] = {{0, 1, Linear}, {1, 1, Linear}, "
-               "{2, 1, Linear}};\n}\n");
-    find();
-    tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}});
-    std::string wrong = tracks.save(news);
-    EXPECT_NE(wrong.find("start:lamp: "), std::string::npos) << wrong;
-    EXPECT_NE(wrong.find("stands twice"), std::string::npos) << wrong;
-    EXPECT_EQ(show.text().find("2.25f"), std::string::npos);
-}
-
-TEST_F(Fixture, WhatWasEditedBecomesSource) {
-    EXPECT_EQ(tracks.save(news), "");
-    EXPECT_EQ(news, "nothing to save");
-    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
+TEST_F(Fixture, WhatWasEditedIsWrittenToTheFiles) {
+    EXPECT_EQ(tracks.save(message), "");
+    EXPECT_EQ(message, "nothing to save");
+    tracks.setView(4, kView);
     tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
-    EXPECT_EQ(tracks.save(news), "");
-    EXPECT_EQ(news, "saved film.cpp");
-    EXPECT_TRUE(show.has("{4, {8, 7, 6}, {5, 4, 3}, 7.5f, 45}")) << show.text();
-    EXPECT_TRUE(show.has("{2.5f, 2.25f, Interpolation::Smooth}, {8, 3, Interpolation::Smooth}};"))
-        << show.text();
+    EXPECT_EQ(tracks.save(message), "");
+    EXPECT_EQ(message, "saved film.keys, scenes/start.keys");
+    EXPECT_TRUE(has("film.keys", "{4, {8, 7, 6}, {5, 4, 3}, 7.5, 45},\n")) << read("film.keys");
+    EXPECT_TRUE(has("scenes/start.keys", "{2.5, 2.25, Smooth},\n    {8, 3, Smooth},\n"));
     EXPECT_EQ(tracks.unsaved(), 0);
-    // The step is undone, and the source is as it was
+    // The step is undone, and the file is as it was
     EXPECT_TRUE(tracks.undo());
     EXPECT_TRUE(tracks.undo());
     tracks.takeFromEditor(kTheLamp, {});
-    EXPECT_EQ(tracks.save(news), "");
-    EXPECT_EQ(show.text(), kSource);
+    EXPECT_EQ(tracks.save(message), "");
+    EXPECT_EQ(read("film.keys"), kFilmKeys);
+    EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
 }
 
 TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
     tracks.takeFromEditor(kTheLamp, {{0, {1, Step}}});
-    tracks.takeFromEditor(kGrow0, {{101, {1, kLinear}}});
-    std::string wrong = tracks.save(news);
+    std::string wrong = tracks.save(message);
     EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
-    EXPECT_NE(wrong.find("end:grow0: its numbers are computed, in a header"), std::string::npos) << wrong;
-    EXPECT_EQ(show.text(), kSource);
+    EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
     // A file that somebody else wrote meanwhile stays theirs, and the edit stays to be seen
-    show.write(std::string(kSource) + "// mine\n");
-    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
-    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
-    EXPECT_TRUE(show.has("// mine"));
+    write("film.keys", std::string(kFilmKeys) + "// mine\n");
+    tracks.setView(4, kView);
+    EXPECT_NE(tracks.save(message).find("film.keys was changed meanwhile"), std::string::npos);
+    EXPECT_TRUE(has("film.keys", "// mine"));
     // Once what the other wrote is built and loaded, the edit goes on top of it
     find();
     EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
-    EXPECT_EQ(tracks.save(news).find("film.cpp"), std::string::npos);
-    EXPECT_TRUE(show.has("// mine"));
-    EXPECT_TRUE(show.has("{4, {8, 7, 6}"));
+    EXPECT_EQ(tracks.save(message).find("film.keys"), std::string::npos);
+    EXPECT_TRUE(has("film.keys", "// mine"));
+    EXPECT_TRUE(has("film.keys", "{4, {8, 7, 6}"));
 }
 
-TEST_F(Fixture, WhoWroteTheSameTableKeepsIt) {
-    tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0});
-    show.write("constexpr CameraKey kOther[] = {{0, {1, 2, 3}, {4, 5, 6}, 7, 40}};\n");
-    find();
-    EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
-    EXPECT_NE(tracks.save(news).find("film.cpp was changed meanwhile"), std::string::npos);
-    EXPECT_TRUE(show.has("kOther"));
-    // Once it is undone, what the other wrote is taken
-    EXPECT_TRUE(tracks.undo());
-    find();
-    EXPECT_NE(tracks.setView(4, {0, {8, 7, 6}, {5, 4, 3}, 0, 0}), "");
+TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
+    write("film.keys", "PATH(kNew, 24)\n    {0, {1, 2, 3}, {4, 5, 6}, 7, 40},\nEND\n");
+    Tracks fresh{folder};
+    fresh.find(live);
+    EXPECT_EQ(fresh.names().size(), 2u);
+    EXPECT_EQ(fresh.setView(4, kView), "its path is in no file of keys");
+    write("film.keys", "int i;\n");
+    fresh.find(live);
+    EXPECT_NE(fresh.setView(4, kView).find("film.keys:1: expected TRACK"), std::string::npos);
 }
 
 TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
     for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, tracks.track(i));
     tracks.show();
-    ASSERT_EQ(theCount, 4);
+    constexpr odraz::Key kKeys[] = {{0, 1, Linear}, {2.5f, 2, Smooth}, {8, 3, Linear}};
     for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(instead(kLamp)->track.keys[i].row, kLamp[i].row);
-        EXPECT_EQ(instead(kLamp)->track.keys[i].value, kLamp[i].value);
-        EXPECT_EQ(instead(kLamp)->track.keys[i].interpolation, kLamp[i].interpolation);
+        EXPECT_EQ(kLamp.keys[i].row, kKeys[i].row);
+        EXPECT_EQ(kLamp.keys[i].value, kKeys[i].value);
+        EXPECT_EQ(kLamp.keys[i].interpolation, kKeys[i].interpolation);
     }
-    const CameraPath &lens = instead(kPath)->channels[kLens];
-    ASSERT_EQ(lens.count, 2);
-    EXPECT_EQ(lens.keys[0].row, -8);
-    EXPECT_EQ(lens.keys[0].fov, 40);
-    EXPECT_EQ(lens.keys[1].fov, 50);
+    ASSERT_EQ(kPath.count, 2);
+    EXPECT_EQ(kPath.poses[0].row, -8);
+    EXPECT_EQ(kPath.poses[0].fov, 40);
+    EXPECT_EQ(kPath.poses[1].fov, 50);
 }
 
 TEST_F(Fixture, WritesADocument) {

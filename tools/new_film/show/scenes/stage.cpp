@@ -4,8 +4,11 @@
 #include "show/font.h"
 #include "show/materials.h"
 #include "show/scenes.h"
+#include "timeline/keys.h"
 
 namespace odraz {
+
+#include "show/scenes/stage.keys"
 
 enum { kFloor, kSilver, kClear, kRed, kWood, kStone };
 static constexpr const Material *kMaterials[] = {

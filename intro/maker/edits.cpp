@@ -1,4 +1,4 @@
-#include "maker/remote.h"
+#include "maker/edits.h"
 
 #include "maker/rocket/document.h"
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -16,32 +16,32 @@ constexpr double kGreets = 0.3; // seconds in which an editor sends the keys tha
 
 } // namespace
 
-Remote::Remote(std::string show, std::string name, int number)
+Edits::Edits(std::string show, std::string name, int number)
     : host(std::move(name)), port(number), tracks(std::move(show)) {}
 
-void Remote::find(const Stage &stage) {
+void Edits::find(const Stage &stage) {
     if (found) return;
     found = true;
     std::vector<std::string> before = tracks.names();
-    tracks.find(stage.live(), stage.intro(), stage.symbols());
+    tracks.find(stage.live());
     if (host.empty() || (client && tracks.names() == before)) return;
     client =
         std::make_unique<rocket::Client>(host, port, tracks.names()); // other tracks, another conversation
     version = 0;
 }
 
-Remote::Told Remote::update(const Stage &stage, double now, double row) {
-    Told told;
-    if (host.empty() && tracks.names().empty()) return told; // nothing was ever edited
+Edits::Requests Edits::update(const Stage &stage, double now, double row) {
+    Requests requests;
+    if (host.empty() && tracks.names().empty()) return requests; // nothing was ever edited
     find(stage);
-    if (!client) return told;
+    if (!client) return requests;
     client->update(now);
     if (client->connected() != connected) {
         connected = client->connected();
         since = now;
-        if (connected) told.news = "an editor of GNU Rocket is there";
+        if (connected) requests.message = "an editor of GNU Rocket is there";
     }
-    if (!connected && client->problem() != problem) told.news = client->problem();
+    if (!connected && client->problem() != problem) requests.message = client->problem();
     problem = client->problem();
     // At first it has none, and sends what it has at once: until then the film stays as it is
     if (connected && now >= since + kGreets && client->version() != version) {
@@ -49,44 +49,44 @@ Remote::Told Remote::update(const Stage &stage, double now, double row) {
         for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, client->track(i));
         tracks.show();
     }
-    if (auto to = client->takeRow()) told.row = *to;
-    told.pause = client->takePause();
-    told.save = client->takeSave();
-    if (!told.row) client->sendRow((uint32_t)std::fmax(std::floor(row), 0));
-    return told;
+    if (auto to = client->takeRow()) requests.row = *to;
+    requests.pause = client->takePause();
+    requests.save = client->takeSave();
+    if (!requests.row) client->sendRow((uint32_t)std::fmax(std::floor(row), 0));
+    return requests;
 }
 
-uint32_t Remote::setView(const Stage &stage, double row, const CameraKey &camera, std::string &news) {
+uint32_t Edits::setView(const Stage &stage, double row, const CameraKey &camera, std::string &message) {
     find(stage);
     uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.setView(at, camera);
-    news = why.empty() ? "key set on " + tracks.rowInWords(at) : "no key set: " + why;
+    message = why.empty() ? "key set on " + tracks.rowInWords(at) : "no key set: " + why;
     return at;
 }
-uint32_t Remote::removeView(const Stage &stage, double row, std::string &news) {
+uint32_t Edits::removeView(const Stage &stage, double row, std::string &message) {
     find(stage);
     uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.removeView(at);
-    news = why.empty() ? "key removed from " + tracks.rowInWords(at) : "no key removed: " + why;
+    message = why.empty() ? "key removed from " + tracks.rowInWords(at) : "no key removed: " + why;
     return at;
 }
-void Remote::undo(const Stage &stage, std::string &news) {
+void Edits::undo(const Stage &stage, std::string &message) {
     find(stage);
-    news = tracks.undo() ? "undone" : "nothing to undo";
+    message = tracks.undo() ? "undone" : "nothing to undo";
     tracks.show();
-    if (!tracks.unsavedByHand()) found = false; // the sources are read anew: somebody may have changed them
+    if (!tracks.unsavedByHand()) found = false; // the files are read again: somebody may have changed them
 }
-void Remote::redo(const Stage &stage, std::string &news) {
+void Edits::redo(const Stage &stage, std::string &message) {
     find(stage);
-    news = tracks.redo() ? "done again" : "nothing to do again";
+    message = tracks.redo() ? "done again" : "nothing to do again";
     tracks.show();
 }
-std::string Remote::save(const Stage &stage, std::string &news) {
+std::string Edits::save(const Stage &stage, std::string &message) {
     find(stage);
-    return tracks.save(news);
+    return tracks.save(message);
 }
 
-std::string Remote::writeDocument(const Stage &stage, const std::string &file, std::string &news) {
+std::string Edits::writeDocument(const Stage &stage, const std::string &file, std::string &message) {
     find(stage);
     std::vector<rocket::Track> all;
     for (size_t i = 0; i < tracks.names().size(); ++i) all.push_back(tracks.track(i));
@@ -97,15 +97,15 @@ std::string Remote::writeDocument(const Stage &stage, const std::string &file, s
     out.close();
     std::error_code error;
     if (out) std::filesystem::rename(beside, file, error);
-    news = std::to_string(all.size()) + " tracks in " + file;
+    message = std::to_string(all.size()) + " tracks in " + file;
     if (int off = tracks.offRows())
-        news += "; " + std::to_string(off) +
-                " keys of the film are between rows, before row 0 or two on a row: "
-                "they are on the nearest one, or left out";
+        message += "; " + std::to_string(off) +
+                   " keys of the film are between rows, before row 0 or two on a row: "
+                   "they are on the nearest one, or left out";
     if (out && !error) return "";
     std::string why = error ? error.message() : std::strerror(errno);
     std::filesystem::remove(beside, error);
     return "cannot write " + file + ": " + why;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -1,37 +1,33 @@
-// What the panel needs of the film beyond intro.h: its shots, cameras' keys, events and materials, and what
+// What the maker needs of the film beyond intro.h: its shots, cameras' keys, events and materials, and what
 // happens while a picture is made. All of it goes through one table of functions, so that the film may be
 // another object than the panel.
 #pragma once
 
 #include "intro.h"
+#include "show/font.h"
 #include "timeline/camera.h"
 #include "timeline/track.h"
 
-namespace odraz {
-
-inline constexpr int kNameLetters = 32; // of an event's name, with the zero at its end
+namespace odraz::maker {
 
 // Seconds of the film, [from, to); `story`: the second from which its camera's rows count.
-struct ShotSeen {
+struct ShotInfo {
     double from, to, story;
     int scene;
-    CameraPath path; // its keys, as they stand in the film's tables
-    // How it is followed, and which keys it has: the film's own code may take others, which are being edited
-    CameraKey (*follow)(CameraPath path, float row) = pose;
-    CameraPath (*edited)(CameraPath path) = nullptr;
+    const CameraPath *path; // in the film, which may replace its keys
 
-    CameraPath keys() const { return edited ? edited(path) : path; }
-    CameraKey at(double seconds) const { return follow(path, (float)((seconds - story) * kRowsPerSecond)); }
+    CameraKey at(double seconds) const { return pose(*path, (float)((seconds - story) * kRowsPerSecond)); }
 };
-struct EventSeen {
-    double at;               // seconds of the film
-    char name[kNameLetters]; // "light is born", of kLightIsBorn
+struct EventInfo {
+    double at; // seconds of the film
+    float row; // of its scene
     bool heard;
+    char name[40]; // "kLightIsBorn", with the zero at its end
 };
 
 // A material of the scene that the last picture shows.
-struct MaterialSeen {
-    uint32_t hash; // of all that it is made of: equal if it looks the same
+struct MaterialInfo {
+    uint64_t hash; // of all that it is made of: equal if it looks the same
     int shapes;    // that have it
     bool mirror, glass, glows, textured;
 };
@@ -54,15 +50,15 @@ struct Probe {
     bool brightens = false;
 };
 
-struct Backstage {
-    // All shots and events in the order of time, at most `most`; their number.
-    int (*shots)(ShotSeen *to, int most);
-    int (*events)(EventSeen *to, int most);
+struct Inspector {
+    // All shots in the order of time, and all events, at most `most`; their number.
+    int (*shots)(ShotInfo *to, int most);
+    int (*events)(EventInfo *to, int most);
     // The materials of the last picture's scene, in their order; their number, at most kMostMaterials.
-    int (*materials)(const Intro &intro, MaterialSeen *to);
+    int (*materials)(const Intro &intro, MaterialInfo *to);
     // Traces a ball of each of these materials, in squares of `side` pixels, `across` in a row, and as many
     // rows as they need: sRGB, four bytes a pixel. Takes swatchMemory() of the arena; false if that is too
-    // little. samplesTaken() then tells of this picture.
+    // little. samplesTaken() is then of this picture.
     bool (*swatches)(Intro &intro, Arena &arena, int across, int side, uint8_t *rgba);
     size_t (*swatchMemory)(int across, int side);
     // From now on this probe notes what happens; null: none.
@@ -71,8 +67,10 @@ struct Backstage {
     size_t (*soundMemory)();
     Sound *(*loadSound)(Arena &arena);
     void (*soundBlock)(Sound &sound, float *stereo);
+    // The film's font. That of a shared object has the letters of compilers' messages, too.
+    decltype(&odraz::drawText) drawText;
 };
 
-const Backstage &backstage();
+const Inspector &inspector();
 
-} // namespace odraz
+} // namespace odraz::maker

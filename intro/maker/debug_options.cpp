@@ -1,11 +1,11 @@
-#include "maker/words.h"
+#include "maker/debug_options.h"
 
 #include "maker/rocket/client.h"
 
 #include <algorithm>
 #include <charconv>
 
-namespace odraz {
+namespace odraz::maker {
 
 namespace {
 
@@ -32,7 +32,7 @@ bool readHost(const std::string &word, std::string &host, int &port) {
 
 } // namespace
 
-std::string takeWords(int &argc, char **argv, Words &to) {
+std::string takeOptions(int &argc, char **argv, DebugOptions &to) {
     int kept = 1;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
@@ -51,7 +51,7 @@ std::string takeWords(int &argc, char **argv, Words &to) {
     argc = kept;
     argv[argc] = nullptr;
     int modes = (to.shown != nullptr) + (to.tracks != nullptr) + !to.host.empty();
-    return modes > 1 ? "--shown, --tracks and --rocket are for one at a time" : "";
+    return modes > 1 ? "--shown, --tracks and --rocket go one at a time" : "";
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -1,35 +1,27 @@
-#include "maker/panel/backstage.h"
+#include "maker/panel/inspector.h"
 
 #include "inside.h"
 #include "maker/panel/probe.h"
 #include "show/events.h"
+#include "tools/common/hash.h"
 
-namespace odraz {
-
-// Where nothing is edited; live_tables.cpp has another
-[[gnu::weak]] CameraPath editedPath(CameraPath path) { return path; }
+namespace odraz::maker {
 
 namespace {
 
 // --- The film's tables ---
 
-int shots(ShotSeen *to, int most) {
+int shots(ShotInfo *to, int most) {
     int count = min(kFilm.count, most);
     for (int i = 0; i < count; ++i) {
         const Shot &s = kFilm.shots[i];
         float end = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
-        to[i] = {s.row / kRowsPerSecond,
-                 end / kRowsPerSecond,
-                 s.storyRow / kRowsPerSecond,
-                 s.scene,
-                 s.path,
-                 pose,
-                 editedPath};
+        to[i] = {s.row / kRowsPerSecond, end / kRowsPerSecond, s.storyRow / kRowsPerSecond, s.scene, &s.path};
     }
     return count;
 }
 
-// The compiler tells how an enumerator is called: "... Id = odraz::kLightIsBorn]"
+// Ends with the enumerator's name: "... Id = odraz::kLightIsBorn]"
 template <EventId Id> const char *enumerator() { return __PRETTY_FUNCTION__; }
 
 template <int I = 0> const char *enumeratorOf(int id) {
@@ -39,37 +31,24 @@ template <int I = 0> const char *enumeratorOf(int id) {
         return enumerator<(EventId)I>();
 }
 
-void nameOf(int id, char *to) {
+void nameOf(int id, EventInfo &to) {
     const char *from = enumeratorOf(id), *begin = from;
     for (const char *c = from; *c; ++c)
         if (*c == ':' || *c == ' ') begin = c + 1;
-    begin += *begin == 'k';
-    int length = 0;
-    auto put = [&](char c) {
-        if (length + 1 < kNameLetters) to[length++] = c;
-    };
-    for (const char *c = begin; *c && *c != ']' && *c != ';'; ++c) {
-        bool capital = *c >= 'A' && *c <= 'Z', figure = *c >= '0' && *c <= '9',
-             before = c > begin && c[-1] >= '0' && c[-1] <= '9';
-        if (c > begin && (capital || (figure && !before))) put(' ');
-        put(capital ? (char)(*c - 'A' + 'a') : *c);
-    }
-    to[length] = 0;
+    for (int i = 0; i + 1 < (int)sizeof to.name && begin[i] && begin[i] != ']' && begin[i] != ';'; ++i)
+        to.name[i] = begin[i];
 }
 
-int events(EventSeen *to, int most) {
+int events(EventInfo *to, int most) {
     int count = 0;
     for (const Event &e : kEvents) {
         const Shot *shot = nullptr;
         for (int i = kFilm.count - 1; i >= 0; --i)
             if (kFilm.shots[i].scene == e.scene) shot = &kFilm.shots[i];
         if (!shot || count == most) continue;
-        EventSeen seen = {(shot->storyRow + e.row) / kRowsPerSecond, {}, e.heard};
-        nameOf(e.id, seen.name);
-        // Insert it in the order of time
-        int at = count++;
-        for (; at > 0 && to[at - 1].at > seen.at; --at) to[at] = to[at - 1];
-        to[at] = seen;
+        EventInfo &event =
+            to[count++] = {(shot->storyRow + e.row) / kRowsPerSecond, (float)e.row, e.heard, {}};
+        nameOf(e.id, event);
     }
     return count;
 }
@@ -78,14 +57,13 @@ int events(EventSeen *to, int most) {
 
 const Scene &lastScene(const Intro &intro) { return *intro.slots[0].traced.scene; }
 
-// FNV-1a, over the bytes that a picture of it depends on
-uint32_t hashOf(const Material &m) {
-    uint32_t hash = 0x811c9dc5;
-    for (size_t i = 0; i < sizeof m; ++i) hash = (hash ^ ((const uint8_t *)&m)[i]) * 0x01000193;
+uint64_t hashOf(const Material &m) {
+    uint64_t hash = common::kFnvStart;
+    for (size_t i = 0; i < sizeof m; ++i) hash = common::fnv1a(hash, ((const uint8_t *)&m)[i]);
     return hash;
 }
 
-int materials(const Intro &intro, MaterialSeen *to) {
+int materials(const Intro &intro, MaterialInfo *to) {
     static_assert(kMostMaterials >= kMaxMaterials);
     const Scene &scene = lastScene(intro);
     for (int i = 0; i < scene.materialCount; ++i) {
@@ -136,10 +114,10 @@ bool swatches(Intro &intro, Arena &arena, int across, int side, uint8_t *rgba) {
 
 } // namespace
 
-const Backstage &backstage() {
-    static constexpr Backstage kBackstage = {shots,         events,      materials, swatches,  swatchMemory,
-                                             watchPictures, soundMemory, loadSound, soundBlock};
-    return kBackstage;
+const Inspector &inspector() {
+    static constexpr Inspector kInspector = {shots,         events,      materials, swatches,   swatchMemory,
+                                             watchPictures, soundMemory, loadSound, soundBlock, drawText};
+    return kInspector;
 }
 
-} // namespace odraz
+} // namespace odraz::maker

@@ -3,16 +3,16 @@
 
 #include <string>
 
-namespace odraz {
+namespace odraz::maker {
 
-struct Words {
+struct DebugOptions {
     const char *shown = nullptr;  // --shown FILE
     const char *tracks = nullptr; // --tracks FILE
     std::string host;             // --rocket [HOST[:PORT]]; empty: it was not given
     int port = 0;
 };
 
-// Takes them out of the words, which are then those of the film. Returns what is wrong, or nothing.
-std::string takeWords(int &argc, char **argv, Words &to);
+// Takes them out of the arguments, which are then those of the film. Returns what is wrong, or nothing.
+std::string takeOptions(int &argc, char **argv, DebugOptions &to);
 
-} // namespace odraz
+} // namespace odraz::maker

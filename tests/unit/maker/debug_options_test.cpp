@@ -1,9 +1,10 @@
-#include "maker/words.h"
+#include "maker/debug_options.h"
 
 #include <gtest/gtest.h>
 #include <vector>
 
 using namespace odraz;
+using namespace odraz::maker;
 
 namespace {
 
@@ -14,17 +15,17 @@ struct Taken {
         for (std::string &word : line) argv.push_back(word.data());
         argv.push_back(nullptr);
         int argc = (int)line.size();
-        wrong = takeWords(argc, argv.data(), words);
+        wrong = takeOptions(argc, argv.data(), options);
         for (int i = 1; wrong.empty() && i < argc; ++i) left += std::string(argv[(size_t)i]) + " ";
-        shown = words.shown ? words.shown : "";
+        shown = options.shown ? options.shown : "";
     }
-    Words words;
+    DebugOptions options;
     std::string wrong, left, shown;
 };
 
 } // namespace
 
-TEST(Words, TakesItsOwn) {
+TEST(DebugOptions, TakesItsOwn) {
     Taken t({"--from", "3", "--shown", "list", "--mute"});
     EXPECT_EQ(t.shown, "list");
     EXPECT_EQ(t.left, "--from 3 --mute ");
@@ -32,10 +33,10 @@ TEST(Words, TakesItsOwn) {
     EXPECT_NE(Taken({"--tracks", "a", "--rocket"}).wrong.find("one at a time"), std::string::npos);
 }
 
-TEST(Words, KnowsHosts) {
+TEST(DebugOptions, KnowsHosts) {
     auto at = [](const char *host) {
         Taken t({"--rocket", host});
-        return t.wrong.empty() ? t.words.host + " " + std::to_string(t.words.port) : "";
+        return t.wrong.empty() ? t.options.host + " " + std::to_string(t.options.port) : "";
     };
     EXPECT_EQ(at("desk"), "desk 1338");
     EXPECT_EQ(at("desk:7"), "desk 7");
@@ -46,6 +47,6 @@ TEST(Words, KnowsHosts) {
          {"desk:", "desk:0", "desk:65536", "desk:7x", "desk:-7", ":7", "[]", "[::1", "[::1]7"})
         EXPECT_EQ(at(bad), "") << bad;
     Taken none({"--rocket", "--mute"});
-    EXPECT_EQ(none.words.host, "localhost");
+    EXPECT_EQ(none.options.host, "localhost");
     EXPECT_EQ(none.left, "--mute ");
 }

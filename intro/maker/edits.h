@@ -1,0 +1,59 @@
+// Edits the film's tracks: from an editor of GNU Rocket, and by hand.
+#pragma once
+
+#include "maker/rocket/client.h"
+#include "maker/stage.h"
+#include "maker/tracks.h"
+
+#include <memory>
+
+namespace odraz::maker {
+
+class Edits {
+public:
+    // Without a host there is no editor, and tracks are edited by hand alone.
+    // `show`: the folder of the film's content, which files of keys are read and written.
+    explicit Edits(std::string show, std::string host = "", int port = rocket::kPort);
+
+    // There is a new film: its tracks are found when they are needed.
+    void renew() { found = false; }
+
+    struct Requests {              // of the editor
+        std::optional<double> row; // to which it went
+        std::optional<bool> pause;
+        bool save = false;
+        std::string message; // that it came or went, as a line; else empty
+    };
+    // Once a picture, at a row of the film, which the editor gets to know; its keys are taken over. `now`:
+    // seconds of any clock.
+    Requests update(const Stage &stage, double now, double row);
+
+    // Sets a key for the eye and the target of a view, on the row next to one of the film, which it returns;
+    // or removes it. `message`: what was done, or why not.
+    uint32_t setView(const Stage &stage, double row, const CameraKey &camera, std::string &message);
+    uint32_t removeView(const Stage &stage, double row, std::string &message);
+    void undo(const Stage &stage, std::string &message); // one step that was done by hand
+    void redo(const Stage &stage, std::string &message);
+    // Writes all that was edited to the sources. Returns what was not written, or nothing.
+    std::string save(const Stage &stage, std::string &message);
+    int unsaved() const { return tracks.unsaved(); } // tables
+
+    // Writes all tracks for an editor to open. Returns what went wrong, or nothing; `message`: what was
+    // written.
+    std::string writeDocument(const Stage &stage, const std::string &file, std::string &message);
+
+private:
+    void find(const Stage &stage);
+
+    std::string host;
+    int port;
+    Tracks tracks;
+    bool found = false;
+    std::unique_ptr<rocket::Client> client;
+    bool connected = false;
+    double since = 0; // when it connected
+    std::string problem;
+    uint64_t version = 0;
+};
+
+} // namespace odraz::maker

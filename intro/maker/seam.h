@@ -1,0 +1,28 @@
+// The functions of intro.h, each as FILM(type, name, (parameters), (arguments)). SOUND: it is called on the
+// thread of the music, with the sound that was loaded first, for which the arguments have the newest one.
+#pragma once
+
+#include "intro.h"
+
+// clang-format off
+#define ODRAZ_SEAM(FILM, SOUND) \
+    FILM(bool, needsHall, (double from, double to), (from, to)) \
+    FILM(size_t, memoryNeeded, (const IntroSettings &s, int workers, bool hall), (s, workers, hall)) \
+    FILM(const char *, load, (Intro *&intro, const IntroSettings &s, Arena &arena, Workers &workers, const Gl *gl, \
+         const Progress &progress), (intro, s, arena, workers, gl, progress)) \
+    FILM(double, duration, (), ()) \
+    FILM(int, sceneAt, (double seconds), (seconds)) \
+    FILM(const char *, sceneName, (int scene), (scene)) \
+    FILM(Pace, paceOf, (int scene), (scene)) \
+    FILM(CameraKey, cameraAt, (double seconds), (seconds)) \
+    FILM(Picture, picture, (Intro &intro, int slot, double seconds, const Quality &quality, const CameraKey *camera, \
+         TracedSize traced), (intro, slot, seconds, quality, camera, traced)) \
+    FILM(Picture, between, (Intro &intro, int earlier, int later, double share, int place), \
+         (intro, earlier, later, share, place)) \
+    FILM(int64_t, samplesTaken, (const Intro &intro), (intro)) \
+    FILM(const char *, outgrown, (const Intro &intro), (intro)) \
+    FILM(size_t, soundMemory, (), ()) \
+    FILM(Sound *, loadSound, (Arena &arena), (arena)) \
+    SOUND(void, seekSound, (Sound &first, int block), (sound, block)) \
+    SOUND(void, soundBlock, (Sound &first, float *stereo), (sound, stereo))
+// clang-format on

@@ -1,0 +1,21 @@
+// Fewer bits for the numbers of a key, so that they pack well. It is a path's smoothness that the eye sees,
+// not where its keys lie to the millimetre.
+#pragma once
+
+#include "base/float8.h"
+#include "timeline/camera.h"
+
+#include <initializer_list>
+
+namespace odraz {
+
+// The key with `count` significant bits, up to 24, in each number but its row and roll.
+constexpr CameraKey withBits(CameraKey key, int count) {
+    int unit = 1 << (24 - count);
+    for (float *x :
+         {&key.eye.x, &key.eye.y, &key.eye.z, &key.target.x, &key.target.y, &key.target.z, &key.fov})
+        *x = fromBits((bits(*x) + unit / 2) & -unit);
+    return key;
+}
+
+} // namespace odraz
