@@ -3,23 +3,18 @@
 
 #include "radiosity/solve.h"
 #include "tests/support/lens.h"
+#include "tests/support/model_bench.h"
 
-#include <memory>
 #include <set>
 #include <vector>
 
 namespace odraz {
 
-struct HemicubeBench {
-    HeapArena memory{(size_t)200 << 20};
-    Workers workers = serialWorkers();
-    std::unique_ptr<Model> model = std::make_unique<Model>();
+struct HemicubeBench : ModelBench {
     std::unique_ptr<Lens> lens;
 
     void open(int px, int block) {
-        auto scene = std::make_unique<Scene>();
-        model->pose(*scene);
-        scene->finish();
+        pose();
         EXPECT_TRUE(model->divide(*scene, memory.arena, workers, block, 1));
         lens = std::make_unique<Lens>(px);
     }

@@ -2,11 +2,12 @@
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 #include "radiosity/visible.h"
-#include "tests/support/headless_gl.h"
+#include "tests/support/model_bench.h"
 #include "tests/support/room.h"
 #include "trace/rays/intersect.h"
 
 #include <cmath>
+#include <gtest/gtest.h>
 #include <random>
 #include <vector>
 
@@ -14,15 +15,9 @@ using namespace odraz;
 
 namespace {
 
-struct Divided {
-    HeapArena memory{(size_t)64 << 20};
-    Workers workers = serialWorkers();
-    std::unique_ptr<Model> model = std::make_unique<Model>();
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
-
+struct Divided : ModelBench {
     void divide(int block = 2, int levels = kFinest) {
-        model->pose(*scene);
-        scene->finish();
+        pose();
         ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, levels));
         settleFresh(*model);
     }

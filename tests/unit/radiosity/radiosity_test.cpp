@@ -1,6 +1,7 @@
 // Direct light against closed forms, whole rooms solved, and the extremes of reflectance, power and size.
 #include "radiosity/radiosity.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/model_bench.h"
 #include "tests/support/room.h"
 #include "transfer/relight.h"
 
@@ -13,11 +14,7 @@ namespace {
 
 // A room of 4 x 3 x 6 with a block on the floor, solved. Materials: 0 walls, 1 a floor that may be coloured,
 // 2 lamps.
-struct Room {
-    HeapArena memory{(size_t)96 << 20};
-    Workers workers = serialWorkers();
-    std::unique_ptr<Model> model = std::make_unique<Model>();
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+struct Room : ModelBench {
     std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
 
     float scale = 1;
@@ -45,8 +42,7 @@ struct Room {
         Material lamp = {};
         lamp.emit = {1, 1, 1};
         scene->add(lamp);
-        model->pose(*scene);
-        scene->finish();
+        pose();
         return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, progress);
     }
     // The value of a texel in one of the planes

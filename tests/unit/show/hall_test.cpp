@@ -3,7 +3,7 @@
 #include "show/hall.h"
 #include "show/materials.h"
 #include "tests/support/lens.h"
-#include "tests/support/stage.h"
+#include "tests/support/traced_ray.h"
 
 #include <cmath>
 #include <vector>

@@ -3,7 +3,7 @@
 // surfaces.
 #include "base/maths.h"
 #include "tests/support/dice.h"
-#include "tests/support/stage.h"
+#include "tests/support/traced_ray.h"
 #include "tools/engine/vec3d.h"
 
 #include <cmath>
@@ -151,7 +151,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
 
 // Two facing mirrors that emit: the sum of all bounces is seen.
 TEST(Extremes, SixtyFourBouncesAddUp) {
-    Stage g;
+    RayTracer g;
     Material m = plain(0);
     m.reflect = 0.97f;
     m.emit = {1, 1, 1};
@@ -167,7 +167,7 @@ TEST(Extremes, SixtyFourBouncesAddUp) {
 
 // Inside a cube of glass, beyond the critical angle: no light enters or leaves at any bounce.
 TEST(Extremes, TotalReflectionHoldsEveryRay) {
-    Stage g;
+    RayTracer g;
     Material glass = plain(0);
     glass.ior = 1.8f;
     g.scene->add(box({0, 0, 0}, {1, 1, 1}, g.scene->add(glass)));
@@ -201,7 +201,7 @@ TEST(Extremes, PicturesStayFinite) {
     mirror.reflect = 0.9f;
     for (float scale : {1e-4f, 1e-2f, 1.f, 1e3f, 1e6f})
         for (int variant = 0; variant < 8; ++variant) {
-            Stage g;
+            RayTracer g;
             mirror.fresnel = variant & 4;
             int a = g.scene->add(glass), b = g.scene->add(mirror), c = g.scene->add(matte);
             Vec3 middle = Vec3{3, 0, -2} * (variant & 1 ? scale : 0.f);

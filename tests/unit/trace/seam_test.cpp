@@ -1,6 +1,6 @@
 // Where rectangles join, no light passes between them, neither straight nor by a mirror, and none is lost.
 #include "tests/support/random.h"
-#include "tests/support/stage.h"
+#include "tests/support/traced_ray.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -37,7 +37,7 @@ struct Near {
 
 // Looks at places around the joint of two rectangles at x, from above and to the right. Returns for how many
 // samples `which` is true.
-template <class Which> int count(Stage &g, const Pose &p, Which &&which) {
+template <class Which> int count(RayTracer &g, const Pose &p, Which &&which) {
     Near near = {{5}};
     int count = 0;
     float x = -4.5f * p.away / p.size;
@@ -55,7 +55,7 @@ template <class Which> int count(Stage &g, const Pose &p, Which &&which) {
 TEST(Seam, OfFloorAndWallLetsNoLightIn) {
     for (const Pose &p : kPoses)
         for (float mirror : {0.f, 0.5f}) {
-            Stage g;
+            RayTracer g;
             Material m = matte({0.5f, 0.5f, 0.5f});
             m.reflect = mirror;
             g.scene->add(m);
@@ -77,7 +77,7 @@ TEST(Seam, OfFloorAndWallLetsNoLightIn) {
 // The top and a side of a box of rectangles, with the sun on both: their common edge is not darker.
 TEST(Seam, OfTopAndSideCastsNoShadow) {
     for (const Pose &p : kPoses) {
-        Stage g;
+        RayTracer g;
         g.scene->add(matte({1, 1, 1}));
         float s = p.size, x = -4.5f * p.away;
         g.scene->add(rect({x + 4.5f * s, 0, 0}, {0, 0, 1}, {1, 0, 0}, 9 * s, 4.5f * s, 0));

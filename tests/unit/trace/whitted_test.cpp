@@ -1,8 +1,8 @@
 // Whole rays through small scenes, against Phong's, Snell's and Fresnel's formulas.
 #include "base/maths.h"
 #include "tests/support/sanitized.h"
-#include "tests/support/stage.h"
 #include "tests/support/traced_picture.h"
+#include "tests/support/traced_ray.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Material glowing(Rgb radiance) {
 } // namespace
 
 TEST(Phong, LightsAPlaneByDistanceAndAngle) {
-    Stage g;
+    RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({0.5f, 0.5f, 0.5f}))));
     g.scene->add(Light{{3, 4, 0}, {50, 100, 150}});
     Rgb c = g.look({0, 2, 2}, {0, 0, 0}).radiance();
@@ -51,7 +51,7 @@ TEST(Phong, LightsAPlaneByDistanceAndAngle) {
 }
 
 TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
-    Stage g;
+    RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(shiny({0, 0, 0}, 0.7f, 30))));
     g.scene->add(Light{{0, 4, -3}, {25, 25, 25}});
     Vec3 mirrored = normalize(Vec3{0, 4, -3});
@@ -66,7 +66,7 @@ TEST(Phong, HighlightIsThePowerOfTheMirrorAngle) {
 // A highlight smaller than the area that a sample covers on the ball is drawn wider and paler, so that it
 // does not blink when the ball moves; its total light is the same.
 TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
-    Stage g;
+    RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({0, 0, 0}, 0.8f, 300))));
     g.scene->add(Light{{300, 300, 600}, {1e5f, 1e5f, 1e5f}});
     auto look = [&](float size, double &sum, double &most) {
@@ -89,7 +89,7 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
 }
 
 TEST(Phong, DarkSideStaysDarkWithoutNaN) {
-    Stage g;
+    RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({1, 1, 1}, 1, 7.5f))));
     g.scene->add(Light{{0, 0, -10}, {100, 100, 100}});
     Sample s = g.look({0, 0, 5}, {0, 0, 0});
@@ -98,7 +98,7 @@ TEST(Phong, DarkSideStaysDarkWithoutNaN) {
 }
 
 TEST(Shadow, IsHardBehindMatterAndTintedBehindGlass) {
-    Stage g;
+    RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
     g.scene->add(Light{{0, 10, 0}, {100, 100, 100}});
     float open = g.look({0, 1, 3}, {0, 0, 0}).light.x;
@@ -123,7 +123,7 @@ TEST(Shadow, FadesInWithTheLightThatItTakes) {
     float before = 0, most = 0;
     for (int i = 0; i <= 400; ++i) {
         float strength = 0.01f * (float)i / 100; // of what falls on the floor
-        Stage g;
+        RayTracer g;
         g.scene->add(plane({0, 0, 0}, g.scene->add(matte({1, 1, 1}))));
         g.scene->add(box({0, 3, 0}, {1, 0.1f, 1}, 0));
         g.scene->add(Light{{0, 10, 0}, Rgb{100, 100, 100} * strength});
@@ -141,7 +141,7 @@ TEST(Shadow, FadesInWithTheLightThatItTakes) {
 }
 
 TEST(Mirror, ShowsWhatIsBehindTheViewer) {
-    Stage g;
+    RayTracer g;
     Material m = mirror(0.8f);
     m.tint = {1, 0.5f, 0.25f};
     g.scene->add(plane({0, 0, 0}, g.scene->add(m)));
@@ -156,7 +156,7 @@ TEST(Mirror, ShowsWhatIsBehindTheViewer) {
 // miss it. So it is drawn wider and paler, and bounded, because the average of samples shows no more than
 // white.
 TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
-    Stage g;
+    RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(mirror(1))));
     g.scene->add(sphere({0, 0, 20}, 1, g.scene->add(glowing({60, 60, 60}))));
     Vec3 eye = {0, 8, 8}, place = {0, 0.4f, 0.9f};
@@ -178,7 +178,7 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
 
 // Two facing mirrors: the path ends at the depth limit, so the sum is a finite geometric series.
 TEST(Mirror, RecursionEndsByDepthAndByContribution) {
-    Stage g;
+    RayTracer g;
     Material m = mirror(0.5f);
     m.emit = {1, 1, 1};
     int id = g.scene->add(m);
@@ -194,7 +194,7 @@ TEST(Mirror, RecursionEndsByDepthAndByContribution) {
 
 // A path that ends, by depth or by its small share, returns the average light there, not darkness.
 TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
-    Stage g;
+    RayTracer g;
     g.scene->add(plane({0, 0, 0}, g.scene->add(mirror(0.5f))));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     g.scene->ambientLow = {0.2f, 0.2f, 0.2f};
@@ -212,7 +212,7 @@ TEST(Mirror, BringsTheAverageWhereItIsNotFollowed) {
 
 // A glass ball hit on its axis: Fresnel's R at both surfaces, with all orders of inner reflection.
 TEST(Glass, KeepsEnergyOnTheAxis) {
-    Stage g;
+    RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(clearGlass(1.5f))));
     g.scene->sky = plainSky({1, 1, 1}, {1, 1, 1});
     Rgb c = g.look({0, 0, 5}, {0, 0, 0}).radiance();
@@ -220,7 +220,7 @@ TEST(Glass, KeepsEnergyOnTheAxis) {
 }
 
 TEST(Glass, FollowsSnell) {
-    Stage g;
+    RayTracer g;
     g.scene->add(
         box({0, -5, 0}, {100, 5, 100}, g.scene->add(clearGlass(1.5f)))); // a lake, its surface at y = 0
     double sine = std::sin(0.7) / 1.5, depth = 4, x = depth * sine / std::sqrt(1 - sine * sine);
@@ -231,7 +231,7 @@ TEST(Glass, FollowsSnell) {
 }
 
 TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
-    Stage g;
+    RayTracer g;
     g.scene->add(box({0, -5, 0}, {1000, 5, 1000}, g.scene->add(clearGlass(1.5f))));
     g.scene->sky = plainSky({0, 0, 0}, {1, 1, 1});
     g.scene->add(sphere({4, -1, 0}, 0.3f, g.scene->add(glowing({0, 1, 0}))));
@@ -243,7 +243,7 @@ TEST(Glass, ReflectsAllBeyondTheCriticalAngle) {
 }
 
 TEST(Glass, AbsorbsByPathLength) {
-    Stage g;
+    RayTracer g;
     Material m = clearGlass(1.0001f); // hardly reflects
     m.absorb = {1, 2, 0};
     g.scene->add(sphere({0, 0, 0}, 0.5f, g.scene->add(m)));
@@ -255,7 +255,7 @@ TEST(Glass, AbsorbsByPathLength) {
 }
 
 TEST(Ambient, ABallDarkensTheFloorUnderIt) {
-    Stage g;
+    RayTracer g;
     int id = g.scene->add(matte({1, 1, 1}));
     g.scene->add(plane({0, 0, 0}, id));
     g.scene->ambientLow = g.scene->ambientHigh = {1, 1, 1};

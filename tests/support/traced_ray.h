@@ -21,7 +21,7 @@ inline Material matte(Rgb colour) {
     return m;
 }
 
-struct Stage {
+struct RayTracer {
     std::unique_ptr<Scene> scene = emptyScene();
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();
 
