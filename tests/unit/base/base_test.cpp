@@ -64,7 +64,7 @@ TEST(Random, IsUniformAndTheSameForLanes) {
     EXPECT_EQ(random.next(), unitFloat(pcg(42u)));
 }
 
-TEST(Arena, AlignsAndRefusesWhatDoesNotFit) {
+TEST(Arena, AlignsAndReturnsNullWhenFull) {
     alignas(64) unsigned char block[256] = {};
     Arena arena = {block, sizeof block, 0};
     auto *a = arena.take<char>(3), *b = arena.take<char>(1);

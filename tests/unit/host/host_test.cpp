@@ -46,9 +46,9 @@ TEST(Threads, RunEveryPieceOnceRoundAfterRound) {
     EXPECT_EQ(ran, 0);
 }
 
-// As the compiler's library knows it, not the kernel: under some hypervisors the kernel hides what the
-// processor can do. machine.sh tests this for processors that lack something.
-TEST(Machine, KnowsWhatTheProcessorCanDo) {
+// Compared with the compiler's library, not with the kernel: under some hypervisors the kernel hides
+// features. machine.sh tests this for processors that lack something.
+TEST(Machine, DetectsTheProcessorsFeatures) {
     EXPECT_EQ(cpuSuffices(), __builtin_cpu_supports("x86-64-v3") != 0);
 }
 
@@ -66,8 +66,8 @@ TEST(Machine, CountsTheProcessorsThatItMayUse) {
     ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-// The time lies between two readings of the clock by another way.
-TEST(Machine, TellsTheTime) {
+// The time lies between two readings of the same clock through libc.
+TEST(Machine, ReadsTheMonotonicClock) {
     auto clock = [] {
         timespec t;
         clock_gettime(CLOCK_MONOTONIC, &t);
@@ -78,8 +78,8 @@ TEST(Machine, TellsTheTime) {
     EXPECT_LE(now, after);
 }
 
-// The name has the words of the processor's own, without trademarks and clock rate.
-TEST(Machine, KnowsTheProcessorsName) {
+// The words of the processor's brand string, without trademarks and clock rate.
+TEST(Machine, NamesTheProcessor) {
     char name[50];
     std::memset(name, 'x', sizeof name);
     cpuName(name);
@@ -107,7 +107,7 @@ TEST(Machine, GivesMemoryThatIsZero) {
     EXPECT_EQ(takeMemory(SIZE_MAX / 2), nullptr);
 }
 
-TEST(Machine, KnowsTheSizeOfItsFile) {
+TEST(Machine, ReportsTheSizeOfItsFile) {
     EXPECT_EQ(ownSize(), (long)std::filesystem::file_size("/proc/self/exe"));
 }
 
@@ -127,8 +127,8 @@ TEST(Files, AreWholeOrAbsent) {
     EXPECT_STREQ(writeAll(9999, "x", 1), "it is closed");
 }
 
-// The name of a file's temporary part may already belong to someone else: a link must not be followed, and a
-// pipe must not be waited for.
+// The name of a file's temporary part may be in use: a link must not be followed, and a pipe must not be
+// waited for.
 TEST(Files, LeaveOthersPartsAlone) {
     std::string folder = testing::TempDir() + "odraz_parts";
     std::filesystem::remove_all(folder);

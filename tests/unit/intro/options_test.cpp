@@ -59,7 +59,7 @@ TEST(Options, ReadsEveryOption) {
     EXPECT_STREQ(good({"--wav", "-", "--dump", "frames"}).wav, "-");
 }
 
-TEST(Options, RefusesWithALineThatHelps) {
+TEST(Options, ReportsWhatIsWrongInALine) {
     EXPECT_NE(bad({"--wav"}).find("--wav needs a file"), std::string::npos);
     EXPECT_NE(bad({"--wav", "-", "--dump", "-"}).find("name a file"), std::string::npos);
     EXPECT_NE(bad({"--wav", "x", "--window"}).find("--window is for playing"), std::string::npos);

@@ -21,7 +21,7 @@ struct Device {
     double speed = 1;
     int64_t stops = -1, goesOn = -1, dies = -1, returns = -1; // times
     bool there = true, swallows = false;
-    int64_t lie = 0; // frames that it adds to its reported position
+    int64_t error = 0; // frames that it adds to its reported position
 
     int64_t now = 0;
     double played = 0; // frames that it should have played by now
@@ -64,7 +64,7 @@ const SoundOutput kFake = {[] { return ++theDevice->opened, theDevice->there && 
                            },
                            [] {
                                Device &d = *theDevice;
-                               return d.swallows ? 0 : (int64_t)d.queue.size() + d.behind + d.lie;
+                               return d.swallows ? 0 : (int64_t)d.queue.size() + d.behind + d.error;
                            }};
 
 // Every sample holds the number of its block plus 1.
@@ -84,8 +84,8 @@ struct Source {
     }
 };
 
-// Plays for a time and looks at the film 30 times a second. Returns how far apart sound and film were, in
-// milliseconds, at each frame heard at full loudness between two times.
+// Plays for a time, and updates the film 30 times a second. Returns the distance of sound and film, in
+// milliseconds, for each frame played at full loudness between two times.
 struct Play {
     Device device;
     Source source;
@@ -145,12 +145,12 @@ TEST(Playback, FilmFollowsADevice) {
         EXPECT_LT(largest(p.run(60 * kSecond, kSecond, 60 * kSecond)), 8) << speed;
         EXPECT_GT(p.slowest(), 0.985);
         EXPECT_LT(p.fastest(), 1.015);
-        EXPECT_NEAR(p.film.back(), 60 * speed, 0.1); // all of it, a little later
+        EXPECT_NEAR(p.film.back(), 60 * speed, 0.1); // the whole film, a little later
         EXPECT_EQ(p.source.sought, 0);
     }
 }
 
-TEST(Playback, ADeviceMayStandFarOff) {
+TEST(Playback, ADeviceMayBeFarBehind) {
     for (int64_t behind : {1000, 5000, 9000}) {
         Play p;
         p.device.behind = behind;
@@ -185,7 +185,7 @@ TEST(Playback, ADeadDeviceIsOpenedAgain) {
     EXPECT_LE(p.device.opened, 6);
 }
 
-TEST(Playback, NoDeviceNoMatter) {
+TEST(Playback, PlaysWithoutADevice) {
     Play p;
     p.device.there = false;
     p.run(10 * kSecond, 0, 0);
@@ -203,9 +203,9 @@ TEST(Playback, ADeviceThatSwallowsIsPaced) {
     EXPECT_EQ(p.source.sought, 0);
 }
 
-TEST(Playback, ALyingDeviceIsNotBelieved) {
+TEST(Playback, AWrongPositionIsIgnored) {
     Play p;
-    p.device.lie = 44 * kSoundRate;
+    p.device.error = 44 * kSoundRate;
     p.run(10 * kSecond, 0, 0);
     EXPECT_GT(p.slowest(), 0.985);
     EXPECT_LT(p.fastest(), 1.015);

@@ -117,7 +117,7 @@ TEST(Quadtree, HasRoomForAllLevels) {
         }
 }
 
-TEST(Model, ThatIsTooLargeIsRefused) {
+TEST(Model, CannotBeDividedIfTooLarge) {
     Divided d;
     Model &m = *d.model;
     auto divides = [&] { return d.model->divide(*d.scene, d.memory.arena, d.workers, 1, 0); };

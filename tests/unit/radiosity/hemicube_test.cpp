@@ -65,7 +65,7 @@ TEST(Depth, UsesClipControlWhereItIs) {
 }
 
 // Two far walls are a hair apart: the nearer one must win in every pixel.
-TEST(Depth, TellsNearFromFarAtADistance) {
+TEST(Depth, SeparatesNearFromFarAtADistance) {
     HemicubeBench b;
     b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1);
     b.model->addRect({-1000, 99.99f, -1000}, {2000, 0, 0}, {0, 0, 2000}, 0, 500);

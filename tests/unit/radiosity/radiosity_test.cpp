@@ -328,7 +328,7 @@ TEST(Extremes, NoLightNoMemoryNoTime) {
     EXPECT_FALSE(left.solve());
 }
 
-TEST(Bases, KnowWhenTheyDoNotFit) {
+TEST(Bases, FitUpToTheirLimits) {
     LightBases bases = {};
     bases.lampCount = kMaxLamps;
     EXPECT_TRUE(bases.fit());

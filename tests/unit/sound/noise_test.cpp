@@ -34,7 +34,7 @@ std::vector<Float8> render(Voice &voice, double seconds) {
 
 // The closed form of the analogue band-pass g s / (1 + k s + s^2) under the bilinear transform is a filter of
 // two poles. Fed the same noise, in double precision, it gives the same samples.
-TEST(Noise, IsFilteredAsTheClosedFormSays) {
+TEST(Noise, IsFilteredAsInClosedForm) {
     for (float key : {30.f, 69.f, 93.f}) {
         std::unique_ptr<Voice> voice = begun(kBands, key);
         Uint8 phase = voice->group[0].phase;

@@ -56,7 +56,7 @@ TEST(Note, IsInTuneOverEightOctaves) {
     EXPECT_LT(worst, 0.5);
 }
 
-TEST(Note, HasPartialsWhereItsInstrumentSays) {
+TEST(Note, HasThePartialsOfItsInstrument) {
     Instrument bell = {.partials = 4, .stretch = 1.5f, .decay = 1000};
     std::vector<double> x = render(bell, 69, 1.5);
     for (int k = 1; k <= 4; ++k) {

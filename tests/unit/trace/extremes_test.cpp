@@ -57,7 +57,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
     }
 }
 
-TEST(Extremes, BeamsSeeWhatRaysSee) {
+TEST(Extremes, BeamsHitWhatRaysHit) {
     Dice dice(5);
     auto scene = std::make_unique<Scene>();
     for (float ratio : {1.5f, 10.f, 1e3f, 1e4f, 1e6f})
@@ -181,7 +181,7 @@ TEST(Extremes, TotalReflectionHoldsEveryRay) {
             g.look({0.01f * scale, 0.02f * scale, 0.03f * scale}, {scale, scale * 1.01f, scale * 0.99f}, q);
         EXPECT_EQ(s.radiance().x, 0) << scale;
     }
-    // A little below the critical angle some light passes: as much as Fresnel says
+    // A little below the critical angle some light passes, by Fresnel's equations
     double angle = std::asin(1 / 1.8) * 0.9, sine = std::sin(angle) * 1.8, cosT = std::sqrt(1 - sine * sine),
            cosI = std::cos(angle), across = (1.8 * cosI - cosT) / (1.8 * cosI + cosT),
            along = (cosI - 1.8 * cosT) / (cosI + 1.8 * cosT);

@@ -247,7 +247,7 @@ TEST(Strokes, MayLieOutsideThePicture) {
     EXPECT_EQ(c.sum(), before);
 }
 
-TEST(Font, KnowsItsCharactersAndLeavesOutOthers) {
+TEST(Font, DrawsItsCharactersAndLeavesOutOthers) {
     for (const char *p = "abcdefghijklmnopqrstuvwxyz0123456789.,:-+/"; *p; ++p) {
         Canvas c(64, 64);
         char text[2] = {*p, 0};

@@ -105,14 +105,14 @@ TEST(Lightmap, OverItThePatchesAreAMosaic) {
             EXPECT_FLOAT_EQ(sheet.at(s, t), (float)(2 * (int)(t * 2) + (int)(s / 1.5f))) << s << ' ' << t;
     sheet.map.mosaic = 0.25f;
     EXPECT_FLOAT_EQ(sheet.at(2, 0.9f), 0.75f * 7 + 0.25f * 3);
-    // Interpolate between middles, where that is asked for
+    // Interpolate between middles
     sheet.map.mosaic = sheet.map.sharpness = 1;
     EXPECT_FLOAT_EQ(sheet.at(0.75f, 0.25f), 0);
     EXPECT_FLOAT_EQ(sheet.at(1.5f, 0.25f), 0.5f);
     EXPECT_FLOAT_EQ(sheet.at(3, 0.5f), 2);
 }
 
-TEST(Lightmap, KnowsItsPatchesAndTheLinesBetweenThem) {
+TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
     auto look = [&](float s, float t, float width, float &clear) {

@@ -67,7 +67,7 @@ TEST(Sunshafts, AreAsLongAsTheyAreLit) {
                       {next(-1, 1), next(-1, 1), next(-1, 1)}, next(0, 1) < 0.3f ? kInfinity : next(0, 12));
 }
 
-TEST(Sunshafts, BearExtremes) {
+TEST(Sunshafts, AreRightAtTheExtremes) {
     Sunshafts s = shaftsBy({-1, 0.5f, 0.25f});
     Vec3 inside = Vec3{-4, 3, 2.5f} - s.sun * 2.f;
     expectSum(s, inside, s.sun, 1e9f); // along the sun

@@ -143,8 +143,8 @@ TEST(Checker, IsFilteredLikeManySamples) {
     }
 }
 
-// Seen along its diagonals the two waves of a checker turn together; the mean of each alone tells little
-// there.
+// Seen along its diagonals, the two waves of a checker change together, so that the product of their means
+// is wrong.
 TEST(Checker, IsFilteredAlongASlantedView) {
     Material m = checker(1);
     Int8 cell;
@@ -187,8 +187,8 @@ TEST(Materials, AreColoursEverywhere) {
                 }
 }
 
-// The shares of a pattern's row are those that it has: of each colour alone, and of all.
-TEST(Patterns, ShowTheirColoursAsOftenAsTheirRowsSay) {
+// The shares in a pattern's row are measured ones, and sum to 1.
+TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
     std::mt19937 random(8);
     std::uniform_real_distribution<float> place(-40, 40);
     for (const PatternTraits &row : kPatterns) {
@@ -210,7 +210,7 @@ TEST(Patterns, ShowTheirColoursAsOftenAsTheirRowsSay) {
     }
 }
 
-// Radiosity reflects what the eye sees: the mean that is counted on is the mean of the pattern.
+// Radiosity uses the mean of a pattern: it must be the mean of what is seen.
 TEST(Material, MeanAlbedoIsTheMean) {
     std::mt19937 random(5);
     std::uniform_real_distribution<float> place(-40, 40);
