@@ -4,16 +4,16 @@ namespace odraz {
 
 void FilmClock::start(double time, int64_t now) {
     __atomic_store_n(&zero, now - (int64_t)(time * 1e9), __ATOMIC_RELAXED);
-    lastHeard = now;
+    lastCorrected = now;
     __atomic_store_n(&running, true, __ATOMIC_RELEASE);
 }
 
-void FilmClock::hear(double time, int64_t now) {
+void FilmClock::correct(double time, int64_t now) {
     double off = time - at(now);
     // Correct it by at most a hundredth of the time that passed: so it never stands still, however often
     // this is called
-    double most = (double)(now - lastHeard) * 1e-11;
-    lastHeard = now;
+    double most = (double)(now - lastCorrected) * 1e-11;
+    lastCorrected = now;
     double far = (off < 0 ? -off : off) * 1e3;
     ++offsets[far < kOffsets - 1 ? (int)far : kOffsets - 1];
     if (!(off >= -kMostOff && off <= kMostOff)) return;

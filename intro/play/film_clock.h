@@ -17,7 +17,7 @@ public:
     void start(double time, int64_t now);
     // The device reports that this time of the film is heard now. A report that is more than kMostOff
     // seconds off is ignored.
-    void hear(double time, int64_t now);
+    void correct(double time, int64_t now);
     // Must be called once a picture, with the processor time that the process has used. If the process was
     // stopped since the last call (much time passed, and it did almost nothing), the film goes on where it
     // stopped.
@@ -36,7 +36,7 @@ public:
 
 private:
     int64_t zero; // the moment of the film's first picture
-    int64_t lastHeard, lastWatch, lastProcessor;
+    int64_t lastCorrected, lastWatch, lastProcessor;
     unsigned watches;
     bool running;
 };

@@ -53,7 +53,7 @@ int64_t Playback::lose(int64_t now) {
     opened = false;
     level = 0;
     held = left = 0;
-    __atomic_store_n(&heard, false, __ATOMIC_RELEASE);
+    __atomic_store_n(&audible, false, __ATOMIC_RELEASE);
     openAt = now + kSecond;
     return kNap;
 }
@@ -110,8 +110,8 @@ void Playback::follow(int64_t now, bool full) {
     if (held && !clock->started() && full)
         clock->start(time, now);
     else if (held && clock->started() && level == 1)
-        clock->hear(time, now);
-    __atomic_store_n(&heard, quiet - left < held, __ATOMIC_RELEASE);
+        clock->correct(time, now);
+    __atomic_store_n(&audible, quiet - left < held, __ATOMIC_RELEASE);
 }
 
 } // namespace odraz

@@ -30,7 +30,7 @@ public:
     // These may be called on any thread. Paused, it fades out; silence() is true once nothing is heard any
     // more.
     void pause(bool on) { __atomic_store_n(&paused, on, __ATOMIC_RELEASE); }
-    bool silence() const { return !__atomic_load_n(&heard, __ATOMIC_ACQUIRE); }
+    bool silence() const { return !__atomic_load_n(&audible, __ATOMIC_ACQUIRE); }
 
 private:
     void fill(float to);
@@ -50,7 +50,7 @@ private:
     int left;                   // frames of the block that are not written yet
     float level;                // of the last block's end, 0 .. 1
     bool opened, sought, doubt; // doubt: the clock's time may be wrong
-    bool paused, heard;
+    bool paused, audible;
     int16_t block[2 * kSoundBlock];
 };
 
