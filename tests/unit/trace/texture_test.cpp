@@ -3,6 +3,7 @@
 #include "show/materials.h"
 #include "trace/texture/noise.h"
 
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -42,6 +43,21 @@ double plainNoise(double x, double y, double z) {
         sum += weight * (g[0] * p[0] + g[1] * p[1] + g[2] * p[2]);
     }
     return sum;
+}
+
+// The mean of colourAt(places), at random places.
+template <class ColourAt>
+std::array<double, 3> meanColourAt(std::mt19937 &random, int packets, ColourAt colourAt) {
+    std::uniform_real_distribution<float> place(-40, 40);
+    std::array<double, 3> mean = {};
+    for (int i = 0; i < packets; ++i) {
+        Vec3x8 p;
+        for (int k = 0; k < 8; ++k) p.x[k] = place(random), p.y[k] = place(random), p.z[k] = place(random);
+        Rgb8 c = colourAt(p);
+        mean[0] += (double)total(c.x), mean[1] += (double)total(c.y), mean[2] += (double)total(c.z);
+    }
+    for (double &m : mean) m /= 8. * packets;
+    return mean;
 }
 
 } // namespace
@@ -190,47 +206,28 @@ TEST(Materials, AreColoursEverywhere) {
 // The shares in a pattern's row are measured ones, and sum to 1.
 TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
     std::mt19937 random(8);
-    std::uniform_real_distribution<float> place(-40, 40);
     for (const PatternTraits &row : kPatterns) {
         EXPECT_NEAR(row.shares[0] + row.shares[1] + row.shares[2] + row.shares[3], 1, 1e-6);
         Texture t = {
             .pattern = row.pattern, .scale = 1, .palette = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
-        double sum[3] = {};
-        constexpr int kPackets = 10000;
-        for (int i = 0; i < kPackets; ++i) {
-            Vec3x8 p;
-            for (int k = 0; k < 8; ++k)
-                p.x[k] = place(random), p.y[k] = place(random), p.z[k] = place(random);
-            Rgb8 c = colour(t, p, broadcast(1e-3f));
-            for (int k = 0; k < 8; ++k)
-                sum[0] += (double)c.x[k], sum[1] += (double)c.y[k], sum[2] += (double)c.z[k];
-        }
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR((double)row.shares[c], sum[c] / (8 * kPackets), 0.03) << (int)row.pattern << ' ' << c;
+        auto shares = meanColourAt(random, 10000, [&](Vec3x8 p) { return colour(t, p, broadcast(1e-3f)); });
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR((double)row.shares[c], shares[c], 0.03) << (int)row.pattern << ' ' << c;
     }
 }
 
 // Radiosity uses the mean of a pattern: it must be the mean of what is seen.
 TEST(Material, MeanAlbedoIsTheMean) {
     std::mt19937 random(5);
-    std::uniform_real_distribution<float> place(-40, 40);
     for (const Material &m :
          {kDarkMarble, kSlate, kGranite, kOak, kLimestone, kBeamAcross, kBoards, kHallFloor}) {
-        double sum[3] = {};
-        constexpr int kPackets = 20000;
-        for (int i = 0; i < kPackets; ++i) {
-            Vec3x8 q;
-            for (int k = 0; k < 8; ++k)
-                q.x[k] = place(random), q.y[k] = place(random), q.z[k] = place(random);
+        auto mean = meanColourAt(random, 20000, [&](Vec3x8 p) {
             Int8 cell;
-            Rgb8 a = albedo(m, q, broadcast(Vec3{0, -1, 0}), broadcast(1.f), broadcast(1e-3f), cell);
-            for (int k = 0; k < 8; ++k)
-                sum[0] += (double)a.x[k], sum[1] += (double)a.y[k], sum[2] += (double)a.z[k];
-        }
-        Rgb mean = meanAlbedo(m);
-        const float stated[3] = {mean.x, mean.y, mean.z};
-        for (int c = 0; c < 3; ++c)
-            EXPECT_NEAR((double)stated[c], sum[c] / (8 * kPackets), 0.04 * (double)stated[c])
-                << (int)m.texture.pattern;
+            return albedo(m, p, broadcast(Vec3{0, -1, 0}), broadcast(1.f), broadcast(1e-3f), cell);
+        });
+        Rgb stated = meanAlbedo(m);
+        const double values[3] = {stated.x, stated.y, stated.z};
+        for (size_t c = 0; c < 3; ++c)
+            EXPECT_NEAR(values[c], mean[c], 0.04 * values[c]) << (int)m.texture.pattern;
     }
 }

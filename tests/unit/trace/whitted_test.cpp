@@ -11,29 +11,15 @@ using namespace odraz;
 
 namespace {
 
-// Glass without any other property.
-Material clearGlass(float ior) {
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.ior = ior;
-    return m;
-}
-Material mirror(float reflect) {
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.reflect = reflect;
-    return m;
-}
+// Each has no other property.
+Material clearGlass(float ior) { return {.ior = ior}; }
+Material mirror(float reflect) { return {.reflect = reflect}; }
+Material glowing(Rgb radiance) { return {.emit = radiance}; }
+
 Material shiny(Rgb diffuse, float specular, float exponent) {
     Material m = matte(diffuse);
     m.specular = specular;
     m.exponent = exponent;
-    return m;
-}
-Material glowing(Rgb radiance) {
-    Material m = matte({0, 0, 0});
-    m.diffuse = 0;
-    m.emit = radiance;
     return m;
 }
 
