@@ -42,7 +42,7 @@ extern "C" int __wrap_lstat(const char *path, struct stat *to) { return __lxstat
 extern "C" int __wrap_fstat(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 extern "C" int __wrap_fstat64(int file, struct stat *to) { return __fxstat(kStatVersion, file, to); }
 
-// Since 2.32 it tells whether there is only one thread: then some locks are left out. 0 is always right.
+// Since 2.32 it is 1 while there is one thread, and some locks are left out. 0 is always right.
 extern "C" {
 char __wrap___libc_single_threaded = 0;
 }

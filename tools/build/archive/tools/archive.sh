@@ -1,22 +1,17 @@
 # Sourced by tools/release: the archive of the tools that are of use to others, from build/portable.
 name=$FILM-tools-$version${unclean:+-unclean}-linux-x86_64
-linux=$work/tools/$name programs=
+linux=$work/tools/$name programs=(compare pack pack-link radiosity)
 mkdir -p "$linux/doc/pack" "$linux/doc/radiosity"
-for program in compare pack pack-link radiosity; do
+for program in "${programs[@]}"; do
     [ -x "$BUILD/portable/$program" ] || fail "$BUILD/portable/$program is not built: leave out --built, or build the target portable"
     cp "$BUILD/portable/$program" "$linux"
-    programs+="./$program "
 done
 TEXTS=$TEXTS/tools text README.txt
 cp "$TEXTS/LICENSE.txt" "$TEXTS/tools/NOTICES.txt" "$linux"
 cp "$ODRAZ/packer/README.md" "$ODRAZ/packer/report.png" "$linux/doc/pack"
 cp "$ODRAZ/tools/radiosity/README.md" "$ODRAZ/tools/radiosity/METHOD.md" "$linux/doc/radiosity"
 cp "$ODRAZ/tools/CI.md" "$linux/doc"
-(cd "$linux" && find . -type f -printf '%P\n' | sort | xargs sha256sum >"$work/sums" && mv "$work/sums" SHA256SUMS)
-find "$linux" -type f -exec chmod 0644 {} +
-find "$linux" -type d -exec chmod 0755 {} +
-(cd "$linux" && chmod 0755 $programs)
-find "$linux" -exec touch -d "@$seconds" {} +
+seal "$linux" "${programs[@]}"
 cd "$work/tools"
 archive "$name"
 cd "$work"
