@@ -4,9 +4,10 @@
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
+
+#include <nlohmann/json.hpp>
 
 namespace odraz::radiosity {
 
@@ -32,8 +33,8 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
         auto [entry, added] = known.try_emplace({p.page, own, key.x, key.y, key.z, emits.x, emits.y, emits.z},
                                                 materials.size());
         if (added) {
-            std::string called;
-            common::append(called, "%s%zu_page%d", own ? "pictured" : "material", materials.size(), p.page);
+            std::string called =
+                common::format("%s%zu_page%d", own ? "pictured" : "material", materials.size(), p.page);
             materials.push_back({called, p.page, own ? Rgb{} : reflects, emits, own, {}});
             area.push_back(0);
         }
@@ -52,105 +53,116 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
 
 namespace {
 
+// Its floats are written as short as they are exact
+using Json =
+    nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
+
+// OpenGL's numbers, as glTF has them
+enum {
+    kFloats = 5126,
+    kNumbers = 5125,
+    kPointData = 34962,
+    kIndexData = 34963,
+    kLinear = 9729,
+    kClamp = 33071
+};
+
 template <class T> void put(std::string &to, const T &value) {
     to.append((const char *)&value, sizeof value);
 }
 
-void putMaterial(std::string &to, const AtlasModel &m, const AtlasMaterial &a) {
-    common::append(to, "{\"name\":\"%s\",", a.name.c_str());
-    if (m.radiosity) {
-        common::append(to,
-                       "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d,\"texCoord\":1},"
-                       "\"metallicFactor\":0},\"extensions\":{\"KHR_materials_unlit\":{}}}",
-                       a.page);
-        return;
-    }
-    to += "\"pbrMetallicRoughness\":{\"metallicFactor\":0,\"roughnessFactor\":1,";
+Json textureOf(size_t index) { return {{"index", index}, {"texCoord", 1}}; }
+
+Json materialOf(const AtlasModel &m, const AtlasMaterial &a) {
+    auto page = (size_t)a.page;
+    if (m.radiosity)
+        return {{"name", a.name},
+                {"pbrMetallicRoughness", {{"baseColorTexture", textureOf(page)}, {"metallicFactor", 0}}},
+                {"extensions", {{"KHR_materials_unlit", Json::object()}}}};
+    Json surface = {{"metallicFactor", 0}, {"roughnessFactor", 1}}, lightmap = textureOf(page);
     if (a.pictured)
-        common::append(to, "\"baseColorTexture\":{\"index\":%zu,\"texCoord\":1}}", m.pages + (size_t)a.page);
+        surface["baseColorTexture"] = textureOf(m.pages + page);
     else
-        common::append(to, "\"baseColorFactor\":[%.7g,%.7g,%.7g,1]}", (double)a.reflects.x,
-                       (double)a.reflects.y, (double)a.reflects.z);
-    float most = maxComponent(a.emits), unit = most > 1 ? 1 / most : 1;
-    if (most > 0)
-        common::append(to, ",\"emissiveFactor\":[%.7g,%.7g,%.7g]", (double)(a.emits.x * unit),
-                       (double)(a.emits.y * unit), (double)(a.emits.z * unit));
-    common::append(to, ",\"extensions\":{\"MOZ_lightmap\":{\"index\":%d,\"texCoord\":1,\"intensity\":%.7g}",
-                   a.page, (double)m.one);
-    if (most > 1)
-        common::append(to, ",\"KHR_materials_emissive_strength\":{\"emissiveStrength\":%.7g}", (double)most);
-    to += "}}";
+        surface["baseColorFactor"] = {a.reflects.x, a.reflects.y, a.reflects.z, 1};
+    lightmap["intensity"] = m.one;
+    Json material = {
+        {"name", a.name}, {"pbrMetallicRoughness", surface}, {"extensions", {{"MOZ_lightmap", lightmap}}}};
+    float most = maxComponent(a.emits);
+    Rgb emits = a.emits * (most > 1 ? 1 / most : 1);
+    if (most > 0) material["emissiveFactor"] = {emits.x, emits.y, emits.z};
+    if (most > 1) material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", most}};
+    return material;
 }
 
 } // namespace
 
 void writeGltf(const AtlasModel &m, const std::string &path, const std::string &binary) {
-    // Write positions, normals and coordinates; then the triangles of each material
+    // Positions, normals and coordinates; then the triangles of each material
     std::string bytes;
+    Json views = Json::array(), accessors = Json::array();
+    auto add = [&](size_t begin, int target, int kind, size_t count, const char *type) {
+        accessors.push_back(
+            {{"bufferView", views.size()}, {"componentType", kind}, {"count", count}, {"type", type}});
+        views.push_back(
+            {{"buffer", 0}, {"byteOffset", begin}, {"byteLength", bytes.size() - begin}, {"target", target}});
+    };
+    size_t count = m.points.size();
     Vec3 lo = m.points.empty() ? Vec3{} : m.points[0].p, hi = lo;
-    std::vector<Vec3> normals;
-    for (size_t i = 0; i + 1 < m.first.size(); ++i)
-        normals.resize((size_t)m.first[i + 1], m.solution.charts[(size_t)m.solution.facets[i].chart].n);
     for (const AtlasPoint &p : m.points) {
         put(bytes, p.p);
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.p.*k), hi.*k = std::max(hi.*k, p.p.*k);
     }
-    for (const Vec3 &n : normals) put(bytes, n);
+    add(0, kPointData, kFloats, count, "VEC3");
+    accessors[0]["min"] = {lo.x, lo.y, lo.z}, accessors[0]["max"] = {hi.x, hi.y, hi.z};
+    size_t begin = bytes.size();
+    for (size_t i = 0; i + 1 < m.first.size(); ++i)
+        for (int p = m.first[i]; p < m.first[i + 1]; ++p)
+            put(bytes, m.solution.charts[(size_t)m.solution.facets[i].chart].n);
+    add(begin, kPointData, kFloats, count, "VEC3");
+    begin = bytes.size();
     for (const AtlasPoint &p : m.points) put(bytes, p.u), put(bytes, p.v);
-    size_t count = m.points.size(), begin = bytes.size();
-    std::string views, accessors, primitives, materials, images, textures;
-    auto view = [&](size_t from, size_t length, int target) {
-        common::append(views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu,\"target\":%d}",
-                       views.empty() ? "" : ",", from, length, target);
-    };
-    view(0, count * 12, 34962), view(count * 12, count * 12, 34962), view(count * 24, count * 8, 34962);
-    common::append(
-        accessors,
-        "{\"bufferView\":0,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\",\"min\":[%.9g,%.9g,%.9g],"
-        "\"max\":[%.9g,%.9g,%.9g]}",
-        count, (double)lo.x, (double)lo.y, (double)lo.z, (double)hi.x, (double)hi.y, (double)hi.z);
-    common::append(accessors, ",{\"bufferView\":1,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC3\"}",
-                   count);
-    common::append(accessors, ",{\"bufferView\":2,\"componentType\":5126,\"count\":%zu,\"type\":\"VEC2\"}",
-                   count);
+    add(begin, kPointData, kFloats, count, "VEC2");
+    Json primitives = Json::array(), materials = Json::array(), images = Json::array(),
+         textures = Json::array();
+    Json extensions = {m.radiosity ? "KHR_materials_unlit" : "MOZ_lightmap"};
     bool bright = false;
-    for (size_t k = 0; k < m.materials.size(); ++k) {
-        const AtlasMaterial &a = m.materials[k];
+    for (const AtlasMaterial &a : m.materials) {
+        begin = bytes.size();
         for (int i : a.facets)
             for (int p = m.first[(size_t)i]; p + 2 < m.first[(size_t)i + 1]; ++p)
                 for (int corner : {m.first[(size_t)i], p + 1, p + 2}) put(bytes, (uint32_t)corner);
-        view(begin, bytes.size() - begin, 34963);
-        common::append(accessors,
-                       ",{\"bufferView\":%zu,\"componentType\":5125,\"count\":%zu,\"type\":\"SCALAR\"}",
-                       k + 3, (bytes.size() - begin) / 4);
-        common::append(primitives,
-                       "%s{\"attributes\":{\"POSITION\":0,\"NORMAL\":1,\"TEXCOORD_0\":2,\"TEXCOORD_1\":2},"
-                       "\"indices\":%zu,\"material\":%zu}",
-                       k ? "," : "", k + 3, k);
-        if (k) materials += ',';
-        putMaterial(materials, m, a);
+        primitives.push_back(
+            {{"attributes", {{"POSITION", 0}, {"NORMAL", 1}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}},
+             {"indices", accessors.size()},
+             {"material", materials.size()}});
+        add(begin, kIndexData, kNumbers, (bytes.size() - begin) / 4, "SCALAR");
+        materials.push_back(materialOf(m, a));
         bright |= maxComponent(a.emits) > 1;
-        begin = bytes.size();
     }
+    if (bright) extensions.push_back("KHR_materials_emissive_strength");
     for (size_t i = 0; i < m.pages * (m.pictured ? 2 : 1); ++i) {
-        common::append(images, "%s{\"uri\":\"%s-%zu.png\"}", i ? "," : "",
-                       i < m.pages ? m.name.c_str() : "reflectance", i % m.pages);
-        common::append(textures, "%s{\"source\":%zu,\"sampler\":0}", i ? "," : "", i);
+        std::string name = i < m.pages ? m.name : "reflectance";
+        images.push_back({{"uri", name + "-" + std::to_string(i % m.pages) + ".png"}});
+        textures.push_back({{"source", i}, {"sampler", 0}});
     }
-    std::string file = binary.substr(binary.rfind('/') + 1);
-    std::string json =
-        "{\"asset\":{\"version\":\"2.0\",\"generator\":\"odraz radiosity\"},\"extensionsUsed\":[";
-    json += m.radiosity ? "\"KHR_materials_unlit\"" : "\"MOZ_lightmap\"";
-    if (bright) json += ",\"KHR_materials_emissive_strength\"";
-    json +=
-        "],\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[" +
-        primitives + "]}],\"materials\":[" + materials + "],\"textures\":[" + textures + "],\"images\":[" +
-        images + "],\"samplers\":[{\"magFilter\":9729,\"minFilter\":9729," +
-        "\"wrapS\":33071,\"wrapT\":33071}],\"accessors\":[" + accessors + "],\"bufferViews\":[" + views +
-        "],\"buffers\":[{\"uri\":\"" + file + "\",\"byteLength\":" + std::to_string(bytes.size()) + "}]}\n";
+    Json sampler = {{"magFilter", kLinear}, {"minFilter", kLinear}, {"wrapS", kClamp}, {"wrapT", kClamp}};
+    Json all = {{"asset", {{"version", "2.0"}, {"generator", "odraz radiosity"}}},
+                {"extensionsUsed", extensions},
+                {"scene", 0},
+                {"scenes", Json::array({{{"nodes", Json::array({0})}}})},
+                {"nodes", Json::array({{{"mesh", 0}}})},
+                {"meshes", Json::array({{{"primitives", primitives}}})},
+                {"materials", materials},
+                {"textures", textures},
+                {"images", images},
+                {"samplers", Json::array({sampler})},
+                {"accessors", accessors},
+                {"bufferViews", views},
+                {"buffers", Json::array({{{"uri", binary.substr(binary.rfind('/') + 1)},
+                                          {"byteLength", bytes.size()}}})}};
     common::writeWhole(binary, bytes);
-    common::writeWhole(path, json);
+    common::writeWhole(path, all.dump() + "\n");
 }
 
 } // namespace odraz::radiosity
