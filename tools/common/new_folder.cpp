@@ -14,10 +14,10 @@ namespace common {
 NewFolder::NewFolder(std::string named) : path(std::move(named)) {
     while (path.size() > 1 && path.back() == '/') path.pop_back();
     std::error_code wrong;
-    if (std::filesystem::exists(path, wrong) &&
-        (!std::filesystem::is_directory(path, wrong) || !std::filesystem::is_empty(path, wrong)))
+    bool exists = std::filesystem::exists(path, wrong);
+    if (exists && (!std::filesystem::is_directory(path, wrong) || !std::filesystem::is_empty(path, wrong)))
         throw Refused(path + ": exists already: name a folder that is new or empty");
-    checkWritable(path);
+    if (!exists) checkWritable(path);
     errno = EEXIST;
     for (int i = 0; i < 100 && errno == EEXIST; ++i) {
         part = path + "." + std::to_string(getpid() + i) + ".part";
