@@ -3,7 +3,6 @@
 #include "tools/common/clock.h"
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace odraz {
 
@@ -35,55 +34,10 @@ TransferRows rowsOf(const SolvedHall &solved, bool suns) {
     return t;
 }
 
-std::vector<int> blocksOf(const Model &m, int clusters) {
-    // Position and normal; the normal's factor makes a right angle count like several metres
-    std::vector<std::array<float, 6>> at;
-    for (int i = 0; i < m.texelCount; ++i) {
-        const Texel &t = m.texels[i];
-        const Chart &c = m.charts[t.chart];
-        Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps),
-                      (float)t.y * c.height / (float)(c.down * kSteps));
-        at.push_back({p.x, p.y, p.z, c.n.x * 6, c.n.y * 6, c.n.z * 6});
-    }
-    std::vector<int> order((size_t)m.texelCount), block((size_t)m.texelCount);
-    std::iota(order.begin(), order.end(), 0);
-    int next = 0;
-    std::function<void(size_t, size_t, int)> divide = [&](size_t begin, size_t end, int parts) {
-        if (parts <= 1) {
-            for (size_t i = begin; i < end; ++i) block[(size_t)order[i]] = next;
-            ++next;
-            return;
-        }
-        size_t widest = 0;
-        float most = -1;
-        for (size_t axis = 0; axis < 6; ++axis) {
-            float lo = INFINITY, hi = -INFINITY;
-            for (size_t i = begin; i < end; ++i) {
-                lo = std::min(lo, at[(size_t)order[i]][axis]);
-                hi = std::max(hi, at[(size_t)order[i]][axis]);
-            }
-            if (hi - lo > most) most = hi - lo, widest = axis;
-        }
-        size_t middle = begin + (end - begin) * (size_t)(parts / 2) / (size_t)parts;
-        auto from = order.begin();
-        std::nth_element(from + (long)begin, from + (long)middle, from + (long)end, [&](int a, int b) {
-            float x = at[(size_t)a][widest], y = at[(size_t)b][widest];
-            return x != y ? x < y : a < b;
-        });
-        divide(begin, middle, parts / 2);
-        divide(middle, end, parts - parts / 2);
-    };
-    divide(0, order.size(), clusters);
-    return block;
-}
-
 Compressed compressed(const TransferRows &rows, const std::vector<int> &seeds, const PcaSettings &settings,
                       Workers &workers) {
     Compressed c;
-    size_t bytes = ((size_t)settings.clusters * (size_t)(1 + settings.dimensions) * (size_t)rows.columns +
-                    (size_t)rows.rows * (size_t)(settings.dimensions + 3) + (size_t)settings.clusters) *
-                       sizeof(float) +
-                   4096;
+    size_t bytes = compressBytes(rows.rows, rows.columns, settings) + (size_t)rows.rows * sizeof(int);
     c.memory = std::make_unique<HeapArena>(bytes);
     c.pca = {};
     c.pca.rows = rows.rows, c.pca.columns = rows.columns, c.pca.data = rows.data.data();

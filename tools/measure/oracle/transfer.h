@@ -4,6 +4,7 @@
 
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/radiosity/transfer/clustered_pca.h"
+#include "tools/radiosity/transfer/clusters.h"
 
 #include <memory>
 #include <string>
@@ -18,8 +19,10 @@ struct TransferRows {
     std::vector<float> data;
 };
 TransferRows rowsOf(const SolvedHall &hall, bool suns);
-// Divides the texels into `clusters` blocks of equal size, by position and direction.
-std::vector<int> blocksOf(const Model &model, int clusters);
+// Blocks of the hall's texels (clusters.h); a right angle counts like several metres.
+inline std::vector<int> blocksOf(const Model &m, int count) {
+    return blocksOf({m.texels, (size_t)m.texelCount}, m.charts, count, 6);
+}
 
 struct Compressed {
     std::unique_ptr<HeapArena> memory;

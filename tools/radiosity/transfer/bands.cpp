@@ -1,13 +1,13 @@
 #include "tools/radiosity/transfer/bands.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace odraz::radiosity {
 
 namespace {
 
 constexpr int kLast = kMostBands - 1;
-constexpr double kPiD = 3.14159265358979323846;
 
 // Normalisation of the orders of band 5, with the Condon-Shortley phase. The polynomials in bandFive() are
 // the derivatives of Legendre's.
@@ -17,7 +17,7 @@ struct Norms {
         double ratio = 1; // (l - m)! / (l + m)!
         for (int m = 0; m <= kLast; ++m) {
             if (m > 0) ratio /= (double)((kLast + m) * (kLast - m + 1));
-            double norm = std::sqrt((2 * kLast + 1) / (4 * kPiD) * ratio * (m > 0 ? 2 : 1));
+            double norm = std::sqrt((2 * kLast + 1) / (4 * std::numbers::pi) * ratio * (m > 0 ? 2 : 1));
             of[m] = (float)(m & 1 ? -norm : norm);
         }
     }
@@ -62,7 +62,7 @@ Rgb radiance(const BandLight &light, int bands, const Vec3 &d) {
 }
 
 Turn turnAbout(const Vec3 &a, double degrees) {
-    double angle = degrees * kPiD / 180;
+    double angle = degrees * std::numbers::pi / 180;
     auto c = (float)std::cos(angle), s = (float)std::sin(angle), t = 1 - c;
     return {{t * a.x * a.x + c, t * a.x * a.y - s * a.z, t * a.x * a.z + s * a.y},
             {t * a.x * a.y + s * a.z, t * a.y * a.y + c, t * a.y * a.z - s * a.x},

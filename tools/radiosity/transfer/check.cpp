@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
 constexpr int kPictureRows = 512;
 
 // A lobe around a direction, as wide as a cosine to the power of `exponent`.
@@ -31,9 +31,10 @@ std::vector<Rgb> fresh(const Mesh &mesh, const TransferSettings &s, int rays, co
     return solveModel(mesh, settings, {}, workers, stop, {}).solution.light;
 }
 
-void printErrors(const char *name, const std::vector<Rgb> &rows, const std::vector<Rgb> &clusters,
+void printErrors(const std::string &name, const std::vector<Rgb> &rows, const std::vector<Rgb> &clusters,
                  const std::vector<Rgb> &exact, const std::vector<Rgb> *others) {
-    std::printf("%-24s %9.3f %9.3f", name, 100 * difference(rows, exact), 100 * difference(clusters, exact));
+    std::printf("    %-20s %9.3f %9.3f", name.c_str(), 100 * difference(rows, exact),
+                100 * difference(clusters, exact));
     if (others) std::printf(" %9.2f", 100 * difference(rows, *others));
     std::printf("\n");
 }
@@ -44,7 +45,7 @@ std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ) {
     auto place = [&](float x, float y, float z) { return asInModel({x, y, z}, upIsZ); };
     std::vector<TriedSky> all(5);
     const char *names[] = {"even", "gradient", "glow", "two lights", "random"};
-    auto even = (float)std::sqrt(4 * kPiD);
+    auto even = (float)std::sqrt(4 * std::numbers::pi);
     for (size_t i = 0; i < all.size(); ++i) {
         all[i].name = names[i];
         all[i].light = {};
@@ -69,10 +70,10 @@ SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ) {
     SkyPicture sky = {2 * kPictureRows, kPictureRows, {}, upIsZ};
     for (int j = 0; j < sky.height; ++j)
         for (int first = 0; first < sky.width; first += 8) {
-            double down = kPiD * (j + 0.5) / sky.height;
+            double down = std::numbers::pi * (j + 0.5) / sky.height;
             Vec3x8 d;
             for (int k = 0; k < 8; ++k) {
-                double around = 2 * kPiD * ((first + k + 0.5) / sky.width - 0.5);
+                double around = 2 * std::numbers::pi * ((first + k + 0.5) / sky.width - 0.5);
                 Vec3 q = asInModel({(float)(std::sin(down) * std::sin(around)), (float)std::cos(down),
                                     (float)(-std::sin(down) * std::cos(around))},
                                    upIsZ);
@@ -109,6 +110,20 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
     return all > 0 ? std::sqrt(lost / all) : lost > 0 ? INFINITY : 0;
 }
 
+Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
+                     const std::vector<float> &scale, size_t floats, Workers &workers) {
+    Clusters one = {.count = 1,
+                    .rank = 0,
+                    .columns = room.columns(),
+                    .of = std::vector<int>(room.texels()),
+                    .axes = {},
+                    .weights = {}};
+    int rank = 1;
+    while (one.floats(rank) < floats) ++rank;
+    if (rank > kMostRank) return one;
+    return findClusters(rows, one.columns, scale, one.of, 1, rank, workers);
+}
+
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop) {
     auto stopped = [stop] { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; };
@@ -130,15 +145,14 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         std::vector<Rgb> others; // takes longer, so not for all
         if (exact.size() % 2) others = freshLight(mesh, settings, 0, sky, workers, stop);
         if (stopped()) return false;
-        printErrors(("    " + sky.name).c_str(), rows, clusters, exact.back(),
-                    others.empty() ? nullptr : &others);
+        printErrors(sky.name, rows, clusters, exact.back(), others.empty() ? nullptr : &others);
     }
     if (!room.lamps.empty()) {
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 1.f);
         relight({});
         std::vector<Rgb> lit = freshLamps(mesh, settings, rays, workers, stop);
         if (stopped()) return false;
-        printErrors("    all lamps", rows, clusters, lit, nullptr);
+        printErrors("all lamps", rows, clusters, lit, nullptr);
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
     }
     for (const std::string &path : skies) {
@@ -148,7 +162,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         relight(sky.light);
         std::vector<Rgb> lit = freshLight(mesh, settings, rays, sky, workers, stop);
         if (stopped()) return false;
-        printErrors(("    " + sky.name).c_str(), rows, clusters, lit, nullptr);
+        printErrors(sky.name, rows, clusters, lit, nullptr);
         std::printf("        (%s)\n", lossOf(sky.name, projected, room.bands).c_str());
     }
 
@@ -179,24 +193,16 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         size_t floats = many.floats(rank);
         std::printf("%7.2f %6d %12.3f %13.3f", (double)floats * 4e-6, rank,
                     100 * lossOf(many, matrix, scale, rank), 100 * worst(many));
-        Clusters one = {.count = 1,
-                        .rank = 0,
-                        .columns = room.columns(),
-                        .of = std::vector<int>(room.texels()),
-                        .axes = {},
-                        .weights = {}};
-        int same = 0;
-        while (one.floats(same) < floats) ++same;
-        if (same > kMostRank) {
-            std::printf("     more than %d\n", kMostRank);
-            continue;
-        }
-        one = findClusters(matrix, room.columns(), scale, one.of, 1, same, stopping);
+        Clusters one = oneSubspace(room, matrix, scale, floats, stopping);
         if (stopped()) {
             std::printf("\n"); // ends the row
             return false;
         }
-        std::printf(" %8d %12.3f %13.3f\n", same, 100 * lossOf(one, matrix, scale, same), 100 * worst(one));
+        if (one.rank == 0)
+            std::printf("     more than %d\n", kMostRank);
+        else
+            std::printf(" %8d %12.3f %13.3f\n", one.rank, 100 * lossOf(one, matrix, scale, one.rank),
+                        100 * worst(one));
     }
     std::printf(
         "of the rows: of the whole matrix (Frobenius); of the light: the worst of the skies above, rms\n");

@@ -1,4 +1,4 @@
-// How far a room's light is from solutions made for that very light: what `transfer --check` tells.
+// How far a room's light is from solutions made for that very light: what `transfer --check` prints.
 #pragma once
 
 #include "tools/engine/machine.h"
@@ -18,8 +18,8 @@ struct TriedSky {
     std::vector<Sun> suns;
 };
 
-// Environments that so many bands hold entirely: an even one, a gradient, a glow near the horizon, two lights
-// and random coefficients.
+// Environments that this number of bands holds entirely: an even one, a gradient, a glow near the horizon,
+// two lights and random coefficients.
 std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
 // A band-limited light as a picture, fine enough that reading it changes little (1e-4).
 SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
@@ -34,6 +34,11 @@ std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, 
 
 // Root mean square of a - b as a share of b's.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
+
+// One subspace for all rows of a room, of the fewest axes that take as much memory as `floats`; without axes
+// where that is more than kMostRank.
+Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
+                     const std::vector<float> &scale, size_t floats, Workers &workers);
 
 // Prints tables: errors by rows and by clusters under band-limited skies and those given, what the bands lose
 // of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false as soon as

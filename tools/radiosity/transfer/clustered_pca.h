@@ -37,6 +37,14 @@ struct ClusteredPca {
     const float *axesOf(int c) const { return axes + (size_t)c * (size_t)(1 + dimensions) * (size_t)columns; }
 };
 
+// The bytes that compress() takes from its arena.
+inline size_t compressBytes(int rows, int columns, const PcaSettings &s) {
+    return ((size_t)s.clusters * ((size_t)(1 + s.dimensions) * (size_t)columns + 1) +
+            (size_t)rows * (size_t)(s.dimensions + 1)) *
+               sizeof(float) +
+           4096;
+}
+
 // Compresses the rows. The caller sets p.data, p.rows and p.columns, and in `p.cluster` the cluster that each
 // row starts in (0 .. settings.clusters - 1); compress() changes `p.cluster`. False when the arena is full.
 bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Workers &workers);

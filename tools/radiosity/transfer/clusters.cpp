@@ -95,10 +95,7 @@ Clusters findClusters(const std::vector<float> &rows, int columns, const std::ve
     std::vector<float> scaled(rows.size());
     for (size_t i = 0; i < rows.size(); ++i) scaled[i] = rows[i] * scale[i % width];
     PcaSettings settings = {.clusters = count, .dimensions = (rank + 7) & ~7};
-    HeapArena memory(((size_t)count * (size_t)(1 + settings.dimensions) * width +
-                      seeds.size() * (size_t)(settings.dimensions + 2) + (size_t)count) *
-                         sizeof(float) +
-                     4096);
+    HeapArena memory(compressBytes((int)seeds.size(), columns, settings));
     ClusteredPca p = {};
     p.rows = (int)seeds.size(), p.columns = columns, p.data = scaled.data(), p.cluster = seeds.data();
     if (!compress(p, settings, memory.arena, workers)) throw std::runtime_error("there is not enough memory");
@@ -110,20 +107,23 @@ Clusters findClusters(const std::vector<float> &rows, int columns, const std::ve
 }
 
 std::vector<int> blocksOf(const Solution &model, int count) {
-    // Place and normal; a right angle counts like half of the model's size
+    return blocksOf(model.texels, model.charts.data(), count);
+}
+
+std::vector<int> blocksOf(std::span<const Texel> texels, const Chart *charts, int count, float normal) {
     std::vector<std::array<float, 6>> at;
     std::array<float, 3> lo = {kInfinity, kInfinity, kInfinity}, hi = {-kInfinity, -kInfinity, -kInfinity};
-    for (const Texel &t : model.texels) {
-        const Chart &c = model.charts[(size_t)t.chart];
+    for (const Texel &t : texels) {
+        const Chart &c = charts[t.chart];
         Vec3 p = c.at((float)t.x * c.width / (float)(c.across * kSteps),
                       (float)t.y * c.height / (float)(c.down * kSteps));
         at.push_back({p.x, p.y, p.z, c.n.x, c.n.y, c.n.z});
         for (size_t k = 0; k < 3; ++k)
             lo[k] = std::min(lo[k], at.back()[k]), hi[k] = std::max(hi[k], at.back()[k]);
     }
-    float size = std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
+    if (normal == 0) normal = 0.35f * std::max({hi[0] - lo[0], hi[1] - lo[1], hi[2] - lo[2]});
     for (auto &a : at)
-        for (size_t k = 3; k < 6; ++k) a[k] *= 0.35f * size;
+        for (size_t k = 3; k < 6; ++k) a[k] *= normal;
     std::vector<int> order(at.size()), block(at.size());
     std::iota(order.begin(), order.end(), 0);
     int next = 0;

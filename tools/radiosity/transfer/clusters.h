@@ -6,8 +6,10 @@
 #pragma once
 
 #include "base/parallel.h"
+#include "radiosity/model.h"
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace odraz::radiosity {
@@ -36,7 +38,9 @@ inline constexpr int kMostClusters = 4096, kMostRank = 32;
 Clusters findClusters(const std::vector<float> &rows, int columns, const std::vector<float> &scale,
                       std::vector<int> seeds, int count, int rank, Workers &workers);
 
-// Divides the texels into blocks of equal size, by place and direction: seeds.
+// Divides texels into blocks of equal size, by their places and normals: seeds. `normal`: the length, in
+// world units, that a normal counts as; 0: 0.35 of the model's size.
+std::vector<int> blocksOf(std::span<const Texel> texels, const Chart *charts, int count, float normal = 0);
 std::vector<int> blocksOf(const Solution &model, int count);
 
 // The root mean square of what a row loses with the first `rank` axes, as a share of the rows' own; columns

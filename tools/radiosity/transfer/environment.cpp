@@ -1,19 +1,20 @@
 #include "tools/radiosity/transfer/environment.h"
 
 #include "tools/common/arguments.h"
+#include "tools/common/text.h"
 #include "tools/radiosity/read/upright.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <vector>
 
 namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
-constexpr int kLeastRows = 128; // pixels of small pictures are divided until there are so many
+constexpr int kLeastRows = 128; // of pixels: those of smaller pictures are divided
 
 } // namespace
 
@@ -23,14 +24,15 @@ Projected project(const HdrPicture &picture, bool upIsZ) {
     int rows = picture.height * parts, columns = picture.width * partsAround;
     double sum[kMostSh][3] = {}, energy = 0;
     for (int j = 0; j < rows; ++j) {
-        double above = std::cos(kPiD * j / rows), below = std::cos(kPiD * (j + 1) / rows);
-        double solidAngle = 2 * kPiD / columns * (above - below), y = (above + below) / 2,
+        double above = std::cos(std::numbers::pi * j / rows),
+               below = std::cos(std::numbers::pi * (j + 1) / rows);
+        double solidAngle = 2 * std::numbers::pi / columns * (above - below), y = (above + below) / 2,
                r = std::sqrt(std::max(1 - y * y, 0.));
         const float *line = &picture.pixels[(size_t)(j / parts) * (size_t)picture.width * 3];
         for (int first = 0; first < columns; first += 8) {
             Vec3x8 d;
             for (int k = 0; k < 8; ++k) {
-                double around = 2 * kPiD * ((first + k + 0.5) / columns - 0.5);
+                double around = 2 * std::numbers::pi * ((first + k + 0.5) / columns - 0.5);
                 Vec3 q = asInModel({(float)(r * std::sin(around)), (float)y, (float)(-r * std::cos(around))},
                                    upIsZ);
                 d.x[k] = q.x, d.y[k] = q.y, d.z[k] = q.z;
@@ -59,7 +61,7 @@ Projected project(const HdrPicture &picture, bool upIsZ) {
 
 Projected project(const Rgb &even) {
     Projected p;
-    p.light[0] = even * (float)std::sqrt(4 * kPiD);
+    p.light[0] = even * (float)std::sqrt(4 * std::numbers::pi);
     std::fill(std::begin(p.held), std::end(p.held), 1.);
     return p;
 }
@@ -75,11 +77,9 @@ Projected readEnvironment(const std::string &option, const std::string &text, bo
 }
 
 std::string lossOf(const std::string &name, const Projected &p, int bands) {
-    char text[120];
     double held = p.held[bands - 1];
-    std::snprintf(text, sizeof text, ": %d bands hold %.1f %% of its energy and lose %.1f %%", bands,
-                  100 * held, 100 * (1 - held));
-    return name + text;
+    return name + common::format(": %d bands hold %.1f %% of its energy and lose %.1f %%", bands, 100 * held,
+                                 100 * (1 - held));
 }
 
 } // namespace odraz::radiosity

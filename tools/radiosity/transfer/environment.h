@@ -24,7 +24,7 @@ Projected project(const Rgb &even);
 // Reads what --sky takes: R,G,B or the name of a picture. Throws Refused.
 Projected readEnvironment(const std::string &option, const std::string &text, bool upIsZ);
 
-// One line: what share of the energy so many bands hold, and what they lose.
+// One line: the share of the energy that this number of bands holds, and the rest, which they lose.
 std::string lossOf(const std::string &name, const Projected &projected, int bands);
 
 } // namespace odraz::radiosity

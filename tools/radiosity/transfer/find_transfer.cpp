@@ -21,7 +21,7 @@ class TransferFinder {
 public:
     TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
                    const std::function<void(const char *, float)> &progress, TransferReport &report)
-        : mesh(mesh), s(s), workers(workers), told(progress), report(report),
+        : mesh(mesh), s(s), workers(workers), progress(progress), report(report),
           task(mesh, s.solve, workers, &kNever, none), lamps(lampsOf(mesh, s.solve.surroundings)) {
         joinLamps(lamps, report.notes);
         report.notes.insert(report.notes.begin(), task.report.notes.begin(), task.report.notes.end());
@@ -29,7 +29,7 @@ public:
 
     TransferRoom find() {
         lap();
-        tell("dividing", 0);
+        show("dividing", 0);
         RayTree tree(cornersOf(mesh));
         LightGrid grid(task.regions, tree, workers);
         task.findPictured(task.regions.charts, grid.cells, report.notes);
@@ -41,7 +41,7 @@ public:
         solve(columns, rays, grid, tree);
         spread(columns, rays, grid);
         report.seconds[1] = lap();
-        tellClosed();
+        noteClosed();
         compressRows();
         report.seconds[2] = lap();
         findGlossyCharts(columns, grid, tree);
@@ -56,7 +56,7 @@ private:
     const Mesh &mesh;
     const TransferSettings &s;
     Workers &workers;
-    const std::function<void(const char *, float)> &told;
+    const std::function<void(const char *, float)> &progress;
     TransferReport &report;
     SolveTask task;
     std::vector<LampSource> lamps;
@@ -64,8 +64,8 @@ private:
     TransferRoom room;
     double last = common::processorSeconds();
 
-    void tell(const char *step, float done) {
-        if (told) told(step, done);
+    void show(const char *step, float done) {
+        if (progress) progress(step, done);
     }
     double lap() {
         double now = common::processorSeconds(), took = now - last;
@@ -85,7 +85,7 @@ private:
             refuseMemory(bytes, s.solve.memory, "larger elements, fewer rays or fewer bands need less");
         rays.setRays(std::vector<uint16_t>(sites, (uint16_t)count));
         for (size_t first = 0, piece = std::max(sites / 50, (size_t)256); first < sites; first += piece) {
-            tell("rays", (float)first / (float)sites);
+            show("rays", (float)first / (float)sites);
             rays.findRows(first, std::min(first + piece, sites), workers);
         }
         report.seconds[0] = lap();
@@ -93,7 +93,7 @@ private:
 
     // Light from outside, of radiance 1 times every function of the bands.
     void addBands(ColumnSystem &to, const RaySystem &rays) {
-        tell("bands", 0);
+        show("bands", 0);
         int functions = s.bands * s.bands;
         rays.alongOpenRays(
             [&](size_t site, const Vec3 &d) {
@@ -109,7 +109,7 @@ private:
     // Light of lamp `k` at the sites: along rays if much of the model emits, else direct.
     void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
                  const RayTree &tree) {
-        tell("lamps", (float)k / (float)lamps.size());
+        show("lamps", (float)k / (float)lamps.size());
         Mesh alone = mesh;
         for (size_t i = 0; i < alone.materials.size(); ++i) {
             const auto &own = lamps[k].materials;
@@ -148,11 +148,11 @@ private:
         room.lampOf.assign(task.regions.charts.size(), -1);
         addBands(columns, rays);
         for (size_t k = 0; k < lamps.size(); ++k) addLamp(k, columns, rays, grid, tree);
-        tell("solving", 0);
+        show("solving", 0);
         report.sweeps = columns.solve(s.solve.residual, workers);
     }
 
-    void tellClosed() {
+    void noteClosed() {
         const float *even = room.plane(0, 0);
         if (std::all_of(even, even + room.texels(), [](float x) { return x == 0; }))
             report.notes.emplace_back("no light from outside gets in: only the lamps light this room");
@@ -160,7 +160,7 @@ private:
 
     // From the sites to the planes of the texels.
     void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
-        tell("spreading", 0);
+        show("spreading", 0);
         auto width = (size_t)columns.columns();
         std::vector<float> texels(grid.texels.size() * width);
         rays.atTexels(kShared, columns.arrives(), (int)width, texels.data(), workers);
@@ -185,7 +185,7 @@ private:
     }
 
     void compressRows() {
-        tell("clusters", 0);
+        show("clusters", 0);
         std::vector<float> rows = room.rows();
         int most = (int)std::min(room.texels(), (size_t)kMostClusters),
             clusters = std::min(s.clusters > 0 ? s.clusters : usualClusters(room.texels(), s.bands), most);
@@ -244,7 +244,7 @@ private:
             }
         };
         for (size_t i = 0; i < charts.size(); ++i) {
-            tell("gloss", (float)i / (float)charts.size());
+            show("gloss", (float)i / (float)charts.size());
             const Chart &c = room.model.charts[charts[i]];
             room.gloss.push_back(squaresOf(c, (int)charts[i], lights(), side));
             findGloss(room.gloss.back(), c, kGlossRays, s.exponent, arrives, workers);

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kPiD = 3.14159265358979323846;
 constexpr int kMostGlossClusters = 64;
 
 // Directions that cover the half-space about z evenly: a spiral (Vogel's, lifted).
@@ -35,7 +35,7 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
     constexpr int kPadded = 32; // 25 coefficients
     int columns = 3 * g.bases;
     std::vector<float> radiances((size_t)columns), sums((size_t)(columns * kPadded));
-    auto solidAngle = (float)(2 * kPiD / (double)directions.size());
+    auto solidAngle = (float)(2 * std::numbers::pi / (double)directions.size());
     for (const Vec3 &local : directions) {
         Vec3 d = c.u * local.x + c.v * local.y + c.n * local.z;
         std::fill(radiances.begin(), radiances.end(), 0.f);
@@ -108,10 +108,7 @@ void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const A
     int wide = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
         high = g.clusters / wide;
     PcaSettings settings = {.clusters = g.clusters, .dimensions = count > 1 ? 16 : 0, .rounds = 2};
-    HeapArena memory(((size_t)g.clusters * (size_t)(1 + settings.dimensions) * width +
-                      (size_t)count * (size_t)(settings.dimensions + 3) + (size_t)g.clusters) *
-                         sizeof(float) +
-                     4096);
+    HeapArena memory(compressBytes(count, columns, settings));
     ClusteredPca p = {};
     p.rows = count, p.columns = columns, p.data = matrices.data();
     std::vector<int> seeds((size_t)count);

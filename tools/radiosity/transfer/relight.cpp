@@ -33,16 +33,15 @@ Relighter::Relighter(const TransferRoom &room) : room(room), model(std::make_uni
     for (auto &plane : sums) plane.resize(room.stride());
 }
 
-void Relighter::relight(const Lighting &lighting, std::vector<Rgb> &light) {
-    if (lighting.rank >= 0) return relight(room.clusters, lighting, light);
-    float *const planes[3] = {sums[0].data(), sums[1].data(), sums[2].data()};
-    odraz::relight(radiosity, *model, lightVector(room, lighting), planes);
-    light.resize(room.texels());
-    for (size_t t = 0; t < light.size(); ++t) light[t] = {planes[0][t], planes[1][t], planes[2][t]};
-}
-
 void Relighter::relight(const Clusters &c, const Lighting &lighting, std::vector<Rgb> &light) {
     LightVector v = lightVector(room, lighting);
+    light.resize(room.texels());
+    if (lighting.rank < 0) {
+        float *const planes[3] = {sums[0].data(), sums[1].data(), sums[2].data()};
+        odraz::relight(radiosity, *model, v, planes);
+        for (size_t t = 0; t < light.size(); ++t) light[t] = {planes[0][t], planes[1][t], planes[2][t]};
+        return;
+    }
     int rank = std::min(lighting.rank, c.rank), bases = room.bases();
     std::vector<Rgb> shown((size_t)c.count * (size_t)(1 + rank)); // the means and axes under this light
     for (int k = 0; k < c.count; ++k)
@@ -53,7 +52,6 @@ void Relighter::relight(const Clusters &c, const Lighting &lighting, std::vector
                 sum += v.bounced[i] * Rgb{axis[3 * i], axis[3 * i + 1], axis[3 * i + 2]};
             shown[(size_t)(k * (1 + rank) + d)] = sum;
         }
-    light.resize(room.texels());
     for (size_t t = 0; t < light.size(); ++t) {
         const Rgb *of = &shown[(size_t)(c.of[t] * (1 + rank))];
         const float *weights = c.weights.data() + t * (size_t)c.rank;
@@ -70,12 +68,16 @@ void lightLamps(const TransferRoom &room, const Lighting &l, Solution &model) {
             model.emits[c] = model.emits[c] * ((size_t)lamp < l.lamps.size() ? l.lamps[(size_t)lamp] : 1.f);
 }
 
+void Relighter::show(const Clusters &clusters, const Lighting &lighting, const Vec3 *eye, Solution &to) {
+    relight(clusters, lighting, to.light);
+    for (Rgb &l : to.light) l = {std::max(l.x, 0.f), std::max(l.y, 0.f), std::max(l.z, 0.f)};
+    lightLamps(room, lighting, to);
+    if (eye) showGloss(room.gloss, to, lightVector(room, lighting), *eye, room.polish);
+}
+
 Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3 *eye) {
     Solution model = room.model;
-    Relighter(room).relight(lighting, model.light);
-    for (Rgb &l : model.light) l = {std::max(l.x, 0.f), std::max(l.y, 0.f), std::max(l.z, 0.f)};
-    lightLamps(room, lighting, model);
-    if (eye) showGloss(room.gloss, model, lightVector(room, lighting), *eye, room.polish);
+    Relighter(room).show(room.clusters, lighting, eye, model);
     return model;
 }
 

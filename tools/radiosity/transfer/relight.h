@@ -27,10 +27,15 @@ LightVector lightVector(const TransferRoom &room, const Lighting &lighting);
 class Relighter {
 public:
     explicit Relighter(const TransferRoom &room);
-    // Irradiance / pi of each texel; may be below 0 where the bands are too few for a light.
-    void relight(const Lighting &lighting, std::vector<Rgb> &light);
-    // The same from other clusters of this room.
+    // Irradiance / pi of each texel; may be below 0 where the bands are too few for a light. `clusters`: the
+    // room's own, or others of it.
     void relight(const Clusters &clusters, const Lighting &lighting, std::vector<Rgb> &light);
+    void relight(const Lighting &lighting, std::vector<Rgb> &light) {
+        relight(room.clusters, lighting, light);
+    }
+    // Sets the light, emission and gloss of a copy of the room's model. Light below 0 becomes 0. With `eye`,
+    // gloss towards it is added.
+    void show(const Clusters &clusters, const Lighting &lighting, const Vec3 *eye, Solution &model);
 
 private:
     const TransferRoom &room;
@@ -39,8 +44,7 @@ private:
     std::vector<float> sums[3];
 };
 
-// The room as a solution for this light, which `render` and `export` take. Light below 0 becomes 0. With
-// `eye`, gloss towards it is added.
+// The room as a solution for this light, which `render` and `export` take; `eye` as above.
 Solution litModel(const TransferRoom &room, const Lighting &lighting, const Vec3 *eye);
 
 // Sets the emission of the model's charts, from the lamps' strengths.

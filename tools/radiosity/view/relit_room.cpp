@@ -119,49 +119,33 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
     bool moved = !room.gloss.empty() && length(eye - seenFrom) > 0;
     if (!changed && !moved) return nullptr;
     lighting.sky = turnedSky(sky.light, room, around, tilt);
-    if (lighting.rank >= 0)
-        relighter.relight(clusters, lighting, lit.light);
-    else
-        relighter.relight(lighting, lit.light);
-    for (Rgb &l : lit.light) l = {std::max(l.x, 0.f), std::max(l.y, 0.f), std::max(l.z, 0.f)};
-    lightLamps(room, lighting, lit);
-    showGloss(room.gloss, lit, lightVector(room, lighting), eye, room.polish);
+    relighter.show(clusters, lighting, &eye, lit);
     points = shown->light(lit);
     changed = false, seenFrom = eye;
     return &points;
 }
 
 std::string RelitRoom::title() const {
-    char text[120];
-    std::snprintf(text, sizeof text, "turn %ld  tilt %ld  %d bands  ", std::lround(around), std::lround(tilt),
-                  lighting.bands);
-    std::string all = text;
+    std::string on, all = common::format("turn %ld  tilt %ld  %d bands  ", std::lround(around),
+                                         std::lround(tilt), lighting.bands);
     if (lighting.rank < 0)
         all += "exact rows";
-    else {
-        std::snprintf(text, sizeof text, "%d clusters of %d axes%s", clusters.count, lighting.rank,
-                      wanted != clusters.count ? ", finding others" : "");
-        all += text;
-    }
-    std::string on;
+    else
+        common::append(all, "%d clusters of %d axes%s", clusters.count, lighting.rank,
+                       wanted != clusters.count ? ", finding others" : "");
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
         if (lighting.lamps[k] > 0) on += " " + std::to_string(k + 1);
     return lighting.lamps.empty() ? all : all + "  lamps" + (on.empty() ? " off" : on);
 }
 
-std::string RelitRoom::words() const {
-    char text[160];
-    std::snprintf(text, sizeof text, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
-    std::string all = (options.skyWord().empty() ? "" : " --sky " + common::shellWord(options.skyWord())) +
-                      text,
-                lamps;
-    if (lighting.rank >= 0)
-        all += " --clusters " + std::to_string(clusters.count) + " --rank " + std::to_string(lighting.rank);
+std::string RelitRoom::commandOptions() const {
+    std::string all, lamps;
+    if (!options.skyWord().empty()) all += " --sky " + common::shellWord(options.skyWord());
+    common::append(all, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
+    if (lighting.rank >= 0) common::append(all, " --clusters %d --rank %d", clusters.count, lighting.rank);
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
-        if (float strength = lighting.lamps[k]; strength > 0) {
-            std::snprintf(text, sizeof text, strength == 1 ? ",%zu" : ",%zu=%g", k + 1, (double)strength);
-            lamps += text;
-        }
+        if (float strength = lighting.lamps[k]; strength > 0)
+            common::append(lamps, strength == 1 ? ",%zu" : ",%zu=%g", k + 1, (double)strength);
     return lighting.lamps.empty() ? all : all + " --lamps " + (lamps.empty() ? "none" : lamps.substr(1));
 }
 

@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 
 class RelitRoom {
 public:
-    // `wake` is called on the thread of the clusters after news. Throws Refused.
+    // `wake` is called on the thread that finds clusters, when it has found some or failed. Throws Refused.
     RelitRoom(TransferRoom room, const RelightOptions &options, void (*wake)());
     ~RelitRoom();
     RelitRoom(const RelitRoom &) = delete;
@@ -23,15 +23,15 @@ public:
     const Solution &model() const { return lit; }
     std::shared_ptr<const ViewMesh> mesh() const { return shown; }
 
-    // Whether a key of GLFW's means something here; `shift`: it is pressed with Shift.
+    // Handles a key of GLFW's; false if it has no meaning here. `shift`: it is pressed with Shift.
     bool key(int key, bool shift);
     // Turns and tilts the sky by degrees.
     void turn(double around, double up);
     // Makes the light that an eye sees at each point of the mesh; null if it is as it was.
     const std::vector<Rgb> *light(const Vec3 &eye);
 
-    std::string title() const; // the knobs, in a few words
-    std::string words() const; // as options of `render`
+    std::string title() const;          // its settings, in short
+    std::string commandOptions() const; // the same as options of `render`
 
 private:
     TransferRoom room;

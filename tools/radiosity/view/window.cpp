@@ -70,15 +70,15 @@ void ViewWindow::key(int key, bool shift) {
     if (room && room->key(key, shift)) return;
     int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // a room's numbers are its lamps
     if (key >= first && key < first + 4)
-        layerKey(key - first);
+        toggle(kViewLayers[key - first].shown);
     else if (key == GLFW_KEY_B)
-        s.layers.backs ^= true, redraw = true;
+        toggle(&ViewLayers::backs);
     else if (key == GLFW_KEY_T)
         tone.logarithmic ^= true, s.camera.logarithmic = tone.logarithmic;
     else if (key == GLFW_KEY_R)
         s.camera.eye = start.eye, s.camera.target = start.target, redraw = true;
     else if (key == GLFW_KEY_C)
-        std::printf("%s%s\n", cameraLine(s.camera).c_str(), room ? room->words().c_str() : ""),
+        std::printf("%s%s\n", cameraLine(s.camera).c_str(), room ? room->commandOptions().c_str() : ""),
             std::fflush(stdout);
     else if (key == GLFW_KEY_H || key == GLFW_KEY_F1)
         help ^= true;
@@ -86,15 +86,12 @@ void ViewWindow::key(int key, bool shift) {
         glfwSetWindowShouldClose(window, 1);
 }
 
-void ViewWindow::layerKey(int number) {
-    if (number == 0)
-        s.layers.patches ^= true, redraw |= s.layers.wireframe;
-    else if (number == 1)
-        s.layers.elements ^= true, redraw = true;
-    else if (number == 2)
-        s.layers.wireframe ^= true, redraw = true;
+void ViewWindow::toggle(bool ViewLayers::*layer) {
+    s.layers.*layer ^= true;
+    if (layer == &ViewLayers::hemicube)
+        pointerX = -1, patch = 0;
     else
-        s.layers.hemicube ^= true, pointerX = -1, patch = 0;
+        redraw |= layer != &ViewLayers::patches || s.layers.wireframe;
 }
 
 void ViewWindow::wheel(double notches) {
@@ -141,7 +138,7 @@ bool ViewWindow::relight(float seconds) {
     return light;
 }
 
-void ViewWindow::hear(BackgroundSolve &solver) {
+void ViewWindow::takeNews(BackgroundSolve &solver) {
     SolveNews news = solver.take();
     if (news.mesh)
         show(news.mesh, *news.light, news.camera);

@@ -119,18 +119,11 @@ TEST(Clusters, HoldTheRows) {
     }
     for (int rank : {4, 8, 12}) {
         Clusters few = findClusters(rows, room.columns(), scale, blocksOf(room.model, 16), 16, rank, serial);
-        int same = rank;
-        Clusters one = {.count = 1,
-                        .rank = 0,
-                        .columns = room.columns(),
-                        .of = std::vector<int>(room.texels()),
-                        .axes = {},
-                        .weights = {}};
-        while (one.floats(same) < few.floats(rank)) ++same;
-        one = findClusters(rows, room.columns(), scale, one.of, 1, same, serial);
-        double clusters = lossOf(few, rows, scale, rank), subspace = lossOf(one, rows, scale, same);
+        Clusters one = oneSubspace(room, rows, scale, few.floats(rank), serial);
+        ASSERT_GT(one.rank, rank);
+        double clusters = lossOf(few, rows, scale, rank), subspace = lossOf(one, rows, scale, one.rank);
         std::printf("%d axes: clusters %.2f %%, one subspace of %d axes %.2f %%\n", rank, 100 * clusters,
-                    same, 100 * subspace);
+                    one.rank, 100 * subspace);
         EXPECT_LT(clusters, 0.7 * subspace);
     }
     // Axes are in order: those of a cluster explain less and less
