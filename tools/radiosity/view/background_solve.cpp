@@ -1,10 +1,9 @@
 #include "tools/radiosity/view/background_solve.h"
 
 #include "tools/common/clock.h"
+#include "tools/common/text.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/solve.h"
-
-#include <cstdio>
 
 namespace odraz::radiosity {
 
@@ -24,33 +23,32 @@ BackgroundSolve::~BackgroundSolve() {
 }
 
 void BackgroundSolve::run() {
-    auto tell = [this](auto change) {
+    auto change = [this](auto how) {
         std::lock_guard held(lock);
-        change();
+        how();
         open = true;
         opened.notify_one();
     };
     try {
         Gl gl = openGl();
         Workers workers = allProcessors();
-        tell([] {});
+        change([] {});
         auto progress = [&](const char *step, float done, float residual) {
             if (!step) return;
-            char text[80], left[40] = "";
-            if (residual >= 0) std::snprintf(left, sizeof left, ", residual %.1e", (double)residual);
-            std::snprintf(text, sizeof text, "%s %.0f %%%s", step, (double)done * 100, left);
-            tell([&] { does = text; });
+            std::string text = common::format("%s %.0f %%", step, (double)done * 100);
+            if (residual >= 0) common::append(text, ", residual %.1e", (double)residual);
+            change([&] { does = text; });
         };
         Solved solved = solveModel(mesh, settings, gl, workers, &stopped, progress);
         bool geometry = !solution || solution->texels.size() != solved.solution.texels.size() ||
                         solution->cells.size() != solved.solution.cells.size();
         solution = std::make_unique<Solution>(std::move(solved.solution));
-        tell([&] { news.notes = solved.report.notes; });
+        change([&] { news.notes = solved.report.notes; });
         solved = {};
-        hand(geometry, true);
-        tell([&] { does = ""; });
+        publish(geometry, true);
+        change([&] { does = ""; });
     } catch (...) {
-        tell([this] { wrong = std::current_exception(); });
+        change([this] { wrong = std::current_exception(); });
     }
     wake();
 }
@@ -68,7 +66,7 @@ void BackgroundSolve::look(const Solution &soFar) {
         solution = std::make_unique<Solution>(soFar);
     else
         solution->light = soFar.light;
-    hand(first, false);
+    publish(first, false);
     // Making light may take a fifth of the time at most; small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
@@ -76,7 +74,7 @@ void BackgroundSolve::look(const Solution &soFar) {
     wake();
 }
 
-void BackgroundSolve::hand(bool geometry, bool done) {
+void BackgroundSolve::publish(bool geometry, bool done) {
     if (geometry) {
         shown = std::make_shared<ViewMesh>(*solution);
         placeCamera(*solution, camera);

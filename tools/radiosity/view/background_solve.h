@@ -1,5 +1,4 @@
-// Solves a model on another thread while the user looks at it. That thread makes everything that is shown,
-// and hands it over complete.
+// Solves a model on another thread while the user looks at it. That thread makes all that is shown.
 #pragma once
 
 #include "tools/radiosity/export/render.h"
@@ -15,7 +14,7 @@
 
 namespace odraz::radiosity {
 
-// The news since the last call; pointers are null if nothing came.
+// What changed since the last call; pointers are null where nothing did.
 struct SolveNews {
     std::shared_ptr<const ViewMesh> mesh;
     RenderSettings camera; // comes with the mesh: where `render` would look from
@@ -27,8 +26,8 @@ struct SolveNews {
 
 class BackgroundSolve {
 public:
-    // Starts the thread, and returns when it has opened OpenGL: that changes the environment, which nobody
-    // may read meanwhile. `wake` is called on that thread after news.
+    // Starts the thread, and returns when it has opened OpenGL: that changes the environment, which no other
+    // thread may read meanwhile. `wake` is called on the solver's thread after each change.
     BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera, void (*wake)());
     BackgroundSolve(const BackgroundSolve &) = delete;
     ~BackgroundSolve(); // waits for the end
@@ -42,7 +41,7 @@ private:
     void run();
     bool wantsLight();
     void look(const Solution &soFar);
-    void hand(bool geometry, bool done);
+    void publish(bool geometry, bool done);
 
     Mesh mesh;
     SolveSettings settings;

@@ -11,6 +11,33 @@ namespace odraz::radiosity {
 // In heights of a digit
 static constexpr float kLine = 2, kMargin = 1.5f, kSecond = 8, kWide = 33, kHigh = 2 * kMargin - 1;
 
+std::vector<ViewKey> viewKeys(bool room) {
+    std::vector<ViewKey> keys = {
+        {"W A S D", "fly ahead, left, back, right"},
+        {"Q E", "fly down, up"},
+        {"Shift", "flies faster"},
+        {"mouse", room ? "left button looks, right one turns the sky" : "with its left button looks"},
+        {"wheel", "exposes"}};
+    if (room)
+        keys.insert(keys.end(), {{"1 .. 9 0", "lamps; with Shift 11 to 16"},
+                                 {"[ ]", "bands"},
+                                 {"P", "exact rows, or clusters"},
+                                 {"- =", "axes of the clusters"},
+                                 {", .", "half and twice as many clusters"},
+                                 {"F2 .. F5", "patches, elements, wireframe, hemicube"}});
+    else
+        keys.insert(
+            keys.end(),
+            {{"1", "patches"}, {"2", "elements"}, {"3", "wireframe"}, {"4", "hemicube under the pointer"}});
+    keys.insert(keys.end(), {{"B", "backs"},
+                             {"T", "tone"},
+                             {"C", "camera line"},
+                             {"R", "back to the start"},
+                             {"H F1", "this help"},
+                             {"Esc", "ends"}});
+    return keys;
+}
+
 std::string viewKeysLine(std::span<const ViewKey> keys) {
     std::string all;
     for (const ViewKey &k : keys) all += (all.empty() ? "" : ", ") + std::string(k.keys) + " " + k.does;

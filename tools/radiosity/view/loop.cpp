@@ -1,4 +1,5 @@
 // The loop of `view`: draws what has changed until the window closes.
+#include "tools/common/text.h"
 #include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
 
@@ -64,7 +65,7 @@ bool ViewWindow::glide(float seconds) {
 void ViewWindow::present() {
     int width, height;
     glfwGetFramebufferSize(window, &width, &height);
-    picture->show(tone, s.layers, patch, height, help ? viewKeys(room) : std::span<const ViewKey>());
+    picture->show(tone, s.layers, patch, height, help ? viewKeys(room) : std::vector<ViewKey>());
     glfwSwapBuffers(window);
     toned = false;
     if (s.screenshot.empty() || !solved || size == 0) return;
@@ -74,21 +75,14 @@ void ViewWindow::present() {
 }
 
 void ViewWindow::title(const std::string &step) {
-    char stops[40] = "";
-    if (s.camera.stops != 0) std::snprintf(stops, sizeof stops, "  %+g stops", (double)s.camera.stops);
     std::string text = "radiosity: " + s.name + (step.empty() ? "" : "  (" + step + ")");
     if (room) text += "  " + room->title();
-    const ViewLayers &l = s.layers;
-    for (auto [on, name] : {std::pair{l.patches, "patches"},
-                            {l.elements, "elements"},
-                            {l.wireframe, "wireframe"},
-                            {l.hemicube, "hemicube"},
-                            {l.backs, "backs"},
-                            {tone.logarithmic, "log"}})
-        if (on) text += std::string("  ") + name;
-    text += std::string(stops) +
-            (room ? "   [H help, W A S D Q E, mouse, wheel, 1 .. 9 [ ] - = P , . B T R C, Esc]"
-                  : "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]");
+    for (const ViewLayer &layer : kViewLayers)
+        if (s.layers.*layer.shown) text += std::string("  ") + layer.name;
+    if (tone.logarithmic) text += "  log";
+    if (s.camera.stops != 0) common::append(text, "  %+g stops", (double)s.camera.stops);
+    text += room ? "   [H help, W A S D Q E, mouse, wheel, 1 .. 9 [ ] - = P , . B T R C, Esc]"
+                 : "   [H help, W A S D Q E, mouse, wheel, 1 2 3 4 B T R C, Esc]";
     if (text != titled) glfwSetWindowTitle(window, text.c_str());
     titled = text;
 }
@@ -103,7 +97,7 @@ void ViewWindow::run(BackgroundSolve *solver) {
         double now = glfwGetTime();
         auto passed = (float)(now - last);
         last = now;
-        if (solver) hear(*solver);
+        if (solver) takeNews(*solver);
         title(solver ? solver->step() : "");
         int width, height;
         glfwGetFramebufferSize(window, &width, &height);

@@ -15,6 +15,17 @@ struct ViewLayers {
     bool patches = false, elements = false, wireframe = false, hemicube = false, backs = false;
 };
 
+// The layers, in the order of their keys; their names are those of --layer.
+struct ViewLayer {
+    const char *name;
+    bool ViewLayers::*shown;
+};
+inline constexpr ViewLayer kViewLayers[] = {{"patches", &ViewLayers::patches},
+                                            {"elements", &ViewLayers::elements},
+                                            {"wireframe", &ViewLayers::wireframe},
+                                            {"hemicube", &ViewLayers::hemicube},
+                                            {"backs", &ViewLayers::backs}};
+
 // The tone of `render`, chosen by what the camera sees.
 struct ViewTone {
     bool logarithmic = false;

@@ -17,7 +17,7 @@ struct ViewSettings {
     bool placed = false; // the user placed the camera; else it stands where render would put it
     ViewLayers layers;
     std::string screenshot; // file to write; the window closes once it is written
-    double spin = 0;        // if above 0: turn a room's sky once in so many seconds, tell the rate and close
+    double spin = 0; // if above 0: turn a room's sky once in this number of seconds, print the rate and close
 };
 
 class ViewWindow {
@@ -39,10 +39,10 @@ private:
     void key(int key, bool shift);
     void wheel(double notches);
     void pointer(double x, double y);
-    void hear(BackgroundSolve &solver);
+    void takeNews(BackgroundSolve &solver);
     bool fly(float seconds);
     bool relight(float seconds);
-    void layerKey(int number);
+    void toggle(bool ViewLayers::*layer);
     void drawWhatChanged(bool moving);
     void pickPatch();
     float exposure() const; // the wanted exposure
