@@ -3,31 +3,23 @@
 
 #include "packer/write/texts.h"
 
-#include <string>
+#include <optional>
 
 namespace pack {
 
-// A line for the user and the status to end with.
-struct Refusal {
-    std::string line;
-    int status;
-};
-
 inline constexpr long kNoBudget = -1;
-inline constexpr long kUsualBudget = -2; // by the kind of program
 
+// Paths are empty where none was given.
 struct Options {
-    const char *in = nullptr, *out = nullptr, *test = nullptr, *unpack = nullptr, *model = nullptr,
-               *map = nullptr, *symbols = nullptr, *saveModel = nullptr, *report = nullptr, *html = nullptr,
-               *text = nullptr, *than = nullptr, *rooms = nullptr;
+    std::string in, test, unpack, out; // one of the first three is given
     bool pe = false, loader = false, plain = false, fast = false;
+    std::optional<long> budget; // bytes, or kNoBudget
+    double seconds = 0;         // of search
     Names names;
-    long budget = kUsualBudget; // bytes
-    double seconds = 0;
-    const char *onlyToPack = nullptr; // an option given that has no meaning otherwise
+    std::string model, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
-// Prints the usage and ends with status 0 for --help. Throws Refusal of status 2 for what makes no sense.
-Options parseOptions(int argc, char **argv);
+// Throws common::Refused for what makes no sense.
+Options parseOptions(common::CommandLine &line);
 
 } // namespace pack

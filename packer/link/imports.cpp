@@ -77,8 +77,8 @@ void addUse(Uses &uses, const Object &object, const Reference &r) {
         uses.direct = object.name();
         break;
     default:
-        throw Unsuitable(object.name() + " refers to '" + r.symbol +
-                         "' in an unusual way: compile it with -fno-pic or -fPIE");
+        throw common::Refused(object.name() + " refers to '" + r.symbol +
+                              "' in an unusual way: compile it with -fno-pic or -fPIE");
     }
 }
 std::map<std::string, Uses> allUses(const std::vector<Object> &objects, const DynamicFile &program,

@@ -23,8 +23,8 @@ struct Plan {
     bool whole; // start by libc's own function: see needsWholeStart
 };
 
-// `program` is the same program linked dynamically, `libraries` what it took. Throws Unsuitable, with a line
-// that names what stands in the way.
+// `program` is the same program linked dynamically, `libraries` what it took. Throws common::Refused, with a
+// line that names what stands in the way.
 Plan planImports(const std::vector<Object> &objects, const DynamicFile &program,
                  const std::vector<DynamicFile> &libraries);
 

@@ -1,6 +1,5 @@
 #include "packer/link/libraries.h"
 
-#include "packer/files.h"
 #include "packer/read/elf_file.h"
 
 namespace pack::linking {
@@ -59,8 +58,7 @@ struct Reader {
 } // namespace
 
 DynamicFile readDynamic(const std::string &path) {
-    std::vector<uint8_t> bytes;
-    need(readFile(path.c_str(), bytes), path + " cannot be read");
+    Bytes bytes = readBytes(path);
     DynamicFile file = {};
     file.path = path;
     Elf64_Ehdr header;

@@ -22,7 +22,7 @@ struct DynamicFile {
     bool destructors;                             // others than those that every library has
 };
 
-// Throws Unsuitable.
+// Throws common::Refused.
 DynamicFile readDynamic(const std::string &path);
 
 } // namespace pack::linking

@@ -1,6 +1,5 @@
 #include "packer/link/linker.h"
 
-#include "packer/files.h"
 #include "packer/link/linker_map.h"
 #include "packer/link/start.h"
 #include "packer/read/program.h"
@@ -21,15 +20,6 @@ const Words kLean = {"-no-pie",
                      "-Wl,-z,norelro,-z,noseparate-code,-z,noexecstack"};
 
 void add(Words &to, const Words &more) { to.insert(to.end(), more.begin(), more.end()); }
-
-std::string readText(const std::string &path) {
-    std::vector<uint8_t> bytes;
-    readFile(path.c_str(), bytes);
-    return {bytes.begin(), bytes.end()};
-}
-void save(const std::string &path, const void *bytes, size_t size) {
-    if (!writeFile(path, bytes, size, false)) throw std::runtime_error("cannot write " + path);
-}
 
 bool isInput(const std::string &word) { return word[0] != '-' && fs::exists(word); }
 
@@ -134,7 +124,7 @@ Words Linker::command(const Linked &to, const Words &flags) const {
 }
 
 std::string Linker::assemble(const std::string &name, const std::string &source) const {
-    save(file(name + ".s"), source.data(), source.size());
+    common::writeWhole(file(name + ".s"), source);
     Outcome outcome = runKept({compiler, "-c", file(name + ".s"), "-o", file(name + ".o")}, options.tell);
     if (outcome.status) throw common::Refused("the compiler cannot assemble: " + explainLink(outcome.said));
     return file(name + ".o");
@@ -152,7 +142,7 @@ Facts Linker::linkFirst() {
     if (outcome.status) throw common::Refused(explainLink(outcome.said));
 
     Facts facts = {};
-    Taken taken = readLinkerMap(readText(to.map));
+    Taken taken = readLinkerMap(common::readWhole(to.map));
     if (taken.files.empty())
         throw common::Refused("the linker's map is not that of GNU ld: leave -fuse-ld out");
     Words compiled;
@@ -202,7 +192,7 @@ void Linker::saveSlots(const Facts &facts, const Plan &plan) {
     std::set<std::string> names;
     for (const Import &import : plan.imports)
         if (import.form == Import::kSlot) names.insert(import.name);
-    std::map<std::string, std::vector<uint8_t>> changed; // archives
+    std::map<std::string, Bytes> changed; // archives
     slotted.clear();
     for (Object object : facts.objects) {
         bool any = makeSlots(object, names);
@@ -211,11 +201,11 @@ void Linker::saveSlots(const Facts &facts, const Plan &plan) {
             std::string to = file("objects/" + std::to_string(slotted.size()));
             fs::create_directories(to);
             to += "/" + fs::path(object.path).filename().string();
-            save(to, object.bytes.data(), object.bytes.size());
+            writeBytes(to, object.bytes);
             slotted.push_back(to);
         } else if (any) {
-            std::vector<uint8_t> &archive = changed[object.path];
-            if (archive.empty()) readFile(object.path.c_str(), archive);
+            Bytes &archive = changed[object.path];
+            if (archive.empty()) archive = readBytes(object.path);
             std::copy(object.bytes.begin(), object.bytes.end(), archive.begin() + (long)object.offset);
         }
     }
@@ -226,7 +216,7 @@ void Linker::saveSlots(const Facts &facts, const Plan &plan) {
             to = file("objects/" + std::to_string(slotted.size()));
             fs::create_directories(to);
             to += "/" + fs::path(path).filename().string();
-            save(to, changed[path].data(), changed[path].size());
+            writeBytes(to, changed[path]);
         }
         slotted.push_back(to);
     }
@@ -237,7 +227,7 @@ Linked Linker::linkImports(const Facts &facts, const Plan &plan, const std::stri
                            const Words &flags) {
     if (slotted.empty()) {
         saveSlots(facts, plan);
-        save(file("imports.ld"), kImportsScript, std::char_traits<char>::length(kImportsScript));
+        common::writeWhole(file("imports.ld"), kImportsScript);
         assemble("imports", startImports(plan));
         // What the linker sees of the library
         assemble("libdl", ".globl dlopen, dlsym\n.type dlopen, @function\n.type dlsym, @function\ndlopen:\n"

@@ -29,7 +29,7 @@ public:
     // The first link; throws common::Refused if it fails, with the reason in one line.
     Facts linkFirst();
 
-    // These throw Unsuitable if it cannot be linked so. `name` names the files.
+    // These throw common::Refused if it cannot be linked so. `name` names the files.
     Linked linkDynamic(const Facts &facts, const std::string &name, const Words &flags);
     Linked linkStatic(const Facts &facts);
     Linked linkImports(const Facts &facts, const Plan &plan, const std::string &name, const Words &flags);

@@ -32,8 +32,6 @@ int packLink(common::Arguments &arguments) {
         tries.run();
         std::fputs(tries.print().c_str(), stdout);
         return tries.finish();
-    } catch (const pack::Unsuitable &e) {
-        throw common::Refused(e.what());
     } catch (const std::filesystem::filesystem_error &e) {
         throw common::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +
                               e.code().message());

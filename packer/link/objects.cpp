@@ -1,9 +1,9 @@
 #include "packer/link/objects.h"
 
-#include "packer/files.h"
 #include "packer/read/elf_file.h"
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace pack::linking {
 
@@ -69,16 +69,15 @@ struct Reader {
     }
 };
 
-bool isElf(const std::vector<uint8_t> &bytes) {
+bool isElf(const Bytes &bytes) {
     return bytes.size() >= sizeof(Elf64_Ehdr) && !std::memcmp(bytes.data(), ELFMAG, SELFMAG);
 }
 
-bool isBitcode(const std::vector<uint8_t> &bytes) {
+bool isBitcode(const Bytes &bytes) {
     return bytes.size() >= 4 && !std::memcmp(bytes.data(), "BC\xC0\xDE", 4);
 }
 
-Object readObject(const std::string &path, const std::string &member, size_t offset,
-                  std::vector<uint8_t> bytes) {
+Object readObject(const std::string &path, const std::string &member, size_t offset, Bytes bytes) {
     Object object = {};
     object.path = path;
     object.member = member;
@@ -95,7 +94,7 @@ Object readObject(const std::string &path, const std::string &member, size_t off
     return object;
 }
 
-std::vector<Object> readArchive(const std::string &path, const std::vector<uint8_t> &all) {
+std::vector<Object> readArchive(const std::string &path, const Bytes &all) {
     std::vector<Object> objects;
     std::string longNames;
     for (size_t at = kMagic; at + kMemberHeader <= all.size();) {
@@ -103,7 +102,7 @@ std::vector<Object> readArchive(const std::string &path, const std::vector<uint8
         size_t size = std::strtoull(header.substr(48, 10).c_str(), nullptr, 10);
         at += kMemberHeader;
         need(within(at, size, 0, all.size()), "an archive is cut short: make it again");
-        std::vector<uint8_t> bytes(all.begin() + (long)at, all.begin() + (long)(at + size));
+        Bytes bytes(all.begin() + (long)at, all.begin() + (long)(at + size));
         std::string name = header.substr(0, 16);
         name.erase(name.find_last_not_of(' ') + 1);
         if (name == "//")
@@ -122,14 +121,8 @@ std::vector<Object> readArchive(const std::string &path, const std::vector<uint8
     return objects;
 }
 
-std::vector<uint8_t> read(const std::string &path) {
-    std::vector<uint8_t> bytes;
-    need(readFile(path.c_str(), bytes), "cannot be read");
-    return bytes;
-}
-
 // Whether a file of the type of libraries is a program.
-bool isPie(const std::vector<uint8_t> &bytes) {
+bool isPie(const Bytes &bytes) {
     ElfFile in = {bytes};
     for (const Elf64_Shdr &s : in.sections())
         for (uint64_t at = 0; s.sh_type == SHT_DYNAMIC && at + sizeof(Elf64_Dyn) <= s.sh_size;
@@ -143,8 +136,8 @@ bool isPie(const std::vector<uint8_t> &bytes) {
 } // namespace
 
 FileKind kindOf(const std::string &path) {
-    std::vector<uint8_t> bytes;
-    if (!readFile(path.c_str(), bytes)) return FileKind::kMissing;
+    if (!std::filesystem::is_regular_file(path)) return FileKind::kMissing;
+    Bytes bytes = readBytes(path);
     auto begins = [&](const char *magic, size_t size) {
         return bytes.size() >= size && !std::memcmp(bytes.data(), magic, size);
     };
@@ -158,8 +151,8 @@ FileKind kindOf(const std::string &path) {
 }
 
 std::vector<Object> readObjects(const std::string &path) {
+    Bytes bytes = readBytes(path);
     try {
-        std::vector<uint8_t> bytes = read(path);
         need(bytes.size() < kMagic || std::memcmp(bytes.data(), kThin, kMagic),
              "a thin archive: make it with ar rcs, without T");
         if (bytes.size() >= kMagic && !std::memcmp(bytes.data(), kArchive, kMagic))
@@ -167,8 +160,8 @@ std::vector<Object> readObjects(const std::string &path) {
         std::vector<Object> one;
         one.push_back(readObject(path, "", 0, std::move(bytes)));
         return one;
-    } catch (const Unsuitable &e) {
-        throw Unsuitable(path + ": " + e.what());
+    } catch (const common::Refused &e) {
+        throw common::Refused(path + ": " + e.what());
     }
 }
 

@@ -1,6 +1,8 @@
 // Object files, alone or in archives, as far as imports are concerned.
 #pragma once
 
+#include "packer/read/bytes.h"
+
 #include <cstdint>
 #include <set>
 #include <string>
@@ -21,7 +23,7 @@ enum class Code { kMachine, kGcc, kClang, kNone };
 struct Object {
     std::string path, member; // member: in the archive `path`; empty if the file is the object
     size_t offset;            // of its bytes in the file
-    std::vector<uint8_t> bytes;
+    Bytes bytes;
     std::vector<Reference> references; // of what is loaded, .eh_frame apart
     std::set<std::string> defines;     // global symbols
     bool constructors, destructors, exceptions, threadLocal;
@@ -34,7 +36,7 @@ struct Object {
 enum class FileKind { kObject, kArchive, kThinArchive, kLibrary, kProgram, kBitcode, kOther, kMissing };
 FileKind kindOf(const std::string &path);
 
-// An object file, or the members of an archive. Throws Unsuitable if one cannot be read.
+// An object file, or the members of an archive. Throws common::Refused if one cannot be read.
 std::vector<Object> readObjects(const std::string &path);
 
 // Makes references by way of the GOT to one of `symbols` plain: what has the symbol's name is the slot

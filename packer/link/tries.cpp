@@ -1,6 +1,5 @@
 #include "packer/link/tries.h"
 
-#include "packer/files.h"
 #include "packer/link/small_model.h"
 #include "packer/read/elf_file.h"
 #include "tools/common/arguments.h"
@@ -20,8 +19,7 @@ constexpr uint64_t kHopeless = 8;    // no way is that many times larger before 
 
 // Fills sections with zeros, which cost next to nothing.
 void wipe(const std::string &path, const std::vector<std::string> &names) {
-    std::vector<uint8_t> bytes;
-    readFile(path.c_str(), bytes);
+    Bytes bytes = readBytes(path);
     ElfFile in = {bytes};
     std::vector<Elf64_Shdr> sections = in.sections();
     for (const Elf64_Shdr &s : sections)
@@ -29,13 +27,10 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
             if (in.text(sections[in.at<Elf64_Ehdr>(0, "cut short").e_shstrndx], s.sh_name) == name &&
                 s.sh_type != SHT_NOBITS && within(s.sh_offset, s.sh_size, 0, bytes.size()))
                 std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
-    if (!writeFile(path, bytes.data(), bytes.size(), true)) throw std::runtime_error("cannot write " + path);
+    writeBytes(path, bytes, true);
 }
 
-bool sameBytes(const std::string &a, const std::string &b) {
-    std::vector<uint8_t> left, right;
-    return readFile(a.c_str(), left) && readFile(b.c_str(), right) && left == right;
-}
+bool sameBytes(const std::string &a, const std::string &b) { return readBytes(a) == readBytes(b); }
 
 // "12345" as "12,345".
 std::string grouped(uint64_t number) {
@@ -49,8 +44,7 @@ std::string padded(const std::string &text, size_t width) {
 
 // The bytes that a program takes before it is packed.
 uint64_t sizeInFile(const std::string &path) {
-    std::vector<uint8_t> bytes;
-    readFile(path.c_str(), bytes);
+    Bytes bytes = readBytes(path);
     Elf64_Ehdr header;
     uint64_t size = 0;
     for (const Elf64_Phdr &h : ElfFile{bytes}.programHeaders(header))
@@ -96,8 +90,7 @@ void Tries::add(const std::string &way, const std::string &detail, const Linked 
     pack(made);
     if (way == "imports" && options.model.empty() && made.isPacked() && made.before <= kSmall) {
         std::string model = folder + "/small.model";
-        if (!writeFile(model, kSmallModel, sizeof kSmallModel - 1, false))
-            throw std::runtime_error("cannot write " + model);
+        common::writeWhole(model, kSmallModel);
         Try small = made;
         small.model = {"--model", model};
         small.detail += ", four contexts";
@@ -122,7 +115,7 @@ void Tries::tryDynamic() {
             add("dynamic", std::string("hash table of ") + hash, linked);
             if (!again(tries.back().before)) return;
         }
-    } catch (const Unsuitable &e) {
+    } catch (const common::Refused &e) {
         addFailed("dynamic", e.what());
     }
 }
@@ -144,7 +137,7 @@ void Tries::tryImports() {
             add("imports", detail + variant.says, linked);
             if (!again(tries.back().before)) return;
         }
-    } catch (const Unsuitable &e) {
+    } catch (const common::Refused &e) {
         addFailed("imports", e.what());
     }
 }
@@ -158,7 +151,7 @@ void Tries::tryStatic() {
         if (least != UINT64_MAX && before / kHopeless > least)
             return addFailed("static", grouped(before) + " bytes before packing: far too large");
         add("static", "with its libraries", linked);
-    } catch (const Unsuitable &e) {
+    } catch (const common::Refused &e) {
         addFailed("static", e.what());
     }
 }
@@ -203,8 +196,10 @@ Words Tries::namesOfIntermediate() const {
     try {
         Outcome names = runKept(tool, options.tell);
         std::string to = folder + "/names";
-        if (!names.status && writeFile(to, names.said.data(), names.said.size(), false))
+        if (!names.status) {
+            common::writeWhole(to, names.said);
             return {"--symbols", to};
+        }
     } catch (const common::Refused &) {
     }
     return {};

@@ -34,6 +34,12 @@ struct ModelParameters {
     // of all sets but the first. [0] is for code, [1] for data
     uint32_t masks[2][kMostContexts + kSets - 1];
 
+    bool operator==(const ModelParameters &other) const {
+        bool same = contexts == other.contexts && slotBits == other.slotBits;
+        for (uint32_t i = 0; same && i < hashes(); ++i)
+            same = masks[0][i] == other.masks[0][i] && masks[1][i] == other.masks[1][i];
+        return same;
+    }
     uint32_t hashes() const { return contexts + kSets - 1; }
     uint32_t inputs4() const { return 1 + contexts; } // in vectors of four: see Model
     bool sane() const {

@@ -1,5 +1,8 @@
 #include "packer/model/model_parameters.h"
 
+#include "tools/common/command_line.h"
+#include "tools/common/whole_file.h"
+
 #include <iterator>
 #include <sstream>
 #include <vector>
@@ -82,22 +85,24 @@ std::string printParameters(const ModelParameters &parameters) {
     return text;
 }
 
-std::string parseParameters(const std::string &text, ModelParameters &parameters) {
+ModelParameters parseParameters(const std::string &text) {
     std::vector<uint32_t> masks[2][2];
     std::istringstream lines(text);
     int number = 0;
-    parameters = {};
+    ModelParameters parameters = {};
     for (std::string line; std::getline(lines, line);) {
         ++number;
-        auto wrong = [&](const std::string &what) { return "line " + std::to_string(number) + ": " + what; };
+        auto wrong = [&](const std::string &what) {
+            return common::Refused("line " + std::to_string(number) + ": " + what);
+        };
         std::istringstream words(line);
         std::string kind, value, more;
         if (!(words >> kind) || kind[0] == '#') continue;
-        if (!(words >> value) || words >> more) return wrong("a word and its value are needed");
+        if (!(words >> value) || words >> more) throw wrong("a word and its value are needed");
         if (kind == "slots") {
             if (value.size() > 2 || value.find_first_not_of("0123456789") != std::string::npos)
-                return wrong("slots needs a number of bits");
-            if (parameters.slotBits) return wrong("slots is given twice");
+                throw wrong("slots needs a number of bits");
+            if (parameters.slotBits) throw wrong("slots is given twice");
             parameters.slotBits = (uint32_t)std::stoi(value);
             continue;
         }
@@ -106,27 +111,37 @@ std::string parseParameters(const std::string &text, ModelParameters &parameters
             for (int weights = 0; weights < 2; ++weights)
                 if (kind == kKinds[type][weights]) {
                     uint32_t mask;
-                    if (!parseMask(value, mask)) return wrong("unknown field in '" + value + "'");
+                    if (!parseMask(value, mask)) throw wrong("unknown field in '" + value + "'");
                     if (mask & ~kMayUse[type])
-                        return wrong("'" + printMask(mask & ~kMayUse[type]) + "' cannot be used in " +
-                                     kKinds[type][0]);
+                        throw wrong("'" + printMask(mask & ~kMayUse[type]) + "' cannot be used in " +
+                                    kKinds[type][0]);
                     masks[type][weights].push_back(mask);
                     known = true;
                 }
-        if (!known) return wrong("unknown word '" + kind + "'");
+        if (!known) throw wrong("unknown word '" + kind + "'");
     }
     parameters.contexts = (uint32_t)masks[0][0].size();
     if (masks[1][0].size() != parameters.contexts || !parameters.sane())
-        return "it needs slots " + std::to_string(kLeastSlotBits) + " to " + std::to_string(kMostSlotBits) +
-               ", and as many contexts for data as for code: 4, 8, 12 .. " + std::to_string(kMostContexts);
+        throw common::Refused(
+            "it needs slots " + std::to_string(kLeastSlotBits) + " to " + std::to_string(kMostSlotBits) +
+            ", and as many contexts for data as for code: " + "4, 8, 12 .. " + std::to_string(kMostContexts));
     for (int type = 0; type < 2; ++type) {
         if (masks[type][1].size() != kSets - 1)
-            return "it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1];
+            throw common::Refused("it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1]);
         uint32_t *to = parameters.masks[type];
         for (auto &group : masks[type])
             for (uint32_t mask : group) *to++ = mask;
     }
-    return "";
+    return parameters;
+}
+
+ModelParameters readParameters(const std::string &path) {
+    std::string text = common::readWhole(path);
+    try {
+        return parseParameters(text);
+    } catch (const common::Refused &e) {
+        throw common::Refused(path + ": " + e.what());
+    }
 }
 
 } // namespace pack

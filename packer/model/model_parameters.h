@@ -22,7 +22,10 @@ const ModelParameters &fastParameters();
 
 std::string printParameters(const ModelParameters &parameters);
 
-// Returns an empty string, or a message that says what is wrong, with the line's number.
-std::string parseParameters(const std::string &text, ModelParameters &parameters);
+// Throws common::Refused with the number of the line that is wrong.
+ModelParameters parseParameters(const std::string &text);
+
+// ... of a file, whose name begins the error.
+ModelParameters readParameters(const std::string &path);
 
 } // namespace pack

@@ -1,7 +1,6 @@
 #include "packer/model/search.h"
 
 #include "packer/model/estimate.h"
-#include "packer/stub/format.h"
 
 #include <algorithm>
 #include <chrono>
@@ -125,10 +124,7 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
 
     // Measures the best, while other threads go on
     auto confirm = [&](std::unique_lock<std::mutex> &lock) {
-        auto same = [](const ModelParameters &a, const ModelParameters &b) {
-            return packMasks(a) == packMasks(b);
-        };
-        if (same(asked, best->parameters)) return;
+        if (asked == best->parameters) return;
         ModelParameters parameters = asked = best->parameters;
         // There is one workspace: no other thread may measure, even after the time is over
         nextMeasure = 1e30;

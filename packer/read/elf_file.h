@@ -13,9 +13,9 @@ inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span
     return address >= base && size <= span && address - base <= span - size;
 }
 
-// All of these throw Unsuitable where the file does not hold what is asked for.
+// All of these throw common::Refused where the file does not hold what is asked for.
 struct ElfFile {
-    const std::vector<uint8_t> &bytes;
+    const Bytes &bytes;
 
     template <class T> T at(uint64_t offset, const char *otherwise) const {
         need(within(offset, sizeof(T), 0, bytes.size()), otherwise);

@@ -110,13 +110,13 @@ Dynamic readDynamic(const Elf64_Phdr &segment, const Memory &memory) {
             dynamic.hash = d.d_un.d_ptr;
             break;
         case DT_JMPREL:
-            throw Unsuitable("it calls through a PLT: compile with -fno-plt");
+            throw common::Refused("it calls through a PLT: compile with -fno-plt");
         case DT_INIT:
         case DT_FINI:
         case DT_INIT_ARRAY:
         case DT_FINI_ARRAY:
         case DT_PREINIT_ARRAY:
-            throw Unsuitable("it has constructors or destructors, which would not run");
+            throw common::Refused("it has constructors or destructors, which would not run");
         }
     }
     return dynamic;
@@ -196,7 +196,7 @@ void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector
 
 } // namespace
 
-Program readProgram(const std::vector<uint8_t> &file, const System &system) {
+Program readProgram(const Bytes &file, const System &system) {
     ElfFile in = {file};
     Elf64_Ehdr header;
     std::vector<Elf64_Phdr> headers = in.programHeaders(header);

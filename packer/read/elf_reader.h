@@ -11,7 +11,7 @@ namespace pack {
 // at 0x210000 or above, within 64 MiB. If there is a section `.early`, it must end at the end of a page. The
 // image up to there is what PayloadHeader calls the early part, and the section's first byte is its function.
 // For Windows the rules are the same, except that the program needs kernel32.dll alone, imports LoadLibraryA
-// and GetProcAddress, and may have any interpreter or none. Throws Unsuitable.
-Program readProgram(const std::vector<uint8_t> &file, const System &system = kLinux);
+// and GetProcAddress, and may have any interpreter or none. Throws common::Refused.
+Program readProgram(const Bytes &file, const System &system = kLinux);
 
 } // namespace pack

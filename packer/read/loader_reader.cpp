@@ -103,19 +103,19 @@ void findCode(const ElfFile &in, const Headers &headers, Program &program) {
 
 } // namespace
 
-bool isMadeForPacking(const std::vector<uint8_t> &file) {
+bool isMadeForPacking(const Bytes &file) {
     try {
         ElfFile in = {file};
         Elf64_Ehdr header;
         std::vector<std::string> names = libraries(in, in.programHeaders(header));
         return header.e_type == ET_EXEC && names.size() == 1 &&
                (names[0] == kLinux.library || names[0] == kWindows.library);
-    } catch (const Unsuitable &) {
+    } catch (const common::Refused &) {
         return false; // whoever reads it says why
     }
 }
 
-Program readAnyProgram(const std::vector<uint8_t> &file) {
+Program readAnyProgram(const Bytes &file) {
     ElfFile in = {file};
     Elf64_Ehdr header;
     Headers headers = in.programHeaders(header);
@@ -138,7 +138,7 @@ Program readAnyProgram(const std::vector<uint8_t> &file) {
     return program;
 }
 
-uint64_t appendedBytes(const std::vector<uint8_t> &file) {
+uint64_t appendedBytes(const Bytes &file) {
     ElfFile in = {file};
     Elf64_Ehdr header;
     uint64_t end = 0;

@@ -7,14 +7,14 @@ namespace pack {
 
 // Whether a program was made for the packer: of type ET_EXEC, with libdl.so.2 (or, for Windows, kernel32.dll)
 // as its only library. readProgram() takes these, or says why not. Throws nothing.
-bool isMadeForPacking(const std::vector<uint8_t> &file);
+bool isMadeForPacking(const Bytes &file);
 
 // Accepts any x86-64 program that is static or names its interpreter, and whose first segment holds its
 // headers, as compilers make them. Of the result, readOnly and span are all its memory, in whole pages; it
-// has no slots, and nothing early. Throws Unsuitable.
-Program readAnyProgram(const std::vector<uint8_t> &file);
+// has no slots, and nothing early. Throws common::Refused.
+Program readAnyProgram(const Bytes &file);
 
 // How many bytes lie behind everything that the ELF headers tell of. A packed program does not find them.
-uint64_t appendedBytes(const std::vector<uint8_t> &file);
+uint64_t appendedBytes(const Bytes &file);
 
 } // namespace pack

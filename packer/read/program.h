@@ -1,22 +1,22 @@
 // A program as it lies in memory, and what makes a file unsuitable.
 #pragma once
 
+#include "packer/read/bytes.h"
 #include "packer/stub/format.h"
+#include "tools/common/command_line.h"
 
-#include <stdexcept>
 #include <string>
 
 namespace pack {
 
 inline constexpr uint64_t kMostMemory = 64 << 20; // no program of ours is larger
 
-// What makes a file unsuitable, as one line for the user.
-struct Unsuitable : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
+// Throws common::Refused unless the condition holds: the line names what makes a file unsuitable.
 inline void need(bool condition, const std::string &otherwise) {
-    if (!condition) throw Unsuitable(otherwise);
+    if (!condition) throw common::Refused(otherwise);
 }
+inline constexpr char kDamaged[] = "damaged: get it afresh";
+inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 
 // What a program may take for granted where it runs: one library, and its two functions that find all others.
 struct System {
@@ -28,9 +28,8 @@ inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAdd
 
 // As it lies in memory when it starts.
 struct Program {
-    uint32_t base; // address of the first byte; page-aligned
-    std::vector<uint8_t>
-        bytes;         // up to the last one that is not 0, at least one; the loader's tables are zeroed
+    uint32_t base;     // address of the first byte; page-aligned
+    Bytes bytes;       // up to the last one that is not 0, at least one; the loader's tables are zeroed
     uint32_t readOnly; // bytes from base that are never written: code and constants; whole pages
     uint32_t span;     // bytes of memory, with the zeros behind the bytes
     uint32_t slots[2]; // addresses where it expects System::functions

@@ -31,7 +31,7 @@ void add(std::vector<Claim> &claims, uint64_t address, uint64_t size, std::strin
 }
 
 // Sections and, by their names as the linker knows them, functions and objects.
-void readElf(const std::vector<uint8_t> &elf, std::vector<Claim> &names, std::vector<Claim> &symbols) {
+void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &symbols) {
     constexpr char kOutside[] = "its symbols lie outside the file: strip it";
     ElfFile in = {elf};
     std::vector<Elf64_Shdr> sections = in.sections();
@@ -173,8 +173,8 @@ Home homeOf(const std::string &path) {
 
 bool isMap(const std::string &text) { return text.find(kMapBegins) != std::string::npos; }
 
-std::vector<Stretch> attribute(const std::vector<uint8_t> &elf, const std::string &map,
-                               const std::string &symbols, const Program &program) {
+std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const std::string &symbols,
+                               const Program &program) {
     std::vector<Claim> sections, functions, objects = exclusive(readMap(map));
     readElf(elf, sections, functions);
     sections = exclusive(sections);

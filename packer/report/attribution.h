@@ -45,8 +45,8 @@ bool isMap(const std::string &text);
 // The stretches of the whole program, in order. `elf`: the program as it was read, for its sections and, if
 // it is not stripped, its functions and objects. `map`: the linker's, for the object files; may be empty.
 // `symbols`: what `nm -A` prints of the object files that are optimised as a whole when they are linked,
-// which the map shows as one; may be empty. Throws Unsuitable.
-std::vector<Stretch> attribute(const std::vector<uint8_t> &elf, const std::string &map,
-                               const std::string &symbols, const Program &program);
+// which the map shows as one; may be empty. Throws common::Refused.
+std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const std::string &symbols,
+                               const Program &program);
 
 } // namespace pack

@@ -1,4 +1,5 @@
 #include "packer/report/report.h"
+#include "tools/common/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,11 +16,12 @@ std::string printCosts(const Costs &all, const char *title, size_t most) {
                      [](auto &a, auto &b) { return a.second.bits > b.second.bits; });
     if (sorted.size() > most) sorted.resize(most);
     constexpr size_t kWidth = 60;
-    std::string text = format("%-60s %7s %7s\n", title, "packed", "before");
+    std::string text = common::format("%-60s %7s %7s\n", title, "packed", "before");
     for (auto &[name, cost] : sorted) {
         std::string label = name.substr(0, kWidth);
         if (name.size() > kWidth) label.replace(kWidth - 3, 3, "...");
-        text += format("%-60s %7.0f %7llu\n", label.c_str(), cost.bits / 8, (unsigned long long)cost.bytes);
+        text += common::format("%-60s %7.0f %7llu\n", label.c_str(), cost.bits / 8,
+                               (unsigned long long)cost.bytes);
     }
     return text;
 }

@@ -39,7 +39,7 @@ struct Rooms {
 };
 inline constexpr char kStub[] = "(stub)";
 
-// Throws Unsuitable with the line that is wrong.
+// Throws common::Refused with the line that is wrong.
 Rooms readRooms(const std::string &text);
 
 // `bits`: the cost of each byte of the program; `stretches`: what attribute() makes. With `rooms`, an object
@@ -54,10 +54,6 @@ std::string printReport(const Report &report);
 // of the report.
 std::string printJson(const Report &report);
 
-// What printJson() printed, without stretches. Sections must be there, other parts may be missing. There
-// are no rooms, but roomOf. Throws Unsuitable.
-Report readJson(const std::string &text);
-
 // Gives an earlier report the rooms of a later one, so that they can be compared: an object is where it is
 // now or, if it is gone, where it was.
 void arrange(Report &before, const Report &now);
@@ -67,15 +63,5 @@ void arrange(Report &before, const Report &now);
 // compare with, the ten that cost most. Parts are symbols, or objects or sections if one of the two reports
 // has no symbols.
 std::string printMarkdown(const std::string &name, const Report &report, const Report *before, long budget);
-
-// snprintf for numbers and short words: at most 199 characters.
-std::string format(const char *pattern, auto... values) {
-    char line[200];
-    std::snprintf(line, sizeof line, pattern, values...);
-    return line;
-}
-
-// A string of JSON.
-std::string quote(const std::string &text);
 
 } // namespace pack

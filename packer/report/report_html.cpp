@@ -1,6 +1,5 @@
 #include "packer/report/report_html.h"
 
-#include "packer/report/deflate.h"
 #include "packer/report/disassembly.h"
 #include "report_page_body.h"
 #include "report_page_script.h"
@@ -9,17 +8,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <unordered_map>
+#include <zlib.h>
 
 namespace pack {
 
 namespace {
 
-using Bytes = std::vector<uint8_t>;
+using nlohmann::json;
 
-std::string units(double bits) { return format("%.0f", std::round(bits * kUnit)); }
+int64_t units(double bits) { return std::llround(bits * kUnit); }
 
-// --- Tables: a line each of [name, bytes, units, units before or null, share in bytes or null] ---
+// --- Tables: arrays of [name, bytes, units, units before or null, share in bytes or null] ---
 
 class Table {
 public:
@@ -33,7 +34,7 @@ public:
         };
         auto share = [&](const std::string &name) {
             auto found = report.shares.find(name);
-            return rooms && found != report.shares.end() ? found->second : -1;
+            return rooms && found != report.shares.end() ? json(found->second) : json();
         };
         for (auto &[name, cost] : all) {
             numbers[name] = numbers.size();
@@ -46,14 +47,14 @@ public:
         const std::string &room = report.stubRoom;
         std::string stub = rooms && !room.empty() && !all.count(room) ? room : kStub;
         add(stub, 0, 8.0 * (double)report.overhead, before ? 8.0 * (double)before->overhead : 0, share(stub));
-        add("(end of the payload)", 0, report.rest, before ? restOf(costs) : 0, -1);
+        add("(end of the payload)", 0, report.rest, before ? restOf(costs) : 0, json());
     }
-    std::string json() const { return "[" + lines + "]"; }
-    // A name's line, or -1
+    // A name's row, or -1
     long number(const std::string &name) const {
         auto found = numbers.find(name);
         return found == numbers.end() ? -1 : (long)found->second;
     }
+    json rows = json::array();
 
 private:
     // So that the earlier costs add up, too, even if parts overlapped then
@@ -62,35 +63,31 @@ private:
         for (auto &[name, cost] : before->*costs) bits -= cost.bits;
         return bits;
     }
-    void add(const std::string &name, uint64_t bytes, double bits, double was, long share) {
-        lines += (lines.empty() ? "\n[" : ",\n[") + quote(name) + "," + std::to_string(bytes) + "," +
-                 units(bits) + "," + (before ? units(was) : "null") + "," +
-                 (share >= 0 ? std::to_string(share) : "null") + "]";
+    void add(const std::string &name, uint64_t bytes, double bits, double was, const json &share) {
+        rows.push_back({name, bytes, units(bits), before ? json(units(was)) : json(), share});
     }
     const Report *before;
-    std::string lines;
     std::unordered_map<std::string, size_t> numbers;
 };
 
 // --- Bytes and instructions ---
 
-// Costs as bytes, and those that do not fit as JSON [[offset, units], ...].
-Bytes lowCosts(const Report &report, std::string &high) {
+// Costs as bytes, and those that do not fit as [[offset, units], ...].
+Bytes lowCosts(const Report &report, json &high) {
     Bytes low;
     for (size_t i = 0; i < report.sixteenths.size(); ++i) {
         uint16_t cost = report.sixteenths[i];
         low.push_back((uint8_t)std::min<uint16_t>(cost, 255));
-        if (cost >= 255)
-            high += (high.empty() ? "[" : ",[") + std::to_string(i) + "," + std::to_string(cost) + "]";
+        if (cost >= 255) high.push_back({i, cost});
     }
     return low;
 }
 
-// What objdump says of the program: the numbers of forms, and as JSON the forms and where instructions follow
-// each other, [[offset, number of instructions], ...].
+// The program's instructions, by objdump: the number of each one's form, the forms, and the runs of
+// instructions without gaps as [[offset, number of instructions], ...].
 struct Code {
     Bytes numbers;
-    std::string forms, runs;
+    json forms = json::array(), runs = json::array();
     size_t instructions = 0;
 };
 Code readCode(const char *path, const Program &program) {
@@ -121,11 +118,11 @@ Code readCode(const char *path, const Program &program) {
     Code code;
     for (uint32_t i = 0; i < order.size(); ++i) {
         numbers[order[i]] = i;
-        code.forms += (i ? ",\n" : "") + quote(*forms[order[i]].second);
+        code.forms.push_back(*forms[order[i]].second);
     }
     uint32_t end = 0, run = 0, count = 0;
     auto endRun = [&] {
-        if (count) code.runs += format("%s[%u,%u]", code.runs.empty() ? "" : ",", run, count);
+        if (count) code.runs.push_back({run, count});
         count = 0;
     };
     for (const Place &p : places) {
@@ -145,18 +142,38 @@ Code readCode(const char *path, const Program &program) {
     return code;
 }
 
-// [begin, bytes, units, and the lines of the tables: section, object or -1, room or -1, symbol]
-std::string printStretches(const Report &report, const Table &sections, const Table &objects,
-                           const Table &rooms, const Table &symbols) {
-    std::string text = "[";
+// [begin, bytes, units, and the rows of the tables: section, object or -1, room or -1, symbol]
+json stretches(const Report &report, const Table &sections, const Table &objects, const Table &rooms,
+               const Table &symbols) {
+    json all = json::array();
     for (const Stretch &s : report.stretches) {
         uint64_t cost = 0;
         for (uint32_t i = s.begin; i < s.begin + s.size; ++i) cost += report.sixteenths[i];
-        text += format("%s[%u,%u,%llu,%ld,%ld,%ld,%ld]", &s == &report.stretches[0] ? "\n" : ",\n", s.begin,
-                       s.size, (unsigned long long)cost, sections.number(s.section), objects.number(s.object),
-                       rooms.number(s.room), symbols.number(s.symbol));
+        all.push_back({s.begin, s.size, cost, sections.number(s.section), objects.number(s.object),
+                       rooms.number(s.room), symbols.number(s.symbol)});
     }
-    return text + "]";
+    return all;
+}
+
+Bytes deflate(const Bytes &bytes) {
+    uLongf size = compressBound(bytes.size());
+    Bytes packed(size);
+    if (compress(packed.data(), &size, bytes.data(), bytes.size()) != Z_OK)
+        throw std::runtime_error("zlib cannot pack the page's data");
+    packed.resize(size);
+    return packed;
+}
+
+std::string base64(const Bytes &bytes) {
+    constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string text;
+    for (size_t i = 0; i < bytes.size(); i += 3) {
+        uint32_t three = 0;
+        for (size_t k = 0; k < 3; ++k) three = three << 8 | (i + k < bytes.size() ? bytes[i + k] : 0);
+        for (size_t k = 0; k < 4; ++k)
+            text += i + k <= bytes.size() ? kDigits[three >> (18 - 6 * k) & 63] : '=';
+    }
+    return text;
 }
 
 std::string element(const char *id, const Bytes &data) {
@@ -171,31 +188,38 @@ std::string printHtml(const Page &page, const Report &report, const Program &pro
     Table sections(page, report, &Report::sections), objects(page, report, &Report::objects),
         rooms(page, report, &Report::rooms), symbols(page, report, &Report::symbols);
     bool shown = program.bytes.size() <= kMostShown;
-    std::string high;
+    json high = json::array();
     Bytes low = lowCosts(report, high);
     Code code;
-    if (shown) code = readCode(page.path, program);
-    std::string json =
-        "{\"name\":" + quote(page.name) +
-        format(",\n\"file\":%zu,\"budget\":%ld,\"base\":%u,\"size\":%zu,\"unit\":%d,\"shown\":%s",
-               report.fileSize, page.budget, program.base, program.bytes.size(), kUnit,
-               shown ? "true" : "false");
-    json += ",\n\"before\":";
-    json += page.before
-                ? "{\"name\":" + quote(page.beforeName) + format(",\"file\":%zu}", page.before->fileSize)
-                : "null";
-    json += ",\n\"rooms\":" + rooms.json() + ",\n\"objects\":" + objects.json() +
-            ",\n\"sections\":" + sections.json() + ",\n\"symbols\":" + symbols.json();
-    json += ",\n\"stretches\":" + printStretches(report, sections, objects, rooms, symbols);
-    json += ",\n\"high\":[" + (shown ? high : "") + "],\n\"forms\":[" + code.forms + "],\n\"runs\":[" +
-            code.runs + format("],\n\"instructions\":%zu}\n", code.instructions);
+    if (shown) code = readCode(page.path.c_str(), program);
+    json tables = {
+        {"name", page.name},
+        {"file", report.fileSize},
+        {"budget", page.budget},
+        {"base", program.base},
+        {"size", program.bytes.size()},
+        {"unit", kUnit},
+        {"shown", shown},
+        {"before", page.before ? json{{"name", page.beforeName}, {"file", page.before->fileSize}} : json()},
+        {"rooms", rooms.rows},
+        {"objects", objects.rows},
+        {"sections", sections.rows},
+        {"symbols", symbols.rows},
+        {"stretches", stretches(report, sections, objects, rooms, symbols)},
+        {"high", shown ? high : json::array()},
+        {"forms", code.forms},
+        {"runs", code.runs},
+        {"instructions", code.instructions},
+    };
+    std::string printed = tables.dump(-1, ' ', false, json::error_handler_t::replace);
     return "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>What it "
            "costs</title>\n"
            "<meta name=\"viewport\" content=\"width=device-width\">\n<style>\n" +
            text(kReportPageStyle) + "</style>\n</head>\n<body>\n" + text(kReportPageBody) +
-           element("tables", {json.begin(), json.end()}) + element("bytes", shown ? program.bytes : Bytes()) +
-           element("costs", shown ? low : Bytes()) + element("code", code.numbers) + "<script>\n" +
-           text(kReportPageScript) + "</script>\n</body>\n</html>\n";
+           element("tables", {printed.begin(), printed.end()}) +
+           element("bytes", shown ? program.bytes : Bytes()) + element("costs", shown ? low : Bytes()) +
+           element("code", code.numbers) + "<script>\n" + text(kReportPageScript) +
+           "</script>\n</body>\n</html>\n";
 }
 
 } // namespace pack

@@ -1,5 +1,5 @@
-// A page for browsers that shows what each byte of a program costs. It needs no network: the parts of
-// report_page/ are in it, and the data, packed by deflate().
+// Reports that need libraries (nlohmann-json, zlib): a page for browsers that shows what each byte of a
+// program costs, and the reader of earlier reports. The page needs no network: page/ and the data are in it.
 #pragma once
 
 #include "packer/report/report.h"
@@ -11,16 +11,20 @@ inline constexpr size_t kMostShown = 16 << 20;
 
 struct Page {
     std::string name;               // of the packed file
-    const char *path;               // of the program as it was read, for objdump
+    std::string path;               // of the program as it was read, for objdump
     long budget;                    // bytes; -1: none
     const Report *before = nullptr; // with the rooms of the report: arrange()
     std::string beforeName = {};
 };
 
-// The page has four elements of data, packed and in base64. "tables" is JSON: what the report says, in its
-// units (report_html.cpp says how); "bytes": the program; "costs": what each byte costs, 255 for what stands
+// The page has four elements of data, packed by zlib, in base64. "tables" is JSON: the report, in its units
+// (tables in report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for what stands
 // in "high" of the tables; "code": for each instruction of which the tables have "forms" (disassembly.h), the
 // form's number, seven bits a byte, low ones first.
 std::string printHtml(const Page &page, const Report &report, const Program &program);
+
+// What printJson() printed, without stretches. Sections must be there, other parts may be missing. There
+// are no rooms, but roomOf. Throws common::Refused.
+Report readJson(const std::string &text);
 
 } // namespace pack

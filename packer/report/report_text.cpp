@@ -1,5 +1,6 @@
 // For a comment on a change: the total and the largest changes.
 #include "packer/report/report.h"
+#include "tools/common/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,7 @@ constexpr double kLeastChange = 4; // bytes
 
 // 64916 as 64,916
 std::string thousands(double value) {
-    std::string digits = format("%.0f", std::abs(value)), text = std::round(value) < 0 ? "-" : "";
+    std::string digits = common::format("%.0f", std::abs(value)), text = std::round(value) < 0 ? "-" : "";
     for (size_t i = 0; i < digits.size(); ++i) {
         if (i && (digits.size() - i) % 3 == 0) text += ',';
         text += digits[i];
@@ -55,7 +56,8 @@ std::string headline(const std::string &name, double now, const Report *before, 
     std::string text = "**" + cell(name) + ": " + thousands(now) + " bytes**";
     if (before) {
         auto was = (double)before->fileSize;
-        text += ", " + change(now - was) + format(" (%+.2f %%)", was > 0 ? 100 * (now - was) / was : 0);
+        text +=
+            ", " + change(now - was) + common::format(" (%+.2f %%)", was > 0 ? 100 * (now - was) / was : 0);
     }
     if (budget >= 0)
         text += (now > budget ? ", **over budget by " + thousands(now - budget) + "**"
@@ -94,10 +96,10 @@ std::string printMarkdown(const std::string &name, const Report &report, const R
     text += before ? " |\n|---------:|---------:|---------:|---|\n" : " |\n|---------:|---|\n";
     for (const Change &c : changes) {
         if (before)
-            text += format("| %8s | %8s | %8s | ", change(c.now - c.was).c_str(), thousands(c.now).c_str(),
-                           thousands(c.was).c_str());
+            text += common::format("| %8s | %8s | %8s | ", change(c.now - c.was).c_str(),
+                                   thousands(c.now).c_str(), thousands(c.was).c_str());
         else
-            text += format("| %8s | ", thousands(c.now).c_str());
+            text += common::format("| %8s | ", thousands(c.now).c_str());
         text += cell(c.name) + " |\n";
     }
     return text;

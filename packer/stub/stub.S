@@ -11,6 +11,7 @@
 // slots. Subroutines may clobber all other registers.
 
 #include "stub_memory.S"
+#include "stub_linux.S"
 
 .section .stub, "ax"
 start:
@@ -18,26 +19,9 @@ start:
     push rsi
     lea ebx, [rip + payload_header]
 
-    // Check the file. A truncated file lacks pages, which must not be touched: access() tells whether a page is there.
     // Nothing is trusted before it is checked, so the file's beginning is computed from this code's own address
     lea edi, [rip + start - FRONT]
-    mov edx, [rbx + WORDS]
-    xor esi, esi
-    xor ebp, ebp
-1:  test di, PAGE - 1
-    jne 2f
-    push 21 // access
-    pop rax
-    syscall
-    cmp al, -14 // EFAULT
-    je damaged
-2:  add ebp, [rdi]
-    imul ebp, ebp, HASH
-    scasd
-    dec edx
-    jne 1b
-    test ebp, ebp
-    je get_memory
+    check_file
 damaged: // the texts are here so that a truncated file still has them; each has 23 bytes, and texts.h knows them
     call refuse
     .ascii "damaged: get it afresh\n"
@@ -61,15 +45,7 @@ refuse:
 get_memory:
     xor edi, edi
     mov esi, [rbx + MEMORY]
-    push 3 // read, write
-    pop rdx
-    push 0x22 // private, anonymous
-    pop r10
-    xor r9d, r9d
-    push 9 // mmap
-    pop rax
-    syscall
-    test rax, rax
+    map_memory
     js no_memory
     push rax // for munmap
     lea rbp, [rax - FIELDS]

@@ -7,6 +7,7 @@
 
 #define NOTHING_IS_EARLY
 #include "stub_memory.S"
+#include "stub_linux.S"
 
 // Fields of ELF, and numbers of the kernel
 .set E_ENTRY, 24
@@ -33,25 +34,8 @@ stubLoaderStart:
     movq xmm15, rsp
     lea rbx, [rip + payload_header]
 
-    // Check the file as stub.S does
     lea rdi, [rip + start - LOADER_FRONT]
-    mov edx, [rbx + WORDS]
-    xor esi, esi
-    xor ebp, ebp
-1:  test di, PAGE - 1
-    jne 2f
-    push 21 // access
-    pop rax
-    syscall
-    cmp al, -14 // EFAULT
-    je damaged
-2:  add ebp, [rdi]
-    imul ebp, ebp, HASH
-    scasd
-    dec edx
-    jne 1b
-    test ebp, ebp
-    je get_memory
+    check_file
 damaged:
     call refuse
     .asciz ": damaged: get it afresh\n"
@@ -189,18 +173,9 @@ give_vector:
     cdq // there is no function to call at exit
     jmp r9
 
-// rax = esi bytes of zeros to read and write, at any place; the sign says whether there were none.
 map:
     xor edi, edi
-    push 3 // read, write
-    pop rdx
-    push 0x22 // private, anonymous
-    pop r10
-    xor r9d, r9d
-    push 9 // mmap
-    pop rax
-    syscall
-    test rax, rax
+    map_memory
     ret
 
 // rdi = the program headers of the ELF file at r14, ecx their number.

@@ -1,6 +1,6 @@
-#include "packer/write/elf_writer.h"
-
 #include "packer/stub/stub.h"
+#include "packer/write/elf_header.h"
+#include "packer/write/packed_file.h"
 #include "stub_bytes.h"
 
 #include <algorithm>
@@ -20,22 +20,13 @@ Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t addr
     return {type, flags, offset, address, address, inFile, inMemory, align};
 }
 
-void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
+// All but the two segments that are loaded, 1 and 2.
+Front makeFront(uint64_t base, uint64_t entry, const uint32_t *slots) {
+    Front f = {};
+    f.header = elfHeader(ET_EXEC, entry, offsetof(Front, segments), 5);
     auto at = [&](size_t offset) { return base + offset; };
-    std::memcpy(f.header.e_ident, ELFMAG, SELFMAG);
-    f.header.e_ident[EI_CLASS] = ELFCLASS64;
-    f.header.e_ident[EI_DATA] = ELFDATA2LSB;
-    f.header.e_ident[EI_VERSION] = EV_CURRENT;
-    f.header.e_type = ET_EXEC;
-    f.header.e_machine = EM_X86_64;
-    f.header.e_version = EV_CURRENT;
-    f.header.e_phoff = offsetof(Front, segments);
-    f.header.e_ehsize = sizeof(Elf64_Ehdr);
-    f.header.e_phentsize = sizeof(Elf64_Phdr);
-    f.header.e_phnum = 5;
     f.segments[0] = segment(PT_INTERP, PF_R, offsetof(Front, interpreter), at(offsetof(Front, interpreter)),
                             sizeof kInterpreter, sizeof kInterpreter, 1);
-    // The caller fills segments 1 and 2
     constexpr size_t kDynamic = sizeof f.dynamic + sizeof f.dynamicEnd;
     f.segments[3] = segment(PT_DYNAMIC, PF_R, offsetof(Front, dynamic), at(offsetof(Front, dynamic)),
                             kDynamic, kDynamic, 8);
@@ -55,83 +46,58 @@ void fillTables(Front &f, uint64_t base, const uint32_t *slots) {
     f.first = {0, ELF64_ST_INFO(STB_GLOBAL, STT_FUNC), 0, 0};
     f.second = {7, ELF64_ST_INFO(STB_GLOBAL, STT_FUNC), 0, 0};
     for (uint32_t i = 0; i < 2; ++i) f.relocations[i] = {slots[i], ELF64_R_INFO(i + 1, R_X86_64_GLOB_DAT), 0};
+    return f;
 }
 
-} // namespace
-
-size_t overhead(const ModelParameters &parameters) {
-    return kPayloadSectionAt + payloadSectionOverhead(parameters);
-}
-
-std::vector<uint8_t> writePacked(const Program &program, const ModelParameters &parameters,
-                                 const std::vector<uint8_t> &payload, const Names &names) {
+Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
+            const Names &names) {
     uint32_t base = program.base - kBelow;
-    size_t size = (overhead(parameters) + payload.size() + 3) / 4 * 4;
+    size_t size = (overhead(kElf, parameters) + payload.size() + 3) / 4 * 4;
     need(size <= kBelow, "too large: it would be more than 2 MiB, packed");
-    auto at = [&](size_t offset) { return base + offset; };
-
-    Front f = {};
-    fillTables(f, base, program.slots);
-    f.header.e_entry = at(kStubAt);
+    Front f = makeFront(base, base + kStubAt, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-
-    std::vector<uint8_t> out;
-    auto append = [&](const void *bytes, size_t count) {
-        out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
-    };
-    append(&f, sizeof f);
-    std::vector<uint8_t> stub = namedStub().with(names);
-    append(stub.data(), stub.size());
+    Bytes out(sizeof f), stub = namedStub().with(names);
+    std::memcpy(out.data(), &f, sizeof f);
+    out.insert(out.end(), stub.begin(), stub.end());
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
 
-std::vector<uint8_t> decodeWithStub(const std::vector<uint8_t> &packed) {
-    return decodePayloadSection(packed, kPayloadSectionAt, stubDecode);
-}
-
-bool isPacked(const std::vector<uint8_t> &file) {
+bool isPacked(const Bytes &file) {
     return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
 }
 
-Packed openPacked(const std::vector<uint8_t> &file) {
-    need(isPacked(file), "not packed by this version of pack, or damaged at its beginning");
+Packed open(const Bytes &file) {
+    need(isPacked(file), kForeign);
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
     uint64_t span = f.segments[2].p_memsz;
     Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, span);
     Program &program = packed.program;
-    need(program.base > kBelow, "damaged: get it afresh");
+    need(program.base > kBelow, kDamaged);
     for (int i = 0; i < 2; ++i) {
         program.slots[i] = (uint32_t)f.relocations[i].r_offset;
-        need(program.slots[i] >= program.base && program.slots[i] - program.base + 8 <= span,
-             "damaged: get it afresh");
+        need(program.slots[i] >= program.base && program.slots[i] - program.base + 8 <= span, kDamaged);
     }
     return packed;
 }
 
-Program readPacked(const std::vector<uint8_t> &file) {
-    Packed packed = openPacked(file);
-    Workspace workspace;
-    packed.program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
-    return packed.program;
-}
-
-std::vector<uint8_t> writePlain(const Program &program) {
+Bytes writePlain(const Program &program) {
     uint64_t base = program.base - kPage, size = std::max<uint64_t>(program.bytes.size(), program.readOnly);
-    Front f = {};
-    fillTables(f, base, program.slots);
-    f.header.e_entry = program.entry;
+    Front f = makeFront(base, program.entry, program.slots);
     f.segments[1] =
         segment(PT_LOAD, PF_R | PF_X, 0, base, kPage + program.readOnly, kPage + program.readOnly, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, kPage + program.readOnly, program.base + program.readOnly,
                             size - program.readOnly, program.span - program.readOnly, kPage);
-    std::vector<uint8_t> out(kPage + size);
+    Bytes out(kPage + size);
     std::memcpy(out.data(), &f, sizeof f);
     std::copy(program.bytes.begin(), program.bytes.end(), out.begin() + kPage);
     return out;
 }
+
+} // namespace
+
+const PackedKind kElf = {kPayloadSectionAt, stubDecode, write, isPacked, open, writePlain};
 
 } // namespace pack

@@ -1,7 +1,7 @@
-#include "packer/write/loader_writer.h"
-
 #include "packer/read/elf_file.h"
 #include "packer/stub/stub.h"
+#include "packer/write/elf_header.h"
+#include "packer/write/packed_file.h"
 #include "stub_loader_bytes.h"
 
 #include <cstring>
@@ -29,18 +29,7 @@ LoaderFront makeFront(const Program &program, size_t size) {
 
     uint64_t base = program.base, fileAt = base + program.span;
     LoaderFront f = {};
-    std::memcpy(f.header.e_ident, ELFMAG, SELFMAG);
-    f.header.e_ident[EI_CLASS] = ELFCLASS64;
-    f.header.e_ident[EI_DATA] = ELFDATA2LSB;
-    f.header.e_ident[EI_VERSION] = EV_CURRENT;
-    f.header.e_type = header.e_type;
-    f.header.e_machine = EM_X86_64;
-    f.header.e_version = EV_CURRENT;
-    f.header.e_entry = fileAt + kStubAt;
-    f.header.e_phoff = offsetof(LoaderFront, program);
-    f.header.e_ehsize = sizeof(Elf64_Ehdr);
-    f.header.e_phentsize = sizeof(Elf64_Phdr);
-    f.header.e_phnum = 3;
+    f.header = elfHeader(header.e_type, fileAt + kStubAt, offsetof(LoaderFront, program), 3);
     f.program = {PT_LOAD, PF_R | PF_W, 0, base, base, 1, program.span, alignment};
     f.file = {PT_LOAD, PF_R | PF_X, 0, fileAt, fileAt, size, size, kPage};
     f.stackType = PT_GNU_STACK;
@@ -48,45 +37,30 @@ LoaderFront makeFront(const Program &program, size_t size) {
     return f;
 }
 
-} // namespace
-
-size_t overheadLoader(const ModelParameters &parameters) {
-    return kPayloadSectionAt + payloadSectionOverhead(parameters);
-}
-
-std::vector<uint8_t> writePackedLoader(const Program &program, const ModelParameters &parameters,
-                                       const std::vector<uint8_t> &payload, const Names &names) {
-    size_t size = (overheadLoader(parameters) + payload.size() + 3) / 4 * 4;
+Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
+            const Names &names) {
+    size_t size = (overhead(kLoader, parameters) + payload.size() + 3) / 4 * 4;
     LoaderFront f = makeFront(program, size);
-    std::vector<uint8_t> out(kPayloadSectionAt);
+    Bytes out(sizeof f), stub = namedStub().with(names);
     std::memcpy(out.data(), &f, sizeof f);
-    std::vector<uint8_t> stub = namedStub().with(names);
-    std::copy(stub.begin(), stub.end(), out.begin() + kStubAt);
+    out.insert(out.end(), stub.begin(), stub.end());
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
 
-std::vector<uint8_t> decodeWithStubLoader(const std::vector<uint8_t> &packed) {
-    return decodePayloadSection(packed, kPayloadSectionAt, stubDecodeLoader);
-}
-
-bool isPackedLoader(const std::vector<uint8_t> &file) {
+bool isPacked(const Bytes &file) {
     return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
 }
 
-Program readPackedLoader(const std::vector<uint8_t> &file) {
-    need(isPackedLoader(file), "not packed by this version of pack, or damaged at its beginning");
+Packed open(const Bytes &file) {
+    need(isPacked(file), kForeign);
     LoaderFront f;
     std::memcpy(&f, file.data(), sizeof f);
-    Packed packed = openPayloadSection(file, kPayloadSectionAt, 0, f.program.p_memsz);
-    Workspace workspace;
-    packed.program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
-    return packed.program;
+    return openPayloadSection(file, kPayloadSectionAt, 0, f.program.p_memsz);
 }
 
-std::vector<uint8_t> writePlainLoader(const Program &program) {
-    std::vector<uint8_t> out = program.bytes;
+Bytes writePlain(const Program &program) {
+    Bytes out = program.bytes;
     ElfFile own = {program.bytes};
     Elf64_Ehdr header;
     std::vector<Elf64_Phdr> headers = own.programHeaders(header);
@@ -97,5 +71,9 @@ std::vector<uint8_t> writePlainLoader(const Program &program) {
     out.resize(program.span);
     return out;
 }
+
+} // namespace
+
+const PackedKind kLoader = {kPayloadSectionAt, stubDecodeLoader, write, isPacked, open, writePlain};
 
 } // namespace pack

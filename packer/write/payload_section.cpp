@@ -18,9 +18,8 @@ size_t payloadSectionOverhead(const ModelParameters &parameters) {
     return sizeof(PayloadHeader) + masksSize(parameters) + kCheckSize;
 }
 
-void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
-                          const ModelParameters &parameters, const std::vector<uint8_t> &payload,
-                          size_t checkedFrom, size_t size) {
+void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
+                          const Bytes &payload, size_t checkedFrom, size_t size) {
     PayloadHeader p = {};
     p.words = (uint32_t)((size - checkedFrom) / 4);
     p.image = program.base;
@@ -38,7 +37,7 @@ void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
         out.insert(out.end(), (const uint8_t *)bytes, (const uint8_t *)bytes + count);
     };
     append(&p, sizeof p);
-    std::vector<uint8_t> masks = packMasks(parameters);
+    Bytes masks = packMasks(parameters);
     append(masks.data(), masks.size());
     append(payload.data(), payload.size());
     out.resize(size);
@@ -46,11 +45,10 @@ void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
     std::memcpy(out.data() + size - kCheckSize, &check, kCheckSize);
 }
 
-Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t checkedFrom, uint64_t span) {
+Packed openPayloadSection(const Bytes &file, size_t from, size_t checkedFrom, uint64_t span) {
     PayloadHeader p;
     const uint8_t *at = file.data() + from + sizeof p, *end = file.data() + file.size();
     std::memcpy(&p, file.data() + from, sizeof p);
-    constexpr char kDamaged[] = "damaged: get it afresh";
     need((uint64_t)p.words * 4 <= file.size() - checkedFrom &&
              checksum(file.data() + checkedFrom, p.words) == 0,
          kDamaged);
@@ -82,15 +80,15 @@ Packed openPayloadSection(const std::vector<uint8_t> &file, size_t from, size_t 
     return {program, p.layout, parameters, {at, end}, p.words};
 }
 
-std::vector<uint8_t> decodePayloadSection(const std::vector<uint8_t> &file, size_t at, StubDecode &decode) {
-    std::vector<uint8_t> copy = file;
+Bytes decodePayloadSection(const Bytes &file, size_t at, StubDecode &decode) {
+    Bytes copy = file;
     copy.resize(copy.size() + 8); // the stub may read a little beyond the end
     PayloadHeader p;
     std::memcpy(&p, copy.data() + at, sizeof p);
     p.early = kNothingEarly; // only decode, do not run the early part
     std::memcpy(copy.data() + at, &p, sizeof p);
     Workspace workspace;
-    std::vector<uint8_t> image(p.layout.size);
+    Bytes image(p.layout.size);
     decode(copy.data() + at, image.data(), workspace.zeroed(p.memory));
     return image;
 }

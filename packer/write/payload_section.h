@@ -12,7 +12,7 @@ struct Packed {
     Program program;
     Layout layout;
     ModelParameters parameters;
-    std::vector<uint8_t> payload;
+    Bytes payload;
     uint32_t words; // of the file that the check covers
 };
 
@@ -21,17 +21,16 @@ size_t payloadSectionOverhead(const ModelParameters &parameters);
 
 // Appends the section to what comes before, so that `out` has `size` bytes, and checksum() of those from
 // `checkedFrom` on is 0.
-void appendPayloadSection(std::vector<uint8_t> &out, const Program &program,
-                          const ModelParameters &parameters, const std::vector<uint8_t> &payload,
-                          size_t checkedFrom, size_t size);
+void appendPayloadSection(Bytes &out, const Program &program, const ModelParameters &parameters,
+                          const Bytes &payload, size_t checkedFrom, size_t size);
 
 // Takes apart the section that begins at `from` in the file; its program takes `span` bytes of memory. Throws
-// Unsuitable if the section is damaged. The program's slots are in order of address; the caller knows which
-// is whose.
-Packed openPayloadSection(const std::vector<uint8_t> &file, size_t at, size_t checkedFrom, uint64_t span);
+// common::Refused if the section is damaged. The program's slots are in order of address; the caller knows
+// which is whose.
+Packed openPayloadSection(const Bytes &file, size_t at, size_t checkedFrom, uint64_t span);
 
 // Decodes the section at `at` with a stub's own code: stubDecode or stubDecodeWindows of stub.h.
 using StubDecode = void(const uint8_t *header, uint8_t *image, void *memory);
-std::vector<uint8_t> decodePayloadSection(const std::vector<uint8_t> &file, size_t at, StubDecode &decode);
+Bytes decodePayloadSection(const Bytes &file, size_t at, StubDecode &decode);
 
 } // namespace pack

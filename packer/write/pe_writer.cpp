@@ -1,7 +1,6 @@
-#include "packer/write/pe_writer.h"
-
 #include "packer/stub/pe_format.h"
 #include "packer/stub/stub.h"
+#include "packer/write/packed_file.h"
 #include "stub_windows_bytes.h"
 
 #include <cstring>
@@ -17,6 +16,10 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
 
 // Where the first section lies; the headers take the page before
 constexpr uint32_t kFirst = kPage;
+
+// Bytes of stack of the main thread and of every thread that asks for no other size. All of it is committed,
+// because code that was not compiled for Windows may step over the guard page that makes a stack grow.
+constexpr uint64_t kPeStack = 1 << 20;
 
 // The fields of a header that do not depend on the program.
 PeHeader makeHeader(uint32_t base, uint32_t sections) {
@@ -123,7 +126,7 @@ Names namesIn(const PeTexts &texts) {
     Names names = {between(texts.damaged, "", " is damaged"), between(texts.mayNotRun, "use ", " ")};
     try {
         checkNames(names);
-    } catch (const Unsuitable &) {
+    } catch (const common::Refused &) {
         return {};
     }
     return names;
@@ -144,20 +147,13 @@ PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
     return f;
 }
 
-} // namespace
-
-size_t overheadPe(const ModelParameters &parameters) {
-    return kPayloadSectionAt + payloadSectionOverhead(parameters);
-}
-
-std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters &parameters,
-                                   const std::vector<uint8_t> &payload, const Names &names) {
-    uint32_t size = fileWhole(overheadPe(parameters) + payload.size());
+Bytes write(const Program &program, const ModelParameters &parameters, const Bytes &payload,
+            const Names &names) {
+    uint32_t size = fileWhole(overhead(kPe, parameters) + payload.size());
     need(size <= kBelow - 2 * kPeBaseAlign, "too large: it would be nearly 2 MiB, packed");
     PeFront f = makeFront(program, size, names);
     PeStart start = makeStart(program);
-
-    std::vector<uint8_t> out(kPayloadSectionAt);
+    Bytes out(kPayloadSectionAt);
     std::memcpy(out.data(), &f, sizeof f);
     std::memcpy(out.data() + kStartAt, &start, sizeof start);
     std::memcpy(out.data() + kStubAt, kStubWindows, sizeof kStubWindows);
@@ -165,17 +161,13 @@ std::vector<uint8_t> writePackedPe(const Program &program, const ModelParameters
     return out;
 }
 
-std::vector<uint8_t> decodeWithStubPe(const std::vector<uint8_t> &packed) {
-    return decodePayloadSection(packed, kPayloadSectionAt, stubDecodeWindows);
+bool isPacked(const Bytes &file) {
+    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) &&
+           !std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows);
 }
 
-bool isPe(const std::vector<uint8_t> &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
-
-Program readPackedPe(const std::vector<uint8_t> &file) {
-    constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning",
-                   kDamaged[] = "damaged: get it afresh";
-    need(file.size() > kPayloadSectionAt + sizeof(PayloadHeader), kForeign);
-    need(!std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows), kForeign);
+Packed open(const Bytes &file) {
+    need(isPacked(file), kForeign);
     PeFront f;
     PeStart start;
     std::memcpy(&f, file.data(), sizeof f);
@@ -190,19 +182,16 @@ Program readPackedPe(const std::vector<uint8_t> &file) {
     PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.texts));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
-    Workspace workspace;
-    program.bytes =
-        decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace);
-    return program;
+    return packed;
 }
 
-std::vector<uint8_t> writePlainPe(const Program &program) {
+Bytes writePlain(const Program &program) {
     // The section of the imports fills what is left between the header and the program
     uint32_t base = (program.base - kFirst - (uint32_t)kPage) & ~(kPeBaseAlign - 1),
              codeAt = program.base - base, dataAt = codeAt + program.readOnly,
              end = codeAt + (uint32_t)wholePages(program.span);
     need(dataAt < end, "it has no data");
-    std::vector<uint8_t> image = program.bytes;
+    Bytes image = program.bytes;
     if (image.size() < program.readOnly) image.resize(program.readOnly);
     uint32_t first = program.slots[1] < program.slots[0], slots = program.slots[first] - program.base;
     if (image.size() < slots + 16) image.resize(slots + 16);
@@ -221,12 +210,16 @@ std::vector<uint8_t> writePlainPe(const Program &program) {
         {".data", end - dataAt, dataAt, fileWhole(image.size() - program.readOnly), dataFile, {}, kPeData}};
     static_assert(sizeof h + sizeof sections <= kPeFileAlign && sizeof imports <= kPeFileAlign);
 
-    std::vector<uint8_t> out(dataFile + sections[2].fileSize);
+    Bytes out(dataFile + sections[2].fileSize);
     std::memcpy(out.data(), &h, sizeof h);
     std::memcpy(out.data() + sizeof h, sections, sizeof sections);
     std::memcpy(out.data() + kPeFileAlign, &imports, sizeof imports);
     std::copy(image.begin(), image.end(), out.begin() + codeFile);
     return out;
 }
+
+} // namespace
+
+const PackedKind kPe = {kPayloadSectionAt, stubDecodeWindows, write, isPacked, open, writePlain};
 
 } // namespace pack

@@ -53,7 +53,7 @@ std::string withNames(const Text &text, const Names &names) {
             line.insert(line.size() - 1, room - line.size(), ' ');
         return line;
     }
-    throw Unsuitable(kTooLong);
+    throw common::Refused(kTooLong);
 }
 
 void checkNames(const Names &names) {
@@ -68,8 +68,8 @@ size_t NamedStub::placeOf(const Text &text) const {
     return (size_t)(std::search(usual.begin(), usual.end(), text.usual, end) - usual.begin());
 }
 
-std::vector<uint8_t> NamedStub::with(const Names &names) const {
-    std::vector<uint8_t> stub = usual;
+Bytes NamedStub::with(const Names &names) const {
+    Bytes stub = usual;
     for (size_t i = 0; i < count; ++i) {
         std::string text = withNames(texts[i], names);
         std::copy(text.begin(), text.end(), stub.begin() + (long)placeOf(texts[i]));
@@ -79,7 +79,7 @@ std::vector<uint8_t> NamedStub::with(const Names &names) const {
 }
 
 bool NamedStub::same(const uint8_t *at) const {
-    std::vector<uint8_t> stub(at, at + usual.size());
+    Bytes stub(at, at + usual.size());
     for (size_t i = 0; i < count; ++i)
         std::copy_n(texts[i].usual, std::strlen(texts[i].usual), stub.begin() + (long)placeOf(texts[i]));
     if (named && std::equal(kNoName, std::end(kNoName), stub.begin() + (long)named))

@@ -12,7 +12,7 @@ struct Names {
     std::string safe;    // the same program, not packed: to be used where nothing that was written may run
 };
 
-// Throws Unsuitable if a name has other characters, or the texts with it do not fit.
+// Throws common::Refused if a name has other characters, or the texts with it do not fit.
 void checkNames(const Names &names);
 
 struct Text {
@@ -21,7 +21,7 @@ struct Text {
     bool called;       // follows the name by which the program was called, and ends with a 0
 };
 
-// The text with names in it, as long as the usual one. Throws Unsuitable if it does not fit.
+// The text with names in it, as long as the usual one. Throws common::Refused if it does not fit.
 std::string withNames(const Text &text, const Names &names);
 
 // The texts of stub.S and of PeTexts: all are printed with the same length.
@@ -47,14 +47,14 @@ public:
     NamedStub(const uint8_t *stub, size_t size, const Text (&texts)[kTextCount], size_t named)
         : usual(stub, stub + size), texts(texts), count(kTextCount), named(named) {}
 
-    std::vector<uint8_t> with(const Names &names) const;
+    Bytes with(const Names &names) const;
     // Whether the stub lies at `at`, with any names.
     bool same(const uint8_t *at) const;
 
 private:
     size_t placeOf(const Text &text) const;
 
-    std::vector<uint8_t> usual;
+    Bytes usual;
     const Text *texts;
     size_t count, named;
 };

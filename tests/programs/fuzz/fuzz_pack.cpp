@@ -5,9 +5,7 @@
 #include "packer/read/loader_reader.h"
 #include "packer/stub/pe_format.h"
 #include "packer/stub/stub.h"
-#include "packer/write/elf_writer.h"
-#include "packer/write/loader_writer.h"
-#include "packer/write/pe_writer.h"
+#include "packer/write/packed_file.h"
 #include "tests/support/pe_rules.h"
 
 #include "stub_bytes.h"
@@ -20,8 +18,6 @@
 using namespace pack;
 
 namespace {
-
-using Bytes = std::vector<uint8_t>;
 
 // Puts payload header, masks and payload behind `front`, with a correct checksum over everything from
 // `checkedFrom` on.
@@ -63,7 +59,7 @@ void decodeTwice(Bytes file, const Packed &packed) {
     std::memcpy(&file[sizeof(Front) + sizeof kStub + offsetof(PayloadHeader, memory)], &memory, 4);
     file.resize(file.size() + 2000 * 20 + 100); // no bit takes more than 20
     Workspace workspace;
-    if (decodeWithStub(file) !=
+    if (decodeWithStub(kElf, file) !=
         decode(packed.payload.data(), packed.payload.size(), packed.layout, packed.parameters, workspace))
         std::abort();
 }
@@ -86,30 +82,27 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             filterCode(readProgram(input));
             break;
         case 1:
-            openPacked(input);
+            kElf.open(input);
             break;
         case 2: {
             Bytes file = packedElf(input);
-            Packed packed = openPacked(file);
+            Packed packed = kElf.open(file);
             // Decoding is slow: do it rarely
             if (data[0] > 248 && packed.layout.size && packed.layout.size < 2000) decodeTwice(file, packed);
             break;
         }
         case 3: {
-            ModelParameters parameters, again;
             std::string text(input.begin(), input.end());
-            if (parseParameters(text, parameters).empty() &&
-                (!parseParameters(printParameters(parameters), again).empty() ||
-                 printParameters(again) != printParameters(parameters)))
-                std::abort();
+            ModelParameters parameters = parseParameters(text);
+            if (parseParameters(printParameters(parameters)) != parameters) std::abort();
             break;
         }
         case 4: // as it is, or as the parts of a valid file
-            readPackedPe(data[0] < 128 ? input : packedPe(input));
+            readPacked(kPe, data[0] < 128 ? input : packedPe(input));
             break;
         case 5: { // a file that is accepted must keep the rules of Windows
             Program program = readProgram(input, kWindows);
-            if (program.span < 1 << 20 && !brokenPeRule(writePlainPe(program)).empty()) std::abort();
+            if (program.span < 1 << 20 && !brokenPeRule(kPe.writePlain(program)).empty()) std::abort();
             break;
         }
         case 6: { // a program of any kind
@@ -117,13 +110,13 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
             Program program = readAnyProgram(input);
             if (appendedBytes(input) > input.size()) std::abort();
             filterCode(program);
-            writePlainLoader(program);
+            kLoader.writePlain(program);
             break;
         }
         case 7:
-            readPackedLoader(input);
+            readPacked(kLoader, input);
         }
-    } catch (const Unsuitable &) {
+    } catch (const common::Refused &) {
     }
     return 0;
 }

@@ -1,5 +1,5 @@
 # What a page of pack --html holds.
-#   page.pl PAGE ID      prints an element of its data, unpacked: tables, bytes, costs, code
+#   page.pl PAGE ID      prints an element of its data, unpacked: tables (a row a line), bytes, costs, code
 #   page.pl PAGE sums    checks that all that it tells adds up to the file, and prints bytes, stretches and instructions
 use strict;
 use warnings;
@@ -15,7 +15,12 @@ sub element {
     return uncompress(decode_base64($1)) // die "$path: $id cannot be unpacked\n";
 }
 binmode STDOUT;
-if ($what ne 'sums') { print element($what); exit }
+if ($what ne 'sums') {
+    my $text = element($what);
+    $text =~ s/(?<=\[)(?=\[)|(?<=\],)(?=\[)|(?="budget":)|(?<=,)(?="file":)/\n/g if $what eq 'tables';
+    print $text;
+    exit;
+}
 
 my $tables = decode_json(element('tables'));
 my ($bytes, $code, @costs) = (element('bytes'), element('code'), unpack 'C*', element('costs'));

@@ -1,8 +1,7 @@
 #include "packer/model/model_parameters.h"
 #include "packer/read/elf_reader.h"
 #include "packer/read/loader_reader.h"
-#include "packer/write/elf_writer.h"
-#include "packer/write/loader_writer.h"
+#include "packer/write/packed_file.h"
 
 #include <cstring>
 #include <elf.h>
@@ -10,7 +9,6 @@
 #include <random>
 
 using namespace pack;
-using Bytes = std::vector<uint8_t>;
 
 // --- Reader ---
 
@@ -78,7 +76,7 @@ struct Example {
 std::string complaint(const Bytes &file, const System &system = kLinux) {
     try {
         readProgram(file, system);
-    } catch (const Unsuitable &e) {
+    } catch (const common::Refused &e) {
         return e.what();
     }
     return "";
@@ -304,10 +302,10 @@ TEST(Writer, WritesWhatReadsBack) {
     Program p = readProgram(Sectioned().file());
     Workspace workspace;
     ModelParameters parameters = defaultParameters();
-    Bytes packed = writePacked(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
+    Bytes packed = kElf.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
     EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
-    EXPECT_EQ(decodeWithStub(packed), p.bytes);
-    Program q = readPacked(packed);
+    EXPECT_EQ(decodeWithStub(kElf, packed), p.bytes);
+    Program q = readPacked(kElf, packed);
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.readOnly, p.readOnly);
@@ -316,7 +314,7 @@ TEST(Writer, WritesWhatReadsBack) {
     EXPECT_EQ(q.slots[0], p.slots[0]);
     EXPECT_EQ(q.slots[1], p.slots[1]);
     // Reading the written file gives the same program, at the same address
-    Program again = readProgram(writePlain(q));
+    Program again = readProgram(kElf.writePlain(q));
     EXPECT_EQ(again.base, p.base - kPage);
     EXPECT_EQ(Bytes(again.bytes.begin() + kPage, again.bytes.end()), p.bytes);
     EXPECT_EQ(again.slots[0], p.slots[0]);
@@ -327,13 +325,13 @@ TEST(Writer, NothingDamagedIsOpened) {
     Program p = readProgram(Sectioned().file());
     Workspace workspace;
     ModelParameters parameters = defaultParameters();
-    Bytes packed = writePacked(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
+    Bytes packed = kElf.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
     for (size_t i = 0; i < packed.size(); ++i) {
         Bytes broken = packed;
         broken[i] ^= (uint8_t)(1 << i % 8);
-        EXPECT_THROW(openPacked(broken), Unsuitable) << i;
+        EXPECT_THROW(kElf.open(broken), common::Refused) << i;
         broken.resize(i);
-        EXPECT_THROW(openPacked(broken), Unsuitable) << i;
+        EXPECT_THROW(kElf.open(broken), common::Refused) << i;
     }
 }
 
@@ -346,7 +344,7 @@ template <class Change> std::string loaderComplaintAfter(Change change) {
     change(e);
     try {
         readAnyProgram(e.file());
-    } catch (const Unsuitable &u) {
+    } catch (const common::Refused &u) {
         return u.what();
     }
     return "";
@@ -392,30 +390,30 @@ TEST(Loader, WritesWhatReadsBack) {
     Workspace workspace;
     ModelParameters parameters = defaultParameters();
     Bytes packed =
-        writePackedLoader(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload);
-    EXPECT_TRUE(isPackedLoader(packed));
-    EXPECT_FALSE(isPacked(packed));
+        kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
+    EXPECT_TRUE(kLoader.isPacked(packed));
+    EXPECT_FALSE(kElf.isPacked(packed));
     EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
-    EXPECT_EQ(decodeWithStubLoader(packed), p.bytes);
-    Program q = readPackedLoader(packed);
+    EXPECT_EQ(decodeWithStub(kLoader, packed), p.bytes);
+    Program q = readPacked(kLoader, packed);
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.span, p.span);
     // Names stand in the texts' room, and nothing else changes
-    Bytes named = writePackedLoader(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload,
-                                    {"example", "plain-one"});
+    Bytes named = kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload,
+                                {"example", "plain-one"});
     EXPECT_EQ(named.size(), packed.size());
-    EXPECT_TRUE(isPackedLoader(named));
-    EXPECT_EQ(readPackedLoader(named).bytes, p.bytes);
+    EXPECT_TRUE(kLoader.isPacked(named));
+    EXPECT_EQ(readPacked(kLoader, named).bytes, p.bytes);
     EXPECT_NE(std::string(named.begin(), named.end()).find("example is damaged\n"), std::string::npos);
     // Read again, its own file differs by the offsets in its headers alone
-    Program again = readAnyProgram(writePlainLoader(q));
+    Program again = readAnyProgram(kLoader.writePlain(q));
     EXPECT_EQ(again.bytes.size(), p.bytes.size());
     EXPECT_EQ(again.entry, p.entry);
     for (size_t i = 0; i < packed.size(); i += 7) {
         Bytes broken = packed;
         broken[i] ^= (uint8_t)(1 << i % 8);
-        EXPECT_THROW(readPackedLoader(broken), Unsuitable) << i;
+        EXPECT_THROW(readPacked(kLoader, broken), common::Refused) << i;
     }
 }
 
@@ -439,6 +437,6 @@ TEST(Texts, KeepTheirLength) {
         }
     EXPECT_EQ(withNames(kTexts[2], {"", "odraz-safe"}), "use odraz-safe instead\n");
     for (const char *wrong : {"twelveletter", "a b", "a\n", "\xc3\xa9"})
-        EXPECT_THROW(checkNames({wrong, ""}), Unsuitable) << wrong;
-    EXPECT_THROW(checkNames({"", "fifteen.letters"}), Unsuitable);
+        EXPECT_THROW(checkNames({wrong, ""}), common::Refused) << wrong;
+    EXPECT_THROW(checkNames({"", "fifteen.letters"}), common::Refused);
 }

@@ -1,4 +1,4 @@
-#include "packer/report/report.h"
+#include "packer/report/report_html.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -34,7 +34,7 @@ bool reads(const std::string &text) {
     try {
         readJson(text);
         return true;
-    } catch (const Unsuitable &) {
+    } catch (const common::Refused &) {
         return false;
     }
 }
@@ -120,7 +120,7 @@ TEST(Report, GroupsObjectsByRooms) {
     EXPECT_EQ(r.stubRoom, "stub");
     EXPECT_EQ(r.roomOf.at("c.o"), "hall"); // which earlier builds may have
     for (const char *wrong : {"hall\n", "hall ten a.o\n", "hall -5 a.o\n", "hall 5x\n"})
-        EXPECT_THROW(readRooms(wrong), Unsuitable) << wrong;
+        EXPECT_THROW(readRooms(wrong), common::Refused) << wrong;
 }
 
 // --- JSON ---

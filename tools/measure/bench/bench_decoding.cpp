@@ -1,14 +1,12 @@
 // Measures how a packed film decodes itself, from the start of its process to the entry of the program.
-//   bench_decoding [--rounds N] [FILM...]
 // Runs the film under ptrace with --doctor, which opens no window, and ends it where the decoder gives its
 // memory back: its last call of the kernel before it jumps to the program. Cycles are those of the time-stamp
 // counter while the process had a processor.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 
-#include "packer/files.h"
 #include "packer/stub/stub.h"
-#include "packer/write/elf_writer.h"
+#include "packer/write/packed_file.h"
 
 #include <cerrno>
 #include <chrono>
@@ -24,8 +22,6 @@
 #include <thread>
 #include <unistd.h>
 #include <x86intrin.h>
-
-using common::Arguments;
 
 namespace {
 
@@ -103,27 +99,23 @@ Spent decodeOnce(const std::string &film, uint64_t modelMemory) {
     }
 }
 
-int run(common::Arguments &words) {
+int run(common::CommandLine &line) {
     int rounds = 5;
     std::vector<std::string> films;
-    while (const char *word = words.next()) {
-        if (!std::strcmp(word, "--rounds"))
-            rounds = words.whole("--rounds", 1, 1000);
-        else if (word[0] != '-')
-            films.push_back(word);
-        else
-            words.refuse(word);
-    }
+    line.about("Measures how a packed film decodes itself, from the start of its process to the entry of the "
+               "program.");
+    line.arguments("FILM", films, "packed films; build/odraz if none is given", false);
+    line.option("--rounds", "N", rounds, {1, 1000}, "runs of each film");
+    line.parse();
     if (films.empty()) films = {"build/odraz"};
     double cycles = cyclesPerSecond();
     std::string table = "film,bytes decoded,ms until the program is entered,cycles a byte,MB at most\n";
     for (const std::string &film : films) {
-        std::vector<uint8_t> file;
-        if (!pack::readFile(film.c_str(), file)) throw common::Refused("cannot read " + film);
+        pack::Bytes file = pack::readBytes(film);
         pack::Packed packed;
         try {
-            packed = pack::openPacked(file);
-        } catch (const pack::Unsuitable &why) {
+            packed = pack::kElf.open(file);
+        } catch (const common::Refused &why) {
             throw common::Refused(film + ": " + why.what());
         }
         std::vector<double> seconds, kilobytes;
@@ -145,7 +137,4 @@ int run(common::Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) {
-    return common::runProgram("bench_decoding", "usage: bench_decoding [--rounds N] [FILM...]\n", argc, argv,
-                              run);
-}
+int main(int argc, char **argv) { return common::runProgram("bench_decoding", argc, argv, run); }

@@ -1,24 +1,20 @@
 // Compares the packer with general packers that are installed, on machine code.
-//   bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]
-// The packer searches for SECONDS on each sample. FILM is a path of odraz-safe. --only packs one sample,
-// without the other packers. --model packs the film once more, with the contexts in FILE.
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/corpus.h"
 
-#include "packer/files.h"
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
-#include "packer/write/elf_writer.h"
+#include "packer/write/packed_file.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 using namespace pack;
-using common::Arguments;
 using common::processorSeconds;
 
 namespace {
@@ -44,7 +40,7 @@ std::string replaced(std::string text, const std::string &by) {
 long packedSize(const Peer &peer, const std::string &path) {
     std::string out = path + ".out";
     if (std::system((replaced("{ " + std::string(peer.command) + "; } > ", path) + out).c_str())) return -1;
-    return fileSize(out.c_str());
+    return (long)std::filesystem::file_size(out);
 }
 
 // Packs the sample and decodes it with the stub's own code, as a program does. Prints the rest of its line.
@@ -65,9 +61,9 @@ void packSample(const Sample &s, ModelParameters parameters, double effort, cons
     program.codeSize = layout.codeSize;
     program.early = kNothingEarly;
     program.slots[1] = 8;
-    std::vector<uint8_t> packed = writePacked(program, parameters, e.payload);
+    Bytes packed = kElf.write(program, parameters, e.payload, {});
     began = common::processorSeconds();
-    bool whole = decodeWithStub(packed) == s.bytes;
+    bool whole = decodeWithStub(kElf, packed) == s.bytes;
     double decoding = common::processorSeconds() - began;
     if (!whole) throw std::runtime_error(s.name + " came back damaged");
     double size = (double)e.payload.size();
@@ -82,21 +78,15 @@ void packSample(const Sample &s, ModelParameters parameters, double effort, cons
     std::fflush(stdout);
 }
 
-int run(common::Arguments &words) {
+int run(common::CommandLine &line) {
     double effort = 0;
     std::string film = "build/odraz-safe", only, model;
-    while (const char *word = words.next()) {
-        if (!std::strcmp(word, "--effort"))
-            effort = words.number("--effort", 0, 1e6);
-        else if (!std::strcmp(word, "--model"))
-            model = words.value("--model");
-        else if (!std::strcmp(word, "--only"))
-            only = words.value("--only");
-        else if (word[0] != '-')
-            film = word;
-        else
-            words.refuse(word);
-    }
+    line.about("Compares the packer with general packers that are installed, on machine code.");
+    line.argument("FILM", film, "a path of odraz-safe", false);
+    line.option("--effort", "SECONDS", effort, {0, 1e6}, "search on each sample");
+    line.option("--model", "FILE", model, "pack the film once more, with the contexts in FILE");
+    line.option("--only", "SAMPLE", only, "pack one sample, without the other packers");
+    line.parse();
     common::TemporaryFolder folder;
     for (Peer &peer : thePeers) {
         peer.there =
@@ -116,16 +106,14 @@ int run(common::Arguments &words) {
     for (const Sample &s : samples) {
         if (!only.empty() && s.name != only) continue;
         std::string path = folder / "sample";
-        common::writeWhole(path, {(const char *)s.bytes.data(), s.bytes.size()});
+        writeBytes(path, s.bytes);
         std::printf("| %s | %zu |", s.name.c_str(), s.bytes.size());
         long sizes[4] = {-1, -1, -1, -1};
         for (int i = 0; i < 4; ++i)
             if (thePeers[i].there) std::printf(" %ld |", sizes[i] = packedSize(thePeers[i], path));
         packSample(s, defaultParameters(), effort, sizes);
         if (s.name != kWholeFilm || model.empty()) continue;
-        ModelParameters itsOwn;
-        if (std::string wrong = parseParameters(common::readWhole(model), itsOwn); !wrong.empty())
-            throw common::Refused(model + ": " + wrong);
+        ModelParameters itsOwn = readParameters(model);
         std::printf("| ... with its own contexts | %zu |", s.bytes.size());
         for (int i = 0; i < 4; ++i)
             if (thePeers[i].there) std::printf(" %ld |", sizes[i]);
@@ -136,8 +124,4 @@ int run(common::Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) {
-    return common::runProgram("bench_pack",
-                              "usage: bench_pack [--effort SECONDS] [--model FILE] [--only SAMPLE] [FILM]\n",
-                              argc, argv, run);
-}
+int main(int argc, char **argv) { return common::runProgram("bench_pack", argc, argv, run); }

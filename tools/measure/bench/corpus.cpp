@@ -1,22 +1,20 @@
 #include "tools/measure/bench/corpus.h"
 
-#include "tools/common/arguments.h"
-#include "tools/common/whole_file.h"
-
-#include "packer/files.h"
 #include "packer/read/elf_reader.h"
 
 #include <cstring>
 #include <elf.h>
+#include <filesystem>
 
 namespace pack {
 
 namespace {
 
 // The section .text of an ELF file; empty if it has none.
-std::vector<uint8_t> instructions(const std::string &path) {
-    std::vector<uint8_t> file;
-    if (!readFile(path.c_str(), file) || file.size() < sizeof(Elf64_Ehdr)) return {};
+Bytes instructions(const std::string &path) {
+    if (!std::filesystem::exists(path)) return {};
+    Bytes file = readBytes(path);
+    if (file.size() < sizeof(Elf64_Ehdr)) return {};
     Elf64_Ehdr header;
     std::memcpy(&header, file.data(), sizeof header);
     auto section = [&](int i) {
@@ -38,10 +36,10 @@ std::vector<uint8_t> instructions(const std::string &path) {
 } // namespace
 
 Program programIn(const std::string &path) {
-    std::string file = common::readWhole(path);
+    Bytes file = readBytes(path);
     try {
-        return readProgram({file.begin(), file.end()});
-    } catch (const Unsuitable &e) {
+        return readProgram(file);
+    } catch (const common::Refused &e) {
         throw common::Refused(path + ": " + e.what());
     }
 }
@@ -63,7 +61,7 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
                {"llvmpipe", lib + "dri/swrast_dri.so", 1024, 256}};
     std::vector<Sample> samples;
     for (auto &want : all) {
-        std::vector<uint8_t> code = instructions(want.path);
+        Bytes code = instructions(want.path);
         std::string name = std::string(want.name) + " " + std::to_string(want.size) + "K";
         size_t from = want.skip * 1024, size = want.size * 1024;
         if (from + size > code.size())
@@ -73,7 +71,7 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
                                {code.begin() + (long)from, code.begin() + (long)(from + size)},
                                {(uint32_t)size, 0, (uint32_t)size}});
     }
-    if (fileSize(film.c_str()) < 0)
+    if (!std::filesystem::exists(film))
         missing.push_back(kWholeFilm);
     else {
         Program program = programIn(film);

@@ -7,7 +7,7 @@ namespace pack {
 
 struct Sample {
     std::string name;
-    std::vector<uint8_t> bytes;
+    Bytes bytes;
     Layout layout;
 };
 

@@ -7,7 +7,7 @@
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
 #include "packer/stub/stub.h"
-#include "packer/write/elf_writer.h"
+#include "packer/write/packed_file.h"
 
 using namespace pack;
 using common::processorSeconds;
@@ -69,10 +69,7 @@ std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
 void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
     Program program = programIn(film);
     program.early = kNothingEarly;
-    ModelParameters ships = defaultParameters();
-    if (!model.empty())
-        if (std::string wrong = parseParameters(common::readWhole(model), ships); !wrong.empty())
-            throw common::Refused(model + ": " + wrong);
+    ModelParameters ships = model.empty() ? defaultParameters() : readParameters(model);
 
     std::vector<PackSetting> settings = settingsOf(ships, sweep.quick);
     std::string name = film.substr(film.rfind('/') + 1);
@@ -98,9 +95,10 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
                                 [](const Progress &) { return true; });
         Encoded e = encode(program.bytes, layout, parameters, workspace);
         double encoding = common::processorSeconds() - began;
-        std::vector<uint8_t> packed = writePacked(program, parameters, e.payload);
+        Bytes packed = kElf.write(program, parameters, e.payload, {});
         began = common::processorSeconds();
-        if (decodeWithStub(packed) != program.bytes) throw std::runtime_error(film + " came back damaged");
+        if (decodeWithStub(kElf, packed) != program.bytes)
+            throw std::runtime_error(film + " came back damaged");
         double speed = (double)program.bytes.size() / 1024 / (common::processorSeconds() - began);
         table.row("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped, e.payload.size(),
                   encoding, speed, stubMemory(parameters, layout.size) / 1048576.0);

@@ -1,0 +1,59 @@
+// pack_film: packs the film in its build. It does what pack does with the same parts, and needs no library,
+// so the film can be built where those of pack are not installed.
+//   pack_film elf|pe IN OUT MODEL SAFE-NAME BUDGET MAP SYMBOLS REPORT
+//   pack_film pe-plain IN OUT
+// The words are those of pack: -o, --model, --safe-name (or "" for none), --budget, --map, --symbols,
+// --report.
+#include "packer/model/model_parameters.h"
+#include "packer/read/elf_reader.h"
+#include "packer/report/report.h"
+#include "packer/write/packed_file.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace pack {
+
+namespace {
+
+void packFilm(char **words) {
+    std::string how = words[0], in = words[1], out = words[2], model = words[3], safeName = words[4],
+                map = words[6], symbols = words[7], reportPath = words[8];
+    long budget = std::atol(words[5]);
+    bool pe = how == "pe";
+    Names names = {"", safeName};
+    checkNames(names);
+    Bytes file = readBytes(in);
+    Program program = readProgram(file, pe ? kWindows : kLinux);
+    PackedFile packed = makePacked(pe ? kPe : kElf, program, readParameters(model), names);
+    auto stretches = attribute(file, common::readWhole(map), common::readWhole(symbols), program);
+    Report report = makeReport(stretches, packed.bits, packed.bytes.size(), packed.overhead);
+    std::fputs(printReport(report).c_str(), stdout);
+    common::writeWhole(reportPath, printJson(report));
+    long left = budget - (long)packed.bytes.size();
+    if (left < 0) throw std::runtime_error("over budget by " + std::to_string(-left) + " bytes");
+    writeBytes(out, packed.bytes, true);
+    std::printf("%s: %zu bytes (%zu of them stub and headers) from %zu, %ld bytes left of %ld\n", out.c_str(),
+                packed.bytes.size(), packed.overhead, program.bytes.size(), left, budget);
+}
+
+} // namespace
+
+} // namespace pack
+
+int main(int argc, char **argv) {
+    try {
+        std::string how = argc > 1 ? argv[1] : "";
+        if (how == "pe-plain" && argc == 4) {
+            pack::Program program = pack::readProgram(pack::readBytes(argv[2]), pack::kWindows);
+            pack::writeBytes(argv[3], pack::kPe.writePlain(program), true);
+        } else if ((how == "elf" || how == "pe") && argc == 10)
+            pack::packFilm(argv + 1);
+        else
+            throw common::Refused(
+                "it takes elf or pe and eight words, or pe-plain IN OUT: see pack_film.cpp");
+    } catch (const std::exception &e) {
+        std::fprintf(stderr, "pack_film: %s\n", e.what());
+        return dynamic_cast<const common::Refused *>(&e) ? 2 : 1;
+    }
+}
