@@ -27,6 +27,8 @@ intro/show/hall.cpp <GL/gl.h>
 intro/trace/picture/frame.cpp <vector>
 packer/main.cpp tools/picture/picture.h
 packer/main.cpp intro/base/text.h
+packer/model/search.cpp packer/stub/format.h
+packer/read/program.h packer/write/texts.h
 tools/common/text.cpp packer/decoder.h
 tools/picture/picture.cpp tools/engine/machine.h
 tools/engine/machine.cpp tools/radiosity/read/mesh.h
