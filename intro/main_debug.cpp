@@ -227,8 +227,7 @@ void edit(Maker &m, Edits &edits, const Stage &stage, std::string &message) {
     if (m.sets || m.removes) {
         double row = m.time * kRowsPerSecond;
         CameraKey view = m.flying ? m.camera : cameraAt(m.time);
-        uint32_t at =
-            m.sets ? edits.setView(stage, row, view, message) : edits.removeView(stage, row, message);
+        uint32_t at = edits.setView(stage, row, m.sets ? &view : nullptr, message);
         m.time = at / kRowsPerSecond;
         m.sought = true;
         m.flying = false;

@@ -1,7 +1,5 @@
 #include "maker/edits.h"
 
-#include "maker/rocket/document.h"
-
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -56,18 +54,12 @@ Edits::Requests Edits::update(const Stage &stage, double now, double row) {
     return requests;
 }
 
-uint32_t Edits::setView(const Stage &stage, double row, const CameraKey &camera, std::string &message) {
+uint32_t Edits::setView(const Stage &stage, double row, const CameraKey *camera, std::string &message) {
     find(stage);
     uint32_t at = tracks.rowOfView(row);
-    std::string why = tracks.setView(at, camera);
-    message = why.empty() ? "key set on " + tracks.rowInWords(at) : "no key set: " + why;
-    return at;
-}
-uint32_t Edits::removeView(const Stage &stage, double row, std::string &message) {
-    find(stage);
-    uint32_t at = tracks.rowOfView(row);
-    std::string why = tracks.removeView(at);
-    message = why.empty() ? "key removed from " + tracks.rowInWords(at) : "no key removed: " + why;
+    std::string why = tracks.setView(at, camera), done = camera ? "set" : "removed";
+    message = why.empty() ? "key " + done + (camera ? " on " : " from ") + tracks.rowInWords(at)
+                          : "no key " + done + ": " + why;
     return at;
 }
 void Edits::undo(const Stage &stage, std::string &message) {

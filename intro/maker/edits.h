@@ -29,9 +29,8 @@ public:
     Requests update(const Stage &stage, double now, double row);
 
     // Sets a key for the eye and the target of a view, on the row next to one of the film, which it returns;
-    // or removes it. `message`: what was done, or why not.
-    uint32_t setView(const Stage &stage, double row, const CameraKey &camera, std::string &message);
-    uint32_t removeView(const Stage &stage, double row, std::string &message);
+    // or removes it, where `camera` is null. `message`: what was done, or why not.
+    uint32_t setView(const Stage &stage, double row, const CameraKey *camera, std::string &message);
     void undo(const Stage &stage, std::string &message); // one step that was done by hand
     void redo(const Stage &stage, std::string &message);
     // Writes all that was edited to the sources. Returns what was not written, or nothing.

@@ -12,9 +12,9 @@
 #include <fstream>
 #include <signal.h>
 #include <spawn.h>
-#include <sys/inotify.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <utility>
 
 extern char **environ;
 
@@ -22,8 +22,7 @@ namespace odraz::maker {
 
 namespace {
 
-constexpr uint32_t kEvents = IN_CLOSE_WRITE | IN_MOVED_TO | IN_MOVED_FROM | IN_DELETE | IN_CREATE;
-constexpr double kSettled = 0.03; // seconds without a change: editors write in several steps
+constexpr double kLook = 0.05; // seconds: how often the times of all sources are compared
 constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
 bool isSource(const std::string &name) {
@@ -49,49 +48,20 @@ Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
         wrong = build + " is no folder of a build: sources are not watched";
         return;
     }
-    notify = inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
-    if (notify < 0) {
-        wrong = std::string("sources are not watched: ") + std::strerror(errno);
-        return;
-    }
-    watch(source + "/intro");
+    times = timesNow();
 }
 
 Rebuilder::~Rebuilder() {
     stop();
     if (compiling > 0) waitpid(compiling, nullptr, 0);
-    if (notify >= 0) close(notify);
 }
 
-// The folder and all in it.
-void Rebuilder::watch(const std::string &folder) {
-    int number = inotify_add_watch(notify, folder.c_str(), kEvents | IN_ONLYDIR);
-    if (number < 0) {
-        wrong = "cannot watch " + folder + ": " + std::strerror(errno);
-        return;
-    }
-    if (watched.size() <= (size_t)number) watched.resize((size_t)number + 1);
-    watched[(size_t)number] = folder;
+Rebuilder::Times Rebuilder::timesNow() const {
+    Times now;
     std::error_code ignored;
-    for (auto &entry : std::filesystem::directory_iterator(folder, ignored))
-        if (entry.is_directory(ignored)) watch(entry.path());
-}
-
-bool Rebuilder::sawChange() {
-    bool saw = false;
-    alignas(inotify_event) char events[4096];
-    for (ssize_t size; notify >= 0 && (size = read(notify, events, sizeof events)) > 0;)
-        for (char *at = events; at < events + size;) {
-            auto *event = (inotify_event *)at;
-            at += sizeof *event + event->len;
-            if (!event->len) continue;
-            bool folder = event->mask & IN_ISDIR, appears = event->mask & (IN_CREATE | IN_MOVED_TO);
-            if (folder && appears && (size_t)event->wd < watched.size())
-                watch(watched[(size_t)event->wd] + "/" + event->name);
-            else if (!folder && !(event->mask & IN_CREATE) && isSource(event->name))
-                saw = true;
-        }
-    return saw;
+    for (auto &entry : std::filesystem::recursive_directory_iterator(source + "/intro", ignored))
+        if (isSource(entry.path().filename())) now[entry.path()] = entry.last_write_time(ignored);
+    return now;
 }
 
 void Rebuilder::start() {
@@ -148,9 +118,13 @@ void Rebuilder::readError() {
 }
 
 Rebuilder::Event Rebuilder::poll(double now) {
-    if (sawChange()) {
-        dirty = true;
-        changedAt = now;
+    bool settled = false; // editors write in several steps
+    if (problem().empty() && now >= lookedAt + kLook) {
+        lookedAt = now;
+        Times before = std::exchange(times, timesNow());
+        settled = times == before;
+        if (!settled) changedAt = now;
+        dirty |= !settled;
     }
     if (compiling > 0) {
         if (dirty && !stopped) stop(); // what is built is not what there is now
@@ -165,7 +139,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
         readError();
         return Event::Failed;
     }
-    if (!dirty || now < changedAt + kSettled) return Event::None;
+    if (!dirty || !settled) return Event::None;
     dirty = stopped = false;
     savedAt = changedAt;
     start();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -10,8 +11,8 @@ namespace odraz::maker {
 
 class Rebuilder {
 public:
-    // `build`: the folder of the build, which knows its sources. Where these cannot be watched, problem()
-    // says why.
+    // `build`: the folder of the build, whose cache names the sources. If they are not known, problem() has
+    // the reason.
     explicit Rebuilder(const std::string &build);
     ~Rebuilder();
     Rebuilder(const Rebuilder &) = delete;
@@ -19,7 +20,7 @@ public:
     enum class Event {
         None,
         Building, // a build has begun
-        Failed,   // error() says why
+        Failed,   // error() has the reason
         Built,    // it is to be loaded
     };
     // What happened since the last call; does not wait. `now`: seconds of any clock.
@@ -34,11 +35,11 @@ public:
     std::string object() const { return build + "/live/live.so"; }
     // A hash of the code that solves the hall. Where it changes, the hall must be solved anew.
     uint64_t solverHash() const;
-    double saved() const { return savedAt; } // when the last change came that was built
+    double saved() const { return savedAt; } // when the last change was seen that was built
 
 private:
-    void watch(const std::string &folder);
-    bool sawChange();
+    using Times = std::map<std::filesystem::path, std::filesystem::file_time_type>;
+    Times timesNow() const;
     void start();
     void stop();
     void backdate();
@@ -46,12 +47,11 @@ private:
     std::vector<std::string> objects() const;
 
     std::string build, source, maker, wrong, firstError;
-    int notify = -1;
-    std::vector<std::string> watched; // by inotify's numbers
+    Times times; // of all sources
     pid_t compiling = -1;
     std::filesystem::file_time_type began = {};
-    bool dirty = false, stopped = false; // saved since the build began; it was told to end
-    double changedAt = 0, savedAt = 0;
+    bool dirty = false, stopped = false; // saved since the build began; it is being stopped
+    double lookedAt = 0, changedAt = 0, savedAt = 0;
 };
 
 } // namespace odraz::maker

@@ -44,33 +44,27 @@ rocket::Interpolation toRocket(Interpolation i) {
     return i == kStep ? Step : i == kRamp ? Ramp : i == Interpolation::Smooth ? Smooth : Linear;
 }
 
-CameraKey posed(const std::vector<CameraKey> &path, double row) {
-    return pose({path.data(), (int)path.size()}, (float)row);
+CameraKey posed(const std::vector<CameraKey> &path, float row) {
+    return pose({path.data(), (int)path.size()}, row);
 }
 
 // An editor may give one number of a camera keys on other rows than another. The film's table has all numbers
 // on every row, so what is shown has, too: a number without a key there is where its own curve is.
 std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
+    std::set<float> rows;
     std::vector<CameraKey> paths[kChannelCount]; // of each only its own number counts
-    std::map<float, size_t> rows;                // and how many keys are on each
-    for (size_t c = 0; c < kChannelCount; ++c) {
-        std::map<float, size_t> mine;
+    for (size_t c = 0; c < kChannelCount; ++c)
         for (const Key &k : channels[c]) {
-            rows[k.row] = std::max(rows[k.row], ++mine[k.row]);
+            rows.insert(k.row);
             CameraKey &key = paths[c].emplace_back(CameraKey{k.row, {}, {}, 0, 0});
             (&key.eye.x)[c] = k.value;
         }
-    }
     std::vector<KeyNumbers> result;
-    for (auto &[row, times] : rows)
-        result.resize(result.size() + times, numbersOf(CameraKey{row, {}, {}, 0, 0}));
-    for (size_t c = 0; c < kChannelCount; ++c) {
-        size_t next = 0;
-        for (KeyNumbers &key : result) {
-            while (next < paths[c].size() && paths[c][next].row < key[0]) ++next;
-            bool has = next < paths[c].size() && paths[c][next].row == key[0];
-            CameraKey at = has ? paths[c][next++] : posed(paths[c], (double)key[0]);
-            key[c + 1] = (&at.eye.x)[c];
+    for (float row : rows) {
+        KeyNumbers &key = result.emplace_back(KeyNumbers{row});
+        for (size_t c = 0; c < kChannelCount; ++c) {
+            CameraKey at = posed(paths[c], row);
+            key.push_back((&at.eye.x)[c]);
         }
     }
     return result;
@@ -197,7 +191,7 @@ uint32_t Tracks::rowOfView(double row) const {
     return (uint32_t)(tableAt(nearest) == tableAt(row) ? nearest : std::fmax(std::floor(row), 0));
 }
 
-std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
+std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
     int at = tableAt(row);
     if (at < 0) return files.problems().empty() ? "its path is in no file of keys" : files.problems();
     const Table &t = tables[(size_t)at];
@@ -212,7 +206,7 @@ std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
         if (here == now.end()) {
             std::vector<CameraKey> path;
             for (const KeyNumbers &k : now) path.push_back(cameraKeyOf(k));
-            here = now.insert(here, numbersOf(posed(path, (double)row - t.shift)));
+            here = now.insert(here, numbersOf(posed(path, (float)((double)row - t.shift))));
         }
         KeyNumbers view = numbersOf(*camera);
         std::copy_n(view.begin() + 1, kView, here->begin() + 1);
@@ -227,8 +221,6 @@ std::string Tracks::setByHand(uint32_t row, const CameraKey *camera) {
     show();
     return "";
 }
-std::string Tracks::setView(uint32_t row, const CameraKey &camera) { return setByHand(row, &camera); }
-std::string Tracks::removeView(uint32_t row) { return setByHand(row, nullptr); }
 
 std::string Tracks::rowInWords(uint32_t row) const {
     constexpr double kNear = 4; // rows, a beat

@@ -38,10 +38,9 @@ public:
     // What an editor has of a track; without keys it is the film's own that is shown.
     void takeFromEditor(size_t i, const rocket::Track &keys);
     // By hand, of the camera's path that is shown at a row of the film: sets eye and target there (the rest
-    // as it is), or removes the key. It is in force until an editor changes that key. Returns why not, or
-    // nothing. The row must be one that rowOfView() gave.
-    std::string setView(uint32_t row, const CameraKey &camera);
-    std::string removeView(uint32_t row);
+    // as it is), or removes the key where `camera` is null. It is in force until an editor changes that key.
+    // Returns why not, or nothing. The row must be one that rowOfView() gave.
+    std::string setView(uint32_t row, const CameraKey *camera);
     // That row in words, as the keys of its camera's path count and as the film does; and whether another key
     // stands so near that the path may swing.
     std::string rowInWords(uint32_t row) const;
@@ -72,8 +71,7 @@ private:
         rocket::Track editor;
         std::set<uint32_t> byHand; // rows on which the editor's key is not in force
     };
-    int tableAt(double row) const; // of the camera; -1: none
-    std::string setByHand(uint32_t row, const CameraKey *camera);
+    int tableAt(double row) const;                                // of the camera; -1: none
     const std::vector<KeyNumbers> &own(const Table &table) const; // without the editor
     std::vector<Key> own(const Table &table, size_t channel) const;
     std::vector<Key> edited(const Table &table, size_t channel) const;

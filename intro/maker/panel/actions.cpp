@@ -12,14 +12,9 @@ void Panel::seek(double to) { wanted = std::clamp(to, 0., content.end); }
 
 void Panel::act(Action action) {
     double time = wanted >= 0 ? wanted : now, bar = kRowsPerBar / kRowsPerSecond;
-    auto show = [&](bool &part) {
+    auto toggle = [&](bool &part) {
         part = !shown || !part;
         shown = true;
-    };
-    auto compare = [&](QualityName name) {
-        other = name;
-        scale = 0;
-        split = shown = true;
     };
     auto step = [&](double to) {
         seek(to);
@@ -33,22 +28,22 @@ void Panel::act(Action action) {
         help = !help;
         break;
     case Action::Ghost:
-        show(ghost);
+        toggle(ghost);
         break;
     case Action::Heat:
-        show(heated);
+        toggle(heated);
         break;
     case Action::Materials:
-        show(materials);
+        toggle(materials);
         break;
     case Action::Costs:
-        show(costly);
+        toggle(costly);
         break;
     case Action::Split:
-        show(split);
+        toggle(split);
         break;
     case Action::Difference:
-        show(differs);
+        toggle(differs);
         scale = 0;
         stop = stop || differs;
         break;
@@ -70,21 +65,17 @@ void Panel::act(Action action) {
         step(stepTo(time, content.eventTimes(), action == Action::EventOn ? 1 : -1));
         break;
     case Action::OtherDraft:
-        compare(QualityName::Draft);
-        break;
     case Action::OtherPlay:
-        compare(QualityName::Play);
-        break;
     case Action::OtherFilm:
-        compare(QualityName::Film);
-        break;
     case Action::OtherReference:
-        compare(QualityName::Reference);
+        other = (QualityName)((int)action - (int)Action::OtherDraft);
+        scale = 0;
+        split = shown = true;
         break;
     case Action::Count:
         break;
     }
-    if (shown && !envelope.started()) envelope.start(*stage, content.end);
+    if (shown && !envelope.started()) envelope.start(*film, content.end);
 }
 
 // --- The mouse ---

@@ -50,6 +50,16 @@ const Lettering &lettering(const std::string &text, float size) {
 
 } // namespace
 
+Colour colourAt(float share, const Colour (&stops)[9]) {
+    float at = std::clamp(share, 0.f, 1.f) * 8;
+    int i = std::min((int)at, 7);
+    auto between = [&](uint8_t a, uint8_t b) {
+        return (uint8_t)((float)a + ((float)b - (float)a) * (at - (float)i) + 0.5f);
+    };
+    const Colour &a = stops[i], &b = stops[i + 1];
+    return {between(a.r, b.r), between(a.g, b.g), between(a.b, b.b)};
+}
+
 void Canvas::mix(int x, int y, Colour colour, float opacity) {
     uint8_t *pixel = at(x, y);
     const uint8_t to[3] = {colour.r, colour.g, colour.b};

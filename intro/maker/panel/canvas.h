@@ -13,6 +13,9 @@ struct Colour {
 inline constexpr Colour kInk = {236, 232, 224}, kFaint = {150, 146, 140}, kGround = {14, 14, 17},
                         kWarm = {222, 130, 70}, kCold = {110, 160, 220};
 
+// The colour at 0 .. 1 on the way from the first of nine to the last; it ends there.
+Colour colourAt(float share, const Colour (&stops)[9]);
+
 struct Rect {
     int x, y, width, height; // pixels, from the top left
 

@@ -59,15 +59,7 @@ Colour differenceColour(float share) {
     static constexpr Colour kStops[] = {{0, 0, 4},      {28, 16, 68},    {79, 18, 123},
                                         {129, 37, 129}, {181, 54, 122},  {229, 80, 100},
                                         {251, 135, 97}, {254, 194, 135}, {252, 253, 191}};
-    constexpr int kLast = (int)(sizeof kStops / sizeof *kStops) - 1;
-    float at = std::clamp(share, 0.f, 1.f) * kLast;
-    int i = std::min((int)at, kLast - 1);
-    float rest = at - (float)i;
-    auto between = [&](uint8_t a, uint8_t b) {
-        return (uint8_t)((float)a + ((float)b - (float)a) * rest + 0.5f);
-    };
-    return {between(kStops[i].r, kStops[i + 1].r), between(kStops[i].g, kStops[i + 1].g),
-            between(kStops[i].b, kStops[i + 1].b)};
+    return colourAt(share, kStops);
 }
 
 void drawDifference(Canvas &canvas, const Difference &d, const std::string &what) {

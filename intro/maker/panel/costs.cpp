@@ -6,26 +6,16 @@
 
 namespace odraz::maker {
 
-static constexpr Colour kPartColours[(int)Cost::Count] = {
-    {150, 146, 140}, {222, 130, 70}, {236, 210, 120}, {110, 160, 220}, {120, 190, 140}};
+static constexpr struct {
+    const char *name;
+    Colour colour;
+} kParts[(int)Cost::Count] = {{"posing", {150, 146, 140}},
+                              {"tracing", {222, 130, 70}},
+                              {"glare", {236, 210, 120}},
+                              {"development", {110, 160, 220}},
+                              {"enlarging", {120, 190, 140}}};
 
-const char *nameOf(Cost part) {
-    switch (part) {
-    case Cost::Posing:
-        return "posing";
-    case Cost::Tracing:
-        return "tracing";
-    case Cost::Glare:
-        return "glare";
-    case Cost::Development:
-        return "development";
-    case Cost::Enlarging:
-        return "enlarging";
-    case Cost::Count:
-        break;
-    }
-    return "";
-}
+const char *nameOf(Cost part) { return kParts[(int)part].name; }
 
 Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
     float size = textSize(canvas.height());
@@ -45,7 +35,7 @@ Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
     line("picture, ms", "%.1f", costs.whole, kInk);
     for (int i = 0; i < (int)Cost::Count; ++i)
         if (i != (int)Cost::Enlarging || costs.milliseconds[i] > 0)
-            line(nameOf((Cost)i), "%.2f", costs.milliseconds[i], kPartColours[i]);
+            line(kParts[i].name, "%.2f", costs.milliseconds[i], kParts[i].colour);
     line("samples a pixel", "%.3f", costs.samplesAPixel(), kInk);
     // The bar
     float total = (float)std::max(costs.whole, 1e-3), at = left, per = (right - left) / total;
@@ -54,7 +44,7 @@ Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
     for (int i = 0; i < (int)Cost::Count; ++i) {
         float to = std::min(at + (float)costs.milliseconds[i] * per, right);
         canvas.fill({(int)std::lround(at), top, (int)(std::lround(to) - std::lround(at)), tall},
-                    kPartColours[i]);
+                    kParts[i].colour);
         at = to;
     }
     return r;
@@ -64,21 +54,13 @@ Colour heatOf(float samples) {
     static constexpr Colour kStops[] = {{10, 14, 60},   {36, 24, 110},  {84, 26, 130},
                                         {140, 34, 120}, {196, 54, 84},  {236, 96, 44},
                                         {250, 150, 40}, {252, 212, 96}, {255, 255, 235}};
-    constexpr int kLast = (int)(sizeof kStops / sizeof *kStops) - 1;
-    float at = std::clamp(std::log2(std::max(samples, 1e-6f)) + 4, 0.f, (float)kLast); // from 1/16 to 16
-    int i = std::min((int)at, kLast - 1);
-    float share = at - (float)i;
-    auto between = [&](uint8_t a, uint8_t b) {
-        return (uint8_t)((float)a + ((float)b - (float)a) * share + 0.5f);
-    };
-    const Colour &a = kStops[i], &b = kStops[i + 1];
-    return {between(a.r, b.r), between(a.g, b.g), between(a.b, b.b)};
+    return colourAt((std::log2(std::max(samples, 1e-6f)) + 4) / 8, kStops); // from 1/16 to 16
 }
 
 namespace {
 
 // The colour of a pixel is that of the smallest square of 1, 2, 4 or 8 pixels a side with two samples or
-// more: where only the corners of larger squares were traced, it tells how far apart these are.
+// more: where only the corners of larger squares were traced, it shows how far apart these are.
 struct HeatMap {
     const std::vector<uint32_t> &samples;
     int width, height;

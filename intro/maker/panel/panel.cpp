@@ -14,13 +14,13 @@ Panel::Panel(int width, int height, double rate, int64_t (*clock)())
 }
 
 void Panel::learn() {
-    stage = &inspector();
-    content = contentOf(*stage);
+    film = &inspector();
+    content = contentOf(*film);
     bool other = content.end != strip.end;
     if (other) strip = stripOf(width, height, content.end);
     if (stretch.to > content.end) stretch = {};
     otherKey = differenceKey = {};
-    if (shown) envelope.start(*stage, content.end);
+    if (shown) envelope.start(*film, content.end);
 }
 
 // --- The picture ---
@@ -30,11 +30,11 @@ bool Panel::Key::operator==(const Key &k) const {
            (!flown || !std::memcmp(&camera, &k.camera, sizeof camera));
 }
 
-Panel::Key Panel::keyOf(const Moment &m) const {
+Panel::Key Panel::keyOf(const PictureRequest &m) const {
     return {m.time, m.quality.id, other, m.camera != nullptr, m.camera ? *m.camera : CameraKey{}};
 }
 
-Picture Panel::picture(Intro &intro, const Moment &m) {
+Picture Panel::picture(Intro &intro, const PictureRequest &m) {
     now = m.time;
     if (!shown) {
         Picture p = odraz::picture(intro, 0, m.time, m.quality, m.camera);
@@ -47,13 +47,13 @@ Picture Panel::picture(Intro &intro, const Moment &m) {
     Picture p = makePicture(intro, m);
     if (split || differs) watchForChanges(p, m);
     if (differs && !waits) makeDifference(p, m);
-    if (materials) swatches.look(*stage, intro, (int)(textSize(height) * 4.2f));
+    if (materials) swatches.look(*film, intro, (int)(textSize(height) * 4.2f));
     draw(p, m);
     return p;
 }
 
 // The film's picture, watched
-Picture Panel::makePicture(Intro &intro, const Moment &m) {
+Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
     std::fill(std::begin(probe.spent), std::end(probe.spent), 0);
     probe.samples = nullptr;
     if (heated) {
@@ -61,30 +61,30 @@ Picture Panel::makePicture(Intro &intro, const Moment &m) {
         probe.samples = heat.data();
         probe.width = width, probe.height = height;
     }
-    stage->watch(&probe);
+    film->watch(&probe);
     int64_t begin = clock();
     Picture p = odraz::picture(intro, 0, m.time, m.quality, m.camera);
     costs.whole = (double)(clock() - begin) * 1e-6;
-    stage->watch(nullptr);
+    film->watch(nullptr);
     for (int i = 0; i < (int)Cost::Count; ++i) costs.milliseconds[i] = (double)probe.spent[i] * 1e-6;
     costs.samples = samplesTaken(intro);
     costs.pixels = width * height;
     return p;
 }
 
-static CameraKey cameraOf(const Moment &m) { return m.camera ? *m.camera : cameraAt(m.time); }
+static CameraKey cameraOf(const PictureRequest &m) { return m.camera ? *m.camera : cameraAt(m.time); }
 
 // The scene from outside, in few pixels: the engine scales it up, we shrink it again to where it is shown
-void Panel::makeGhost(Intro &intro, const Moment &m) {
+void Panel::makeGhost(Intro &intro, const PictureRequest &m) {
     Rect r = inset();
     CameraKey from = outside(content.shotAt(m.time), cameraOf(m), place);
     TracedSize few = {r.width, r.height};
     if (width > kMostEnlarged) few = {};
     Probe meter;
     meter.clock = clock, meter.brightens = true;
-    stage->watch(&meter);
+    film->watch(&meter);
     Picture p = odraz::picture(intro, 0, m.time, kQualities[(int)QualityName::Draft], &from, few);
-    stage->watch(nullptr);
+    film->watch(nullptr);
     ghostPicture.width = r.width, ghostPicture.height = r.height;
     ghostPicture.rgba.resize((size_t)r.width * (size_t)r.height * 4);
     uint8_t *to = ghostPicture.rgba.data();
@@ -98,7 +98,7 @@ void Panel::makeGhost(Intro &intro, const Moment &m) {
 
 // False while it is not there. The reference takes many seconds: it is traced only if the moment stays, after
 // a picture that says so
-bool Panel::makeOther(Intro &intro, const Moment &m) {
+bool Panel::makeOther(Intro &intro, const PictureRequest &m) {
     Key key = keyOf(m), before = lastKey;
     lastKey = key;
     key.quality = other; // it does not depend on the first one
@@ -112,7 +112,7 @@ bool Panel::makeOther(Intro &intro, const Moment &m) {
 
 // A moment looks as ever, unless the film was edited: then the other picture is traced again, for the next
 // one
-void Panel::watchForChanges(const Picture &p, const Moment &m) {
+void Panel::watchForChanges(const Picture &p, const PictureRequest &m) {
     Key key = keyOf(m);
     bool edited = lastPictureKey == key && lastPicture.fits(p) &&
                   std::memcmp(lastPicture.rgba.data(), p.rgba, lastPicture.rgba.size()) != 0;
@@ -121,7 +121,7 @@ void Panel::watchForChanges(const Picture &p, const Moment &m) {
     lastPictureKey = key;
 }
 
-void Panel::makeDifference(const Picture &p, const Moment &m) {
+void Panel::makeDifference(const Picture &p, const PictureRequest &m) {
     Key key = keyOf(m);
     if (differenceKey == key) return;
     differenceKey = key;
@@ -138,7 +138,7 @@ Rect Panel::inset() const {
     return {width - wide - gap, gap, wide, tall};
 }
 
-void Panel::drawInset(Canvas &canvas, const Moment &m) {
+void Panel::drawInset(Canvas &canvas, const PictureRequest &m) {
     Rect r = inset();
     if (!r.width || !ghost) return;
     const ShotInfo &shot = content.shotAt(m.time);
@@ -149,7 +149,7 @@ void Panel::drawInset(Canvas &canvas, const Moment &m) {
               (float)width / (float)height);
 }
 
-void Panel::drawComparison(Canvas &canvas, const Moment &m) {
+void Panel::drawComparison(Canvas &canvas, const PictureRequest &m) {
     std::string a = m.quality.name, b = kQualities[(int)other].name;
     if (waits)
         drawLabel(canvas, b + (lastKey == keyOf(m) ? " is being traced" : " is traced where the film pauses"),
@@ -160,7 +160,7 @@ void Panel::drawComparison(Canvas &canvas, const Moment &m) {
         drawSplit(canvas, otherPicture, (int)std::lround(divider * width), a, b);
 }
 
-void Panel::draw(const Picture &p, const Moment &m) {
+void Panel::draw(const Picture &p, const PictureRequest &m) {
     Canvas canvas(p);
     if (heated && !differs) drawHeat(canvas, heat);
     drawComparison(canvas, m);

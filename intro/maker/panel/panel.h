@@ -17,7 +17,7 @@
 namespace odraz::maker {
 
 // What is to be shown. `camera`: null: the film's own.
-struct Moment {
+struct PictureRequest {
     double time; // seconds
     const Quality &quality;
     const CameraKey *camera;
@@ -40,7 +40,7 @@ public:
     // --- To the picture ---
     // Puts what was asked for since the last call into the host's time; `sought` becomes true where it leaps.
     void steer(double &time, bool &paused, bool &sought);
-    Picture picture(Intro &intro, const Moment &moment);
+    Picture picture(Intro &intro, const PictureRequest &request);
 
     // The film's code is about to be replaced; and it has been.
     void forget() { envelope.stop(); }
@@ -58,17 +58,17 @@ public:
 
 private:
     enum class Grab { None, Scrub, LoopEnd, Orbit, Divider };
-    Picture makePicture(Intro &intro, const Moment &moment);
-    void makeGhost(Intro &intro, const Moment &moment);
-    bool makeOther(Intro &intro, const Moment &moment);
-    void watchForChanges(const Picture &picture, const Moment &moment);
-    void makeDifference(const Picture &picture, const Moment &moment);
-    void draw(const Picture &picture, const Moment &moment);
-    void drawComparison(Canvas &canvas, const Moment &moment);
-    void drawInset(Canvas &canvas, const Moment &moment);
+    Picture makePicture(Intro &intro, const PictureRequest &request);
+    void makeGhost(Intro &intro, const PictureRequest &request);
+    bool makeOther(Intro &intro, const PictureRequest &request);
+    void watchForChanges(const Picture &picture, const PictureRequest &request);
+    void makeDifference(const Picture &picture, const PictureRequest &request);
+    void draw(const Picture &picture, const PictureRequest &request);
+    void drawComparison(Canvas &canvas, const PictureRequest &request);
+    void drawInset(Canvas &canvas, const PictureRequest &request);
     void seek(double to);
 
-    const Inspector *stage; // of the film's code that is in use
+    const Inspector *film; // of the film's code that is in use
     int width, height;
     double rate;
     int64_t (*clock)();
@@ -101,7 +101,7 @@ private:
         CameraKey camera = {};
         bool operator==(const Key &) const;
     };
-    Key keyOf(const Moment &moment) const;
+    Key keyOf(const PictureRequest &request) const;
     Key otherKey, differenceKey, lastKey, lastPictureKey;
 
     // What the mouse does, and where it was

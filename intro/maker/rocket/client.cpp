@@ -20,7 +20,7 @@ constexpr double kAgain = 1; // seconds between two tries to connect
 constexpr size_t kMostUnsent = 1 << 20;
 
 enum : uint8_t { kSetKey, kDeleteKey, kGetTrack, kSetRow, kPause, kSaveTracks };
-// How long the editor's messages are, with the byte that tells their kind; 0: it sends none of this kind.
+// Bytes of the editor's messages, with that of their kind; 0: it sends none of this kind.
 constexpr size_t kSizes[] = {14, 9, 0, 5, 2, 1};
 
 void put(std::string &to, uint32_t number) {
@@ -107,7 +107,7 @@ void Client::write() {
         ssize_t sent = send(socket, out.data(), out.size(), MSG_NOSIGNAL);
         if (sent < 0 && errno == EINTR) continue;
         if (sent < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) {
-            if (out.size() > kMostUnsent) drop("takes nothing any more");
+            if (out.size() > kMostUnsent) drop("takes no more data");
             return;
         }
         if (sent < 0) return drop(std::strerror(errno));
@@ -135,7 +135,7 @@ void Client::read() {
 bool Client::greet() {
     size_t size = std::min(in.size(), sizeof kAnswer - 1);
     if (in.compare(0, size, kAnswer, size))
-        return drop("says something else: it is no editor of GNU Rocket"), false;
+        return drop("does not greet as an editor of GNU Rocket does"), false;
     if (size < sizeof kAnswer - 1) return true;
     in.erase(0, size);
     state = State::Talking;
@@ -154,7 +154,7 @@ bool Client::greet() {
 // False: there is no whole message, or the connection was dropped.
 bool Client::takeMessage() {
     if (in.empty()) return false;
-    constexpr char kGarbage[] = "says what is not in the protocol";
+    constexpr char kGarbage[] = "sent what is not in the protocol";
     uint8_t kind = (uint8_t)in[0];
     if (kind >= sizeof kSizes / sizeof *kSizes || !kSizes[kind]) return drop(kGarbage), false;
     if (in.size() < kSizes[kind]) return false;
@@ -176,13 +176,13 @@ bool Client::takeMessage() {
         ++changes;
         break;
     case kSetRow:
-        toldRow = knownRow = row;
+        sentRow = knownRow = row;
         break;
     case kPause:
-        toldPause = in[1] != 0;
+        sentPause = in[1] != 0;
         break;
     case kSaveTracks:
-        toldSave = true;
+        sentSave = true;
         break;
     }
     in.erase(0, kSizes[kind]);

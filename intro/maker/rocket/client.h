@@ -1,7 +1,7 @@
 // A client of GNU Rocket: it offers tracks to an editor, gets their keys, and both follow one row.
 //
 // The protocol runs over TCP; numbers are big-endian. The client greets with 19 bytes, the editor answers
-// with 12. Then come messages, each a byte that tells its kind, and what belongs to it:
+// with 12. Then come messages, each a byte for its kind, and what belongs to it:
 //
 //     0 SET_KEY      track, row, value (a float), interpolation (a byte)
 //     1 DELETE_KEY   track, row
@@ -47,12 +47,12 @@ public:
     uint64_t version() const { return changes; }
     const Track &track(size_t i) const { return keys[i]; }
 
-    // What the editor has told since the last call.
-    std::optional<uint32_t> takeRow() { return std::exchange(toldRow, {}); }
-    std::optional<bool> takePause() { return std::exchange(toldPause, {}); }
-    bool takeSave() { return std::exchange(toldSave, false); }
+    // What the editor has sent since the last call.
+    std::optional<uint32_t> takeRow() { return std::exchange(sentRow, {}); }
+    std::optional<bool> takePause() { return std::exchange(sentPause, {}); }
+    bool takeSave() { return std::exchange(sentSave, false); }
 
-    // Tells the editor where the film is. A row that it knows is not sent again.
+    // Sends the editor the film's row. A row that it knows is not sent again.
     void sendRow(uint32_t row);
 
 private:
@@ -74,9 +74,9 @@ private:
     double tried = -1e9;  // when it last tried to connect
     std::string in, out, wrong;
     uint64_t changes = 0;
-    std::optional<uint32_t> toldRow, knownRow;
-    std::optional<bool> toldPause;
-    bool toldSave = false;
+    std::optional<uint32_t> sentRow, knownRow;
+    std::optional<bool> sentPause;
+    bool sentSave = false;
 };
 
 } // namespace odraz::maker::rocket

@@ -1,33 +1,24 @@
 #include "maker/rocket/track.h"
 
-#include <algorithm>
-#include <iterator>
+#include <cstdio>
 
 namespace odraz::maker::rocket {
 
-double value(const Track &track, double row) {
-    if (track.empty()) return 0;
-    // The first key behind the row
-    auto next = std::find_if(track.begin(), track.end(), [&](auto &key) { return (double)key.first > row; });
-    if (next == track.begin()) return (double)next->second.value;
-    auto key = std::prev(next);
-    double from = (double)key->second.value;
-    if (next == track.end()) return from;
-    double t = (row - key->first) / (double)(next->first - key->first);
-    switch (key->second.interpolation) {
-    case Interpolation::Step:
-        t = 0;
-        break;
-    case Interpolation::Linear:
-        break;
-    case Interpolation::Smooth:
-        t = t * t * (3 - 2 * t);
-        break;
-    case Interpolation::Ramp:
-        t = t * t;
-        break;
+std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows) {
+    char line[160];
+    std::snprintf(line, sizeof line, "<sync rows=\"%d\">\n\t<tracks startRow=\"0\" endRow=\"%d\">\n", rows,
+                  rows - 1);
+    std::string text = line;
+    for (size_t i = 0; i < names.size(); ++i) {
+        text += "\t\t<track name=\"" + names[i] + "\">\n";
+        for (auto &[row, key] : tracks[i]) {
+            std::snprintf(line, sizeof line, "\t\t\t<key row=\"%u\" value=\"%.9g\" interpolation=\"%d\"/>\n",
+                          row, (double)key.value, (int)key.interpolation);
+            text += line;
+        }
+        text += "\t\t</track>\n";
     }
-    return from + ((double)next->second.value - from) * t;
+    return text + "\t</tracks>\n\t<bookmarks/>\n</sync>\n";
 }
 
 } // namespace odraz::maker::rocket

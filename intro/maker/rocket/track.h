@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace odraz::maker::rocket {
 
@@ -22,7 +24,9 @@ struct Key {
 
 using Track = std::map<uint32_t, Key>; // by row
 
-// The value at any finite row: before the first key its value, after the last key that one's; 0 without keys.
-double value(const Track &track, double row);
+// Tracks as a document that GNU Rocket's editors open: XML, as the original editor writes it and emoon's
+// reads it. `rows`: how many the document has. Names have no characters that XML knows (names of ours have
+// letters, digits, '.', '-' and ':').
+std::string document(const std::vector<std::string> &names, const std::vector<Track> &tracks, int rows);
 
 } // namespace odraz::maker::rocket

@@ -91,25 +91,6 @@ void meet(Editor &editor, Client &client, double now = 0) {
 
 } // namespace
 
-TEST(RocketTrack, RunsAsRocketSays) {
-    Track t;
-    EXPECT_EQ(value(t, 3), 0);
-    t[4] = {1, Interpolation::Step};
-    EXPECT_EQ(value(t, -1e30), 1);
-    EXPECT_EQ(value(t, 1e30), 1);
-    t[8] = {3, Interpolation::Linear};
-    t[12] = {5, Interpolation::Smooth};
-    t[16] = {-3, Interpolation::Ramp};
-    t[20] = {1, Interpolation::Step};
-    EXPECT_EQ(value(t, 7.99), 1);
-    EXPECT_EQ(value(t, 8), 3);
-    EXPECT_EQ(value(t, 9), 3.5);
-    EXPECT_DOUBLE_EQ(value(t, 13), 5 - 8 * (3 / 16. - 2 / 64.));
-    EXPECT_DOUBLE_EQ(value(t, 17), -3 + 4 / 16.);
-    EXPECT_EQ(value(t, 20), 1);
-    for (auto &[row, key] : t) EXPECT_EQ(value(t, row), (double)key.value);
-}
-
 TEST(RocketClient, UnderstandsEveryMessage) {
     Editor editor;
     Client client("127.0.0.1", editor.port(), kNames);

@@ -1,7 +1,5 @@
 #include "maker/tracks.h"
 
-#include "maker/rocket/document.h"
-
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -149,15 +147,15 @@ TEST_F(Fixture, CountsRowsOfTheFilm) {
 }
 
 TEST_F(Fixture, HasKeysSetByHand) {
-    EXPECT_EQ(tracks.setView(4, kView), "");
+    EXPECT_EQ(tracks.setView(4, &kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {2, kSmooth}}}));
     EXPECT_EQ(tracks.track(kLens)[4].value, 45); // as it is there
-    EXPECT_EQ(tracks.removeView(16), "");
+    EXPECT_EQ(tracks.setView(16, nullptr), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}}));
-    EXPECT_EQ(tracks.removeView(16), "there is no key");
+    EXPECT_EQ(tracks.setView(16, nullptr), "there is no key");
     // An editor that changes a key of these has the last word; others stay
     tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
-    EXPECT_EQ(tracks.setView(4, kView), "");
+    EXPECT_EQ(tracks.setView(4, &kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
     tracks.takeFromEditor(kEyeX, {{4, {1, kSmooth}}, {16, {3, kSmooth}}});
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {1, kSmooth}}, {16, {3, kSmooth}}}));
@@ -170,8 +168,9 @@ TEST_F(Fixture, HasKeysSetByHand) {
 
 TEST_F(Fixture, StepsAreUndone) {
     EXPECT_FALSE(tracks.undo());
-    tracks.setView(4, kView);
-    tracks.setView(4, {0, {9, 7, 6}, {5, 4, 3}, 0, 0});
+    tracks.setView(4, &kView);
+    CameraKey second = {0, {9, 7, 6}, {5, 4, 3}, 0, 0};
+    tracks.setView(4, &second);
     EXPECT_TRUE(tracks.undo());
     EXPECT_EQ(tracks.track(kEyeX)[4].value, 8);
     EXPECT_TRUE(tracks.undo());
@@ -211,7 +210,7 @@ TEST_F(Fixture, ARowBesideACutIsInTheShotThatIsSeen) {
 TEST_F(Fixture, WhatWasEditedIsWrittenToTheFiles) {
     EXPECT_EQ(tracks.save(message), "");
     EXPECT_EQ(message, "nothing to save");
-    tracks.setView(4, kView);
+    tracks.setView(4, &kView);
     tracks.takeFromEditor(kTheLamp, {{0, {1, kLinear}}, {3, {2.25f, kSmooth}}, {8, {3, kSmooth}}});
     EXPECT_EQ(tracks.save(message), "");
     EXPECT_EQ(message, "saved film.keys, scenes/start.keys");
@@ -234,7 +233,7 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
     EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
     // A file that somebody else wrote meanwhile stays theirs, and the edit stays to be seen
     write("film.keys", std::string(kFilmKeys) + "// mine\n");
-    tracks.setView(4, kView);
+    tracks.setView(4, &kView);
     EXPECT_NE(tracks.save(message).find("film.keys was changed meanwhile"), std::string::npos);
     EXPECT_TRUE(has("film.keys", "// mine"));
     // Once what the other wrote is built and loaded, the edit goes on top of it
@@ -250,10 +249,10 @@ TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
     Tracks fresh{folder};
     fresh.find(live);
     EXPECT_EQ(fresh.names().size(), 2u);
-    EXPECT_EQ(fresh.setView(4, kView), "its path is in no file of keys");
+    EXPECT_EQ(fresh.setView(4, &kView), "its path is in no file of keys");
     write("film.keys", "int i;\n");
     fresh.find(live);
-    EXPECT_NE(fresh.setView(4, kView).find("film.keys:1: expected TRACK"), std::string::npos);
+    EXPECT_NE(fresh.setView(4, &kView).find("film.keys:1: expected TRACK"), std::string::npos);
 }
 
 TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
