@@ -87,7 +87,7 @@ static Picture finish(Intro &intro, const Posed &now, const View &view, double s
             for (int k = 0; k < 3 && frame.plane[k] != planes.plane[k]; ++k)
                 __builtin_memcpy(frame.plane[k] + row, planes.plane[k] + row, (size_t)frame.stride * 4);
         });
-        now.entry->letter(now.cue, view, frame);
+        now.entry->letter(now.input, view, frame);
     }
     bool fewer = frame.width != intro.width || frame.height != intro.height;
     frame.rgba = fewer ? intro.fewer + kPictureMargin : rgba;

@@ -108,7 +108,7 @@ static constexpr Part kParts[] = {
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
-static constexpr Heard kHeard[] = {
+static constexpr EventSound kEventSounds[] = {
     {kLightIsBorn, {kGlassDrop, 6, 1, 120}, 60, '2'},
     {kLightGrows, {kGlassDrop, 5, 1, 120}, 60, '0'},
     {kCausticFalls, {kGlassDrop, 5, 2, 120}, 60, '2'},

@@ -6,14 +6,14 @@
 namespace odraz {
 
 // Each has its own file.
-void posePoint(const Cue &cue, Scene &scene);
-void poseTable(const Cue &cue, Scene &scene);
-void poseFlake(const Cue &cue, Scene &scene);
-void posePatches(const Cue &cue, Scene &scene);
-void letterPatches(const Cue &cue, const View &view, Frame &frame);
-void poseDay(const Cue &cue, Scene &scene);
-void poseOdraz(const Cue &cue, Scene &scene);
-void poseCredits(const Cue &cue, Scene &scene);
-void letterCredits(const Cue &cue, const View &, Frame &frame);
+void posePoint(const SceneInput &in, Scene &scene);
+void poseTable(const SceneInput &in, Scene &scene);
+void poseFlake(const SceneInput &in, Scene &scene);
+void posePatches(const SceneInput &in, Scene &scene);
+void letterPatches(const SceneInput &in, const View &view, Frame &frame);
+void poseDay(const SceneInput &in, Scene &scene);
+void poseOdraz(const SceneInput &in, Scene &scene);
+void poseCredits(const SceneInput &in, Scene &scene);
+void letterCredits(const SceneInput &in, const View &, Frame &frame);
 
 } // namespace odraz

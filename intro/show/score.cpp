@@ -21,15 +21,15 @@ static_assert(
     }(),
     "a part begins before it ends, within its scene's bars");
 
-constexpr bool isHeard(const Event &event) {
-    for (const Heard &h : kHeard)
-        if (h.scene == event.scene && h.row == event.row) return true;
+constexpr bool hasSound(const Event &event) {
+    for (const EventSound &sound : kEventSounds)
+        if (sound.scene == event.scene && sound.row == event.row) return true;
     return false;
 }
 static_assert(
     [] {
         for (const Event &e : kEvents)
-            if (e.heard != isHeard(e)) return false;
+            if (e.heard != hasSound(e)) return false;
         return true;
     }(),
     "what is marked as heard has a sound, and nothing else has");
@@ -78,9 +78,9 @@ void playRow(Mixer &m, int row) {
         strike(m, p.articulation, *tone, chord, lerp((float)p.soft, (float)p.loud, way) * 0.01f,
                (float)(p.rows * held) / (float)p.strokes);
     }
-    for (const Heard &h : kHeard)
-        if (h.scene == scene && h.row == story)
-            strike(m, h.articulation, h.tone, chord, (float)h.loud * 0.01f, kRing);
+    for (const EventSound &sound : kEventSounds)
+        if (sound.scene == scene && sound.row == story)
+            strike(m, sound.articulation, sound.tone, chord, (float)sound.loud * 0.01f, kRing);
 }
 
 } // namespace odraz

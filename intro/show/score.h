@@ -36,14 +36,14 @@ struct Part {
 };
 
 // The sound of an event.
-struct Heard {
+struct EventSound {
     SceneId scene;
     uint8_t loud; // velocity, per cent
     int16_t row;
     Articulation articulation;
     char tone; // as in a part's line
 
-    consteval Heard(EventId event, Articulation articulation, uint8_t loud, char tone)
+    consteval EventSound(EventId event, Articulation articulation, uint8_t loud, char tone)
         : scene(kEvents[event].scene), loud(loud), row(kEvents[event].row), articulation(articulation),
           tone(tone) {}
 };

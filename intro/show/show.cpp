@@ -8,7 +8,7 @@ Posed poseAt(const Film &film, double seconds, const CameraKey *camera) {
                  {m.storyRow, camera ? *camera : pose(m.shot->path, m.storyRow), film.hall, film.facts},
                  m.fade};
     film.scene->clear();
-    now.entry->pose(now.cue, *film.scene);
+    now.entry->pose(now.input, *film.scene);
     film.scene->finish();
     return now;
 }

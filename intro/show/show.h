@@ -22,7 +22,7 @@ struct Facts {
 };
 
 // The input of posing and lettering.
-struct Cue {
+struct SceneInput {
     float row;        // of the scene's story
     CameraKey camera; // that looks at the scene, scripted or flown
     Hall *hall;       // null where no scene needs it
@@ -31,8 +31,9 @@ struct Cue {
 
 struct SceneEntry {
     const char *name;
-    void (*pose)(const Cue &cue, Scene &scene);                               // fills a cleared scene
-    void (*letter)(const Cue &cue, const View &view, Frame &frame) = nullptr; // draws over the linear picture
+    void (*pose)(const SceneInput &in, Scene &scene); // fills a cleared scene
+    // Draws over the linear picture
+    void (*letter)(const SceneInput &in, const View &view, Frame &frame) = nullptr;
     SceneId id;
     bool needsHall = false;
     PackedPace pace = Pace{};
@@ -51,11 +52,11 @@ struct Film {
 // What is shown at a time.
 struct Posed {
     const SceneEntry *entry;
-    Cue cue;
+    SceneInput input;
     float fade; // 0 black .. 1 full
 
     View view(int width, int height) const {
-        const CameraKey &c = cue.camera;
+        const CameraKey &c = input.camera;
         return lookAt(c.eye, c.target, c.roll, c.fov, width, height);
     }
 };

@@ -14,10 +14,10 @@ enum { kMarble, kSilver };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kSilver] = &kMirror};
 static constexpr float kLastBeat = 76; // then all is black, and the room rings out
 
-void poseCredits(const Cue &cue, Scene &scene) {
+void poseCredits(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     // The light wanders over the stone until the end
-    float way = cue.row * 0.03f;
+    float way = in.row * 0.03f;
     scene.add(Light{{way - 2.4f, 2.4f, 1.4f}, {5.5f, 4.4f, 3.1f}, 0.2f});
     scene.add(Light{{2.6f, 1.7f, -2.6f + way}, {3.2f, 4.4f, 6.8f}, 0.2f});
     scene.add(Light{{0, 0.4f, 1.5f}, {0.3f, 0.14f, 0.06f}, 0.1f}); // the word's
@@ -30,24 +30,23 @@ void poseCredits(const Cue &cue, Scene &scene) {
     scene.ambientHigh = {0.016f, 0.018f, 0.026f};
     scene.sky = plainSky({0.004f, 0.005f, 0.008f}, {0.012f, 0.016f, 0.026f});
     scene.fog = 0.09f;
-    scene.exposure = cue.row > kLastBeat ? 0 : 1.3f;
+    scene.exposure = in.row > kLastBeat ? 0 : 1.3f;
 }
 
-void letterCredits(const Cue &cue, const View &, Frame &frame) {
+void letterCredits(const SceneInput &in, const View &, Frame &frame) {
     float w = (float)frame.width, h = (float)frame.height;
     auto line = [&](float page, const char *text, float y, float size, Rgb colour) {
         drawText(frame, text, w * 0.5f, h * y, h * size, 0.09f, 1.6f, Align::Centre, colour,
-                 value(track(kPage), cue.row - page));
+                 value(track(kPage), in.row - page));
     };
     Rgb pale = {0.75f, 0.72f, 0.68f}, accent = {0.80f, 0.42f, 0.24f};
     Text<80> size, machine;
-    if (cue.facts.bytes)
-        size << cue.facts.bytes << " bytes";
+    if (in.facts.bytes)
+        size << in.facts.bytes << " bytes";
     else
         size << "in less than 65537 bytes";
     machine << "on "
-            << (cue.facts.machine && *cue.facts.machine ? cue.facts.machine
-                                                        : "a processor, and nothing else");
+            << (in.facts.machine && *in.facts.machine ? in.facts.machine : "a processor, and nothing else");
     line(rowOf(kLine1), "light, traced ray by ray as you watched", 0.14f, 0.036f, pale);
     line(rowOf(kLine1), size.data, 0.24f, 0.046f, accent);
     line(rowOf(kLine1), "no picture and no sound was recorded", 0.33f, 0.036f, pale);

@@ -10,18 +10,18 @@ namespace odraz {
 static constexpr float kUp[kLanterns] = {rowOf(kLamp3), rowOf(kLamp2), rowOf(kLamp1)},
                        kOut[kLanterns] = {rowOf(kLamp3Dies), rowOf(kLamp2Dies), rowOf(kLamp1Dies)};
 
-void poseDay(const Cue &cue, Scene &scene) {
+void poseDay(const SceneInput &in, Scene &scene) {
     HallLight light = {};
-    light.hour = value(track(kHour), cue.row);
+    light.hour = value(track(kHour), in.row);
     for (int i = 0; i < kLanterns; ++i)
         light.lanterns[i] =
-            value(track(kComesUp), cue.row - kUp[i]) * value(track(kGoesOut), cue.row - kOut[i]);
-    light.sun = value(track(kSun), cue.row);
+            value(track(kComesUp), in.row - kUp[i]) * value(track(kGoesOut), in.row - kOut[i]);
+    light.sun = value(track(kSun), in.row);
     static constexpr float kRows[kStrips] = {rowOf(kStrip1), rowOf(kStrip2), rowOf(kStrip3), rowOf(kStrip4),
                                              rowOf(kStrip5), rowOf(kStrip6), rowOf(kStrip7), rowOf(kStrip8)};
-    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), cue.row - kRows[i]);
-    poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
-    scene.exposure = value(track(kExposure), cue.row);
+    for (int i = 0; i < kStrips; ++i) light.strips[i] = value(track(kRise), in.row - kRows[i]);
+    poseHall(*in.hall, light, 0, in.camera.eye, scene);
+    scene.exposure = value(track(kExposure), in.row);
 }
 
 } // namespace odraz

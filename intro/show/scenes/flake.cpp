@@ -49,9 +49,9 @@ struct Flake {
 
 } // namespace
 
-void poseFlake(const Cue &cue, Scene &scene) {
-    Flake flake = {scene, cue.camera, {}, cue.row * 0.002f, 0, {}};
-    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), cue.row - kGenerations[i]);
+void poseFlake(const SceneInput &in, Scene &scene) {
+    Flake flake = {scene, in.camera, {}, in.row * 0.002f, 0, {}};
+    for (int i = 0; i < kLevels; ++i) flake.grown[i] = value(track(kGrow), in.row - kGenerations[i]);
     flake.silver = scene.add(kMirror);
     for (int i = 0; i < kShades; ++i)
         for (int warm = 0; warm < 2; ++warm)
@@ -67,7 +67,7 @@ void poseFlake(const Cue &cue, Scene &scene) {
                     Rgb{4.0f, 4.4f, 5.0f} * (dot(eye, eye) * 0.05f), 0.1f});
     scene.ambientLow = {0.05f, 0.05f, 0.05f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = duskSky(cue.row + 192);
+    scene.sky = duskSky(in.row + 192);
     scene.exposure = 0.75f;
 }
 

@@ -33,14 +33,14 @@ static void addBall(Scene &scene, float row, float x, float z, float radius, flo
     s->frame = {{1, 0, 0}, {0, cos(turn), sin(turn)}, {0, -sin(turn), cos(turn)}};
 }
 
-void poseOdraz(const Cue &cue, Scene &scene) {
-    HallLight light = {kNight, {}, {}, 1, value(track(kDoor), cue.row)};
-    light.lanterns[1] = light.lanterns[2] = value(track(kOuter), cue.row);
-    light.lanterns[0] = max(light.lanterns[1], value(track(kLast), cue.row));
-    float burn = value(track(kStripsGo), cue.row), sway = value(track(kSway), cue.row);
+void poseOdraz(const SceneInput &in, Scene &scene) {
+    HallLight light = {kNight, {}, {}, 1, value(track(kDoor), in.row)};
+    light.lanterns[1] = light.lanterns[2] = value(track(kOuter), in.row);
+    light.lanterns[0] = max(light.lanterns[1], value(track(kLast), in.row));
+    float burn = value(track(kStripsGo), in.row), sway = value(track(kSway), in.row);
     for (int i = 0; i < kStrips; ++i) light.strips[i] = burn * saturate(1 + sway * ((float)i - 3.5f));
-    poseHall(*cue.hall, light, 0, cue.camera.eye, scene);
-    scene.exposure = value(track(kExposure), cue.row);
+    poseHall(*in.hall, light, 0, in.camera.eye, scene);
+    scene.exposure = value(track(kExposure), in.row);
     // The night outside dims with the door, lest the entrance outshine the word that stands before it
     Rgb night = Rgb{1, 1, 1} * min(0.3f + burn, 1.f);
     scene.sky.low *= night, scene.sky.slope *= night, scene.sky.curve *= night;
@@ -53,21 +53,21 @@ void poseOdraz(const Cue &cue, Scene &scene) {
     scene.add(pearl(false, 0.2f));
     scene.add(kGranite);
     scene.add(box({0, -0.1f, 14}, {5, 0.1f, 5}, kGround));
-    addBall(scene, cue.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
+    addBall(scene, in.row, 0, kStays, 0.75f, rowOf(kBall1), 999, kSilver);
     for (int i = 0; i < kRows; ++i) {
         float z = kStays + 2 - (float)i, radius = i & 1 ? 0.3f : 0.4f, aside = i & 1 ? 1.45f : 1.2f;
         float comes = rowOf(kBall2) + (float)(kBeat * (i < 4 ? i : i + 6)),
               goes = rowOf(kBall1Leaves) - (float)(kBeat * i);
         for (int side = 0; side < 2; ++side)
-            addBall(scene, cue.row, side ? aside : -aside, z - 0.4f * (float)side, radius, comes, goes,
+            addBall(scene, in.row, side ? aside : -aside, z - 0.4f * (float)side, radius, comes, goes,
                     kSides[side][i]);
     }
     for (int i = 0; i < kBehind; ++i)
-        addBall(scene, cue.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
+        addBall(scene, in.row, 0, kStays - 1.35f - 1.05f * (float)i, 0.45f,
                 rowOf(kBall2) + (float)(kBeat * (8 + 2 * i)),
                 rowOf(kBall5Leaves) + (float)(2 * kBeat * (kBehind - 1 - i)), i & 1 ? kPale : kRed);
     // It glows up when it is large enough to be read
-    float since = cue.row - rowOf(kWordIsFound);
+    float since = in.row - rowOf(kWordIsFound);
     if (since > 12) scene.middleCoarse = 8;
     Rgb glows = Rgb{2.6f, 0.9f, 0.27f} * saturate(0.06f * since - 0.75f);
     standText(scene, "odraz", {-2.35f, 0.11f, kStays + 6.1f}, 0.09f, 8 * since, scene.add(lamp(glows)));

@@ -61,13 +61,13 @@ static Rgb patchLight(const Hall &hall, int i, const Step &step, float lit) {
     return step.number < 0 || m.patches[i].share == 0 ? dark : dark * (1 - lit) + step.of(hall, i) * lit;
 }
 
-void posePatches(const Cue &cue, Scene &scene) {
-    float row = cue.row;
-    Hall *hall = cue.hall;
+void posePatches(const SceneInput &in, Scene &scene) {
+    float row = in.row;
+    Hall *hall = in.hall;
     float melt = value(track(kMelt), row), real = value(track(kReal), row);
     Step step(row);
     HallLight light = {kNoon, {}, {}, real};
-    poseHall(*hall, light, 1 - real, cue.camera.eye, scene);
+    poseHall(*hall, light, 1 - real, in.camera.eye, scene);
     if (row < rowOf(kPatchesMelt)) scene.sky = plainSky({0.003f, 0.003f, 0.004f}, {0.003f, 0.003f, 0.004f});
     scene.exposure = value(track(kExposure), row);
     scene.lines = value(track(kLines), row) * (1 - melt);
@@ -97,14 +97,14 @@ void posePatches(const Cue &cue, Scene &scene) {
     }
 }
 
-void letterPatches(const Cue &cue, const View &view, Frame &frame) {
-    const Hall &hall = *cue.hall;
-    Step step(cue.row);
+void letterPatches(const SceneInput &in, const View &view, Frame &frame) {
+    const Hall &hall = *in.hall;
+    Step step(in.row);
     float h = (float)frame.height;
-    if (step.number >= 0 && cue.row < rowOf(kPatchesMelt))
+    if (step.number >= 0 && in.row < rowOf(kPatchesMelt))
         drawText(frame, kStages[step.number].name, view.width - h * 0.12f, h * 0.88f, h * 0.032f, 0.085f,
                  1.6f, Align::Right, {0.8f, 0.42f, 0.24f}, step.rise);
-    drawHalfCube(hall, value(track(kRise), cue.row), value(track(kOpen), cue.row), view, frame);
+    drawHalfCube(hall, value(track(kRise), in.row), value(track(kOpen), in.row), view, frame);
 }
 
 } // namespace odraz

@@ -14,9 +14,9 @@ namespace odraz {
 enum { kMarble, kClear };
 static constexpr const Material *kMaterials[] = {[kMarble] = &kDarkMarble, [kClear] = &kGlass};
 
-void posePoint(const Cue &cue, Scene &scene) {
-    float key = value(track(kKeyLight), cue.row), rim = value(track(kRimLight), cue.row),
-          word = value(track(kWord), cue.row), written = cue.row - rowOf(kWordComes);
+void posePoint(const SceneInput &in, Scene &scene) {
+    float key = value(track(kKeyLight), in.row), rim = value(track(kRimLight), in.row),
+          word = value(track(kWord), in.row), written = in.row - rowOf(kWordComes);
     scene.addAll(kMaterials);
     int glow = scene.add(lamp(Rgb{2.6f, 2.2f, 1.6f} * (80 * (0.2f + key))));
     int tube = scene.add(lamp(Rgb{3.0f, 0.8f, 0.18f} * (0.6f + word)));
@@ -26,7 +26,7 @@ void posePoint(const Cue &cue, Scene &scene) {
     Vec3 place = {-0.42f, 0.055f, -0.7f};
     standText(scene, "odraz", place, 0.045f, written, tube);
 
-    Vec3 point = {value(track(kPasses), cue.row), value(track(kRises), cue.row), -0.55f};
+    Vec3 point = {value(track(kPasses), in.row), value(track(kRises), in.row), -0.55f};
     if (key > 0) scene.add(sphere(point, 0.03f, glow));
     scene.add(Light{point, Rgb{4.9f, 3.75f, 2.55f} * key, 0.06f});
     scene.add(Light{{2.8f, 1.9f, -2.8f}, Rgb{3.6f, 4.9f, 7.4f} * rim, 0.2f});

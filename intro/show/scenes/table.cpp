@@ -57,12 +57,12 @@ constexpr Light kKeyLights[] = {
 
 } // namespace
 
-void poseTable(const Cue &cue, Scene &scene) {
+void poseTable(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
-    scene.add(kKeyLights[cue.row >= kMacroFrom && cue.row < kMacroTo]);
+    scene.add(kKeyLights[in.row >= kMacroFrom && in.row < kMacroTo]);
     scene.add(kFill);
-    float rows = cue.row - rowOf(kBallsSetOff);
+    float rows = in.row - rowOf(kBallsSetOff);
     for (const auto &m : kMovers) {
         // It sets off from rest and reaches its speed within a beat
         float speeds = clamp(rows, 0.f, kBeat),
@@ -82,7 +82,7 @@ void poseTable(const Cue &cue, Scene &scene) {
     scene.ballsOcclude = true;
     scene.ambientLow = {0.06f, 0.045f, 0.045f};
     scene.ambientHigh = {0.09f, 0.12f, 0.19f};
-    scene.sky = duskSky(cue.row);
+    scene.sky = duskSky(in.row);
     scene.exposure = 0.93f;
 }
 

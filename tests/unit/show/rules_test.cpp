@@ -116,7 +116,7 @@ TEST(Rules, TheCameraIsNeverInsideAThing) {
     const Scene *scene = film().film.scene;
     for (double t = 0; t < duration(); t += 0.1) {
         Posed now = poseAt(film().film, t);
-        Vec3 eye = now.cue.camera.eye;
+        Vec3 eye = now.input.camera.eye;
         for (int i = 0; i < scene->shapeCount; ++i) {
             const Shape &s = scene->shapes[i];
             EXPECT_FALSE(isInside(s, eye, 0.1f))

@@ -198,7 +198,7 @@ TEST(Film, IsPosedForTheCameraThatLooks) {
     auto scripted = gloss();
     Posed flown = poseAt(f, 108, &aside);
     EXPECT_NE(gloss(), scripted);
-    EXPECT_EQ(flown.cue.camera.eye.x, aside.eye.x);
+    EXPECT_EQ(flown.input.camera.eye.x, aside.eye.x);
     EXPECT_EQ(flown.view(16, 9).eye.x, aside.eye.x);
     poseAt(f, 108);
     EXPECT_EQ(gloss(), scripted);

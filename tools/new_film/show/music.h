@@ -21,7 +21,7 @@ static constexpr Part kParts[] = {
 };
 
 // Event; instrument, octave, tones at once, room; velocity; tone.
-static constexpr Heard kHeard[] = {
+static constexpr EventSound kEventSounds[] = {
     {kBallLands, {kDrum, 1, 1, 120}, 90, 'a'},
     {kBallLandsAgain, {kDrum, 1, 1, 120}, 50, 'a'},
 };

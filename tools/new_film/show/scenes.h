@@ -6,6 +6,6 @@
 namespace odraz {
 
 // Each in a file of its own.
-void poseStage(const Cue &cue, Scene &scene);
+void poseStage(const SceneInput &in, Scene &scene);
 
 } // namespace odraz

@@ -34,10 +34,10 @@ static float height(float row) {
     return 0;
 }
 
-void poseStage(const Cue &cue, Scene &scene) {
+void poseStage(const SceneInput &in, Scene &scene) {
     scene.addAll(kMaterials);
     scene.addAll(kShapes);
-    float row = cue.row;
+    float row = in.row;
     scene.add(sphere({1.05f, 0.5f + height(row), -0.3f}, 0.5f, kRed));
 
     // A longer word has smaller letters
