@@ -21,7 +21,7 @@ struct TransferRows {
 TransferRows rowsOf(const SolvedHall &hall, bool suns);
 // Blocks of the hall's texels (clusters.h); a right angle counts like several metres.
 inline std::vector<int> blocksOf(const Model &m, int count) {
-    return blocksOf({m.texels, (size_t)m.texelCount}, m.charts, count, 6);
+    return radiosity::blocksOf({m.texels, (size_t)m.texelCount}, m.charts, count, 6);
 }
 
 struct Compressed {

@@ -120,9 +120,8 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
     int64_t texels = 0;
     for (size_t i = 0; i < atlas.pages.size(); ++i) {
         const AtlasPage &page = atlas.pages[i];
-        std::string name = model.name + "-" + std::to_string(i), size;
-        common::append(size, "%s: %d x %d texels", name.c_str(), page.width, page.height);
-        notes.push_back(size);
+        std::string name = model.name + "-" + std::to_string(i);
+        notes.push_back(common::format("%s: %d x %d texels", name.c_str(), page.width, page.height));
         texels += (int64_t)page.width * page.height;
         std::vector<float> light = paintPage(b, atlas, (int)i, s.radiosity ? Held::Radiosity : Held::Light);
         writePng(folder, name + ".png", page, light, model.one);
@@ -132,11 +131,9 @@ void exportAtlas(const Solution &b, const AtlasSettings &s, const std::string &p
                      paintPage(b, atlas, (int)i, Held::Reflectance), 1);
     }
     folder.finish();
-    std::string all;
-    common::append(all, "%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g",
-                   b.charts.size(), atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s",
-                   100. * (double)atlas.used / (double)texels, (double)model.one);
-    notes.push_back(all);
+    notes.push_back(common::format("%zu polygons in %zu page%s, filled by %.0f %%; in PNG 1 stands for %.4g",
+                                   b.charts.size(), atlas.pages.size(), atlas.pages.size() == 1 ? "" : "s",
+                                   100. * (double)atlas.used / (double)texels, (double)model.one));
     if (atlas.coarse)
         notes.push_back(std::to_string(atlas.coarse) +
                         " polygons have fewer texels than asked for: raise --page");

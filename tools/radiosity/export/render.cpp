@@ -143,62 +143,56 @@ struct Looked {
             throw std::runtime_error("there is not enough memory: try a smaller --size");
         look(Seen(solution, s), workers, frame);
     }
+    std::vector<Rgb> pixels() const { // in rows from above to below
+        std::vector<Rgb> all;
+        for (int y = 0; y < frame.height; ++y)
+            for (int x = 0; x < frame.width; ++x) {
+                size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
+                all.push_back({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
+            }
+        return all;
+    }
 };
 
 } // namespace
 
 std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Workers &workers) {
-    Looked looked(solution, s, workers);
-    const Frame &frame = looked.frame;
-    std::vector<Rgb> all;
-    for (int y = 0; y < s.height; ++y)
-        for (int x = 0; x < s.width; ++x) {
-            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
-            all.push_back({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
-        }
-    return all;
+    return Looked(solution, s, workers).pixels();
+}
+
+Rgb logarithmicTone(const Rgb &c, float low, float high) {
+    float light = maxComponent(c);
+    if (!(light > 0)) return {};
+    // Even the darkest value is not black, so that it can be seen
+    float rank = (std::log(light) - low) / std::max(high - low, 1e-3f),
+          bright = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
+    auto channel = [&](float x) { return bright * std::pow(std::max(x, 0.f) / light, 1 / 2.2f); };
+    return {channel(c.x), channel(c.y), channel(c.z)};
 }
 
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
     Looked looked(solution, s, workers);
-    Frame &frame = looked.frame;
+    std::vector<Rgb> seen = looked.pixels();
     std::vector<float> all;
-    for (int y = 0; y < s.height; ++y)
-        for (int x = 0; x < s.width; ++x) {
-            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
-            float light = std::max({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
-            if (light > 0) all.push_back(light);
-        }
+    for (const Rgb &c : seen)
+        if (float light = maxComponent(c); light > 0) all.push_back(light);
     if (all.empty()) all.push_back(1); // all is black
-    // Choose the exposure by what the camera sees
-    float exposure = std::exp2(s.stops) * 0.5f / std::max(common::quantile(all, 0.6), 1e-30f);
-    pictures::Image picture = {s.width, s.height, {}};
-    picture.rgb.resize((size_t)s.width * (size_t)s.height * 3);
-    float low = std::log(std::max(common::quantile(all, 0.01), 1e-30f)),
-          high = std::log(std::max(common::quantile(all, 0.998), 1e-30f));
-    if (!s.logarithmic) {
+    auto part = [&](double share) { return std::max(common::quantile(all, share), 1e-30f); };
+    float low = std::log(part(0.01)), high = std::log(part(0.998));
+    bool film = !(s.constant > 0) && !s.logarithmic;
+    if (film) { // the exposure is chosen by what the camera sees
         ToneCurve curve;
         makeToneCurve(curve);
-        develop(curve, frame, workers, exposure, 0);
+        develop(curve, looked.frame, workers, std::exp2(s.stops) * 0.5f / part(0.6), 0);
     }
-    for (int y = 0; y < s.height; ++y)
-        for (int x = 0; x < s.width; ++x) {
-            size_t at = (size_t)y * (size_t)frame.stride + (size_t)x,
-                   pixel = (size_t)y * (size_t)s.width + (size_t)x;
-            float c[3] = {frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]};
-            float light = std::max({c[0], c[1], c[2]});
-            // Even the darkest value is not black, so that it can be seen
-            float rank = light > 0 ? (std::log(light) - low) / std::max(high - low, 1e-3f) : 0;
-            float shown = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
-            for (size_t k = 0; k < 3; ++k)
-                picture.rgb[pixel * 3 + k] =
-                    s.constant > 0 ? (uint8_t)(std::clamp(c[k] * s.constant, 0.f, 1.f) * 255 + 0.5f)
-                    : s.logarithmic
-                        ? (uint8_t)(light > 0
-                                        ? shown * std::pow(std::max(c[k], 0.f) / light, 1 / 2.2f) * 255 + 0.5f
-                                        : 0)
-                        : frame.rgba[pixel * 4 + k];
-        }
+    pictures::Image picture = {s.width, s.height, std::vector<uint8_t>(seen.size() * 3)};
+    for (size_t i = 0; i < seen.size(); ++i) {
+        Rgb c = s.constant > 0 ? seen[i] * s.constant : logarithmicTone(seen[i], low, high);
+        const float shown[3] = {c.x, c.y, c.z};
+        for (size_t k = 0; k < 3; ++k)
+            picture.rgb[i * 3 + k] =
+                film ? looked.frame.rgba[i * 4 + k] : (uint8_t)(std::clamp(shown[k], 0.f, 1.f) * 255 + 0.5f);
+    }
     pictures::writePng(path, picture);
 }
 

@@ -22,6 +22,9 @@ void placeCamera(const Solution &solution, RenderSettings &settings);
 // The radiance that reaches each pixel, in rows from above to below: what render() shows. Throws likewise.
 std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &settings, Workers &workers);
 
+// A colour, 0 .. 1 and no longer linear, as bright as its logarithm's place between `low` and `high`.
+Rgb logarithmicTone(const Rgb &light, float low, float high);
+
 // Writes a PNG. Throws std::runtime_error.
 void render(const Solution &solution, const RenderSettings &settings, Workers &workers,
             const std::string &path);

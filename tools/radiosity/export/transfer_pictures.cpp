@@ -128,8 +128,6 @@ std::vector<Rgb> seenBy(const TransferRoom &room, const Lighting &lighting, int 
     return lookAt(model, camera, workers);
 }
 
-float brightest(const Rgb &c) { return std::max({c.x, c.y, c.z}); }
-
 void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderSettings &settings,
                Workers &workers, const std::string &path) {
     RenderSettings camera = settings;
@@ -138,7 +136,7 @@ void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderS
     Sheet sheet(bands * step + kGap, kGap + 2 * (camera.height + kLabel + kGap));
     std::vector<float> all;
     for (const Rgb &c : seenBy(room, lighting, 0, bands, camera, workers))
-        if (float light = brightest(c); light > 0) all.push_back(light);
+        if (float light = maxComponent(c); light > 0) all.push_back(light);
     float exposure = all.empty() ? 1 : std::exp2(settings.stops) * 0.5f / common::quantile(all, 0.6);
     HeapArena memory(((size_t)camera.width + 64) * (size_t)camera.height * 32 + 65536);
     Frame frame = {};

@@ -6,20 +6,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+#include <functional>
 
 namespace odraz::radiosity {
 
 namespace {
 
-struct Material {
-    const char *name;
-    double kd[3], ke[3];
-};
-constexpr Material kMaterials[] = {
-    {"white", {0.75, 0.75, 0.75}, {}}, {"red", {0.65, 0.1, 0.08}, {}},
-    {"green", {0.12, 0.5, 0.15}, {}},  {"stone", {0.5, 0.48, 0.42}, {}},
-    {"floor", {0.35, 0.33, 0.3}, {}},  {"lamp", {0.5, 0.5, 0.5}, {20, 18, 15}},
+const std::vector<MeshMaterial> kMaterials = {
+    {"white", {0.75f, 0.75f, 0.75f}, {}}, {"red", {0.65f, 0.1f, 0.08f}, {}},
+    {"green", {0.12f, 0.5f, 0.15f}, {}},  {"stone", {0.5f, 0.48f, 0.42f}, {}},
+    {"floor", {0.35f, 0.33f, 0.3f}, {}},  {"lamp", {0.5f, 0.5f, 0.5f}, {20, 18, 15}},
 };
 
 struct Writer : ObjWriter {
@@ -33,15 +29,13 @@ struct Writer : ObjWriter {
             across = (int)std::ceil(length(u) / side - 1e-9), down = (int)std::ceil(length(v) / side - 1e-9);
         }
         auto at = [&](int i, int j) { return number(corner + u * i / across + v * j / down); };
-        char line[200];
         for (int j = 0; j < down; ++j)
             for (int i = 0; i < across; ++i) {
                 int a = at(i, j), b = at(i + 1, j), c = at(i + 1, j + 1), d = at(i, j + 1);
                 if (area > 0)
-                    std::snprintf(line, sizeof line, "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d);
+                    common::append(faces, "f %d %d %d\nf %d %d %d\n", a, b, c, a, c, d);
                 else
-                    std::snprintf(line, sizeof line, "f %d %d %d %d\n", a, b, c, d);
-                faces += line;
+                    common::append(faces, "f %d %d %d %d\n", a, b, c, d);
                 triangles += 2;
             }
     }
@@ -136,44 +130,26 @@ void cave(Writer &w) {
 } // namespace
 
 std::string generateObj(const std::string &kind, double area, size_t *triangles) {
+    static const std::map<std::string, std::function<void(Writer &)>> kinds = {
+        {"cube", cube}, {"columns", columns}, {"corner", corner},
+        {"cave", cave}, {"vault", makeVault}, {"terrain", makeTerrain}};
+    auto make = kinds.find(kind);
+    if (make == kinds.end()) return {};
     Writer w;
     w.area = area;
-    if (kind == "cube")
-        cube(w);
-    else if (kind == "columns")
-        columns(w);
-    else if (kind == "corner")
-        corner(w);
-    else if (kind == "cave")
-        cave(w);
-    else if (kind == "vault")
-        makeVault(w);
-    else if (kind == "terrain")
-        makeTerrain(w);
-    else
-        return {};
+    make->second(w);
     if (triangles) *triangles = w.triangles;
     return w.points + w.faces;
 }
 
 std::string generateMtl(const std::vector<MaterialChange> &changes) {
-    std::vector<MeshMaterial> materials;
-    for (const Material &m : kMaterials) {
-        MeshMaterial to = {m.name, {}, {}};
-        for (size_t k = 0; k < 3; ++k) to.reflects[k] = (float)m.kd[k], to.emits[k] = (float)m.ke[k];
-        materials.push_back(to);
-    }
+    std::vector<MeshMaterial> materials = kMaterials;
     changeMaterials(materials, std::vector<bool>(materials.size(), true), changes);
     std::string text;
     for (const MeshMaterial &m : materials) {
-        char lines[300];
-        auto print = [&](const char *name, const std::array<float, 3> &c) {
-            std::snprintf(lines, sizeof lines, "%s %.7g %.7g %.7g\n", name, (double)c[0], (double)c[1],
-                          (double)c[2]);
-            text += lines;
-        };
         text += "newmtl " + m.name + "\n";
-        print("Kd", m.reflects), print("Ke", m.emits);
+        for (auto [name, c] : {std::pair{"Kd", m.reflects}, {"Ke", m.emits}})
+            common::append(text, "%s %.7g %.7g %.7g\n", name, (double)c[0], (double)c[1], (double)c[2]);
     }
     return text;
 }

@@ -1,9 +1,9 @@
 // Writes Wavefront OBJ polygon by polygon, for the generated models.
 #pragma once
 
+#include "tools/common/text.h"
 #include "tools/engine/vec3d.h"
 
-#include <cstdio>
 #include <map>
 #include <string>
 
@@ -20,11 +20,7 @@ struct ObjWriter {
     int number(Vec3d p) {
         for (size_t k = 0; k < 3; ++k) p[k] = std::round(p[k] * 1e6) / 1e6 + 0.0;
         auto [entry, added] = numbers.try_emplace(p, (int)numbers.size() + 1);
-        if (added) {
-            char line[100];
-            std::snprintf(line, sizeof line, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
-            points += line;
-        }
+        if (added) common::append(points, "v %.9g %.9g %.9g\n", p[0], p[1], p[2]);
         return entry->second;
     }
     void use(const char *of) {
@@ -33,9 +29,7 @@ struct ObjWriter {
     }
     void triangle(const char *of, int a, int b, int c) {
         use(of);
-        char line[100];
-        std::snprintf(line, sizeof line, "f %d %d %d\n", a, b, c);
-        faces += line;
+        common::append(faces, "f %d %d %d\n", a, b, c);
         ++triangles;
     }
     // The surface f(u, v), u and v in 0 .. 1, as columns x rows squares of two triangles each, lit on the

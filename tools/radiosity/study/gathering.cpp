@@ -155,15 +155,9 @@ pictures::Image Gathering::unfolded(int patch, int px) {
         if (px % 2 && side >= 0 && (row - px) % px == px / 2) row += side % 2 ? 1 : -1;
         return &ids[row * stride + std::clamp((int)((column + 1) / 2 * n), 0, px - 1)];
     };
-    // Its colour as bright as its place among all, by the logarithm
     auto shade = [&](uint32_t id) {
         Rgb c = id == kNothing || id == kBackSide ? Rgb{} : radiosity[id - 1];
-        float light = maxComponent(c);
-        if (!(light > 0)) return Rgb{30, 30, 30};
-        float bright =
-            255 * (0.1f + 0.9f * std::clamp((std::log(light) - low) / std::max(high - low, 1e-3f), 0.f, 1.f));
-        auto channel = [&](float v) { return bright * std::pow(std::max(v, 0.f) / light, 1 / 2.2f); };
-        return Rgb{channel(c.x), channel(c.y), channel(c.z)};
+        return maxComponent(c) > 0 ? logarithmicTone(c, low, high) * 255.f : Rgb{30, 30, 30};
     };
     pictures::Image picture = {kUnfolded, kUnfolded,
                                std::vector<uint8_t>((size_t)kUnfolded * kUnfolded * 3, 255)};
