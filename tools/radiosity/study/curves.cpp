@@ -63,31 +63,46 @@ Curve Converging::gathering() {
 }
 
 Curve Converging::atOnce() {
-    struct Told {
-        Converging &own;
-        Curve curve = {"Gauss-Seidel (at once)", {}};
-        double spent = 0, before = 0;
-        Stopwatch watch = {};
-    } told = {*this};
+    Curve curve = {"Gauss-Seidel (at once)", {}};
     System &s = patches.radiosity.system;
-    told.watch = {};
-    odraz::solve(
-        s, study.workers, 1e-7f, kMostPasses,
-        {[](float, void *context) {
-             Told &t = *(Told *)context;
-             double took = t.watch.processor();
-             const float *values = t.own.patches.radiosity.system.indirect; // where solve() keeps them
-             Curve &c = t.curve;
-             t.spent += took;
-             c.steps.push_back(t.own.stepOf((int)c.steps.size() + 1, t.own.rowSeconds + t.spent,
-                                            [&](int i) { return t.own.ofColumns(values, i); }, t.before));
-             t.watch = {};
-         },
-         &told});
-    auto done = std::find_if(told.curve.steps.begin(), told.curve.steps.end(),
-                             [](const Step &s) { return s.error < kDone; });
-    if (done != told.curve.steps.end()) told.curve.steps.erase(done + 1, told.curve.steps.end());
-    return told.curve;
+    double seconds = rowSeconds, before = 0;
+    Stopwatch watch;
+    auto record = [&] {
+        seconds += watch.processor();
+        const float *values = s.indirect; // where solve() keeps them
+        curve.steps.push_back(stepOf((int)curve.steps.size() + 1, seconds,
+                                     [&](int i) { return ofColumns(values, i); }, before));
+        watch = {};
+    };
+    odraz::solve(s, study.workers, 1e-7f, kMostPasses,
+                 {[](float, void *context) { (*(decltype(record) *)context)(); }, &record});
+    auto done =
+        std::find_if(curve.steps.begin(), curve.steps.end(), [](const Step &s) { return s.error < kDone; });
+    if (done != curve.steps.end()) curve.steps.erase(done + 1, curve.steps.end());
+    return curve;
+}
+
+void Converging::shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
+                       const std::function<int()> &shots) const {
+    int count = 0, next = first;
+    double before = 0;
+    auto record = [&] {
+        if (count == 0 || (!curve.steps.empty() && curve.steps.back().number == count)) return;
+        curve.steps.push_back(stepOf(
+            count, seconds, [&](int i) { return shooting.radiosity(i); }, before));
+    };
+    while (shooting.left() > least) {
+        study.tick();
+        Stopwatch batch;
+        int more = shots();
+        if (more == 0) break;
+        count += more, seconds += batch.processor();
+        if (count < next) continue;
+        next = count + count / 4;
+        record();
+        if (curve.steps.back().error < kDone) break;
+    }
+    record();
 }
 
 Curve Converging::shootingRows() {
@@ -98,29 +113,18 @@ Curve Converging::shootingRows() {
     Stopwatch watch;
     Columns columns(patches.radiosity.factors, model.patchCount);
     Shooting shooting(model, patchesAlone(model), none, direct);
-    double seconds = rowSeconds + watch.processor(), before = 0;
-    int shots = 0, next = 64;
-    double most = 60. * model.patchCount;
-    auto tell = [&] {
-        if (!curve.steps.empty() && curve.steps.back().number == shots) return;
-        curve.steps.push_back(stepOf(
-            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
-    };
-    while (shooting.left() > 1e-6 && shots < most) {
-        study.tick();
-        Stopwatch batch;
+    int64_t left = 60 * (int64_t)model.patchCount;
+    shoot(curve, shooting, rowSeconds + watch.processor(), 64, 1e-6, [&] {
+        if (left <= 0) return 0;
+        int shots = 0;
         for (int k : shooting.brightest(64)) {
             Shooting::Shot shot = shooting.take(k);
             shooting.handOut(shot.power * (1 / model.patches[shot.patch].area), columns.of(shot.patch));
             ++shots;
         }
-        seconds += batch.processor();
-        if (shots < next) continue;
-        next = shots + shots / 4;
-        tell();
-        if (curve.steps.back().error < kDone) break;
-    }
-    if (shots > 0) tell();
+        left -= shots;
+        return shots;
+    });
     return curve;
 }
 
@@ -136,32 +140,16 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
     Stopwatch clock;
-    // As many blocks as let each shoot some times
+    // The number of blocks lets each shoot several times
     int shotsAllowed = (int)std::clamp(limit / std::max(study.hemicubeSeconds(px), 1e-6), 16., 1e6);
     Shooters shooters =
         blocks ? blocksOfPatches(model, emits, std::max(shotsAllowed / 4, 1)) : patchesAlone(model);
     Shooting shooting(model, std::move(shooters), emits, direct);
     HemicubeShooter shooter(study.gl, model, px, 0);
-    double seconds = 0, before = 0;
-    int shots = 0, next = 16;
-    auto tell = [&] {
-        if (!curve.steps.empty() && curve.steps.back().number == shots) return;
-        curve.steps.push_back(stepOf(
-            shots, seconds, [&](int i) { return shooting.radiosity(i); }, before));
-    };
-    while (shooting.left() > 1e-4) {
-        study.tick();
-        if (clock.wall() >= limit) curve.stopped = true;
-        if (curve.stopped) break;
-        Stopwatch batch;
-        int shot = shooter.shoot(shooting, shooter.batch(), study.workers);
-        if (shot == 0) break;
-        shots += shot, seconds += batch.processor();
-        if (shots < next) continue;
-        next = shots + shots / 4;
-        tell();
-    }
-    if (shots > 0) tell();
+    shoot(curve, shooting, 0, 16, 1e-4, [&] {
+        curve.stopped = clock.wall() >= limit;
+        return curve.stopped ? 0 : shooter.shoot(shooting, shooter.batch(), study.workers);
+    });
     return curve;
 }
 

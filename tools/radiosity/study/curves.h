@@ -1,11 +1,12 @@
 // How solutions between patches approach the light: by gathering, by Gauss-Seidel, by shooting.
 #pragma once
 
+#include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/study/study.h"
 
 namespace odraz::radiosity {
 
-// One step: a pass over all patches, or some shots.
+// One step: a pass over all patches, or several shots.
 struct Step {
     int number;     // passes or hemicubes so far
     double seconds; // of the processor, since the start
@@ -45,6 +46,11 @@ private:
     double rowSeconds;
     std::vector<Rgb> converged;
     double all = 0, power = 0;
+    // Lets `shots`, which returns the number of its shots, shoot until it returns 0, until less than `least`
+    // is left, or until the light has converged. `seconds`: the time before the first shot. Records a step
+    // after `first` shots, and whenever there are a quarter more.
+    void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
+               const std::function<int()> &shots) const;
     // What arrives at patches straight from the lamps, as columns of the system
     std::vector<float> lampsSeen() const;
     Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const;

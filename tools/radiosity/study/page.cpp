@@ -1,5 +1,7 @@
 #include "tools/radiosity/study/page.h"
 
+#include "tools/common/text.h"
+
 #include <cmath>
 #include <cstdio>
 
@@ -18,22 +20,6 @@ constexpr char kStyle[] =
     "figcaption{font-size:.85em;color:#555;max-width:26em}"
     "img{max-width:100%;height:auto}.plot{display:block;width:100%}.csv{font-size:.85em}";
 
-std::string escaped(const std::string &text) {
-    std::string out;
-    for (char c : text)
-        if (c == '<')
-            out += "&lt;";
-        else if (c == '>')
-            out += "&gt;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '"')
-            out += "&quot;";
-        else
-            out += (unsigned char)c < ' ' ? ' ' : c;
-    return out;
-}
-
 std::string csvCell(const std::string &text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string out = "\"";
@@ -51,13 +37,16 @@ std::string lineOf(const std::vector<std::string> &cells, auto &&each, const cha
 
 std::string shown(double number, int digits) {
     if (!std::isfinite(number)) return "";
-    char text[40];
-    // Whole numbers stay as they are, others get so many digits, without an exponent where that is short
-    if (std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12)
-        std::snprintf(text, sizeof text, "%.0f", number);
-    else
-        std::snprintf(text, sizeof text, "%.*g", digits, number);
-    return text;
+    // Whole numbers stay as they are; others have no exponent where that is short
+    bool whole = std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12;
+    return whole ? common::format("%.0f", number) : common::format("%.*g", digits, number);
+}
+
+pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
+                         std::vector<std::string> series) {
+    pictures::Plot plot = {title, xName, yName, std::move(series), {}, true, true};
+    plot.frontOfEach = true;
+    return plot;
 }
 
 std::string counted(size_t count, const std::string &what) {
@@ -75,14 +64,14 @@ void Page::drop() {
     fresh.clear();
 }
 
-void Page::heading(const std::string &what) { body += "<h2>" + escaped(what) + "</h2>\n"; }
+void Page::heading(const std::string &what) { body += "<h2>" + common::htmlText(what) + "</h2>\n"; }
 
-void Page::text(const std::string &paragraph) { body += "<p>" + escaped(paragraph) + "</p>\n"; }
+void Page::text(const std::string &paragraph) { body += "<p>" + common::htmlText(paragraph) + "</p>\n"; }
 
 void Page::list(const std::vector<std::string> &items) {
     if (items.empty()) return;
     body += "<ul>\n";
-    for (const std::string &item : items) body += "<li>" + escaped(item) + "</li>\n";
+    for (const std::string &item : items) body += "<li>" + common::htmlText(item) + "</li>\n";
     body += "</ul>\n";
 }
 
@@ -93,8 +82,8 @@ void Page::table(const PageTable &t, bool whole) {
         auto cell = [&](const std::string &c) {
             bool words = c.find_first_not_of("0123456789.e+-") != std::string::npos;
             return std::string("<") + kind +
-                   (words && *kind == 't' && kind[1] == 'd' ? " class=\"words\">" : ">") + escaped(c) + "</" +
-                   kind + ">";
+                   (words && *kind == 't' && kind[1] == 'd' ? " class=\"words\">" : ">") +
+                   common::htmlText(c) + "</" + kind + ">";
         };
         rows += "<tr>" + lineOf(cells, cell, "") + "</tr>\n";
     };
@@ -116,23 +105,24 @@ void Page::plot(const std::string &file, pictures::Plot plot) {
     });
     if (plot.points.empty()) return;
     write(file + ".svg", pictures::svg(plot));
-    body += "<p><img class=\"plot\" src=\"" + file + ".svg\" alt=\"" + escaped(plot.title) + "\"/></p>\n";
+    body += "<p><img class=\"plot\" src=\"" + file + ".svg\" alt=\"" + common::htmlText(plot.title) +
+            "\"/></p>\n";
 }
 
 void Page::pictures(const std::vector<PagePicture> &pictures) {
     body += "<div>\n";
     for (const PagePicture &p : pictures)
-        body += "<figure><img src=\"" + p.file + "\" alt=\"" + escaped(p.caption) + "\"/><figcaption>" +
-                escaped(p.caption) + "</figcaption></figure>\n";
+        body += "<figure><img src=\"" + p.file + "\" alt=\"" + common::htmlText(p.caption) +
+                "\"/><figcaption>" + common::htmlText(p.caption) + "</figcaption></figure>\n";
     body += "</div>\n";
 }
 
 void Page::finish() {
     folder.write("index.html", "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
                                "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>" +
-                                   escaped(title) + "</title>\n<style>" + kStyle +
-                                   "</style>\n</head>\n<body>\n<h1>" + escaped(title) + "</h1>\n" + body +
-                                   rest + "</body>\n</html>\n");
+                                   common::htmlText(title) + "</title>\n<style>" + kStyle +
+                                   "</style>\n</head>\n<body>\n<h1>" + common::htmlText(title) + "</h1>\n" +
+                                   body + rest + "</body>\n</html>\n");
 }
 
 } // namespace odraz::radiosity

@@ -11,8 +11,13 @@
 
 namespace odraz::radiosity {
 
-// A number as text, with so many significant digits; empty if it is not finite, for what was not measured.
+// A number as text, with this number of significant digits; empty if it is not finite, since it was not
+// measured.
 std::string shown(double number, int digits = 3);
+
+// A plot with logarithmic axes and a front for each series, without points.
+pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
+                         std::vector<std::string> series = {});
 
 // "1 pass" or "2 passes".
 std::string counted(size_t count, const std::string &what);

@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-// Every patch sends out so many rays by the cosine law, from its middle or a quarter of them from near each
+// Every patch sends out `rays` rays by the cosine law, from its middle or a quarter of them from near each
 // of its corners; each counts the same.
 RowFinder rowsByRays(int rays, bool atCorners = false);
 

@@ -31,7 +31,7 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
             "take " +
             std::to_string(kMaxFacets) + ": give it a part of the model");
     chapter("reference", kReferenceShare);
-    // The tool's default first: it is compared, too, and its time tells what a final gather would take: three
+    // The tool's default first: it is compared, too, and its time shows what a final gather would take: three
     // times as long with 256 rays in a model of many polygons. With too few rays it would be worse than none
     Stopwatch watch;
     Solved solved = solve(settings.solve);
@@ -63,7 +63,7 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
         e.unknown = "the model lies far from the origin";
         return;
     }
-    // A few paths tell how many there is time for
+    // The time of a few paths shows how many can be traced
     constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
     const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);
     std::vector<MeshProbe> probes = placeMeshProbes(reference, kPlaces), first = probes;
@@ -106,10 +106,18 @@ void Study::show() {
     bar.show(name, (float)std::min(done, 0.99), -1);
 }
 
-void Study::say(const std::string &line) {
+void Study::print(const std::string &line) {
     bar.clear();
     std::printf("%s\n", line.c_str());
     std::fflush(stdout);
+}
+
+RenderSettings Study::camera() const {
+    RenderSettings camera;
+    camera.width = 360, camera.height = 270;
+    camera.upIsZ = settings.upIsZ;
+    placeCamera(reference, camera);
+    return camera;
 }
 
 SolveSettings Study::thesis(int patches, int px) const {
@@ -206,7 +214,7 @@ double Study::hemicubeSeconds(int px) {
     Shooting shooting(m, patchesAlone(m), light, none);
     HemicubeShooter shooter(gl, m, px, 1);
     double best = INFINITY;
-    // The first picture also compiles the shaders. Where hemicubes are slow, a few tell enough
+    // The first picture also compiles the shaders. Where hemicubes are slow, a few are enough
     Stopwatch watch;
     for (int i = 0, count = 4; i < 3 && watch.wall() < 2; ++i) {
         Stopwatch one;

@@ -1,6 +1,7 @@
 // What all chapters of a study share: the model, its reference, the time they may take, and the page.
 #pragma once
 
+#include "tools/radiosity/export/render.h"
 #include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve.h"
@@ -84,8 +85,9 @@ public:
     void check() const;
     // Shows how far the study has come: by its time. Throws Interrupted.
     void tick();
-    // Prints a line.
-    void say(const std::string &line);
+    void print(const std::string &line);
+    // Where pictures of the model are taken from, and their size.
+    RenderSettings camera() const;
     // Work without a limit of time: the next solution is this part, 0 .. 1, of all.
     void nextPart(double from, double to) { partFrom = from, partTo = to; }
 
@@ -100,11 +102,11 @@ public:
     Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
     // Solves thesis(patches, px), and measures.
     Solved gather(int patches, int px);
-    // A model divided into about so many patches, without rows: for hemicubes and costs.
+    // A model divided into about this number of patches, without rows: for hemicubes and costs.
     Solved divide(int patches);
-    // The same, or one that was made for costs and has about as many; `own` keeps it otherwise.
+    // The same, or the one that was made for costs if it has about as many; otherwise `own` keeps it.
     const Solved &divided(int patches, Solved &own);
-    // About how many patches the model gets if so many are asked for: every polygon has one at least.
+    // About how many patches the model gets if `asked` are asked for: every polygon has one at least.
     int patchesFor(int asked) const;
     // The wall-clock seconds that dividing takes, and those that a hemicube and its row take.
     double divideSeconds();

@@ -36,14 +36,6 @@ Solution flatOf(const Solution &from, const Model &model) {
     return flat;
 }
 
-RenderSettings cameraOf(const Study &study) {
-    RenderSettings camera;
-    camera.width = 360, camera.height = 270;
-    camera.upIsZ = study.settings.upIsZ;
-    placeCamera(study.reference, camera);
-    return camera;
-}
-
 void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
     // The radiosities of what reflects and does not emit, and the greatest of all
@@ -63,7 +55,7 @@ void mappings(Study &study, const Solution &solution) {
         float constant;
         bool logarithmic;
     };
-    RenderSettings camera = cameraOf(study);
+    RenderSettings camera = study.camera();
     std::vector<PagePicture> pictures;
     for (Mapping m : {Mapping{"mapping-linear.png",
                               isLamp ? "linear: the brightest surface, a lamp, is white"
@@ -96,9 +88,9 @@ void mappings(Study &study, const Solution &solution) {
 // Solutions shown flat and interpolated.
 class Shown {
 public:
-    explicit Shown(Study &study) : study(study), camera(cameraOf(study)) { camera.logarithmic = true; }
+    explicit Shown(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
 
-    // With hemicubes of so many pixels in the middles of patches, and at their corners; with 0 by rays.
+    // With hemicubes of `px` pixels in the middles of patches, and at their corners; with 0 by rays.
     Solution solve(int px) {
         SolveSettings s = study.thesis(kPatches, std::max(px, 16));
         if (!px) s.findRows = rowsByRays(kRays);
@@ -117,7 +109,7 @@ public:
             "one plane; across edges nothing is interpolated.");
         advise(one);
         bool better = four.interpolated < 0.9 * one.interpolated;
-        if (tells(four.interpolated, one.interpolated))
+        if (isMeasurable(four.interpolated, one.interpolated))
             study.advice.push_back(
                 "Middle or corners: the " + std::string(better ? "corners" : "middle") +
                 ": gathered at four corners light is " + shown(four.interpolated) + " % off, in the middle " +
@@ -171,11 +163,11 @@ private:
     }
 
     // Whether errors, in percent, are more than rounding.
-    static bool tells(double a, double b) {
+    static bool isMeasurable(double a, double b) {
         return std::isfinite(a) && std::isfinite(b) && std::max(a, b) > 0.01;
     }
     void advise(const Errors &e) const {
-        if (!tells(e.flat, e.interpolated)) return;
+        if (!isMeasurable(e.flat, e.interpolated)) return;
         bool smooth = e.interpolated < e.flat;
         study.advice.push_back("Display: " + std::string(smooth ? "interpolated" : "flat") + ": " +
                                shown(std::min(e.interpolated, e.flat)) + " % off instead of " +

@@ -10,14 +10,8 @@ namespace odraz::radiosity {
 void studyElements(Study &study) {
     Page &page = study.page;
     page.heading("Adaptive and uniform elements");
-    pictures::Plot plot = {"elements: error against time",
-                           "processor time, s",
-                           "error (rms), %",
-                           {"uniform", "adaptive"},
-                           {},
-                           true,
-                           true};
-    plot.frontOfEach = true;
+    pictures::Plot plot = errorPlot("elements: error against time", "processor time, s", "error (rms), %",
+                                    {"uniform", "adaptive"});
     PageTable table = {"elements",
                        {"elements", "kind", "processor_s", "rms_percent", "median_percent"},
                        {"elements", "", "processor, s", "error (rms), %", "median, %"}};

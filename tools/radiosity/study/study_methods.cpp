@@ -18,7 +18,7 @@ const Step *firstWithin(const Curve &curve, double percent) {
     return nullptr;
 }
 
-void tellPasses(Study &study, const Curve &next, const Curve &once) {
+void writePasses(Study &study, const Curve &next, const Curve &once) {
     Page &page = study.page;
     page.heading("What every pass adds");
     page.text(
@@ -64,7 +64,7 @@ void tellPasses(Study &study, const Curve &next, const Curve &once) {
     page.plot("convergence", error);
 }
 
-void tellOrders(Study &study, const Curve &next, const Curve &once) {
+void writeOrders(Study &study, const Curve &next, const Curve &once) {
     PageTable table = {"orders",
                        {"error_percent", "passes_next", "passes_once"},
                        {"error (rms) at most, %", "passes, in the next pass", "passes, at once"}};
@@ -74,7 +74,7 @@ void tellOrders(Study &study, const Curve &next, const Curve &once) {
             {shown(percent), a ? std::to_string(a->number) : "", b ? std::to_string(b->number) : ""});
     }
     study.page.heading("Two orders of update");
-    study.page.text("How many passes it takes until the light is so near to the converged one.");
+    study.page.text("The number of passes until the light is this near to the converged one.");
     study.page.table(table);
     const Step *a = firstWithin(next, 1), *b = firstWithin(once, 1);
     if (a && b)
@@ -84,7 +84,7 @@ void tellOrders(Study &study, const Curve &next, const Curve &once) {
                                " in the next pass bring the light within 1 % of the converged one.");
 }
 
-void tellMethods(Study &study, const std::vector<Curve> &curves) {
+void writeMethods(Study &study, const std::vector<Curve> &curves) {
     PageTable table = {"methods",
                        {"method", "step", "processor_s", "error_percent"},
                        {"method", "passes or shots", "processor, s", "error (rms), %"}};
@@ -92,13 +92,9 @@ void tellMethods(Study &study, const std::vector<Curve> &curves) {
         "methods_within",
         {"method", "to_10_percent_s", "to_1_percent_s", "to_0.1_percent_s", "last_error_percent"},
         {"method", "to 10 %, s", "to 1 %, s", "to 0.1 %, s", "least error, %"}};
-    pictures::Plot plot = {"gathering, Gauss-Seidel and shooting: error against time",
-                           "processor time, form factors included, s",
-                           "error (rms) against the converged light, %",
-                           {},
-                           {},
-                           true,
-                           true};
+    pictures::Plot plot =
+        errorPlot("gathering, Gauss-Seidel and shooting: error against time",
+                  "processor time, form factors included, s", "error (rms) against the converged light, %");
     plot.joined = true;
     const Curve *fastest[2] = {};
     double best[2] = {INFINITY, INFINITY};
@@ -185,9 +181,9 @@ void studyMethods(Study &study) {
         "and where "
         "a hemicube is coarse these differ. Patches shoot singly, or in blocks of which one patch draws the "
         "hemicube for all, as radiosity solve --shots does: light is there sooner, but less exact.");
-    tellMethods(study, curves);
-    tellPasses(study, curves[0], curves[1]);
-    tellOrders(study, curves[0], curves[1]);
+    writeMethods(study, curves);
+    writePasses(study, curves[0], curves[1]);
+    writeOrders(study, curves[0], curves[1]);
 }
 
 } // namespace odraz::radiosity

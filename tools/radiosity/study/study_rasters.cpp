@@ -84,14 +84,9 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
         {"hemicubes", "px", "processor_ms_per_patch", "rms_percent", "median_percent", "from_finest_percent"},
         {"hemicubes of a patch", "pixels", "ms a patch", "error (rms), %", "median, %",
          "off the finest (rms), %"}};
-    pictures::Plot plot = {"one gather: what the raster alone does, against time",
-                           "processor time of a patch, ms",
-                           "off one hemicube with most pixels (rms), %",
-                           {kWays[0], kWays[1]},
-                           {},
-                           true,
-                           true};
-    plot.frontOfEach = true;
+    pictures::Plot plot =
+        errorPlot("one gather: what the raster alone does, against time", "processor time of a patch, ms",
+                  "off one hemicube with most pixels (rms), %", {kWays[0], kWays[1]});
     double least = INFINITY;
     for (const Tried &t : tried) {
         const LightErrors &e = t.result.errors;
@@ -126,10 +121,8 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
                        {"px", "patches", "processor_s", "wall_s", "rms_percent", "median_percent"},
                        {"pixels", "patches", "processor, s", "clock, s", "error (rms), %", "median, %"}};
     std::vector<PagePicture> pictures, seen;
-    RenderSettings camera;
-    camera.width = 360, camera.height = 270, camera.logarithmic = true;
-    camera.upIsZ = study.settings.upIsZ;
-    placeCamera(study.reference, camera);
+    RenderSettings camera = study.camera();
+    camera.logarithmic = true;
     int curious = gathering.curious();
     for (int px : kRasters) {
         std::string name = std::to_string(px);

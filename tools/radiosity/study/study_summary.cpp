@@ -9,27 +9,27 @@ namespace odraz::radiosity {
 namespace {
 
 // How far the reference can be trusted.
-void tellReference(Study &study) {
+void writeReference(Study &study) {
     const ReferenceErrors &e = study.referenceErrors;
     if (!e.unknown.empty()) {
         study.page.text("How far the reference itself is off is not known: " + e.unknown + ".");
         return;
     }
-    // What is smaller than the paths' noise cannot be told from it
-    auto told = [](const MeshErrors &m) {
+    // What is smaller than the paths' noise cannot be distinguished from it
+    auto shownErrors = [](const MeshErrors &m) {
         return "by " + (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
                " % (rms; median " + shown(m.median, 2) + " %)";
     };
     std::string text = "The reference itself differs from path tracing, which has neither its rays nor its "
                        "elements, " +
-                       told(e.reference) + ": at " + std::to_string(e.places) + " places with " +
+                       shownErrors(e.reference) + ": at " + std::to_string(e.places) + " places with " +
                        std::to_string(e.paths) + " paths from each, whose own noise of " +
                        shown(e.reference.noise, 2) +
-                       " % is subtracted from the rms. Errors in the tables that are smaller tell little.";
+                       " % is subtracted from the rms. Errors in the tables that are smaller mean little.";
     if (study.finalRays)
         text += " The solution by rays has rays and elements like the reference's, so its error against that "
                 "is too small; it differs from the paths " +
-                told(e.byRays) + ".";
+                shownErrors(e.byRays) + ".";
     study.page.text(text);
 }
 
@@ -45,7 +45,7 @@ void writeSummary(Study &study) {
                                : std::string("without a final gather, for which there was no time")) +
               ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
               "square of the differences in luminance as a share of that of the reference's light.");
-    tellReference(study);
+    writeReference(study);
     std::vector<MeasuredSolution> all = study.measured;
     std::sort(all.begin(), all.end(), [](auto &a, auto &b) { return a.seconds < b.seconds; });
     PageTable table = {"solutions",

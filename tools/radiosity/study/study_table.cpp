@@ -87,13 +87,8 @@ private:
                         "rms_percent", "median_percent", "every_patch_min"},
                        {"patches", "pixels", "shots", "processor, s", "clock, s", "processor, ms a shot",
                         "not shot, %", "error (rms), %", "median, %", "every patch, processor min"}};
-    pictures::Plot plot = {"light that is shot: error against time, a mark for each raster",
-                           "processor time, s",
-                           "error (rms), %",
-                           {},
-                           {},
-                           true,
-                           true};
+    pictures::Plot plot = errorPlot("light that is shot: error against time, a mark for each raster",
+                                    "processor time, s", "error (rms), %");
     int lastRow = -1; // with a cell
 
     // Four times as many patches. Where there are many polygons, each of which has one at least, about twice
@@ -123,10 +118,10 @@ private:
         int px = kThesisRasters[column];
         if (ofThesis) showPart(row, column);
         TableCell cell = shoot(study, asked, px, shots);
-        if (ofThesis) // these take long: each is told when it is done
-            study.say(std::to_string(cell.patches) + " patches by " + std::to_string(px) +
-                      " pixels: " + std::to_string(cell.shots) + " shots, " + shown(cell.wall) +
-                      " s (processor " + shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
+        if (ofThesis) // these take long: each is printed when it is done
+            study.print(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
+                        std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
+                        shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
         table.rows.push_back(rowOf(cell, px));
         if (ofThesis) table.rows.back().push_back(shown(kThesisMinutes[row][column], 4));
         if (row != lastRow) plot.series.push_back(std::to_string(cell.patches) + " patches");
