@@ -89,7 +89,6 @@ odraz_long_script(report_page 60 long/report_page)
 odraz_long_script(soak 180 long/soak)
 odraz_long_script(threads 120 long/threads)
 odraz_long_script(whole 150 long/whole)
-odraz_long_script(tradeoff_radiosity 60 tradeoff_radiosity)
 odraz_long_script(tradeoff_trace_all 45 tradeoff_trace all)
 
 # tools/test --windows: by Wine, one at a time

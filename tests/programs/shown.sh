@@ -28,7 +28,7 @@ check "each machine with each screen" eval \
 check "... is looked at" eval \
     '[ "$("${players[@]}" --judged 64x36 --at 52 --length 0.05 | cut -d, -f 1-4 | tr "\n" " ")" = "screen,machine,scene,sixtieths 640x360,8,flake,3 640x360,64,flake,3 1280x720,8,flake,3 1280x720,64,flake,3 " ]'
 check "several screens are judged on none" refuses 2 "several screens need --judged" "${players[@]}"
-check "three losses" refuses 2 "takes four numbers" "$BUILD/seen" --machine 8 --lost 1,2,3
+check "three penalties" refuses 2 "takes 4 numbers" "$BUILD/seen" --machine 8 --penalty 1,2,3
 check "a folder that cannot be" refuses 1 "$list" "$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$list/none"
 
 check "writes to standard output" eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'

@@ -14,14 +14,15 @@ check "... its settings in words, to be counted" grep -qE ',play grid=1$' "$WORK
 for scene in "${scenes[@]}"; do
     check "... with the points of $scene that ship" table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
 done
+. "$SOURCE/tools/measure/tables.sh"
 # measured COLUMN SCENE SETTING
-measured() { awk -F, -v c="$1" -v s="$2" -v q="$3" '$1 == s && $3 == q { print $c }' "$WORK/csv"; }
+measured() { csv "\$scene == \"$2\" && \$setting == \"$3\" { print \$$1 }" "$WORK/csv"; }
 for scene in "${apart[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
-        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured 7 $scene $2)" "$(measured 7 $scene $1)"
-        check "... in linear light" less "$(measured 8 $scene $1)" "$(measured 8 $scene $2)"
-        check "... and in sRGB" less "$(measured 9 $scene $1)" "$(measured 9 $scene $2)"
+        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured mean_flip $scene $2)" "$(measured mean_flip $scene $1)"
+        check "... in linear light" less "$(measured linear_psnr_db $scene $1)" "$(measured linear_psnr_db $scene $2)"
+        check "... and in sRGB" less "$(measured srgb_psnr_db $scene $1)" "$(measured srgb_psnr_db $scene $2)"
     done
 done
 check "... and as a plot" grep -q '^<svg' "$WORK/svg"
@@ -42,7 +43,6 @@ check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tra
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
 check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/bench/instructions" "$SOURCE/tools/measure/bench/instructions" --fast
-check "qualities refuses words it does not know" refuses 2 "usage: tools/measure/sweep/qualities" "$SOURCE/tools/measure/sweep/qualities" --fast
 check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
     check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"

@@ -1,10 +1,10 @@
 # Tests of this film and its tools, which a new film (tools/new-film) does not have
 odraz_test(trace adaptive_test 5 subject)
 odraz_test(trace adaptive_faults_test 4 engine)
-odraz_test(sound note_test 2 recording engine)
+odraz_test(sound note_test 2 recording)
 odraz_test(sound mixer_test 3 engine)
 odraz_test(show score_test 1 engine)
-odraz_test(show music_test 3 hits engine)
+odraz_test(show music_test 3 recording)
 odraz_test(show show_test 4 engine host)
 odraz_test(show hall_test 6 engine host)
 odraz_test(maker keys_test 1 keys content inspector)

@@ -10,6 +10,7 @@
 #include <memory>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

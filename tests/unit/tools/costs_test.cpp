@@ -1,5 +1,5 @@
 // Tests the table of what pictures cost.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/costs.h"
 
@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

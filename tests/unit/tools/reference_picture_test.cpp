@@ -6,6 +6,7 @@
 #include <memory>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Tests what is seen of shown pictures: their list, and the comparison with the film.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

@@ -8,6 +8,7 @@
 #include <map>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

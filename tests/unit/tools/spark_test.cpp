@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 static std::vector<std::pair<int, int>> pieces(const std::vector<double> &changes) {
     std::vector<std::pair<int, int>> all;

@@ -10,6 +10,7 @@
 #include <cstring>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);

@@ -2,6 +2,7 @@
 // tests extremes.
 #include "tests/support/headless_gl.h"
 #include "tests/support/sanitized.h"
+#include "tools/measure/oracle/model_rays.h"
 #include "tools/measure/oracle/transfer.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 

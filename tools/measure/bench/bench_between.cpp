@@ -1,55 +1,18 @@
 // bench_between: in-betweens at every fraction, compared with `draft` and `play` traced at the same moment.
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/picture/psnr.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
-using namespace odraz;
+namespace odraz::measure {
 
 namespace {
 
-constexpr char kUsage[] =
-    "usage: bench_between [--size WxH=1280x720] [--gap N]... [SECONDS...]\n"
-    "For every moment of the film (default: three of each scene) it makes the picture between two of `play`\n"
-    "that are N sixtieths of a second apart (default: 2, 4 and 6), with the moment at each sixtieth between\n"
-    "them; and traces it as `draft` and as `play`. Writes a CSV to stdout: \"1/4\" is a quarter of the way\n"
-    "between two that are four sixtieths apart; PSNR is of the picture as it is shown, against 64 samples "
-    "in\n"
-    "every pixel, in linear light and in sRGB, in dB; milliseconds are those of one thread for all of the\n"
-    "picture; anew is the share of an in-between's pixels that was traced.\n";
 constexpr double kSixtieth = 1 / 60.0;
-
-struct Asked {
-    std::string size = "1280x720";
-    std::vector<int> gaps;
-    std::vector<double> moments;
-};
-
-Asked read(common::Arguments &words) {
-    Asked asked;
-    while (const char *word = words.next()) {
-        std::string option = word;
-        if (option == "--size")
-            asked.size = words.value(option);
-        else if (option == "--gap")
-            asked.gaps.push_back(words.whole(option, 2, 60));
-        else {
-            char *end;
-            asked.moments.push_back(std::strtod(word, &end));
-            if (end == word || *end) words.refuse(option);
-        }
-    }
-    if (asked.gaps.empty()) asked.gaps = {2, 4, 6};
-    if (asked.moments.empty())
-        asked.moments = {8,  11.5, 18,  20,  30,  44,  52,  62,  70.5, 78, 84,
-                         93, 98,   110, 121, 131, 138, 144, 150, 156,  159};
-    return asked;
-}
 
 // The rows of a moment
 void measure(Intro &intro, double s, const std::vector<int> &gaps) {
@@ -78,27 +41,50 @@ void measure(Intro &intro, double s, const std::vector<int> &gaps) {
         for (int k = 1; k < gap; ++k) {
             picture(intro, 0, s - k * kSixtieth, play);
             picture(intro, 1, s + (gap - k) * kSixtieth, play);
-            std::string name;
-            common::append(name, "%d/%d", k, gap);
-            row(name, 3, [&] { return between(intro, 0, 1, (double)k / gap); });
+            row(common::format("%d/%d", k, gap), 3, [&] { return between(intro, 0, 1, (double)k / gap); });
         }
 }
 
-int run(common::Arguments &words) {
-    Asked asked = read(words);
-    IntroSettings settings = sizeFrom(asked.size);
+int run(common::CommandLine &line) {
+    IntroSettings settings = {1280, 720};
+    std::vector<int> gaps;
+    std::vector<std::string> seconds;
+    std::vector<double> moments;
+    line.about("Makes the film's picture of each moment between two of `play` that are a gap apart, with the "
+               "moment at each\n"
+               "sixtieth of a second between them, and traces it as `draft` and as `play`. Prints a CSV: "
+               "\"1/4\" is a\n"
+               "quarter of the way between two that are four sixtieths apart; PSNR in dB is of the picture "
+               "as it is\n"
+               "shown, against 64 samples in every pixel; milliseconds are one thread's for all of the "
+               "picture; anew is\n"
+               "the share of its pixels that an in-between traced.");
+    line.arguments("SECONDS", seconds, "moments of the film");
+    sizeOption(line, "--size", settings, "the pictures' size");
+    line.option(
+        "--gap", "N",
+        [&](const std::string &text) {
+            gaps.push_back((int)common::numberOf("--gap", text, {2, 60}));
+        },
+        "sixtieths of a second from one picture to the other (default 4); repeatable");
+    line.parse();
+    if (gaps.empty()) gaps = {4};
+    double most = *std::max_element(gaps.begin(), gaps.end()) * kSixtieth;
+    for (const std::string &s : seconds)
+        moments.push_back(common::numberOf("SECONDS", s, {most, duration() - most}));
     settings.pairs = true;
     Workers workers = serialWorkers();
-    auto [first, last] = std::minmax_element(asked.moments.begin(), asked.moments.end());
-    double most = *std::max_element(asked.gaps.begin(), asked.gaps.end()) * kSixtieth;
-    if (*first < most || *last > duration() - most)
-        throw common::Refused("such a moment is not between two pictures");
-    Theatre theatre(settings, workers, *first - most, *last + most);
+    auto [first, last] = std::minmax_element(moments.begin(), moments.end());
+    LoadedFilm film(settings, workers, needsHall(*first - most, *last + most));
     std::puts("scene,seconds,picture,linear_db,srgb_db,ms,anew");
-    for (double s : asked.moments) measure(*theatre.intro, s, asked.gaps);
+    for (double s : moments) measure(*film.intro, s, gaps);
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("bench_between", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) {
+    return common::runProgram("bench_between", argc, argv, odraz::measure::run);
+}

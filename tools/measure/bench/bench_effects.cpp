@@ -1,6 +1,6 @@
 // bench_effects: compares the film's effects on balls with path tracing, in whole pictures.
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/heap_arena.h"
@@ -12,19 +12,12 @@
 #include "trace/picture/development.h"
 #include "trace/picture/tracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <set>
 
-using namespace odraz;
-
-static constexpr char kUsage[] = "usage: bench_effects [--only SCENE]... [--quick] [--keep DIR]\n"
-                                 "Draws small scenes by the film's tracer, 64 samples a pixel, and by path "
-                                 "tracing. Writes a CSV to stdout that\n"
-                                 "tells how far apart the pictures are.\n"
-                                 "--quick: fewer paths. --keep: also writes the pictures, as PPM: without "
-                                 "the effect, by the film, by paths.\n";
+namespace odraz::measure {
 
 namespace {
 
@@ -147,32 +140,29 @@ void measure(Film &film, const EffectScene &effect, bool bounces, const Effort &
     write(name + ", paths.ppm", reference);
 }
 
-int run(common::Arguments &words) {
-    std::set<std::string> only, known;
-    std::string keep, names;
-    Effort effort = kWhole;
-    for (const EffectScene &e : effectScenes())
-        known.insert(e.name), names += std::string(known.size() > 1 ? ", " : " ") + e.name;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--only") {
-            std::string name = words.value(w);
-            if (!known.count(name))
-                throw common::Refused("there is no scene '" + name + "'; there are:" + names);
-            only.insert(name);
-        } else if (w == "--quick")
-            effort = kQuick;
-        else if (w == "--keep")
-            keep = words.value(w);
-        else
-            words.refuse(w);
-    }
+int run(common::CommandLine &line) {
+    std::vector<std::string> only;
+    std::string keep, known;
+    bool quick = false;
+    line.about("Draws small scenes by the film's tracer, 64 samples a pixel, and by path tracing. Prints a "
+               "CSV with the\n"
+               "differences of the pictures.");
+    line.option("--only", "SCENE", only, "draw this scene");
+    line.flag("--quick", quick, "trace fewer paths");
+    line.option("--keep", "FOLDER", keep,
+                "write the pictures, as PPM: without the effect, by the film, by paths");
+    line.parse();
+    const Effort effort = quick ? kQuick : kWhole;
+    for (const EffectScene &e : effectScenes()) known += std::string(known.empty() ? "" : ", ") + e.name;
+    for (const std::string &name : only)
+        if (std::none_of(effectScenes().begin(), effectScenes().end(),
+                         [&](auto &e) { return e.name == name; }))
+            throw common::Refused("there is no scene '" + name + "'; there are: " + known);
     if (!keep.empty()) std::filesystem::create_directories(keep);
     Film film;
-    std::puts("scene,against,effect rms %,effect mean %,strength,rms %,mean %,p99 %,noise %,linear dB,FLIP "
-              "without,FLIP");
+    std::puts("scene,against,effect,effect_mean,strength,rms,mean,p99,noise,linear_db,flip_without,flip");
     for (const EffectScene &effect : effectScenes()) {
-        if (!only.empty() && !only.count(effect.name)) continue;
+        if (!only.empty() && std::find(only.begin(), only.end(), effect.name) == only.end()) continue;
         measure(film, effect, false, effort, keep);
         if (effect.bounces) measure(film, effect, true, effort, keep);
     }
@@ -181,4 +171,8 @@ int run(common::Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("bench_effects", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) {
+    return common::runProgram("bench_effects", argc, argv, odraz::measure::run);
+}

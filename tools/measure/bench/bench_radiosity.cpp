@@ -1,18 +1,20 @@
 // How fast radiosity is: hemicubes, and whole solutions of the sizes in table 4.1 of the thesis.
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/measure/oracle/reference_hall.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/reference/mesh_reference.h"
+#include "tools/radiosity/solve/solve.h"
 
 #include <cmath>
 #include <cstdio>
 
-using namespace odraz;
-using namespace odraz::radiosity;
+namespace odraz::measure {
+
+using namespace radiosity;
 
 namespace {
 
@@ -127,12 +129,14 @@ void solutions(bool quick, const Gl &gl, Workers &workers) {
     if (quick) return;
     solution("cave", generatedMesh("cave", areaFor("cave", 26000)), {}, 0, false, gl, workers);
     for (const char *kind : {"vault", "terrain"})
-        for (double size : {30e3, 300e3})
-            solution(kind, generatedMesh(kind, areaFor(kind, (int)size)), {}, 0, size < 1e5, gl, workers);
+        solution(kind, generatedMesh(kind, areaFor(kind, 30000)), {}, 0, true, gl, workers);
 }
 
-int run(common::Arguments &words) {
-    bool quick = words.onlyQuick();
+int run(common::CommandLine &line) {
+    bool quick = false;
+    line.about("Times radiosity: hemicubes, and whole solutions. Prints Markdown.");
+    line.flag("--quick", quick, "measure less");
+    line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
     hemicubes(gl, workers);
@@ -142,6 +146,8 @@ int run(common::Arguments &words) {
 
 } // namespace
 
+} // namespace odraz::measure
+
 int main(int argc, char **argv) {
-    return common::runProgram("bench_radiosity", "usage: bench_radiosity [--quick]\n", argc, argv, run);
+    return common::runProgram("bench_radiosity", argc, argv, odraz::measure::run);
 }

@@ -3,10 +3,6 @@
 //   build/bench_trace --benchmark_filter='^ray'      rays and points a second
 //   build/bench_trace --benchmark_filter=picture     milliseconds of processor time a picture of 1280x720:
 //                                                    posing it, tracing it, developing it, all of it
-//   build/bench_trace --benchmark_filter=shared      pictures of the film, 1920x1080: what is serial in them,
-//                                                    and how much faster 2 to 16 threads would make them
-#include "tools/engine/machine.h"
-#include "tools/measure/bench/pieces.h"
 #include "tools/measure/bench/subject.h"
 
 #include "trace/shade/whitted.h"
@@ -17,6 +13,7 @@
 #include <random>
 
 using namespace odraz;
+using namespace odraz::measure;
 
 namespace {
 
@@ -75,14 +72,14 @@ void registerRays(const std::string &name) {
             f(state, s, rays);
         });
     };
-    with("primary, of a beam", [](benchmark::State &state, Subject &s, Rays &r) {
+    with("primary of a beam", [](benchmark::State &state, Subject &s, Rays &r) {
         if (r.among.count < 0) return state.SkipWithError("too many candidates for a beam");
         count(state, r.primary.size(), [&](size_t i) {
             benchmark::DoNotOptimize(
                 intersect(s.scene(), r.among, s.view().eye, r.primary[i].d, kLanes >= 0));
         });
     });
-    with("primary, in packets", [](benchmark::State &state, Subject &s, Rays &r) {
+    with("primary in packets", [](benchmark::State &state, Subject &s, Rays &r) {
         count(state, r.primary.size(),
               [&](size_t i) { benchmark::DoNotOptimize(intersect(s.scene(), r.primary[i], kLanes >= 0)); });
     });
@@ -132,58 +129,6 @@ void registerPictures(const SubjectName &n) {
     });
 }
 
-// A film with room for in-betweens.
-Intro &film() {
-    static const IntroSettings settings = {.width = 1920, .height = 1080, .pairs = true};
-    static HeapArena memory(memoryNeeded(settings, 1, true));
-    static Workers workers = serialWorkers();
-    static Gl gl = openGl();
-    static Intro *intro = nullptr;
-    if (!intro)
-        if (const char *wrong = load(intro, settings, memory.arena, workers, &gl))
-            throw std::runtime_error(wrong);
-    intro->workers = &workers;
-    return *intro;
-}
-
-void registerShared(const SubjectName &n) {
-    const Quality &draft = kQualities[(int)QualityName::Draft];
-    double seconds = n.cameras[0].seconds, step = 1 / 60.0;
-    auto shared = [&](const std::string &what, auto &&prepare, auto &&work) {
-        benchmark::RegisterBenchmark((n.name + "/shared/" + what).c_str(),
-                                     [=](benchmark::State &state) {
-                                         Intro &intro = film();
-                                         prepare(intro);
-                                         Pieces pieces;
-                                         intro.workers = &pieces.workers();
-                                         for (auto _ : state) {
-                                             pieces.begin();
-                                             work(intro);
-                                             pieces.end();
-                                         }
-                                         state.counters["serial ms"] = pieces.serial() * 1e3;
-                                         auto times = [&](int count) {
-                                             return pieces.all() / pieces.with(count);
-                                         };
-                                         state.counters["x2"] = times(2);
-                                         state.counters["x4"] = times(4);
-                                         state.counters["x8"] = times(8);
-                                         state.counters["x16"] = times(16);
-                                     })
-            ->Unit(benchmark::kMillisecond)
-            ->Iterations(7);
-    };
-    shared(
-        "draft", [](Intro &) {}, [=](Intro &intro) { picture(intro, 0, seconds, draft); });
-    shared(
-        "between",
-        [=](Intro &intro) {
-            picture(intro, 0, seconds - step, draft);
-            picture(intro, 1, seconds + step, draft);
-        },
-        [](Intro &intro) { between(intro, 0, 1); });
-}
-
 std::vector<Vec3x8> points() {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> place(-9, 9);
@@ -215,8 +160,6 @@ int main(int argc, char **argv) {
     registerTextures();
     for (const char *name : {"A", "B", "table", "flake"}) registerRays(name);
     for (const SubjectName &n : subjectNames()) registerPictures(n);
-    for (const SubjectName &n : subjectNames())
-        if (!n.pose) registerShared(n);
     benchmark::Initialize(&argc, argv);
     if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
     benchmark::RunSpecifiedBenchmarks();

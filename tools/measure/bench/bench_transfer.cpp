@@ -1,7 +1,7 @@
 // What transfer costs: each step of start-up, and every frame. Also how accurate the relit hall is over the
 // day.
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/transfer.h"
@@ -9,8 +9,9 @@
 #include <cmath>
 #include <cstdio>
 
-using namespace odraz;
-using namespace odraz::radiosity;
+namespace odraz::measure {
+
+using namespace radiosity;
 
 namespace {
 
@@ -129,8 +130,12 @@ void overTheDay(int hours, const Gl &gl, Workers &workers) {
                     e.whole);
 }
 
-int run(common::Arguments &words) {
-    bool quick = words.onlyQuick();
+int run(common::CommandLine &line) {
+    bool quick = false;
+    line.about(
+        "Times the hall's transfer and measures the error of the relit hall over the day. Prints Markdown.");
+    line.flag("--quick", quick, "measure less");
+    line.parse();
     Gl gl = openGl();
     Workers workers = allProcessors();
     std::unique_ptr<SolvedHall> solved = startUp(quick ? 1 : 5, gl, workers);
@@ -143,6 +148,8 @@ int run(common::Arguments &words) {
 
 } // namespace
 
+} // namespace odraz::measure
+
 int main(int argc, char **argv) {
-    return common::runProgram("bench_transfer", "usage: bench_transfer [--quick]\n", argc, argv, run);
+    return common::runProgram("bench_transfer", argc, argv, odraz::measure::run);
 }

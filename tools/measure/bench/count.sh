@@ -1,20 +1,18 @@
 # Sourced: counts the instructions of a part of a picture, by callgrind on one thread. Two runs: one poses the scene
 # without callgrind, under which the hall would take half an hour; the other is counted.
 
-# posed PROGRAM FILE SCENE [WIDTH HEIGHT]: poses a scene with a build's trace_once and keeps it in FILE
-posed() { "$1" pose "${@:2}" >&2; }
+# posed PROGRAM FILE SCENE [WxH]: poses a scene with a build's trace_once and keeps it in FILE
+posed() { "$1" pose "$2" "$3" ${4:+--size "$4"} >&2; }
 
 # counted PROGRAM FILE WHAT [SETTING [CALLGRIND-OUT]]: prints the instructions of the part WHAT of a picture: posing;
-# finish, the part of posing that builds the tree; trace, with a SETTING; glare; development; bare, which is development
-# without glare, vignette and grain
+# finish, the part of posing that builds the tree; trace, with a SETTING; glare; development
 counted() {
     local log of words
     case $3 in
-    posing) of='odraz::poseSubject*' words=(again "$2") ;;
+    posing) of='odraz::measure::poseSubject*' words=(again "$2") ;;
     finish) of='odraz::Scene::finish*' words=(again "$2") ;;
     trace) of='odraz::traceFrame*' words=(trace "$2" "$4") ;;
     development) of='odraz::develop(*const&)' words=(develop "$2") ;;
-    bare) of='odraz::develop(*const&)' words=(bare "$2") ;;
     glare) of='odraz::spreadGlare*' words=(develop "$2") ;;
     esac
     log=$(mktemp)

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace odraz {
+namespace odraz::measure {
 
 void poseBalls(Scene &scene, int count) {
     Material matte = {};
@@ -44,4 +44,4 @@ void poseLights(Scene &scene, int count) {
     }
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -3,7 +3,7 @@
 
 #include "trace/scene/scene.h"
 
-namespace odraz {
+namespace odraz::measure {
 
 // `count` balls strewn above a floor, every third a mirror, and two lights. More balls are smaller, so that
 // they cover about the same part of the picture.
@@ -12,4 +12,4 @@ void poseBalls(Scene &scene, int count);
 // Peer scene A with 1 .. kMaxLights lights; it has 2 of its own.
 void poseLights(Scene &scene, int count);
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,14 +1,17 @@
 #include "tools/measure/bench/peer_scenes.h"
 
+#include "tools/common/text.h"
 #include "tools/engine/vec3d.h"
 
 #include <cmath>
+#include <memory>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
 constexpr float kAmbient = 0.1f;
+constexpr Vec3 kMiddleA = {0, 0.7f, 0}, kMiddleB = {};
 
 Material plain(Rgb colour, float diffuse, float reflect, float specular, float exponent) {
     Material m = {};
@@ -66,9 +69,8 @@ void posePeerA(Scene &scene) {
         if (b.kind == 2) m.texture = cloud(b.colour * 0.3f, b.colour, 0.15f);
         scene.add(sphere({b.centre.x, b.centre.y, -b.centre.z}, b.radius, scene.add(m)));
     }
-    Vec3 middle = {0, 0.7f, 0};
-    scene.add(light({-6, 8, 7}, {0.8f, 0.75f, 0.7f}, middle));
-    scene.add(light({7, 6, 4}, {0.5f, 0.55f, 0.6f}, middle));
+    scene.add(light({-6, 8, 7}, {0.8f, 0.75f, 0.7f}, kMiddleA));
+    scene.add(light({7, 6, 4}, {0.5f, 0.55f, 0.6f}, kMiddleA));
     scene.ambientLow = scene.ambientHigh = {ambient, ambient, ambient};
     scene.sky = plainSky({0.2f, 0.35f, 0.6f}, {0.2f, 0.35f, 0.6f});
 }
@@ -129,8 +131,72 @@ void posePeerB(Scene &scene, int level) {
             flake.children[3 * n + i] = times(times(triad[i], tilt), rotation({0, 0, 1}, n * 2 * M_PI / 3));
     flake.grow(level, {}, {0, 0, 1}, 0.5);
     for (Vec3 at : {Vec3{4, 2, -3}, Vec3{1, 4, 4}, Vec3{-3, 5, -1}})
-        scene.add(light(at, {0.57735f, 0.57735f, 0.57735f}, {}));
+        scene.add(light(at, {0.57735f, 0.57735f, 0.57735f}, kMiddleB));
     scene.sky = plainSky({0.078f, 0.361f, 0.753f}, {0.078f, 0.361f, 0.753f});
+}
+
+namespace {
+
+std::string povColour(const Rgb &c) {
+    return common::format("rgb <%g,%g,%g>", (double)c.x, (double)c.y, (double)c.z);
+}
+// Its axes are left-handed.
+std::string povPoint(const Vec3 &p) {
+    return common::format("<%.9g,%.9g,%.9g>", (double)p.x, (double)p.y, -(double)p.z);
+}
+
+std::string povPigment(const Texture &t) {
+    if (t.pattern == Pattern::Plain) return "pigment{" + povColour(t.palette[0]) + "}";
+    return common::format("pigment{bozo color_map{[0 %s][1 %s]} scale %g}", povColour(t.palette[0]).c_str(),
+                          povColour(t.palette[3]).c_str(), 1 / (double)t.scale);
+}
+
+std::string povSurface(const Material &m, float ambient) {
+    std::string pigment = povPigment(m.texture), more;
+    if (m.cell > 0) pigment = "pigment{checker " + pigment + " " + povPigment(m.other) + " translate y*0.5}";
+    if (m.ior > 0) {
+        Rgb c = m.texture.palette[0];
+        pigment = common::format("pigment{rgbt <%g,%g,%g,%g>}", (double)c.x, (double)c.y, (double)c.z,
+                                 (double)m.transmit);
+        more = common::format(" interior{ior %g} no_shadow", (double)m.ior);
+    }
+    float own = m.emit.x > 0 ? m.emit.x / m.texture.palette[0].x : 0;
+    return common::format("%s finish{ambient %g diffuse %g phong %g phong_size %g reflection %g}%s",
+                          pigment.c_str(), (double)(m.ior > 0 ? 0 : m.diffuse * ambient + own),
+                          (double)m.diffuse, (double)m.specular, (double)m.exponent, (double)m.reflect,
+                          more.c_str());
+}
+
+} // namespace
+
+std::string povOf(bool b) {
+    auto scene = std::make_unique<Scene>();
+    scene->clear();
+    b ? posePeerB(*scene) : posePeerA(*scene);
+    CameraKey camera = b ? kPeerCameraB : kPeerCameraA;
+    double across = 2 * std::atan(std::tan((double)camera.fov * M_PI / 360) * 16 / 9) * 180 / M_PI;
+    std::string text =
+        "#version 3.7; global_settings{assumed_gamma 1.0 max_trace_level 5 noise_generator 3}\n";
+    common::append(text,
+                   "camera{perspective location %s right x*16/9 up y angle %g look_at %s}\nbackground{%s}\n",
+                   povPoint(camera.eye).c_str(), across, povPoint(camera.target).c_str(),
+                   povColour(scene->sky.low).c_str());
+    for (int i = 0; i < scene->lightCount; ++i) {
+        const Light &l = scene->lights[i];
+        Vec3 to = l.position - (b ? kMiddleB : kMiddleA); // there it is as bright as one that does not fade
+        common::append(text, "light_source{%s %s}\n", povPoint(l.position).c_str(),
+                       povColour(l.intensity * (1 / dot(to, to))).c_str());
+    }
+    for (int i = 0; i < scene->shapeCount; ++i) {
+        const Shape &s = scene->shapes[i];
+        std::string surface = povSurface(scene->materials[s.material], scene->ambientLow.x);
+        if (s.isBall())
+            common::append(text, "sphere{%s,%.9g %s}\n", povPoint(s.centre).c_str(), (double)s.half.x,
+                           surface.c_str());
+        else
+            common::append(text, "plane{y,%g %s}\n", (double)s.centre.y, surface.c_str());
+    }
+    return text;
 }
 
 void poseField(Scene &scene) {
@@ -149,4 +215,4 @@ void poseField(Scene &scene) {
     scene.sky = plainSky({0.02f, 0.03f, 0.05f}, {0.02f, 0.03f, 0.05f});
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,4 +1,4 @@
-// The two scenes that compare tracers; tools/measure/bench/peer_scenes.py writes the same two for POV-Ray.
+// The two scenes that compare tracers, ours and POV-Ray.
 //
 //   A  ten balls on a checker with noise, two lights, three mirrors, glass of constant reflectance
 //   B  the "balls" sphereflake of Haines' Standard Procedural Databases, level 4: 7,381 balls and a plane
@@ -11,15 +11,19 @@
 
 #include <string>
 
-namespace odraz {
+namespace odraz::measure {
 
 void posePeerA(Scene &scene);
 void posePeerB(Scene &scene, int level = 4);
 inline constexpr CameraKey kPeerCameraA = {0, {0, 2.6f, 9}, {0, 1.2f, 0}, 0, 29.3953f};
 inline constexpr CameraKey kPeerCameraB = {0, {2.1f, 1.7f, -1.3f}, {0, 0, 0}, 0, 42.9957f};
 
+// Scene A or B for POV-Ray 3.7. Noise is POV-Ray's own: pictures are compared with a tracer's own
+// reference, never across tracers.
+std::string povOf(bool b);
+
 // A field of balls 2 to 8 pixels wide at 1280x720: an adaptive tracer may miss some.
 void poseField(Scene &scene);
 inline constexpr CameraKey kFieldCamera = {0, {0, 0, 10}, {0, 0, 0}, 0, 40};
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,6 +1,6 @@
 #include "tools/measure/bench/setting.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -110,4 +110,4 @@ std::string wordsOf(const Quality &setting) {
     return words;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -6,12 +6,12 @@
 
 #include <string>
 
-namespace odraz {
+namespace odraz::measure {
 
-// Parses a setting. Knobs are the numbers of Quality, by their names. Throws Refused (arguments.h).
+// Parses a setting. Knobs are the numbers of Quality, by their names. Throws Refused (command_line.h).
 Quality settingOf(const std::string &words);
 
 // The inverse; words are separated by blanks.
 std::string wordsOf(const Quality &setting);
 
-} // namespace odraz
+} // namespace odraz::measure

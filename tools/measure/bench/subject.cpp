@@ -1,8 +1,8 @@
 #include "tools/measure/bench/subject.h"
 
 #include "host/threads.h"
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/bench/growth_scenes.h"
 #include "tools/measure/bench/peer_scenes.h"
@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -85,48 +85,50 @@ View poseSubject(const SubjectName &name, size_t camera, const IntroSettings &se
     return viewOf(*by.camera, settings);
 }
 
-Subject::Subject(const SubjectName &what, int width, int height, int threads)
-    : settings{width, height}, memory(memoryNeeded(settings, threads, what.hall)), workers(serialWorkers()),
-      name(what) {
+static Workers workersOf(int threads) {
+    Workers workers = serialWorkers();
     if (const char *missing = threads > 1 ? startWorkers(workers, threads, &kNever) : nullptr)
         throw std::runtime_error(missing);
-    Gl gl = name.hall ? openGl() : Gl{};
-    if (const char *missing = load(intro, settings, memory.arena, workers, name.hall ? &gl : nullptr))
-        throw std::runtime_error(name.name + ": " + missing);
+    return workers;
+}
+
+Subject::Subject(const SubjectName &what, int width, int height, int threads)
+    : settings{width, height}, workers(workersOf(threads)), name(what), film(settings, workers, what.hall) {
     pose(0);
 }
 
 double Subject::pose(size_t camera) {
     double began = common::threadSeconds();
-    theView = poseSubject(name, camera, settings, intro->film);
+    theView = poseSubject(name, camera, settings, film.intro->film);
     return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::trace(const Quality &quality) {
     double began = common::threadSeconds();
-    traceFrame(intro->tracer, workers, scene(), theView, quality, intro->frame);
+    traceFrame(film.intro->tracer, workers, scene(), theView, quality, film.intro->frame);
     return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::develop() {
     double began = common::threadSeconds();
-    spreadGlare(intro->glare, intro->frame, workers);
-    odraz::develop(intro->curve, intro->frame, workers, scene().exposure, 0, &intro->glare, kFilmLook);
+    spreadGlare(film.intro->glare, film.intro->frame, workers);
+    odraz::develop(film.intro->curve, film.intro->frame, workers, scene().exposure, 0, &film.intro->glare,
+                   kFilmLook);
     return (common::threadSeconds() - began) * 1e3;
 }
 
 double Subject::samplesPerPixel() const {
-    return (double)tracedSamples(intro->tracer) / (intro->frame.width * intro->frame.height);
+    return (double)tracedSamples(film.intro->tracer) / (film.intro->frame.width * film.intro->frame.height);
 }
 
 std::vector<uint8_t> Subject::picture() const {
-    const Frame &f = intro->frame;
+    const Frame &f = film.intro->frame;
     std::vector<uint8_t> bytes((size_t)f.width * (size_t)f.height * 3);
     for (int y = 0; y < f.height; ++y)
         for (int x = 0; x < f.width; ++x)
             for (int c = 0; c < 3; ++c) {
                 Float8 v = broadcast(f.plane[c][(size_t)y * (size_t)f.stride + (size_t)x]);
-                float shown = encodeSrgb(clamp(v * intro->film.scene->exposure, 0.f, 1.f))[0];
+                float shown = encodeSrgb(clamp(v * film.intro->film.scene->exposure, 0.f, 1.f))[0];
                 bytes[((size_t)y * (size_t)f.width + (size_t)x) * 3 + (size_t)c] =
                     (uint8_t)(shown * 255 + 0.5f);
             }
@@ -140,4 +142,4 @@ std::vector<uint8_t> Subject::reference() {
     return picture();
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -2,14 +2,14 @@
 #pragma once
 
 #include "inside.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/measure/detect/screening.h"
 
 #include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 // How a subject is seen: by the film's camera at a time, or by a camera of its own.
 struct SubjectCamera {
@@ -55,16 +55,15 @@ public:
 
     int width() const { return settings.width; }
     int height() const { return settings.height; }
-    Scene &scene() { return *intro->film.scene; }
+    Scene &scene() { return *film.intro->film.scene; }
     const View &view() const { return theView; }
 
 private:
     IntroSettings settings;
-    HeapArena memory;
     Workers workers;
-    Intro *intro = nullptr; // in the arena
     SubjectName name;
+    LoadedFilm film;
     View theView = {};
 };
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -5,10 +5,11 @@
 // Between them a file holds the memory, mapped at the same address; only the program that wrote it can use
 // it.
 #include "play/governor.h"
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
 #include "tools/engine/machine.h"
+#include "tools/measure/bench/peer_scenes.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
 #include "trace/picture/development.h"
@@ -20,29 +21,15 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-using namespace odraz;
+namespace odraz::measure {
 
 namespace {
 
-constexpr char kUsage[] =
-    "usage: trace_once pose FILE SCENE [WIDTH HEIGHT]    keeps a scene in FILE\n"
-    "       trace_once film FILE SECONDS LEVEL GAP SHARE [WIDTH HEIGHT]\n"
-    "                                                    keeps the film, and two of its pictures, which are\n"
-    "                                                    GAP sixtieths of a second apart; the moment is\n"
-    "                                                    SHARE, 0 .. 1, of the way from one to the other\n"
-    "       trace_once again FILE                        poses it once more, as every picture does\n"
-    "       trace_once trace FILE SETTING                traces what FILE keeps\n"
-    "       trace_once develop FILE                      develops what was never traced: a black picture\n"
-    "       trace_once bare FILE                         ... as without glare\n"
-    "       trace_once picture FILE LEVEL                makes the picture of the moment, as it is shown\n"
-    "       trace_once between FILE                      makes it from the two that are kept\n"
-    "       trace_once time SCENE SETTING THREADS        prints ms of the clock and of all processors: "
-    "medians\n"
-    "SCENE: of `tradeoff trace`, \"A\" or \"A/2\" for another of its cameras; or \"balls:N\", \"lights:N\"\n"
-    "SETTING: a quality, or one with knobs turned: \"draft,threshold=0.02,cutoff=1/64\"\n"
-    "LEVEL: a quality as the player blends them: 0 film, 1 play, 2 draft, and all between\n";
-
 constexpr double kSixtieth = 1 / 60.0; // seconds
+constexpr char kSceneHelp[] =
+    "A, or A/2 for another of its cameras, as in tradeoff trace; or balls:N, lights:N",
+               kSettingHelp[] = "a quality, or one with knobs turned: draft,threshold=0.02,cutoff=1/64",
+               kKeptHelp[] = "what `pose` or `film` kept";
 
 struct Kept {
     Intro *intro; // stands after this header
@@ -88,118 +75,164 @@ Kept &keep(const std::string &file, const IntroSettings &settings, Workers &work
     return kept;
 }
 
-void pose(const std::string &file, const std::string &scene, const IntroSettings &settings) {
+int pose(common::CommandLine &line) {
+    std::string file, scene;
+    IntroSettings size = {1280, 720};
+    line.about("Poses a scene and keeps it in a file.");
+    line.argument("FILE", file, "the file to write");
+    line.argument("SCENE", scene, kSceneHelp);
+    sizeOption(line, "--size", size, "the picture's size");
+    line.parse();
     auto [name, camera] = findPicture(scene);
     Workers workers = serialWorkers();
-    Kept &kept = keep(file, settings, workers, name.hall);
+    Kept &kept = keep(file, size, workers, name.hall);
     std::snprintf(kept.scene, sizeof kept.scene, "%s", scene.c_str());
-    kept.view = poseSubject(name, camera, settings, kept.intro->film);
+    kept.view = poseSubject(name, camera, size, kept.intro->film);
+    return 0;
 }
 
-// The two pictures that the one of a moment is made between.
-struct Around {
-    double seconds, gap, share; // sixtieths from one to the other; how far it is on the way
-};
-void keepFilm(const std::string &file, const Around &at, const Quality &setting, IntroSettings settings) {
-    settings.pairs = true;
+void levelOption(common::CommandLine &line, float &level) {
+    line.option("--level", "L", level, {0, Governor::kSteps},
+                "a quality as the player blends them: 0 film, 1 play, 2 draft");
+}
+int film(common::CommandLine &line) {
+    std::string file, moment;
+    float level = 1;
+    int gap = 2;
+    double share = 0.5;
+    IntroSettings size = {1280, 720};
+    line.about("Keeps the film in a file, with two of its pictures, between which a moment lies.");
+    line.argument("FILE", file, "the file to write");
+    line.argument("SECONDS", moment, "the moment");
+    levelOption(line, level);
+    line.option("--gap", "N", gap, {1, 60}, "sixtieths of a second from one picture to the other");
+    line.option("--share", "S", share, {0, 1}, "how far the moment is on the way from one to the other");
+    sizeOption(line, "--size", size, "the pictures' size");
+    line.parse();
+    double seconds = common::numberOf("SECONDS", moment, {0, duration()}),
+           from = seconds - kSixtieth * gap * share, to = from + kSixtieth * gap;
+    size.pairs = true;
     Workers workers = serialWorkers();
-    double from = at.seconds - kSixtieth * at.gap * at.share, to = from + kSixtieth * at.gap;
-    Kept &kept = keep(file, settings, workers, needsHall(from, to));
-    kept.seconds = at.seconds, kept.share = at.share;
-    picture(*kept.intro, 0, from, setting);
-    picture(*kept.intro, 1, to, setting);
-}
-
-Quality levelAfter(common::Arguments &words) {
-    Governor governor;
-    governor.coarseness = (float)words.number("LEVEL", 0, Governor::kSteps);
-    return governor.quality();
+    Kept &kept = keep(file, size, workers, needsHall(from, to));
+    kept.seconds = seconds, kept.share = share;
+    picture(*kept.intro, 0, from, qualityOf(level));
+    picture(*kept.intro, 1, to, qualityOf(level));
+    return 0;
 }
 
 // A process can start one set of threads only: each number of threads needs a run of its own.
-void time(const std::string &scene, const Quality &setting, int threads) {
+int time(common::CommandLine &line) {
+    std::string scene, setting, threads;
+    line.about("Traces a scene of 1280x720 again and again. Prints the medians: ms of the clock and of all "
+               "processors.");
+    line.argument("SCENE", scene, kSceneHelp);
+    line.argument("SETTING", setting, kSettingHelp);
+    line.argument("THREADS", threads, "how many threads trace");
+    line.parse();
+    Quality quality = settingOf(setting);
     auto [name, camera] = findPicture(scene);
-    Subject subject(name, 1280, 720, threads);
+    Subject subject(name, 1280, 720, (int)common::numberOf("THREADS", threads, {1, kMaxWorkers}));
     subject.pose(camera);
     std::vector<double> clock, processors;
     for (int round = 0; round < 16; ++round) {
         double began = common::wallSeconds(), before = common::processorSeconds();
-        subject.trace(setting);
+        subject.trace(quality);
         processors.push_back((common::processorSeconds() - before) * 1e3);
         clock.push_back((common::wallSeconds() - began) * 1e3);
     }
     std::printf("%.1f %.1f\n", common::median(clock), common::median(processors));
-}
-
-IntroSettings sizeAfter(common::Arguments &words) {
-    IntroSettings settings = {1280, 720};
-    if (const char *width = words.next()) {
-        settings.width = std::atoi(width);
-        settings.height = words.whole("WIDTH", 16, kMaxHeight);
-    }
-    if (settings.width < 16 || settings.width > kMaxWidth)
-        throw common::Refused("pictures are 16x16 to 7680x4320");
-    return settings;
-}
-
-int run(common::Arguments &words) {
-    auto needed = [&] {
-        const char *word = words.next();
-        if (!word)
-            throw common::Refused("something to do, a file and a name are needed; see trace_once --help");
-        return std::string(word);
-    };
-    std::string what = needed();
-    bool known = false;
-    for (const char *verb :
-         {"pose", "film", "again", "trace", "develop", "bare", "picture", "between", "time"})
-        known |= what == verb;
-    if (!known) words.refuse(what);
-    std::string file = needed();
-    if (what == "time") {
-        Quality setting = settingOf(needed());
-        time(file, setting, words.whole("time", 1, kMaxWorkers));
-        return 0;
-    }
-    if (what == "pose") {
-        std::string scene = needed();
-        pose(file, scene, sizeAfter(words));
-        return 0;
-    }
-    if (what == "film") {
-        Around at = {};
-        at.seconds = words.number("SECONDS", 0, duration());
-        Quality level = levelAfter(words);
-        at.gap = words.number("GAP", 1, 60);
-        at.share = words.number("SHARE", 0, 1);
-        keepFilm(file, at, level, sizeAfter(words));
-        return 0;
-    }
-    Quality setting = what == "trace"     ? settingOf(needed())
-                      : what == "picture" ? levelAfter(words)
-                                          : kQualities[0];
-    Kept &kept = *(Kept *)map(file, 0, false);
-    Intro &intro = *kept.intro;
-    Workers workers = oneWorker();
-    intro.workers = &workers;
-    if (what == "trace")
-        traceFrame(intro.tracer, workers, *intro.film.scene, kept.view, setting, intro.frame);
-    else if (what == "picture")
-        picture(intro, 0, kept.seconds, setting);
-    else if (what == "between")
-        between(intro, 0, 1, kept.share);
-    else if (what == "again") {
-        auto [name, camera] = findPicture(kept.scene);
-        poseSubject(name, camera, kept.settings, intro.film);
-    } else {
-        spreadGlare(intro.glare, intro.frame, workers);
-        bool bare = what == "bare";
-        develop(intro.curve, intro.frame, workers, intro.film.scene->exposure, 0,
-                bare ? nullptr : &intro.glare, bare ? kPlainLook : kFilmLook);
-    }
     return 0;
+}
+
+// What a file keeps, on one thread.
+struct Reopened {
+    Kept &kept;
+    Workers workers = oneWorker();
+    explicit Reopened(const std::string &file) : kept(*(Kept *)map(file, 0, false)) {
+        kept.intro->workers = &workers;
+    }
+    Intro &intro() { return *kept.intro; }
+};
+std::string fileOf(common::CommandLine &line, const char *about) {
+    std::string file;
+    line.about(about);
+    line.argument("FILE", file, kKeptHelp);
+    line.parse();
+    return file;
+}
+
+int again(common::CommandLine &line) {
+    Reopened from(fileOf(line, "Poses the scene once more, as every picture does."));
+    auto [name, camera] = findPicture(from.kept.scene);
+    poseSubject(name, camera, from.kept.settings, from.intro().film);
+    return 0;
+}
+
+int trace(common::CommandLine &line) {
+    std::string file, setting;
+    line.about("Traces the scene.");
+    line.argument("FILE", file, kKeptHelp);
+    line.argument("SETTING", setting, kSettingHelp);
+    line.parse();
+    Quality quality = settingOf(setting);
+    Reopened from(file);
+    traceFrame(from.intro().tracer, from.workers, *from.intro().film.scene, from.kept.view, quality,
+               from.intro().frame);
+    return 0;
+}
+
+int develop(common::CommandLine &line) {
+    Reopened from(fileOf(line, "Develops the scene's picture, which was never traced: it is black."));
+    Intro &intro = from.intro();
+    spreadGlare(intro.glare, intro.frame, from.workers);
+    odraz::develop(intro.curve, intro.frame, from.workers, intro.film.scene->exposure, 0, &intro.glare,
+                   kFilmLook);
+    return 0;
+}
+
+int makePicture(common::CommandLine &line) {
+    std::string file;
+    float level = 1;
+    line.about("Makes the film's picture of the moment, as it is shown.");
+    line.argument("FILE", file, kKeptHelp);
+    levelOption(line, level);
+    line.parse();
+    Reopened from(file);
+    picture(from.intro(), 0, from.kept.seconds, qualityOf(level));
+    return 0;
+}
+
+int makeBetween(common::CommandLine &line) {
+    Reopened from(fileOf(line, "Makes the picture of the moment from the two that are kept."));
+    between(from.intro(), 0, 1, from.kept.share);
+    return 0;
+}
+
+int pov(common::CommandLine &line) {
+    std::string scene;
+    line.about("Prints a scene as POV-Ray reads it.");
+    line.argument("SCENE", scene, "A or B");
+    line.parse();
+    if (scene != "A" && scene != "B") line.refuse("POV-Ray's scenes are A and B, not '" + scene + "'");
+    std::fputs(povOf(scene == "B").c_str(), stdout);
+    return 0;
+}
+
+int run(common::CommandLine &line) {
+    line.about("Does one part of a picture's work once, for programs that count instructions.");
+    return line.run({{"pose", "keep a posed scene in a file", pose},
+                     {"film", "keep the film in a file, with two of its pictures", film},
+                     {"again", "pose the kept scene once more", again},
+                     {"trace", "trace the kept scene", trace},
+                     {"develop", "develop its picture", develop},
+                     {"picture", "make the kept film's picture of the moment", makePicture},
+                     {"between", "make it between the two that are kept", makeBetween},
+                     {"time", "time the tracing of a scene", time},
+                     {"pov", "print a scene for POV-Ray", pov}});
 }
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("trace_once", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("trace_once", argc, argv, odraz::measure::run); }

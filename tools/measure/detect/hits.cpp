@@ -7,7 +7,7 @@
 #include <cmath>
 #include <memory>
 
-namespace odraz {
+namespace odraz::measure {
 
 std::vector<SceneSpan> sceneSpans() {
     std::vector<SceneSpan> spans;
@@ -72,4 +72,4 @@ double flatness(const Recording &r, int64_t from, int64_t to) {
     return sum / count;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

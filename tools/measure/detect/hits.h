@@ -3,7 +3,7 @@
 
 #include "tools/measure/detect/recording.h"
 
-namespace odraz {
+namespace odraz::measure {
 
 // A scene of the film, all of its shots together, in rows.
 struct SceneSpan {
@@ -27,4 +27,4 @@ double level(const Recording &recording, int64_t from, int64_t to);
 // "Transform coding of audio signals using perceptual noise criteria", 1988.
 double flatness(const Recording &recording, int64_t from, int64_t to);
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,27 +1,13 @@
-// listen: reports what a test can hear in the film's music.
+// listen: measures the film's music: levels, spectrum, onsets, hits.
 #include "show/show.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/measure/detect/hits.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
-using namespace odraz;
-
-static constexpr char kUsage[] =
-    "usage: listen FILE.wav\n"
-    "Tells of what odraz --wav wrote from the film's begin, a CSV a line:\n"
-    "  all,DC,CLIPPED,PEAK,LAST     mean of the worse side; samples at full scale; largest; dB of the last "
-    "0.1 s\n"
-    "  step,LARGEST                 largest step between samples over what the 20 around it make likely\n"
-    "  scene,NAME,RMS,CORRELATION,FLATNESS,LOWEST OCTAVE...    dB; left with right; of the spectrum from 2 "
-    "to "
-    "12 kHz,\n"
-    "                               0 for tones; shares of octaves from 31.25 Hz on\n"
-    "  onset,NAME,ROW,OFF,STRENGTH  ms from a cut or a heard event to the strongest onset within 62 ms; by "
-    "what it\n"
-    "                               stands above what is usual around it\n";
+namespace odraz::measure {
 
 static void all(const Recording &r) {
     double dc = 0, last[2] = {};
@@ -96,13 +82,23 @@ static void onset(const Recording &r, const char *name, double row) {
     std::printf("onset,%s,%g,%g,%.1f\n", name, row, off, best / (around[125] + 0.5));
 }
 
-static int run(common::Arguments &words) {
+static int run(common::CommandLine &line) {
     std::string path;
-    while (const char *word = words.next()) {
-        if (word[0] == '-' || !path.empty()) words.refuse(word);
-        path = word;
-    }
-    if (path.empty()) throw common::Refused("a WAV is needed; see listen --help");
+    line.about("Measures the film's music, as odraz --wav writes it from the film's start. Prints CSV rows "
+               "of these kinds:");
+    line.notes(
+        "all,DC,CLIPPED,PEAK,LAST     mean of the worse side; samples at full scale; largest; dB of the last "
+        "0.1 s\n"
+        "step,LARGEST                 largest step between samples over what the 20 around it make likely\n"
+        "scene,NAME,RMS,CORRELATION,FLATNESS,OCTAVE...\n"
+        "                             dB; left with right; flatness of the spectrum from 2 to 12 kHz, 0 for\n"
+        "                             tones; shares of octaves from 31.25 Hz on\n"
+        "onset,NAME,ROW,OFF,STRENGTH  ms from a cut or an accent to the strongest onset within 62 ms; how "
+        "far\n"
+        "                             it is above the median around it\n"
+        "hit,ROW,RISE,BEFORE          a drum: ms until it is at full strength; dB of the 0.2 s before it");
+    line.argument("FILE.wav", path, "what odraz --wav wrote");
+    line.parse();
     Recording r = readWav(path);
     all(r);
     steps(r);
@@ -124,4 +120,6 @@ static int run(common::Arguments &words) {
     return 0;
 }
 
-int main(int argc, char **argv) { return common::runProgram("listen", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("listen", argc, argv, odraz::measure::run); }

@@ -1,6 +1,6 @@
 #include "tools/measure/detect/recording.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace odraz {
+namespace odraz::measure {
 
 Recording readWav(const std::string &path) {
     std::string file = common::readWhole(path);
@@ -83,4 +83,4 @@ double flux(const Recording &r, int64_t at, int apart) {
     return sum;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 struct Recording {
     int rate = 0;               // samples a second
@@ -14,7 +14,7 @@ struct Recording {
     size_t size() const { return side[0].size(); } // samples of each side
 };
 
-// Reads a WAV of two channels of 16 bits. Throws Refused (arguments.h) for anything else.
+// Reads a WAV of two channels of 16 bits. Throws Refused (command_line.h) for anything else.
 Recording readWav(const std::string &path);
 
 // The discrete Fourier transform in place; the size must be a power of two. Cooley and Tukey, 1965.
@@ -30,4 +30,4 @@ std::vector<double> spectrum(const Recording &recording, int64_t from, int size)
 // musical signals", 1996.
 double flux(const Recording &recording, int64_t at, int apart);
 
-} // namespace odraz
+} // namespace odraz::measure

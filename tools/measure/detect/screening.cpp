@@ -1,15 +1,16 @@
 #include "tools/measure/detect/screening.h"
 
+#include "play/governor.h"
+#include "tools/common/text.h"
 #include "trace/picture/development.h"
 
 #include <algorithm>
 #include <cstdio>
 
-namespace odraz {
+namespace odraz::measure {
 
-Theatre::Theatre(const IntroSettings &settings, Workers &workers, double from, double to)
-    : memory(memoryNeeded(settings, workers.count, needsHall(from, to))) {
-    bool hall = needsHall(from, to);
+LoadedFilm::LoadedFilm(const IntroSettings &settings, Workers &workers, bool hall)
+    : memory(memoryNeeded(settings, workers.count, hall)) {
     Gl gl = hall ? openGl() : Gl{};
     if (const char *wrong = load(intro, settings, memory.arena, workers, hall ? &gl : nullptr))
         throw std::runtime_error(wrong);
@@ -22,11 +23,11 @@ std::vector<uint8_t> rgbOf(const Picture &p) {
 }
 
 Screening::Screening(IntroSettings settings, double from, double to)
-    : workers(allProcessors()), theatre(settings, workers, from, to) {}
+    : workers(allProcessors()), film(settings, workers, needsHall(from, to)) {}
 
 std::vector<float> Screening::shown(double seconds, const Quality &quality) {
     picture(seconds, quality);
-    const Intro *intro = theatre.intro;
+    const Intro *intro = film.intro;
     const Frame &f = intro->frame;
     float fade = momentAt(kFilm, seconds * kRowsPerSecond).fade,
           exposure = intro->film.scene->exposure * fade * fade;
@@ -39,6 +40,12 @@ std::vector<float> Screening::shown(double seconds, const Quality &quality) {
                 for (int k = 0; k < std::min(8, f.width - x); ++k) levels.push_back(v[k] * 255);
             }
     return levels;
+}
+
+Quality qualityOf(float level) {
+    Governor governor;
+    governor.coarseness = level;
+    return governor.quality();
 }
 
 std::vector<Span> shots() {
@@ -69,31 +76,27 @@ std::vector<Span> windowsIn(const Span &span, int count, double length) {
     return all;
 }
 
-bool ScreeningOptions::take(const std::string &option, common::Arguments &words) {
-    if (option == "--size")
-        size = words.value(option);
-    else if (option == "--quality")
-        qualities.push_back(words.value(option));
-    else if (option == "--keep")
-        keep = words.value(option);
-    else
-        return false;
-    return true;
+void ScreeningOptions::addTo(common::CommandLine &line) {
+    sizeOption(line, "--size", size, "the pictures' size in pixels");
+    std::vector<std::string> names;
+    for (const Quality &q : kQualities) names.push_back(q.name);
+    line.option("--quality", names, quality, "the pictures' quality");
 }
 
-IntroSettings sizeFrom(const std::string &words) {
+void sizeOption(common::CommandLine &line, const std::string &name, IntroSettings &to,
+                const std::string &what) {
+    std::string usual = to.width ? common::format(" (default %dx%d)", to.width, to.height) : "";
+    line.option(
+        name, "WxH", [&to](const std::string &text) { to = sizeFrom(text); }, what + usual);
+}
+
+IntroSettings sizeFrom(const std::string &text) {
     IntroSettings s = {};
     char behind;
-    if (std::sscanf(words.c_str(), "%dx%d%c", &s.width, &s.height, &behind) != 2 || s.width < 16 ||
-        s.height < 16 || s.width > 7680 || s.height > 4320)
-        throw common::Refused("a size is like 1280x720, not " + words);
+    if (std::sscanf(text.c_str(), "%dx%d%c", &s.width, &s.height, &behind) != 2 || s.width < 16 ||
+        s.height < 16 || s.width > kMaxWidth || s.height > kMaxHeight)
+        throw common::Refused("a size is like 1280x720, not " + text);
     return s;
 }
 
-const Quality &qualityFrom(const std::string &name) {
-    for (const Quality &q : kQualities)
-        if (name == q.name) return q;
-    throw common::Refused("there is no quality '" + name + "'");
-}
-
-} // namespace odraz
+} // namespace odraz::measure

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "inside.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/engine/machine.h"
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 // The film, loaded for pictures of one size.
-struct Theatre {
-    // Solves the hall if it is shown between two moments, in seconds. Throws std::runtime_error.
-    Theatre(const IntroSettings &settings, Workers &workers, double from, double to);
+struct LoadedFilm {
+    // Solves the hall if asked to. Throws std::runtime_error.
+    LoadedFilm(const IntroSettings &settings, Workers &workers, bool hall);
     HeapArena memory;
     Intro *intro = nullptr; // in the arena
 };
@@ -28,7 +28,7 @@ public:
     Screening(IntroSettings settings, double from, double to);
     // The picture as a dump has it.
     Picture picture(double seconds, const Quality &quality) {
-        return odraz::picture(*theatre.intro, 0, seconds, quality);
+        return odraz::picture(*film.intro, 0, seconds, quality);
     }
     // The picture as it is shown, in levels of 255, neither dithered nor rounded. In each row all red values
     // come first, then green, then blue.
@@ -36,8 +36,11 @@ public:
 
 private:
     Workers workers;
-    Theatre theatre;
+    LoadedFilm film;
 };
+
+// The quality of a level, as the governor blends it: 0 film, 1 play, 2 draft.
+Quality qualityOf(float level);
 
 // A part of the film, in seconds; of one scene.
 struct Span {
@@ -51,19 +54,18 @@ std::vector<Span> shotsOf(const std::string &scene);
 // `count` windows of a length, evenly spaced; each as much of it as lies within the span.
 std::vector<Span> windowsIn(const Span &span, int count, double length);
 
-// The options that all programs that look at the film share: --size, --quality, --keep.
+// The options that all programs that look at the film share: --size, --quality.
 struct ScreeningOptions {
-    std::string size = "1280x720";
-    std::vector<std::string> qualities; // empty: play
-    std::string keep;                   // a folder that keeps pictures; empty: none is kept
-
-    // Takes the value if the option is one of these; else returns false. Throws Refused.
-    bool take(const std::string &option, common::Arguments &words);
+    IntroSettings size = {1280, 720};
+    QualityName quality = QualityName::Play;
+    void addTo(common::CommandLine &line);
+    const Quality &chosen() const { return kQualities[(int)quality]; }
 };
 
-// Parses "1280x720"; throws Refused for anything else.
-IntroSettings sizeFrom(const std::string &words);
-// The quality of this name; throws Refused if there is none.
-const Quality &qualityFrom(const std::string &name);
+// An option whose value is a size, such as 1280x720.
+void sizeOption(common::CommandLine &line, const std::string &name, IntroSettings &to,
+                const std::string &what);
+// Parses a size; throws Refused for anything else.
+IntroSettings sizeFrom(const std::string &text);
 
-} // namespace odraz
+} // namespace odraz::measure

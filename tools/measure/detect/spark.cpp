@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-namespace odraz {
+namespace odraz::measure {
 
 Grey greyOf(int width, int height, const uint8_t *pixels, int bytesPerPixel) {
     Grey g = {width, height, std::vector<uint8_t>((size_t)width * (size_t)height)};
@@ -72,4 +72,4 @@ std::vector<Spark> sparksOf(const std::vector<Spark> &points, const Grey &pictur
     return found;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 // Brightness, 0 .. 255.
 struct Grey {
@@ -39,4 +39,4 @@ bool alike(const Grey &a, const Grey &b);
 std::vector<Spark> sparksOf(const std::vector<Spark> &points, const Grey &picture, const Grey *before,
                             const Grey *after, int reach);
 
-} // namespace odraz
+} // namespace odraz::measure

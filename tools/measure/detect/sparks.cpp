@@ -1,6 +1,5 @@
 // sparks: counts the sparks in the film, or in a folder of pictures.
 #include "show/show.h"
-#include "tools/common/arguments.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/detect/spark.h"
 #include "tools/picture/picture.h"
@@ -9,18 +8,7 @@
 #include <cmath>
 #include <filesystem>
 
-using namespace odraz;
-
-static constexpr char kUsage[] =
-    "usage: sparks [--from S=0] [--to S] [--fps N=25] [--quality NAME=play] [--size WxH=1280x720]\n"
-    "              [--apart S=0.005] [--least LEVELS=24] [--reach PIXELS=3] [--list] [--keep DIR]\n"
-    "       sparks FOLDER [--least LEVELS=24] [--reach PIXELS=12] [--list]\n"
-    "Counts sparks: points of one to three pixels that are at least --least levels (of 255) brighter than\n"
-    "what surrounds them, and that a neighbouring picture lacks. The neighbours are the film's pictures\n"
-    "--apart seconds before and after, or in a folder of PNG or PPM the files before and after by name.\n"
-    "It lacks the point if it shows nothing half as bright within --reach pixels.\n"
-    "Writes a CSV to stdout: a row for each scene, or with --list for each spark. --keep writes the\n"
-    "pictures that have sparks as PNG.\n";
+namespace odraz::measure {
 
 namespace {
 
@@ -32,7 +20,7 @@ struct Count {
         sparks += (int)found;
         most = std::max(most, (int)found);
     }
-    void tell(const char *name) const {
+    void print(const char *name) const {
         if (pictures) std::printf("%s,%d,%d,%d,%d\n", name, pictures, marked, sparks, most);
         std::fflush(stdout);
     }
@@ -40,7 +28,7 @@ struct Count {
 
 struct Options : ScreeningOptions {
     double from = 0, to = duration(), fps = 25, apart = 0.005; // seconds; pictures a second
-    std::string folder;
+    std::string folder, keep;
     int least = 24, reach = 0;
     bool list = false;
 };
@@ -51,11 +39,10 @@ void list(const char *where, const std::vector<Spark> &sparks) {
 }
 
 void lookAtFilm(const Options &o) {
-    IntroSettings settings = sizeFrom(o.size);
-    const Quality &quality = qualityFrom(o.qualities.empty() ? "play" : o.qualities.back());
-    Screening screening(settings, o.from, o.to);
+    const Quality &quality = o.chosen();
+    Screening screening(o.size, o.from, o.to);
     auto see = [&](double seconds) {
-        odraz::Picture p = screening.picture(std::clamp(seconds, 0., duration()), quality);
+        Picture p = screening.picture(std::clamp(seconds, 0., duration()), quality);
         return greyOf(p.width, p.height, p.rgba, 4);
     };
     std::vector<Count> scenes(kMaxScenes);
@@ -70,7 +57,7 @@ void lookAtFilm(const Options &o) {
         scenes[(size_t)sceneAt(seconds)].add(sparks.size());
         if (o.list) list(std::to_string(seconds).c_str(), sparks);
         if (!o.keep.empty() && !sparks.empty()) {
-            odraz::Picture p = screening.picture(seconds, quality);
+            Picture p = screening.picture(seconds, quality);
             pictures::Image image = {p.width, p.height, {}};
             for (size_t i = 0; i < (size_t)p.width * (size_t)p.height; ++i)
                 image.rgb.insert(image.rgb.end(), p.rgba + 4 * i, p.rgba + 4 * i + 3);
@@ -82,11 +69,11 @@ void lookAtFilm(const Options &o) {
     Count all;
     for (int i = 0; i < kMaxScenes; ++i) {
         const Count &c = scenes[(size_t)i];
-        if (c.pictures) c.tell(sceneName(i));
+        if (c.pictures) c.print(sceneName(i));
         all = {all.pictures + c.pictures, all.marked + c.marked, all.sparks + c.sparks,
                std::max(all.most, c.most)};
     }
-    all.tell("all");
+    all.print("all");
 }
 
 void lookAtFolder(const Options &o) {
@@ -110,32 +97,29 @@ void lookAtFolder(const Options &o) {
         before = std::move(now);
         now = std::move(after);
     }
-    if (!o.list) all.tell("all");
+    if (!o.list) all.print("all");
 }
 
-int run(common::Arguments &words) {
+int run(common::CommandLine &line) {
     Options o;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--from")
-            o.from = words.number(w, 0, duration());
-        else if (w == "--to")
-            o.to = words.number(w, 0, duration());
-        else if (w == "--fps")
-            o.fps = words.number(w, 0.01, 1000);
-        else if (w == "--apart")
-            o.apart = words.number(w, 1e-4, 1);
-        else if (w == "--least")
-            o.least = words.whole(w, 1, 255);
-        else if (w == "--reach")
-            o.reach = words.whole(w, 1, 100);
-        else if (w == "--list")
-            o.list = true;
-        else if (w[0] != '-' && o.folder.empty())
-            o.folder = w;
-        else if (!o.take(w, words))
-            words.refuse(w);
-    }
+    line.about(
+        "Counts sparks: points of one to three pixels that are much brighter than what surrounds them, and "
+        "that\n"
+        "a neighbouring picture lacks: it shows nothing half as bright near them. Prints a CSV: a row for "
+        "each\n"
+        "scene of the film, or for the folder.");
+    line.argument("FOLDER", o.folder, "PNG or PPM pictures instead of the film: neighbours by name", false);
+    o.addTo(line);
+    line.option("--from", "S", o.from, {0, duration()}, "the film's first second");
+    line.option("--to", "S", o.to, {0, duration()}, "its last second");
+    line.option("--fps", "N", o.fps, {0.01, 1000}, "pictures a second");
+    line.option("--apart", "S", o.apart, {1e-4, 1}, "time from a picture of the film to its neighbours");
+    line.option("--least", "LEVELS", o.least, {1, 255}, "how much brighter a spark is, of 255");
+    line.option("--reach", "PIXELS", o.reach, {1, 100},
+                "how near a neighbour must show it (default 3, in a folder 12)");
+    line.flag("--list", o.list, "print a row for each spark");
+    line.option("--keep", "FOLDER", o.keep, "write the film's pictures that have sparks, as PNG");
+    line.parse();
     std::puts(o.list             ? "where,x,y,over,surround"
               : o.folder.empty() ? "scene,pictures,with_sparks,sparks,most"
                                  : "folder,pictures,with_sparks,sparks,most");
@@ -145,4 +129,6 @@ int run(common::Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("sparks", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("sparks", argc, argv, odraz::measure::run); }

@@ -1,7 +1,7 @@
 // spectrogram: draws the film's music as a picture, with the film's shots.
 #include "show/font.h"
 #include "show/show.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/detect/recording.h"
 #include "tools/picture/picture.h"
@@ -9,15 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-using namespace odraz;
-using Image = pictures::Image;
+namespace odraz::measure {
 
-static constexpr char kUsage[] =
-    "usage: spectrogram FILE.wav OUT.png [--second PIXELS=10] [--height PIXELS=600]\n"
-    "Draws what odraz --wav wrote from the film's begin: time to the right, 25 Hz to 20 kHz upwards, from "
-    "-110 dB (black)\n"
-    "to -30 dB (white). Cuts are bright lines, heard events short ones below, octaves of 31.25 Hz dim "
-    "ones.\n";
+using pictures::Image;
 
 static constexpr double kLow = 25, kHigh = 20000;
 
@@ -31,7 +25,7 @@ static void paint(Image &image, int x, int y, double level) {
             (uint8_t)(way[i][c] + (way[i + 1][c] - way[i][c]) * (level - i));
 }
 
-static void line(Image &image, int x, int y0, int y1, int grey) {
+static void drawLine(Image &image, int x, int y0, int y1, int grey) {
     if (x < 0 || x >= image.width) return;
     for (int y = y0; y < y1; ++y)
         for (size_t c = 0; c < 3; ++c) {
@@ -49,31 +43,27 @@ static void label(Image &image, const char *text, int x0, int y0) {
     drawText(frame, text, 3, 12, 9, 0.13f, 1, Align::Left, {1, 1, 1}, 1);
     for (int y = 0; y < kHeight && y0 + y < image.height; ++y)
         for (int x = 0; x < kWidth && x0 + x < image.width; ++x)
-            line(image, x0 + x, y0 + y, y0 + y + 1, (int)(planes[(size_t)(y * kWidth + x)] * 230));
+            drawLine(image, x0 + x, y0 + y, y0 + y + 1, (int)(planes[(size_t)(y * kWidth + x)] * 230));
 }
 
-static int run(common::Arguments &words) {
-    std::vector<std::string> paths;
+static int run(common::CommandLine &line) {
+    std::string wav, out;
     int second = 10, height = 600;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--second")
-            second = words.whole(w, 1, 400);
-        else if (w == "--height")
-            height = words.whole(w, 50, 4000);
-        else if (word[0] != '-' && paths.size() < 2)
-            paths.push_back(w);
-        else
-            words.refuse(w);
-    }
-    if (paths.size() < 2)
-        throw common::Refused("a WAV and a PNG to write are needed; see spectrogram --help");
-    common::checkWritable(paths[1]);
-    Recording r = readWav(paths[0]);
+    line.about("Draws the film's music as a picture: time to the right, 25 Hz to 20 kHz upwards, from -110 "
+               "dB (black) to\n"
+               "-30 dB (white). Cuts are bright lines, accents short ones below them, octaves of 31.25 Hz "
+               "dim ones.");
+    line.argument("FILE.wav", wav, "what odraz --wav wrote, from the film's start");
+    line.argument("OUT.png", out, "the picture to write");
+    line.option("--second", "PIXELS", second, {1, 400}, "the width of a second");
+    line.option("--height", "PIXELS", height, {50, 4000}, "the picture's height");
+    line.parse();
+    common::checkWritable(out);
+    Recording r = readWav(wav);
     Image image;
     image.width = (int)((int64_t)r.size() * second / r.rate);
     image.height = height;
-    if (image.width < 1) throw common::Refused(paths[0] + " is too short");
+    if (image.width < 1) throw common::Refused(wav + " is too short");
     image.rgb.assign((size_t)image.width * (size_t)height * 3, 0);
 
     // A long window for low sounds, a short one for high ones
@@ -95,19 +85,21 @@ static int run(common::Arguments &words) {
     }
     for (double octave = 31.25; octave < kHigh; octave *= 2) {
         int y = height - 1 - (int)(std::log(octave / kLow) / std::log(kHigh / kLow) * height);
-        for (int x = 0; x < image.width; x += 3) line(image, x, y, y + 1, 70);
+        for (int x = 0; x < image.width; x += 3) drawLine(image, x, y, y + 1, 70);
         label(image, std::to_string((int)octave).c_str(), 0, y - 14);
     }
     auto column = [&](double row) { return (int)(row / kRowsPerSecond * second); };
     for (int i = 0; i < kFilm.count; ++i) {
-        line(image, column(kFilm.shots[i].row), 0, height, 150);
+        drawLine(image, column(kFilm.shots[i].row), 0, height, 150);
         label(image, kScenes[kFilm.shots[i].scene].name, column(kFilm.shots[i].row) + 2, 0);
         for (const Event &e : kEvents)
             if (e.heard && e.scene == kFilm.shots[i].scene)
-                line(image, column((double)kFilm.shots[i].storyRow + e.row), 16, 26, 220);
+                drawLine(image, column((double)kFilm.shots[i].storyRow + e.row), 16, 26, 220);
     }
-    pictures::writePng(paths[1], image);
+    pictures::writePng(out, image);
     return 0;
 }
 
-int main(int argc, char **argv) { return common::runProgram("spectrogram", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("spectrogram", argc, argv, odraz::measure::run); }

@@ -1,6 +1,6 @@
 #include "tools/measure/detect/still.h"
 
-namespace odraz {
+namespace odraz::measure {
 
 std::vector<Piece> stillPieces(const std::vector<double> &changes, int hold, double limit) {
     std::vector<Piece> pieces;
@@ -17,4 +17,4 @@ std::vector<Piece> stillPieces(const std::vector<double> &changes, int hold, dou
     return pieces;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

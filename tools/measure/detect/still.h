@@ -3,7 +3,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 // Seconds from .. to - 1.
 struct Piece {
@@ -14,4 +14,4 @@ struct Piece {
 // second i. In every `hold` seconds of a piece the mean of these changes is less than `limit`.
 std::vector<Piece> stillPieces(const std::vector<double> &changes, int hold, double limit);
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,6 +1,5 @@
 // stillness: where the film stands still, and how often it cuts.
 #include "show/show.h"
-#include "tools/common/arguments.h"
 #include "tools/measure/detect/screening.h"
 #include "tools/measure/detect/still.h"
 
@@ -8,18 +7,7 @@
 #include <cmath>
 #include <limits>
 
-using namespace odraz;
-
-static constexpr char kUsage[] =
-    "usage: stillness [--fps N=25] [--hold S=4] [--below LEVELS=2] [--aside S=4] [--quality NAME=draft]\n"
-    "                 [--size WxH=320x180] [--list]\n"
-    "Tells for each scene how many cuts begin or interrupt it, and for how many seconds it stands still: "
-    "these\n"
-    "are the pieces of --hold seconds or more in which the mean picture of a second differs by less than\n"
-    "--below levels (of 255) from that of the next second, on average. Pictures are without grain. Seconds\n"
-    "that fade are left out, and the last --aside seconds.\n"
-    "Writes a CSV to stdout: a row for each scene, or with --list for each second, with the change to the\n"
-    "next one (nan: left out).\n";
+namespace odraz::measure {
 
 namespace {
 
@@ -36,11 +24,11 @@ bool fades(int second) {
 }
 
 // The mean of a second's pictures.
-std::vector<double> meanOf(Screening &screening, int second, const Options &o, const Quality &quality) {
+std::vector<double> meanOf(Screening &screening, int second, const Options &o) {
     std::vector<double> mean;
     int count = (int)std::lround(o.fps);
     for (int i = 0; i < count; ++i) {
-        std::vector<float> levels = screening.shown(second + i / o.fps, quality);
+        std::vector<float> levels = screening.shown(second + i / o.fps, o.chosen());
         mean.resize(levels.size());
         for (size_t k = 0; k < levels.size(); ++k) mean[k] += (double)levels[k] / count;
     }
@@ -48,12 +36,11 @@ std::vector<double> meanOf(Screening &screening, int second, const Options &o, c
 }
 
 std::vector<double> changesOf(const Options &o) {
-    Screening screening(sizeFrom(o.size), 0, duration());
-    const Quality &quality = qualityFrom(o.qualities.back());
+    Screening screening(o.size, 0, duration());
     std::vector<double> changes, before;
     for (int second = 0; second < (int)duration() - o.aside; ++second) {
         std::vector<double> now;
-        if (!fades(second)) now = meanOf(screening, second, o, quality);
+        if (!fades(second)) now = meanOf(screening, second, o);
         double change = std::numeric_limits<double>::quiet_NaN();
         if (!now.empty() && !before.empty()) {
             change = 0;
@@ -66,25 +53,25 @@ std::vector<double> changesOf(const Options &o) {
     return changes;
 }
 
-int run(common::Arguments &words) {
+int run(common::CommandLine &line) {
     Options o;
-    o.size = "320x180";
-    o.qualities = {"draft"};
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--fps")
-            o.fps = words.number(w, 1, 100);
-        else if (w == "--hold")
-            o.hold = words.whole(w, 2, 100);
-        else if (w == "--below")
-            o.below = words.number(w, 0, 255);
-        else if (w == "--aside")
-            o.aside = words.whole(w, 0, (int)duration());
-        else if (w == "--list")
-            o.list = true;
-        else if (!o.take(w, words))
-            words.refuse(w);
-    }
+    o.size = {320, 180}, o.quality = QualityName::Draft;
+    line.about(
+        "Prints a CSV of the film's scenes: the cuts that begin or interrupt each, and the seconds for which "
+        "it "
+        "stands\n"
+        "still. These are the pieces of --hold seconds or more in which the mean picture of a second differs "
+        "by\n"
+        "less than --below levels from the next second's, on average. Pictures are without grain. Seconds "
+        "that\n"
+        "fade are left out.");
+    o.addTo(line);
+    line.option("--fps", "N", o.fps, {1, 100}, "pictures a second");
+    line.option("--hold", "S", o.hold, {2, 100}, "the shortest piece");
+    line.option("--below", "LEVELS", o.below, {0, 255}, "the most change, of 255");
+    line.option("--aside", "S", o.aside, {0, duration()}, "seconds at the end that are left out");
+    line.flag("--list", o.list, "print each second with the change to the next one (nan: left out)");
+    line.parse();
     std::vector<double> changes = changesOf(o);
     if (o.list) {
         std::puts("second,scene,change");
@@ -92,8 +79,8 @@ int run(common::Arguments &words) {
             std::printf("%d,%s,%.2f\n", (int)i, sceneName(sceneAt((double)i)), changes[i]);
         return 0;
     }
-    std::puts("scene,seconds,cuts,cuts a minute,seconds that stand still,longest of them");
-    auto tell = [&](const char *name, double seconds, int cuts, int still, int longest) {
+    std::puts("scene,seconds,cuts,cuts_a_minute,still_seconds,longest");
+    auto print = [&](const char *name, double seconds, int cuts, int still, int longest) {
         std::printf("%s,%.0f,%d,%.1f,%d,%d\n", name, seconds, cuts, 60 * cuts / seconds, still, longest);
     };
     std::vector<Piece> pieces = stillPieces(changes, o.hold, o.below);
@@ -107,13 +94,15 @@ int run(common::Arguments &words) {
             if (sceneAt(p.from) != scene) continue;
             still += p.to - p.from, longest = std::max(longest, p.to - p.from);
         }
-        tell(kScenes[scene].name, seconds, cuts, still, longest);
+        print(kScenes[scene].name, seconds, cuts, still, longest);
         allCuts += cuts, allStill += still, longestOfAll = std::max(longestOfAll, longest);
     }
-    tell("all", duration(), allCuts, allStill, longestOfAll);
+    print("all", duration(), allCuts, allStill, longestOfAll);
     return 0;
 }
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("stillness", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("stillness", argc, argv, odraz::measure::run); }

@@ -2,7 +2,7 @@
 
 #include "show/materials.h"
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -113,4 +113,4 @@ const std::vector<EffectScene> &effectScenes() {
     return all;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 enum class Effect {
     Occlusion,       // of a lamp, the sky, or light through glass
@@ -45,4 +45,4 @@ inline constexpr float kEffectFloor = 0.6f; // its albedo
 // What the floor straight below the lamp shows of the scene's lamp and sky, with exposure.
 inline constexpr float kEffectShown = 0.4f;
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -2,10 +2,9 @@
 
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 
-namespace odraz {
+namespace odraz::measure {
 
 using namespace radiosity;
 
@@ -17,19 +16,4 @@ Mesh generatedMesh(const std::string &kind, double area) {
     return readObj(folder / "model.obj", {}, notes);
 }
 
-std::vector<Probe> referenceOf(const Mesh &mesh, const Gl &gl, Workers &workers, int probes, bool quick) {
-    double area = areaOf(mesh);
-    SolveSettings fine;
-    fine.way = Way::kPatches;
-    fine.findRows = rowsByRays(quick ? 32 : 64);
-    fine.patch = area / (quick ? 4000 : 12000);
-    fine.element = area / (quick ? 100000 : 500000);
-    fine.lampSamples = 128;
-    fine.memory = (size_t)8 << 30;
-    Solved solved = solveModel(mesh, fine, gl, workers, &kNever, {});
-    std::vector<Probe> places = placeProbes(*solved.patches->model, probes);
-    traceProbes(solved, places, quick ? 48 : 96, workers);
-    return places;
-}
-
-} // namespace odraz
+} // namespace odraz::measure

@@ -58,49 +58,4 @@ int ModelRays::castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
     return backs;
 }
 
-double ModelRays::facetFormFactor(int facet, const Chart &from, Vec3 p, int side, uint32_t seed) const {
-    Sampler sampler(seed);
-    Vec3d origin = before(from, p), here = toDouble(from.n),
-          there = toDouble(model.charts[model.facets[facet].chart].n);
-    double factor = 0;
-    for (const Obstacles::Triangle &t : trianglesOf(model, facet)) {
-        double area = length(cross(t[1] - t[0], t[2] - t[0])) / 2, sum = 0;
-        for (int k = 0; k < side * side; ++k) {
-            Vec3d to = onTriangle(t, inCell(sampler, k, side)) - origin;
-            double far = length(to), kernel = std::max(0., dot(to, here)) * std::max(0., -dot(to, there));
-            if (kernel > 0 && !obstacles.blocked(origin, to / far, far * 0.9999))
-                sum += kernel / (far * far * far * far);
-        }
-        factor += sum * area / (std::numbers::pi * side * side);
-    }
-    return factor;
-}
-
-RowFinder rowsByRays(int side) {
-    return [side](const Model &m, const Scene &, const uint8_t *lit, Workers &workers, Arena &arena,
-                  FormFactors &factors, const Progress &) {
-        ModelRays rays(m);
-        std::vector<FoundRow> rows((size_t)m.patchCount);
-        parallelFor(workers, m.patchCount, [&](int i, int) {
-            const Patch &p = m.patches[i];
-            if (p.share == 0 || !lit[i]) return;
-            std::vector<uint32_t> met;
-            rays.castFan(m.charts[p.chart], p.p, side, (uint32_t)i, [&](int chart, Vec3 at, Vec3) {
-                if (chart >= 0) met.push_back(patchAt(m, chart, at));
-            });
-            std::sort(met.begin(), met.end());
-            FoundRow &found = rows[(size_t)i];
-            for (size_t k = 0; k < met.size();) {
-                size_t end = k;
-                while (end < met.size() && met[end] == met[k]) ++end;
-                if (lit[met[k]]) found.links.push_back({met[k], (float)(end - k) / (float)(side * side)});
-                k = end;
-            }
-            found.known = true;
-        });
-        keepRows(rows, arena, factors);
-        return !workers.aborted();
-    };
-}
-
 } // namespace odraz

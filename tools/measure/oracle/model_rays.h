@@ -1,4 +1,4 @@
-// Rays from places of a model, and form factors by rays. Directions are random by the cosine law, in double
+// Rays from places of a model. Directions are random by the cosine law, in double
 // precision; nothing that ships works this way.
 #pragma once
 
@@ -20,10 +20,6 @@ struct ModelRays {
     // other rays.
     int castFan(const Chart &from, Vec3 p, int side, uint32_t seed,
                 const std::function<void(int chart, Vec3 at, Vec3 d)> &met) const;
-    // The form factor of a facet from a place of a chart, with occlusion, by side x side rays to random
-    // points of the facet.
-    double facetFormFactor(int facet, const Chart &from, Vec3 p, int side, uint32_t seed) const;
-
     const Model &model;
     std::vector<int> chartOf;       // of each triangle
     radiosity::Obstacles obstacles; // the triangles
@@ -31,8 +27,5 @@ struct ModelRays {
 
 // Where rays from a place of a chart start: safely in front of it.
 Vec3d before(const Chart &chart, Vec3 p);
-
-// A RowFinder that casts side x side rays from each patch.
-radiosity::RowFinder rowsByRays(int side);
 
 } // namespace odraz

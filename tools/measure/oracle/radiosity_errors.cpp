@@ -1,40 +1,29 @@
-// Measures how far a solution of `radiosity solve` is from path tracing, at random places or at the middles
-// of elements. Each place has a square number of paths; the option gives its side.
-#include "tools/common/arguments.h"
+// radiosity_errors: how far a solution is from path tracing.
+#include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/reference/mesh_reference.h"
 
 #include <cstdio>
 
-using namespace odraz;
-using namespace odraz::radiosity;
+namespace odraz::measure {
 
-static constexpr char kUsage[] =
-    "usage: radiosity_errors MODEL.obj SOLUTION [--probes N] [--side N] [--middles] [--list]\n";
+using namespace radiosity;
 
-static int run(common::Arguments &words) {
-    std::string files[2];
-    int probes = 1000, side = 48, count = 0;
+static int run(common::CommandLine &line) {
+    std::string model, file;
+    int probes = 1000, side = 48;
     bool list = false, middles = false;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--probes")
-            probes = words.whole(w, 1, 1000000);
-        else if (w == "--side")
-            side = words.whole(w, 2, 4096);
-        else if (w == "--middles")
-            middles = true;
-        else if (w == "--list")
-            list = true;
-        else if (word[0] != '-' && count < 2)
-            files[count++] = w;
-        else
-            words.refuse(w);
-    }
-    if (count < 2) throw common::Refused("name a model and its solution");
+    line.about("Prints how far a solution of `radiosity solve` is from path tracing, at random places.");
+    line.argument("MODEL.obj", model, "the model");
+    line.argument("SOLUTION", file, "its solution");
+    line.option("--probes", "N", probes, {1, 1000000}, "the number of places");
+    line.option("--side", "N", side, {2, 4096}, "each place has N x N paths, twice");
+    line.flag("--middles", middles, "places are the middles of elements");
+    line.flag("--list", list, "also print each place, its normal, and its light, solved and traced");
+    line.parse();
     std::vector<std::string> notes;
-    Mesh mesh = readObj(files[0], {}, notes);
-    Solution solution(files[1]);
+    Mesh mesh = readObj(model, {}, notes);
+    Solution solution(file);
     Surroundings around;
     if (!shines(mesh)) around.sky = evenSky({1, 1, 1});
     Workers workers = allProcessors();
@@ -53,4 +42,8 @@ static int run(common::Arguments &words) {
     return 0;
 }
 
-int main(int argc, char **argv) { return common::runProgram("radiosity_errors", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) {
+    return common::runProgram("radiosity_errors", argc, argv, odraz::measure::run);
+}

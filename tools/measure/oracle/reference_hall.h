@@ -1,11 +1,14 @@
-// The film's hall, and references for three of its lights, gathered by rays alone.
+// The film's hall, solved as a tool or a test asks for it.
 #pragma once
 
 #include "show/hall.h"
 #include "tools/engine/heap_arena.h"
-#include "tools/measure/oracle/reference.h"
 
-namespace odraz {
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace odraz::measure {
 
 // Planes of the texels' red, green and blue, for relight().
 struct TexelPlanes {
@@ -35,11 +38,4 @@ struct SolvedHall {
     double seconds; // of processor time
 };
 
-// Probes from a fine solution for three lights: noon (the sky and the sun's bounces), a lantern (its bounces)
-// and a strip (all its light).
-std::array<std::vector<Probe>, 3> gatherHall(const SolvedHall &fine, int count, int side, Workers &workers);
-
-// The root mean square over all three lights, each relative to its own light; percent.
-double rmsPercent(const SolvedHall &solved, const std::array<std::vector<Probe>, 3> &probes);
-
-} // namespace odraz
+} // namespace odraz::measure

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::measure {
 
 using namespace radiosity;
 
@@ -270,4 +270,4 @@ std::vector<Vec3d> tracePaths(const Scene &scene, const View &view, const PathSe
     return picture;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

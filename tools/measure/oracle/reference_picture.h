@@ -16,7 +16,7 @@
 
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 struct PathSettings {
     // False: only light straight from lamps and sky, or through glass. True: also light that bounces off
@@ -31,4 +31,4 @@ struct PathSettings {
 std::vector<Vec3d> tracePaths(const Scene &scene, const View &view, const PathSettings &settings,
                               Workers &workers);
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::measure {
 
 using namespace radiosity;
 
@@ -168,4 +168,4 @@ std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vect
     return all;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

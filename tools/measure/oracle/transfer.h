@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 // A row for each texel. The columns are red, green and blue of each light basis; those of the sky and the
 // strips include direct light. Skies, suns and lamps are scaled to have equal weight.
@@ -51,4 +51,4 @@ struct DayError {
 std::vector<DayError> dayErrors(const std::vector<float> &hours, const std::vector<int> &bands, const Gl &gl,
                                 Workers &workers);
 
-} // namespace odraz
+} // namespace odraz::measure

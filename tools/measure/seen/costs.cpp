@@ -2,14 +2,14 @@
 
 #include "play/governor.h"
 #include "show/show.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+#include "tools/measure/seen/shown.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <sstream>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -36,33 +36,26 @@ Cost growth(const std::map<double, Cost> &sizes, double from, double to) {
 const char kCostsFile[] = ODRAZ_COSTS;
 
 Costs::Costs(const std::string &csv) {
-    std::istringstream lines(csv);
-    std::string line;
-    int number = 0;
-    auto wrong = [&](const std::string &what) {
-        return common::Refused("line " + std::to_string(number) + ": " + what);
-    };
-    while (std::getline(lines, line)) {
-        ++number;
-        if (number == 1 && line != kHead) throw wrong("it must be \"" + std::string(kHead) + "\"");
-        if (number == 1 || line.empty()) continue;
+    forRows(csv, kHead, [&](const std::string &line) {
         double seconds, gap, level, serial, parallel;
         char behind;
         int width, height;
-        if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width, &height,
-                        &serial, &parallel, &behind) != 7)
-            throw wrong("it needs the seven values \"" + std::string(kHead) + "\"");
-        if (!(gap == 0 || (gap >= 1 && gap <= 60))) throw wrong("a gap is 0, or 1 to 60 sixtieths");
-        if (!(level >= 0 && level <= Governor::kSteps)) throw wrong("levels are 0 to 2");
-        if (!(seconds >= 0 && seconds < duration())) throw wrong("no moment of the film");
-        if (width < 16 || height < 16) throw wrong("no size of a picture");
-        if (!(serial > 0 && parallel > 0 && std::isfinite(serial + parallel))) throw wrong("no count");
-        if (!moments.empty() && seconds < moments.back().seconds)
-            throw wrong("it is earlier than the one before");
+        auto require = [](bool right, const std::string &wrong) {
+            if (!right) throw common::Refused(wrong);
+        };
+        require(std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width,
+                            &height, &serial, &parallel, &behind) == 7,
+                "it needs the seven values \"" + std::string(kHead) + "\"");
+        require(gap == 0 || (gap >= 1 && gap <= 60), "a gap is 0, or 1 to 60 sixtieths");
+        require(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
+        require(seconds >= 0 && seconds < duration(), "no moment of the film");
+        require(width >= 16 && height >= 16, "no size of a picture");
+        require(serial > 0 && parallel > 0 && std::isfinite(serial + parallel), "no count");
+        require(moments.empty() || seconds >= moments.back().seconds, "it is earlier than the one before");
         if (moments.empty() || seconds > moments.back().seconds)
             moments.push_back({seconds, shotAt(seconds), {}});
         moments.back().gaps[gap][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};
-    }
+    });
     for (const Moment &m : moments) {
         std::string at = "at " + std::to_string(m.seconds) + " s ";
         if (!m.gaps.count(0) || m.gaps.size() < 2)
@@ -117,4 +110,4 @@ Cost Costs::of(const Pictured &asked) const {
                  span > 0 ? (asked.seconds - before->seconds) / span : 0, mix);
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -7,8 +7,10 @@
 #include <vector>
 
 namespace odraz {
-
 struct Shot;
+}
+
+namespace odraz::measure {
 
 // Instructions of a whole picture: posing and relighting, tracing, glare and development. `parallel` is what
 // threads share; the rest is done by one of them while the others wait.
@@ -54,4 +56,4 @@ private:
 // The table that the repository has.
 extern const char kCostsFile[];
 
-} // namespace odraz
+} // namespace odraz::measure

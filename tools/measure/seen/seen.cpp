@@ -10,126 +10,96 @@
 #include <cstdio>
 #include <filesystem>
 
-using namespace odraz;
-
-static constexpr char kUsage[] =
-    "usage: seen LIST [--scene NAME]... [--windows N=1] [--at S]... [--length S=0.5]\n"
-    "            [--screen WxH=1280x720] [--judged WxH] [--pictures FOLDER] [--summary]\n"
-    "       seen --steady RATE [--every N=1] [--level L=1] [--traced WxH] [--list] ...\n"
-    "       seen --machine G... [--screen WxH]... [--cores N] [--costs FILE]\n"
-    "            [--lost P,F,S,T] [--list] ...\n"
-    "Compares what stands on the screen at every sixtieth of a second with the film's picture of that very\n"
-    "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB.\n"
-    "LIST says which pictures were shown, and when (CSV: at,time,kind,level,width,height). --steady is a\n"
-    "player that never misses: RATE pictures a second, of which one of --every is traced and the others are\n"
-    "made between two; of a level from 0 (film) over 1 (play) to 2 (draft); traced in other pixels than the\n"
-    "screen has. --machine is the film's own player, simulated on a machine of G 10^9 instructions a second\n"
-    "in all, on N cores (of 7 each, if --cores does not say), with counted costs. --lost changes\n"
-    "what all scenes lose by pairs, fours, sixes and thirty (Pace in timeline/pace.h). --list only writes "
-    "the list;\n"
-    "--summary only prints what was shown, by scene. --judged looks at a smaller screen, with all pictures\n"
-    "smaller alike, which is faster.\n"
-    "Each shot has --windows windows of --length seconds, evenly spaced; or there are windows that begin\n"
-    "--at a moment. Pictures traced in fewer pixels than the screen has are scaled up as the film does it.\n"
-    "--pictures writes what stands on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of\n"
-    "the fourth sixtieth of the window that begins at 52 s.\n"
-    "Writes a CSV to stdout; \"fresh\" counts new pictures. Rows of simulated players begin with the screen\n"
-    "and the machine; there may be several of both, and each is simulated with each.\n";
+namespace odraz::measure {
 
 namespace {
 
-constexpr double kCore = 7e9; // instructions a second that a core does, where nothing else is said
+constexpr double kCore = 7e9; // instructions a second of a core, without --cores
 
-struct Asked {
-    std::string list, traced, judged, costs = kCostsFile, pictures;
+struct Options {
+    std::string list, costs = kCostsFile, pictures;
     std::vector<std::string> scenes, screens;
+    IntroSettings traced = {}, judged = {};
     std::vector<double> at, machines; // seconds; 10^9 instructions a second
-    int windows = 1, cores = 0, every = 0;
-    double length = 0.5, rate = 0, level = -1;
-    std::vector<float> lost; // ... by pairs, fours, sixes and thirty; empty: each has its own
+    int windows = 1, cores = 0, every = 1;
+    double length = 0.5, rate = 0, level = 1;
+    std::vector<double> penalty; // ... of pairs, fours, sixes and thirty; empty: each scene has its own
     bool onlyList = false, onlySummary = false;
 };
 
-std::vector<float> lostAfter(common::Arguments &words, const std::string &option) {
-    std::vector<float> lost(kCadences - 1);
-    std::string text = words.value(option);
-    char behind;
-    static_assert(kCadences == 5);
-    if (std::sscanf(text.c_str(), "%f,%f,%f,%f%c", &lost[0], &lost[1], &lost[2], &lost[3], &behind) == 4 &&
-        std::all_of(lost.begin(), lost.end(), [](float l) { return l >= 0 && l <= 99; }))
-        return lost;
-    throw common::Refused(option + " takes four numbers from 0 to 99, as 0.2,0.8,1.5,6, not " + text);
+common::CommandLine::Take numbersTo(std::vector<double> &to, const std::string &option, common::Range range) {
+    return [&to, option, range](const std::string &text) {
+        to.push_back(common::numberOf(option, text, range));
+    };
 }
 
-Asked read(common::Arguments &words) {
-    Asked a;
-    bool costs = false;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--scene")
-            a.scenes.push_back(words.value(w));
-        else if (w == "--windows")
-            a.windows = words.whole(w, 1, 100);
-        else if (w == "--at")
-            a.at.push_back(words.number(w, 0, duration() - 1 / 60.));
-        else if (w == "--length")
-            a.length = words.number(w, 1 / 60., 10);
-        else if (w == "--screen")
-            a.screens.push_back(words.value(w));
-        else if (w == "--judged")
-            a.judged = words.value(w);
-        else if (w == "--pictures")
-            a.pictures = words.value(w);
-        else if (w == "--traced")
-            a.traced = words.value(w);
-        else if (w == "--steady")
-            a.rate = words.number(w, 1, 1000);
-        else if (w == "--machine")
-            a.machines.push_back(words.number(w, 0.1, 1e6));
-        else if (w == "--cores")
-            a.cores = words.whole(w, 1, kMaxWorkers);
-        else if (w == "--costs")
-            a.costs = words.value(w), costs = true;
-        else if (w == "--lost")
-            a.lost = lostAfter(words, w);
-        else if (w == "--level")
-            a.level = words.number(w, 0, 2);
-        else if (w == "--every")
-            a.every = words.whole(w, 1, 60);
-        else if (w == "--list")
-            a.onlyList = true;
-        else if (w == "--summary")
-            a.onlySummary = true;
-        else if (word[0] == '-' || !a.list.empty())
-            words.refuse(w);
-        else
-            a.list = w;
-    }
-    bool machine = !a.machines.empty();
-    if (!a.list.empty() + (a.rate > 0) + machine != 1)
-        throw common::Refused("name a list, or a rate with --steady, or a --machine; see seen --help");
-    if (!a.rate && (a.every || a.level >= 0 || !a.traced.empty()))
-        throw common::Refused("--every, --level and --traced go with --steady");
-    if (!machine && (a.cores || !a.lost.empty()))
-        throw common::Refused("--cores and --lost go with --machine");
-    if (!machine && !a.onlySummary && costs)
-        throw common::Refused("--costs goes with --machine or --summary");
-    if (a.onlyList && !a.list.empty()) throw common::Refused("--list goes with --steady or --machine");
-    if (a.screens.empty()) a.screens = {"1280x720"};
-    if (!machine && a.screens.size() > 1) throw common::Refused("several screens go with --machine");
-    if (a.screens.size() * a.machines.size() > 1 && (a.onlyList || !a.pictures.empty()))
-        throw common::Refused("--list and --pictures go with one machine and one screen");
-    if (a.level < 0) a.level = 1;
-    if (!a.every) a.every = 1;
-    if (a.traced.empty()) a.traced = a.screens[0];
-    if (a.judged.empty() && a.screens.size() > 1 && !a.onlySummary)
-        throw common::Refused("several screens need --judged");
-    if (a.judged.empty()) a.judged = a.screens[0];
-    if (!a.at.empty() && !a.scenes.empty())
-        throw common::Refused("--at says which scene it is: leave out --scene");
-    if (a.scenes.empty() && a.at.empty())
-        for (const SceneEntry &s : kScenes) a.scenes.push_back(s.name);
-    return a;
+// Refuses options that do not go with each other, and fills in what follows from others.
+void check(const common::CommandLine &line, Options &o) {
+    bool machine = !o.machines.empty();
+    auto goes = [&](const char *option, bool with, const char *what) {
+        if (line.has(option) && !with) line.refuse(std::string(option) + " goes with " + what);
+    };
+    if (!o.list.empty() + (o.rate > 0) + machine != 1) line.refuse("name a list, or --steady, or --machine");
+    for (const char *option : {"--every", "--level", "--traced"}) goes(option, o.rate > 0, "--steady");
+    for (const char *option : {"--cores", "--penalty"}) goes(option, machine, "--machine");
+    goes("--costs", machine || o.onlySummary, "--machine or --summary");
+    goes("--list", o.list.empty(), "--steady or --machine");
+    if (o.screens.empty()) o.screens = {"1280x720"};
+    bool several = o.screens.size() > 1;
+    if (several && !machine) line.refuse("several screens go with --machine");
+    if (several && !o.judged.width && !o.onlySummary) line.refuse("several screens need --judged");
+    for (const char *option : {"--list", "--pictures"})
+        goes(option, o.screens.size() * o.machines.size() <= 1, "one machine and one screen");
+    goes("--scene", o.at.empty(), "windows of its own: leave out --at");
+    if (!o.traced.width) o.traced = sizeFrom(o.screens[0]);
+    if (!o.judged.width) o.judged = sizeFrom(o.screens[0]);
+    if (o.scenes.empty() && o.at.empty())
+        for (const SceneEntry &s : kScenes) o.scenes.push_back(s.name);
+}
+
+Options read(common::CommandLine &line) {
+    Options o;
+    line.about("Compares what stands on the screen at every sixtieth of a second with the film's picture of "
+               "that very\n"
+               "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB. "
+               "Prints a CSV.");
+    line.argument("LIST", o.list, "the pictures that were shown, as odraz-debug --shown writes them", false);
+    line.option("--screen", "WxH", o.screens, "the screen (default 1280x720); with --machine");
+    sizeOption(line, "--judged", o.judged,
+               "look at a smaller screen, with all pictures smaller alike: faster");
+    line.option("--scene", "NAME", o.scenes, "look at this scene (default: all)");
+    line.option("--windows", "N", o.windows, {1, 100}, "windows in each shot, evenly spaced");
+    line.option("--length", "S", o.length, {1 / 60., 10}, "the length of a window");
+    line.option("--at", "S", numbersTo(o.at, "--at", {0, duration() - 1 / 60.}),
+                "a window that begins at this moment; repeatable");
+    line.flag("--list", o.onlyList, "only print the list of pictures");
+    line.flag("--summary", o.onlySummary, "only print what was shown, by scene");
+    line.option(
+        "--pictures", "FOLDER", o.pictures,
+        "write what stands on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of the "
+        "fourth sixtieth of the window at 52 s");
+    line.option("--costs", "FILE", o.costs, "what pictures cost, as tools/measure/seen/costs writes it");
+    line.group("A player that never misses, instead of LIST");
+    line.option("--steady", "RATE", o.rate, {1, 1000}, "pictures a second");
+    line.option("--every", "N", o.every, {1, 60}, "one of N is traced, the others are made between two");
+    line.option("--level", "L", o.level, {0, 2}, "quality: 0 film, 1 play, 2 draft");
+    sizeOption(line, "--traced", o.traced, "the size that is traced (default: the screen's)");
+    line.group("The film's own player on a simulated machine, instead of LIST");
+    line.option("--machine", "G", numbersTo(o.machines, "--machine", {0.1, 1e6}),
+                "10^9 instructions a second of all cores; repeatable");
+    line.option("--cores", "N", o.cores, {1, kMaxWorkers}, "its cores (default: of 7 G each)");
+    line.option(
+        "--penalty", "P,F,S,T",
+        [&o](const std::string &text) {
+            o.penalty = common::numbersOf("--penalty", text, kCadences - 1);
+            for (double p : o.penalty)
+                if (p < 0 || p > 99)
+                    throw common::Refused("--penalty takes numbers from 0 to 99, not " + text);
+        },
+        "for all scenes: the squared error that pairs, fours, sixes and thirty add (timeline/pace.h)");
+    line.parse();
+    check(line, o);
+    return o;
 }
 
 // A file that must hold what `parse` understands.
@@ -142,8 +112,8 @@ template <class Parse> auto parsed(const std::string &path, Parse parse) {
     }
 }
 
-CostOf costsOf(const Asked &a) {
-    Costs costs = parsed(a.costs, [](const std::string &text) { return Costs(text); });
+CostOf costsOf(const Options &o) {
+    Costs costs = parsed(o.costs, [](const std::string &text) { return Costs(text); });
     return [=](const Pictured &p) { return costs.of(p); };
 }
 
@@ -155,47 +125,45 @@ struct Player {
     Seen scene = {}, all = {};
 };
 
-Machine machineOf(const Asked &a, double giga, const IntroSettings &screen) {
-    int cores = a.cores ? a.cores : std::clamp((int)std::lround(giga * 1e9 / kCore), 1, kMaxWorkers);
+Machine machineOf(const Options &o, double giga, const IntroSettings &screen) {
+    int cores = o.cores ? o.cores : std::clamp((int)std::lround(giga * 1e9 / kCore), 1, kMaxWorkers);
     Machine machine = {giga * 1e9, cores, screen.width, screen.height};
     machine.paceOf = [=](int scene) {
         Pace pace = paceOf(scene);
-        std::copy(a.lost.begin(), a.lost.end(), pace.penalty + 1);
+        for (size_t i = 0; i < o.penalty.size(); ++i) pace.penalty[1 + i] = (float)o.penalty[i];
         return pace;
     };
     return machine;
 }
 
 // All players, with the pictures that they showed, of which some stand on the screen between two moments.
-std::vector<Player> playersOf(const Asked &a, double from, double to, const CostOf &costs) {
+std::vector<Player> playersOf(const Options &o, double from, double to, const CostOf &costs) {
     std::vector<Player> players;
-    for (const std::string &screen : a.screens) {
+    for (const std::string &screen : o.screens) {
         IntroSettings size = sizeFrom(screen);
-        for (double giga : a.machines) {
-            std::string name;
-            common::append(name, "%s,%g,", screen.c_str(), giga);
-            Machine machine = machineOf(a, giga, size);
+        for (double giga : o.machines) {
+            std::string name = common::format("%s,%g,", screen.c_str(), giga);
+            Machine machine = machineOf(o, giga, size);
             // From the film's start, since the governor remembers
             players.push_back({name, screen, machine, simulate(costs, machine, 0, duration())});
         }
-        if (!a.machines.empty()) continue;
-        IntroSettings traced = sizeFrom(a.traced);
+        if (!o.machines.empty()) continue;
         players.push_back(
-            {"", screen, machineOf(a, 0, size),
-             a.rate ? steady(from, to, a.rate, a.every, (float)a.level, traced.width, traced.height)
-                    : parsed(a.list, parseShown)});
+            {"", screen, machineOf(o, 0, size),
+             o.rate ? steady(from, to, o.rate, o.every, (float)o.level, o.traced.width, o.traced.height)
+                    : parsed(o.list, parseShown)});
     }
     return players;
 }
 
 // Where it looks: windows of the same row of the output stand together.
-std::vector<std::vector<Span>> windowsOf(const Asked &a) {
+std::vector<std::vector<Span>> windowsOf(const Options &o) {
     std::vector<std::vector<Span>> rows;
-    for (double at : a.at) rows.push_back({{sceneAt(at), at, std::min(at + a.length, duration())}});
-    for (const std::string &name : a.scenes) {
+    for (double at : o.at) rows.push_back({{sceneAt(at), at, std::min(at + o.length, duration())}});
+    for (const std::string &name : o.scenes) {
         rows.emplace_back();
         for (const Span &shot : shotsOf(name))
-            for (const Span &window : windowsIn(shot, a.windows, a.length)) rows.back().push_back(window);
+            for (const Span &window : windowsIn(shot, o.windows, o.length)) rows.back().push_back(window);
     }
     return rows;
 }
@@ -210,16 +178,16 @@ void printRow(const Player &player, const char *scene, const Seen &s) {
 Viewer::Each writer(const std::string &folder, const Span &window, const IntroSettings &size) {
     if (folder.empty()) return {};
     return [=, n = 0](const std::vector<uint8_t> &stands, const std::vector<uint8_t> &truth) mutable {
-        std::string path = folder;
-        common::append(path, "/%06ld-%d", std::lround(window.from * 1000), n++);
+        std::string path =
+            common::format("%s/%06ld-%d", folder.c_str(), std::lround(window.from * 1000), n++);
         for (auto [rgb, end] : {std::pair(&stands, ".png"), std::pair(&truth, "-truth.png")})
             pictures::writePng(path + end, {size.width, size.height, *rgb});
     };
 }
 
-int run(common::Arguments &words) {
-    Asked asked = read(words);
-    IntroSettings judged = sizeFrom(asked.judged);
+int run(common::CommandLine &line) {
+    Options asked = read(line);
+    const IntroSettings &judged = asked.judged;
     std::vector<std::vector<Span>> rows = windowsOf(asked);
     double first = duration(), last = 0;
     for (const auto &row : rows)
@@ -265,4 +233,6 @@ int run(common::Arguments &words) {
 
 } // namespace
 
-int main(int argc, char **argv) { return common::runProgram("seen", kUsage, argc, argv, run); }
+} // namespace odraz::measure
+
+int main(int argc, char **argv) { return common::runProgram("seen", argc, argv, odraz::measure::run); }

@@ -1,13 +1,14 @@
 #include "tools/measure/seen/shown.h"
 
 #include "play/governor.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
+#include "tools/common/text.h"
 
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -16,67 +17,64 @@ constexpr int kMostPixels = 7680; // across
 
 } // namespace
 
-Quality qualityOf(float level) {
-    Governor governor;
-    governor.coarseness = level;
-    return governor.quality();
+void forRows(const std::string &csv, const std::string &head,
+             const std::function<void(const std::string &line)> &row) {
+    std::istringstream lines(csv);
+    std::string line;
+    for (int number = 1; std::getline(lines, line); ++number) {
+        if (!line.empty() && line.back() == '\r') line.pop_back();
+        try {
+            if (number == 1 && line != head) throw common::Refused("it must be \"" + head + "\"");
+            if (number > 1 && !line.empty()) row(line);
+        } catch (const common::Refused &why) {
+            throw common::Refused("line " + std::to_string(number) + ": " + why.what());
+        }
+    }
+    if (csv.empty()) throw common::Refused("it is empty");
 }
 
 std::string printShown(const std::vector<Shown> &list) {
-    std::string text = kHead;
-    text += "\n";
-    char line[160];
-    for (const Shown &s : list) {
-        std::snprintf(line, sizeof line, "%.6f,%.6f,%s,%.4f,%d,%d\n", s.at, s.time,
-                      s.between ? "between" : "traced", (double)s.level, s.width, s.height);
-        text += line;
-    }
+    std::string text = common::format("%s\n", kHead);
+    for (const Shown &s : list)
+        common::append(text, "%.6f,%.6f,%s,%.4f,%d,%d\n", s.at, s.time, s.between ? "between" : "traced",
+                       (double)s.level, s.width, s.height);
     return text;
 }
 
 std::vector<Shown> parseShown(const std::string &csv) {
     std::vector<Shown> list;
-    std::istringstream lines(csv);
-    std::string line;
-    int number = 0;
     double lastAt = 0;
-    auto wrong = [&](const std::string &what) {
-        return common::Refused("line " + std::to_string(number) + ": " + what);
-    };
-    while (std::getline(lines, line)) {
-        ++number;
-        if (!line.empty() && line.back() == '\r') line.pop_back();
-        if (number == 1) {
-            if (line != kHead) throw wrong("it must be \"" + std::string(kHead) + "\"");
-            continue;
-        }
-        if (line.empty()) continue;
+    forRows(csv, kHead, [&](const std::string &line) {
         Shown s = {};
         char kind[16], behind;
         double level;
-        if (std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level, &s.width,
-                        &s.height, &behind) != 6)
-            throw wrong("it needs the six values \"" + std::string(kHead) + "\"");
+        auto require = [](bool right, const std::string &wrong) {
+            if (!right) throw common::Refused(wrong);
+        };
+        require(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level,
+                            &s.width, &s.height, &behind) == 6,
+                "it needs the six values \"" + std::string(kHead) + "\"");
         s.between = std::string(kind) == "between";
         s.level = (float)level;
-        if (!s.between && std::string(kind) != "traced")
-            throw wrong("a picture is traced or between, not '" + std::string(kind) + "'");
-        if (!std::isfinite(s.at) || !std::isfinite(s.time) || s.time < 0)
-            throw wrong("no moment of the film");
-        if (!(level >= 0 && level <= Governor::kSteps)) throw wrong("levels are 0 to 2");
-        if (s.width < 16 || s.height < 16 || s.width > kMostPixels || s.height > kMostPixels)
-            throw wrong("no size of a picture");
-        if (!list.empty() && s.time < list.back().time) throw wrong("it is earlier than the one before");
-        if (s.at >= 0 && s.at < lastAt) throw wrong("it came on the screen earlier than the one before");
+        require(s.between || std::string(kind) == "traced",
+                "a picture is traced or between, not '" + std::string(kind) + "'");
+        require(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0, "no moment of the film");
+        require(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
+        require(s.width >= 16 && s.height >= 16 && s.width <= kMostPixels && s.height <= kMostPixels,
+                "no size of a picture");
+        require(s.at < 0 || s.at >= lastAt, "it came on the screen earlier than the one before");
         lastAt = std::max(s.at, lastAt);
-        if (s.between && list.empty()) throw wrong("an in-between needs a traced picture before it");
-        if (!list.empty() && list.back().between &&
-            (list.back().width != s.width || list.back().height != s.height))
-            throw wrong("the in-between before it must have its size");
+        require(!s.between || !list.empty(), "an in-between needs a traced picture before it");
+        if (!list.empty()) {
+            const Shown &before = list.back();
+            require(s.time >= before.time, "it is earlier than the one before");
+            require(!before.between || (before.width == s.width && before.height == s.height),
+                    "the in-between before it must have its size");
+        }
         list.push_back(s);
-    }
-    if (!number) throw common::Refused("it is empty");
-    if (!list.empty() && list.back().between) throw wrong("an in-between needs a traced picture after it");
+    });
+    if (!list.empty() && list.back().between)
+        throw common::Refused("the last line: an in-between needs a traced picture after it");
     return list;
 }
 
@@ -107,4 +105,4 @@ std::vector<Shown> steady(double from, double to, double rate, int every, float 
     return list;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

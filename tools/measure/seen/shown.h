@@ -2,12 +2,11 @@
 // show it. A list is recorded from a played film, or made up.
 #pragma once
 
-#include "trace/quality.h"
-
+#include <functional>
 #include <string>
 #include <vector>
 
-namespace odraz {
+namespace odraz::measure {
 
 struct Shown {
     double at;         // seconds of the film when it came on the screen; negative: it never did
@@ -17,12 +16,13 @@ struct Shown {
     int width, height; // pixels traced; an in-between has those of the picture behind it
 };
 
-// The quality of a level, as the governor blends it.
-Quality qualityOf(float level);
+// Calls `row` for each row of a CSV below its first line, which must be `head`. Throws Refused, with the
+// line's number where `row` does.
+void forRows(const std::string &csv, const std::string &head,
+             const std::function<void(const std::string &line)> &row);
 
-// Lists as CSV: "at,time,kind,level,width,height", where the kind is "traced" or "between". parseShown()
-// wants the columns in this order; what it returns is in order of time. Throws Refused with the line's
-// number.
+// Lists as CSV: "at,time,kind,level,width,height", where the kind is "traced" or "between"; in order of time.
+// parseShown() throws Refused with the line's number.
 std::string printShown(const std::vector<Shown> &list);
 std::vector<Shown> parseShown(const std::string &csv);
 
@@ -41,4 +41,4 @@ int standsAt(const std::vector<Shown> &list, double seconds);
 // comes, for as long as it lasts. One of `every` is traced, and those between two of them are made.
 std::vector<Shown> steady(double from, double to, double rate, int every, float level, int width, int height);
 
-} // namespace odraz
+} // namespace odraz::measure

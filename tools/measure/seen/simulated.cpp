@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -166,4 +166,4 @@ std::string printSummary(const std::vector<PlayedScene> &scenes, const std::stri
     return text;
 }
 
-} // namespace odraz
+} // namespace odraz::measure

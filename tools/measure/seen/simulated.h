@@ -8,7 +8,7 @@
 
 #include <functional>
 
-namespace odraz {
+namespace odraz::measure {
 
 // Uploading a picture and drawing it: 1.3 ms of a core of 7 G instructions a second at 1280x720, as --stats
 // prints for OpenGL in software.
@@ -51,4 +51,4 @@ std::vector<PlayedScene> summary(const std::vector<Shown> &list, const CostOf &c
 inline constexpr char kSummaryHead[] = "scene,seconds,traced,between,shown,a_second,level,width,giga";
 std::string printSummary(const std::vector<PlayedScene> &scenes, const std::string &before);
 
-} // namespace odraz
+} // namespace odraz::measure

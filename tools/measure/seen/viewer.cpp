@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace odraz {
+namespace odraz::measure {
 
 namespace {
 
@@ -35,14 +35,14 @@ static const Workers &oneSet() {
 }
 
 Viewer::Viewer(int width, int height, double from, double to)
-    : workers(oneSet()), theatre(inPairs(width, height), workers, from, to),
+    : workers(oneSet()), film(inPairs(width, height), workers, needsHall(from, to)),
       mostTruths(std::max(1l, kTruePixels / width / height)) {}
 
 // A traced picture, in a slot.
 Picture Viewer::traced(int slot, const Shown &s) {
     Held &h = held[slot];
     if (!same(h.shown, s))
-        h = {s, picture(*theatre.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height})};
+        h = {s, picture(*film.intro, slot, s.time, qualityOf(s.level), nullptr, {s.width, s.height})};
     return h.picture;
 }
 
@@ -54,7 +54,7 @@ Picture Viewer::made(const std::vector<Shown> &list, size_t i) {
     if (!list[i].between) return earlier;
     traced(!slot, from.later);
     double share = (list[i].time - from.earlier.time) / (from.later.time - from.earlier.time);
-    return between(*theatre.intro, slot, !slot, share);
+    return between(*film.intro, slot, !slot, share);
 }
 
 // Keeps the film's pictures from one sixtieth to another, at most mostTruths.
@@ -65,13 +65,13 @@ void Viewer::keepTruth(long from, long to) {
         held[0] = {};
         Truth &truth = truths[n];
         truth.rgb =
-            rgbOf(picture(*theatre.intro, 0, (double)n / kScreenRate, kQualities[(int)QualityName::Film]));
-        truth.perceived = pictures::see(truth.rgb, theatre.intro->width, theatre.intro->height);
+            rgbOf(picture(*film.intro, 0, (double)n / kScreenRate, kQualities[(int)QualityName::Film]));
+        truth.perceived = pictures::see(truth.rgb, film.intro->width, film.intro->height);
     }
 }
 
 void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen &seen, const Each &each) {
-    int width = theatre.intro->width, height = theatre.intro->height;
+    int width = film.intro->width, height = film.intro->height;
     for (const Shown &s : list)
         if (s.width > width || s.height > height || (s.width < width && width > kMostEnlarged))
             throw common::Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
@@ -112,4 +112,4 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
     }
 }
 
-} // namespace odraz
+} // namespace odraz::measure

@@ -10,7 +10,7 @@
 #include <functional>
 #include <map>
 
-namespace odraz {
+namespace odraz::measure {
 
 // Sums over the sixtieths of a second.
 struct Seen {
@@ -47,7 +47,7 @@ private:
     void keepTruth(long from, long to);
 
     Workers workers;
-    Theatre theatre;
+    LoadedFilm film;
     // What the slots hold, which is not traced again
     struct Held {
         Shown shown;
@@ -62,4 +62,4 @@ private:
     long mostTruths;
 };
 
-} // namespace odraz
+} // namespace odraz::measure

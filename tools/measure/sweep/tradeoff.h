@@ -1,17 +1,17 @@
-// The sweeps of `tradeoff`: what each setting costs and what it gains. They throw Refused if their arguments
-// are wrong, std::runtime_error if something fails.
+// The sweeps of `tradeoff`: what each setting costs and what it gains. Each is a command of the program.
 #pragma once
 
+#include "tools/common/command_line.h"
 #include "tools/picture/plot.h"
 
-#include <vector>
+namespace odraz::measure {
 
-namespace odraz {
-
+// The options of all sweeps.
 struct Sweep {
     bool quick = false;
-    bool named = false;    // trace: only the named qualities and plain grids
     std::string csv, plot; // files to write; empty for none
+    // Adds the options and reads the command line. Throws Refused if a file cannot be written.
+    void read(common::CommandLine &line);
 };
 
 // A setting that a sweep tries: a point of its table and its plot.
@@ -27,8 +27,8 @@ class Table {
 public:
     // `head`: the names of the columns.
     Table(const std::string &head, pictures::Plot plot);
-    // Prints a line, formatted like printf.
-    void row(const char *format, ...) __attribute__((format(printf, 2, 3)));
+    // Prints a line.
+    void row(const std::string &line);
     // Writes the files that the sweep asks for.
     void save(const Sweep &sweep) const;
 
@@ -38,22 +38,11 @@ private:
     std::string csv;
 };
 
-struct TraceSweep : Sweep {
-    std::vector<std::string>
-        pictures; // names for findPicture(); a scene alone means all its cameras. Empty: all
-    std::vector<std::string> settings; // in words (setting.h), instead of all
-    int width = 1280;                  // of the pictures, in pixels; their height is 9/16 of it
-    std::string references;            // a folder that keeps them for later runs; empty: none is kept
-};
-void tradeoffTrace(const TraceSweep &sweep);
+// Settings of the tracer: time against what is seen.
+int tradeoffTrace(common::CommandLine &line);
+// The hall's transfer, compressed in several ways: time against error.
+int tradeoffTransfer(common::CommandLine &line);
+// A film packed with less and more search, contexts and memory: size against the speed of decoding.
+int tradeoffPack(common::CommandLine &line);
 
-// Compares solutions of generated models and of the film's hall with references by rays.
-void tradeoffRadiosity(const Sweep &sweep);
-
-// Compresses the hall's transfer in several ways.
-void tradeoffTransfer(const Sweep &sweep);
-
-// `model`: a file of contexts to start from, such as those that ship; empty: default contexts.
-void tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model);
-
-} // namespace odraz
+} // namespace odraz::measure

@@ -1,5 +1,5 @@
-#include "tools/common/arguments.h"
 #include "tools/common/clock.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/corpus.h"
 #include "tools/measure/sweep/tradeoff.h"
@@ -9,8 +9,9 @@
 #include "packer/stub/stub.h"
 #include "packer/write/packed_file.h"
 
+namespace odraz::measure {
+
 using namespace pack;
-using common::processorSeconds;
 
 namespace {
 
@@ -20,7 +21,7 @@ struct PackSettings {
     uint32_t contexts, slotBits;
     double effort; // seconds of search
 };
-using PackSetting = odraz::Setting<PackSettings>;
+using PackSetting = Setting<PackSettings>;
 
 // A mask of two neighbouring fields for each i; once there are no more pairs, of three, and then of four.
 uint32_t neighbours(int type, uint32_t i) {
@@ -28,7 +29,7 @@ uint32_t neighbours(int type, uint32_t i) {
     return ((4u << i / pairs) - 1) << (first + i % pairs) & pack::kMayUse[type];
 }
 
-// Parameters with so many contexts: the first of `ordinary`, then some that nobody chose.
+// Parameters with the given number of contexts: the first of `ordinary`, then some that nobody chose.
 ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordinary) {
     ModelParameters parameters = {s.contexts, s.slotBits, {}};
     for (int type = 0; type < 2; ++type) {
@@ -56,7 +57,7 @@ std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
             all.push_back(
                 {"2^" + std::to_string(bits) + " slots", {ships.contexts, bits, 0}, false, kMemory});
     if (!quick)
-        for (int effort : {0, 5, 20})
+        for (int effort : {0, 10})
             all.push_back({std::to_string(effort) + " s of search",
                            {ships.contexts, ships.slotBits, (double)effort},
                            false,
@@ -66,7 +67,14 @@ std::vector<PackSetting> settingsOf(const ModelParameters &ships, bool quick) {
 
 } // namespace
 
-void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std::string &model) {
+int tradeoffPack(common::CommandLine &line) {
+    Sweep sweep;
+    std::string film, model;
+    line.about("A film packed with less and more search, contexts and memory: its size against how fast it "
+               "is decoded.");
+    line.argument("FILM", film, "a program, not packed: build/odraz-safe");
+    line.option("--model", "FILE", model, "start from these contexts: intro/odraz.model");
+    sweep.read(line);
     Program program = programIn(film);
     program.early = kNothingEarly;
     ModelParameters ships = model.empty() ? defaultParameters() : readParameters(model);
@@ -100,9 +108,13 @@ void odraz::tradeoffPack(const Sweep &sweep, const std::string &film, const std:
         if (decodeWithStub(kElf, packed) != program.bytes)
             throw std::runtime_error(film + " came back damaged");
         double speed = (double)program.bytes.size() / 1024 / (common::processorSeconds() - began);
-        table.row("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped, e.payload.size(),
-                  encoding, speed, stubMemory(parameters, layout.size) / 1048576.0);
+        table.row(common::format("%s,%s,%d,%zu,%.2f,%.0f,%.1f", name.c_str(), s.name.c_str(), s.shipped,
+                                 e.payload.size(), encoding, speed,
+                                 stubMemory(parameters, layout.size) / 1048576.0));
         table.plot.points.push_back({speed, (double)e.payload.size(), s.name, s.shipped, s.series});
     }
     table.save(sweep);
+    return 0;
 }
+
+} // namespace odraz::measure

@@ -1,5 +1,5 @@
-#include "tools/common/arguments.h"
 #include "tools/common/statistics.h"
+#include "tools/common/text.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/bench/setting.h"
 #include "tools/measure/bench/subject.h"
@@ -8,14 +8,20 @@
 #include "tools/picture/psnr.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <unistd.h>
 
-using namespace odraz;
+namespace odraz::measure {
 
 namespace {
 
 using TraceSetting = Setting<Quality>;
+
+struct TraceSweep : Sweep {
+    std::vector<std::string> pictures, settings; // none: all
+    bool named = false;
+    int width = 1280;
+    std::string references;
+};
 
 enum Series { kQuality, kGrid, kSquare, kThreshold, kEdge, kPaths };
 constexpr const char *kSeries[] = {[kQuality] = "qualities", [kGrid] = "samples in every pixel",
@@ -39,11 +45,7 @@ std::vector<TraceSetting> settings(bool few) {
         with(kGrid, std::to_string(n) + "x" + std::to_string(n) + " samples",
              [&](Quality &q) { q.grid = n; });
     if (few) return all;
-    auto text = [](const char *knob, float v) {
-        char s[60];
-        std::snprintf(s, sizeof s, "%s %g", knob, (double)v);
-        return std::string(s);
-    };
+    auto text = [](const char *knob, float v) { return common::format("%s %g", knob, (double)v); };
     for (float share : {0.25f, 0.5f, 0.75f}) {
         all.push_back({text("to film", 1 - share), blend(named(QualityName::Film), play, share)});
         all.push_back({text("to draft", share), blend(play, named(QualityName::Draft), share)});
@@ -137,11 +139,24 @@ std::vector<Asked> askedPictures(const TraceSweep &sweep) {
 
 } // namespace
 
-void odraz::tradeoffTrace(const TraceSweep &sweep) {
+int tradeoffTrace(common::CommandLine &line) {
+    TraceSweep sweep;
+    line.about(
+        "Settings of the tracer: processor time against mean FLIP and PSNR, in linear light and in sRGB,\n"
+        "compared with 256 samples a pixel.");
+    line.option("--scene", "NAME", sweep.pictures,
+                "only this scene (A: all its cameras) or this picture (A/0)");
+    line.option("--setting", "WORDS", sweep.settings,
+                "only this setting, as play or draft,threshold=0.02,cutoff=1/64");
+    line.flag("--named", sweep.named, "only the named qualities and plain grids");
+    line.option("--width", "PIXELS", sweep.width, {64, 3840}, "the pictures' width");
+    line.option("--references", "FOLDER", sweep.references,
+                "keep there what is compared with, for runs of one commit");
+    sweep.read(line);
     std::vector<Asked> names = askedPictures(sweep);
     std::vector<TraceSetting> all = askedSettings(sweep);
     // A small picture costs little and gives the same ranking
-    int width = sweep.quick ? 256 : sweep.width, height = width * 9 / 16;
+    int width = sweep.quick ? 256 : sweep.width / 16 * 16, height = width * 9 / 16;
     bool one = names.size() == 1;
     pictures::Plot plot = {"trace: " + (one ? "scene " + names[0].name.name : "several scenes") + ", " +
                                std::to_string(width) + "x" + std::to_string(height),
@@ -171,9 +186,9 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
                 const TraceSetting &s = all[i];
                 const Measured &m = found[i];
                 double ms = common::median(m.times);
-                table.row("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.name.c_str(), camera,
-                          s.name.c_str(), s.shipped, m.samples, ms, m.flip, m.linear, m.shown,
-                          wordsOf(s.value).c_str());
+                table.row(common::format("%s,%zu,%s,%d,%.3f,%.1f,%.4f,%.2f,%.2f,%s", name.name.c_str(),
+                                         camera, s.name.c_str(), s.shipped, m.samples, ms, m.flip, m.linear,
+                                         m.shown, wordsOf(s.value).c_str()));
                 if (camera == first)
                     table.plot.points.push_back(
                         {ms, std::max(m.flip, 1e-4), s.name, s.shipped, one ? s.series : (int)n});
@@ -181,4 +196,7 @@ void odraz::tradeoffTrace(const TraceSweep &sweep) {
         }
     }
     table.save(sweep);
+    return 0;
 }
+
+} // namespace odraz::measure

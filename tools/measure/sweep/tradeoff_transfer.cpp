@@ -1,12 +1,14 @@
 #include "tools/common/clock.h"
+#include "tools/common/text.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/transfer.h"
 #include "tools/measure/sweep/tradeoff.h"
 
 #include <cmath>
 
-using namespace odraz;
-using namespace odraz::radiosity;
+namespace odraz::measure {
+
+using namespace radiosity;
 
 namespace {
 
@@ -26,7 +28,8 @@ struct TransferTable : Table {
     }
     void put(const char *method, int bands, int clusters, int dimensions, bool shipped, size_t bytes,
              double ms, double error, int series) {
-        row("%s,%d,%d,%d,%d,%zu,%.4f,%.3f", method, bands, clusters, dimensions, shipped, bytes, ms, error);
+        row(common::format("%s,%d,%d,%d,%d,%zu,%.4f,%.3f", method, bands, clusters, dimensions, shipped,
+                           bytes, ms, error));
         std::string name = std::to_string(clusters) + " x " + std::to_string(dimensions);
         if (series >= 0 && error > 0) plot.points.push_back({ms, error, name, shipped, series});
     }
@@ -60,7 +63,12 @@ void sweepRows(TransferTable &table, const SolvedHall &solved, const Sweep &swee
 
 } // namespace
 
-void odraz::tradeoffTransfer(const Sweep &sweep) {
+int tradeoffTransfer(common::CommandLine &line) {
+    Sweep sweep;
+    line.about("The hall's transfer, compressed: time of relighting against the error of the rows "
+               "(Frobenius), and the\n"
+               "day's light by fewer bands (rms).");
+    sweep.read(line);
     TransferTable table;
     Gl gl = openGl();
     Workers workers = allProcessors();
@@ -80,4 +88,7 @@ void odraz::tradeoffTransfer(const Sweep &sweep) {
         table.put("bands", used, 0, 0, used == kBands, 0, 0, std::sqrt(sum / (double)kHours), -1);
     }
     table.save(sweep);
+    return 0;
 }
+
+} // namespace odraz::measure

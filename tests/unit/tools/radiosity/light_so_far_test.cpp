@@ -8,6 +8,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::measure;
 using namespace odraz::radiosity;
 
 namespace {

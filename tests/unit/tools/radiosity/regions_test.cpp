@@ -3,6 +3,7 @@
 #include "tests/support/headless_gl.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/divide/regions.h"
 #include "tools/radiosity/solve/solve.h"
@@ -10,6 +11,7 @@
 #include <cmath>
 
 using namespace odraz;
+using namespace odraz::measure;
 using namespace odraz::radiosity;
 
 namespace {
@@ -127,18 +129,23 @@ TEST(Regions, WhatIsNotMadeOfRectanglesKeepsItsTriangles) {
     EXPECT_NEAR(askew.facetsArea(), 4.45, 1e-3); // by the shoelace formula
 }
 
-// A small model solved by hemicubes, compared with form factors and light by rays alone.
+// A small model solved by hemicubes, compared with path tracing.
 TEST(Solution, AgreesWithRays) {
     Workers workers = serialWorkers();
     Mesh mesh = generatedMesh("cube", 0);
-    std::vector<Probe> probes = referenceOf(mesh, headlessGl(), workers, 200, true);
+    std::vector<MeshProbe> probes;
     for (bool adaptive : {false, true}) {
         SolveSettings s;
         s.way = Way::kPatches;
         s.adaptive = adaptive;
         if (adaptive) s.element = areaOf(mesh) / 120000;
         Solved solved = solveModel(mesh, s, headlessGl(), workers, &kNever, {});
-        double rms = rmsPercent(*solved.patches->model, solved.patches->light, probes);
+        if (probes.empty()) {
+            probes = placeMeshProbes(solved.solution, 150);
+            tracePaths(mesh, solved.surroundings, probes, 32, workers);
+        }
+        solvedAt(solved.solution, probes);
+        double rms = errorsOf(probes).rms;
         std::printf("cube, %s: %.3f %% rms\n", adaptive ? "adaptive" : "uniform", rms);
         EXPECT_LT(rms, 1);
     }
