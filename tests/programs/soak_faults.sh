@@ -1,7 +1,7 @@
-# tools/measure/detect/soak finds what it looks for: stand-ins for the film that leak, speak or fail.
+# tests/support/soak finds what it looks for: stand-ins for the film that leak, speak or fail.
 . "$(dirname "$0")/common.sh"
 skip_unless Xvfb c++
-soak=$SOURCE/tools/measure/detect/soak
+soak=$SOURCE/tests/support/soak
 unset DISPLAY
 cat >"$WORK/film.cpp" <<'END'
 #include <cstdio>
@@ -29,26 +29,26 @@ c++ -O0 -pthread "$WORK/film.cpp" -o "$WORK/film" 2>"$WORK/err" || { cat "$WORK/
 # A run of five seconds in a time that allows one, of all faults at once: it mostly waits
 runs=()
 for fault in nothing memory descriptors threads words signal; do
-    { FAULT=$fault "$soak" 0.12 --every 0.2 --film "$WORK/film" >"$WORK/told.$fault" 2>"$WORK/err.$fault"; echo $? >"$WORK/status.$fault"; } &
+    { FAULT=$fault "$soak" 0.12 --every 0.2 --film "$WORK/film" >"$WORK/report.$fault" 2>"$WORK/err.$fault"; echo $? >"$WORK/status.$fault"; } &
     runs+=($!)
 done
 wait "${runs[@]}"
-soaks() { cp "$WORK/told.$1" "$WORK/told" && [ "$(cat "$WORK/status.$1")" = 0 ]; }
-finds() { ! soaks "$1" && grep -qxF -- "- $2" <(sed 's/took [0-9.]* MB/took some MB/' "$WORK/told"); }
+soaks() { cp "$WORK/report.$1" "$WORK/report" && [ "$(cat "$WORK/status.$1")" = 0 ]; }
+finds() { ! soaks "$1" && grep -qxF -- "- $2" <(sed 's/took [0-9.]* MB/took some MB/' "$WORK/report"); }
 check "one that does as it should" soaks nothing
-check "... its run is told" grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/told"
-check "... and that it is well" grep -q '^Every run ended with status 0 and said nothing' "$WORK/told"
+check "... its run is in the table" grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/report"
+check "... and that it is well" grep -q '^Every run ended with status 0 and printed nothing on standard error' "$WORK/report"
 check "memory that grows" finds memory "run 1 took some MB more after its first third"
 check "descriptors that stay open" finds descriptors "run 1 took more descriptors"
 check "threads that stay" finds threads "run 1 took more threads"
-check "a word on standard error" finds words "run 1 said something on standard error"
-check "... is repeated" grep -qx 'Run 1 said: a word' "$WORK/told"
+check "a word on standard error" finds words "run 1 printed something on standard error"
+check "... is repeated" grep -qx 'Run 1 printed: a word' "$WORK/report"
 check "a signal" finds signal "run 1 ended with status 134"
-check "... ends it all" test "$(grep -c '^| [0-9]' "$WORK/told")" = 1
+check "... ends it all" test "$(grep -c '^| [0-9]' "$WORK/report")" = 1
 
 check "no minutes" refuses 2 "how many MINUTES" "$soak"
 check "minutes that are none" refuses 2 "MINUTES needs a number" "$soak" soon
 check "no film" refuses 2 "is not there: build it first" "$soak" 1 --film "$WORK/none"
 check "an unknown option" refuses 2 "cannot use '--fast'" "$soak" --fast
-check "--help" prints '^usage: tools/measure/detect/soak MINUTES' "$soak" --help
+check "--help" prints '^usage: tests/support/soak MINUTES' "$soak" --help
 finish

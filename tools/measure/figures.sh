@@ -1,83 +1,53 @@
-# Sourced by tools/measure/all: copies figures from the sections into READMEs.
-#
-# A README marks each figure: <!--SECTION.NAME-->64,760<!--/-->. The function `figures` of the section's file finds its
-# value in the section's text in RESULTS.md, so a README cannot have a figure that RESULTS.md lacks.
+# Sourced by tools/measure/all: the figures in README.md. Its lines between <!-- figures --> and <!-- /figures --> are
+# made of cells of RESULTS.md, so README.md cannot have a figure that RESULTS.md lacks.
 
-# Within `figures`: figure NAME VALUE; an empty VALUE is left out
-figure() { [ -z "$2" ] || printf '%s.%s\t%s\n' "$SECTION" "$1" "$2"; }
-# cell ROW COLUMN: a cell of the first table of the section that has both
+# cell SECTION COLUMN ROW: the cell of the section's first table that has this column and this row
 cell() {
-    awk -F ' *[|] *' -v row="$1" -v column="$2" '
-        /^[|]/ {
-            if (!inside) { at = 0; for (i = 2; i < NF; ++i) if ($i == column) at = i }
-            inside = 1
-            if (at && $2 == row && $at != "") { print $at; exit }
-            next
-        }
-        { inside = 0 }' "$WORK/kept/$SECTION"
+    awk -F ' *[|] *' -v column="$2" -v row="$3" '
+        !/^[|]/ { inside = 0; next }
+        !inside { inside = 1; at = 0; for (i = 2; i < NF; ++i) if ($i == column) at = i }
+        at && $2 == row && $at != "" { print $at; found = 1; exit }
+        END { exit !found }' "$WORK/kept/$1" || { echo "figures: section $1 has no '$3' below '$2'" >&2; echo '?'; }
 }
-# column COLUMN: all cells of the column, a line each, of the first table that has it
-column() {
-    awk -F ' *[|] *' -v column="$1" '
-        /^[|]/ {
-            if (!row++) { at = 0; for (i = 2; i < NF; ++i) if ($i == column) at = i }
-            else if (at && row > 2) print $at
-            next
-        }
-        { if (at && row) exit; row = 0 }' "$WORK/kept/$SECTION"
+# cells SECTION COLUMN: all cells below this title, a line each
+cells() {
+    awk -F ' *[|] *' -v column="$2" '
+        !/^[|]/ { if (at) exit; inside = 0; next }
+        !inside { inside = 1; for (i = 2; i < NF; ++i) if ($i == column) at = i; next }
+        at && !/^[|]---/ { print $at; found = 1 }
+        END { exit !found }' "$WORK/kept/$1" || { echo "figures: section $1 has no '$2'" >&2; echo '?'; }
 }
-# said PATTERN: what the group of a pattern (sed's, extended) matches first in the section
-said() { sed -nE "/$1/ { s/.*$1.*/\1/p; q }" "$WORK/kept/$SECTION"; }
-# Rounds to so many digits behind the point, or puts commas between thousands. Empty stays empty.
-rounded() { awk -v digits="$1" 'NF { printf "%.*f\n", digits, $1 }'; }
 thousands() { sed -E ':again s/^([0-9]+)([0-9]{3})/\1,\2/; t again'; }
+# Rounds to the given number of digits
+rounded() { awk -v digits="$1" '/^[-+0-9.]/ { printf "%.*f\n", digits, $1; next } { print }'; }
 # Reads a number from each line and prints "least to most"
-range() { awk 'NF { if (!n++ || $1 < least) least = $1; if (n == 1 || $1 > most) most = $1 } END { if (n) print least " to " most }'; }
+range() { awk '/[0-9]/ { if (!n++ || $1 < least) least = $1; if (n == 1 || $1 > most) most = $1 } END { print n ? least " to " most : "?" }'; }
+# of_all ROW: from the section `seen`, a row's PSNR over all scenes
+of_all() { cell seen all "$1" | cut -d' ' -f1; }
 
-# all_figures: prints "SECTION.NAME<tab>VALUE" for all sections in the results
-all_figures() {
-    for SECTION in "${SECTIONS[@]}"; do
-        describe "$SECTION"
-        [ -z "$(type -t figures)" ] || figures
-    done
-}
-readmes() { git -C "$ODRAZ" ls-files '*.md' | grep -v '^tools/measure/RESULTS.md$'; }
-
-# write_readmes: writes every figure as its section has it; a figure that no section has stays
-write_readmes() {
-    local file
-    all_figures | awk -F '\t' '{ gsub(/[\\&|]/, "\\\\&", $2); printf "s|<!--%s-->[^<]*<!--/-->|<!--%s-->%s<!--/-->|g\n", $1, $1, $2 }' >"$WORK/figures.sed"
-    readmes | while read -r file; do
-        sed -f "$WORK/figures.sed" "$ODRAZ/$file" >"$WORK/readme"
-        cmp -s "$WORK/readme" "$ODRAZ/$file" && continue
-        # (cat keeps the file's mode)
-        cat "$WORK/readme" >"$ODRAZ/$file"
-        echo "written: $file"
-    done
+figures() {
+    cat <<END
+- **Size:** $(cell size Linux '`odraz`: packed' | thousands) bytes of 65,536, packed from $(cell size Linux '`odraz-safe`: linked and stripped' | thousands); for Windows $(cell size Windows '`odraz`: packed' | thousands).
+- **Start:** the window after $(cell start 'seconds until its window is seen' '`odraz`' | rounded 1) s, the first picture after $(cell start 'until the first picture' '`odraz`' | rounded 1) s, with the hall solved; $(cell start 'MB resident at most' '`odraz`') MB.
+- **Playing** at 1280x720 by software OpenGL: $(cells film 'shown a second' | rounded 0 | range) pictures a second, by scene.
+- **Seen**, against \`film\`: $(of_all '1280x720: 16') dB (sRGB) at 1280x720 on two cores, $(of_all '1920x1080: 128') at 1920x1080 on sixteen (simulated).
+- **Tracing** ten balls: FLIP $(cell povray 'mean FLIP' 'odraz play') to the reference; POV-Ray has $(cell povray 'mean FLIP' 'POV-Ray +AM2 +A0.1 +R3') in $(cell povray 'times of play' 'POV-Ray +AM2 +A0.1 +R3' | rounded 0) times the time.
+- **Radiosity** of $(cell radiosity triangles columns | thousands) triangles: $(cell radiosity 'odraz, s' columns | rounded 1) s (the thesis: $(cell radiosity 'the thesis, s' columns) s), $(cell radiosity 'median of 1,000 places, %' columns | rounded 1) % off path tracing in the median.
+- **Transfer:** 64 lights of the hall solved in $(cell transfer 'processor s, the median of 5' all | rounded 1) s and relit in $(cell transfer 'all texels' noon | rounded 1) ms a picture, $(cells transfer 'rms of all light, %' | rounded 1 | range) % off.
+- **Packing:** machine code takes $(cells packers 'to xz' | range) of its size by \`xz -9e --x86\`.
+END
 }
 
-# check_readmes: prints a line for each figure that no section has, or has otherwise; in a chapter "Figures" also for
-# numbers with a unit that have no mark
-check_readmes() {
-    all_figures >"$WORK/figures"
-    readmes | while read -r file; do
-        awk -F '\t' -v file="$file" '
-            NR == FNR { value[$1] = $2; next }
-            {
-                rest = $0; bare = ""
-                while (match(rest, /<!--[a-z-]+\.[a-z0-9-]+-->[^<]*<!--\/-->/)) {
-                    bare = bare substr(rest, 1, RSTART - 1) "#"
-                    mark = substr(rest, RSTART, RLENGTH); rest = substr(rest, RSTART + RLENGTH)
-                    name = mark; sub(/^<!--/, "", name); sub(/-->.*/, "", name)
-                    sub(/^<!--[^>]*>/, "", mark); sub(/<.*/, "", mark)
-                    if (!(name in value)) print file ": " name " stands in no section"
-                    else if (value[name] != mark) print file ": " name " is " value[name] " by its section, not " mark ": tools/measure/all --readme"
-                }
-                bare = bare rest
-                if (bare ~ /<!--\/-->|<!--[a-z-]+\.[a-z0-9-]+-->/) print file ":" FNR ": a figure needs both marks on one line"
-                if (/^#/) figures = /^## Figures/
-                if (figures && match(bare, /[0-9.]+ (%|s|ms|MB|KB|dB|LUFS|pictures|bytes)( |[.,;:)]|$)/))
-                    print file ":" FNR ": " substr(bare, RSTART, RLENGTH - 1) " has no mark, so it stands in no section"
-            }' "$WORK/figures" "$ODRAZ/$file"
-    done
+# with_figures: prints README.md with the figures between its marks
+with_figures() {
+    figures >"$WORK/figures"
+    sed -e "/^<!-- figures -->\$/,/^<!-- \/figures -->\$/{/^<!-- /!d}" -e "/^<!-- figures -->\$/r $WORK/figures" "$ODRAZ/README.md"
+}
+write_figures() {
+    with_figures >"$WORK/readme"
+    cmp -s "$WORK/readme" "$ODRAZ/README.md" || { cat "$WORK/readme" >"$ODRAZ/README.md"; echo "written: README.md"; }
+}
+check_figures() {
+    [ "$(grep -cE '^<!-- /?figures -->$' "$ODRAZ/README.md")" = 2 ] || { echo "README.md: the marks <!-- figures --> and <!-- /figures --> are needed"; return; }
+    with_figures | cmp -s - "$ODRAZ/README.md" || echo "README.md has other figures than RESULTS.md: tools/measure/all --readme"
 }

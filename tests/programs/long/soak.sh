@@ -1,10 +1,10 @@
-# The whole film in a window, and part of it again: every scene is shown; it ends by itself and says nothing; memory,
+# The whole film in a window, and part of it again: every scene is shown; it ends by itself and prints nothing on standard error; memory,
 # descriptors and threads do not grow. SOAK_MINUTES=0.5 makes it shorter, to try it.
 . "$(dirname "$0")/../common.sh"
 skip_unless Xvfb
 minutes=${SOAK_MINUTES:-3}
 unset DISPLAY
-soaks() { "$SOURCE/tools/measure/detect/soak" "$minutes" --film "$BUILD/odraz" >"$WORK/soak"; }
+soaks() { "$SOURCE/tests/support/soak" "$minutes" --film "$BUILD/odraz" >"$WORK/soak"; }
 check "it plays for $minutes minutes, as it should" soaks
 cat "$WORK/soak"
 scenes=(point table flake patches hall odraz credits)
