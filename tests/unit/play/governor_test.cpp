@@ -1,6 +1,6 @@
 // Tests the governor on simulated machines: the player's own makePictures() drives it, on a clock that only
 // the test moves.
-#include "play/schedule.h"
+#include "tools/measure/seen/simulated_player.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,10 +47,10 @@ void setPenalty(Pace &pace, std::initializer_list<float> byCadence) {
 }
 
 // Makes and shows pictures as the player does, on the clock of the test.
-class Player {
+class Player : public measure::SimulatedPlayer {
 public:
     Player(const Machine &machine, SceneAt sceneAt, double length)
-        : machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
+        : SimulatedPlayer(0), machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
         governor.width = machine.width, governor.height = machine.height;
         for (Pace &pace : paces) setPenalty(pace, {0, 0.2f, 50, 50, 6});
     }
@@ -70,8 +70,6 @@ public:
         }
         return time < length;
     }
-    int64_t now() const { return moment; }
-    double filmAt(int64_t at) const { return begin < 0 ? Governor::kNotBegun : (double)(at - begin) * 1e-9; }
     int sceneOf(double time) const { return sceneAt(time).id; }
     Pace paceOf(int scene) const { return paces[scene]; }
     void trace(Made &m, int, const Governor &) {
@@ -82,19 +80,6 @@ public:
     void between(Made &, int, int, double, int) {
         const Decision &later = all.back();
         spend(later.scene.make * pixels(), hiccup(later.time, true));
-    }
-    unsigned add(const Made &made) {
-        showUntil(moment);
-        unsigned count = queue.add(made);
-        if (count == Queue::kAhead) begin = moment;
-        return count;
-    }
-    void await(unsigned number) {
-        while (!queue.removed(number)) {
-            ASSERT_TRUE(begin >= 0 && queue.shown < queue.made) << "the player would wait for ever";
-            moment = std::max(moment, nextDue());
-            showUntil(moment);
-        }
     }
 
     Pace paces[4]; // of the scenes, by their ids
@@ -118,27 +103,12 @@ private:
         std::uniform_real_distribution<double> vary(1 - machine.noise, 1 + machine.noise);
         moment += std::llround(((kAlone + oneCore / machine.cores) * vary(random) + besides) * 1e9);
     }
-    // When the first waiting picture's time comes.
-    int64_t nextDue() const { return std::max(looked, begin + (int64_t)(queue.first().time * 1e9)); }
-    // Shows all pictures whose time comes until a moment.
-    void showUntil(int64_t until) {
-        while (begin >= 0 && queue.shown < queue.made && nextDue() <= until) {
-            looked = nextDue();
-            if (queue.action(filmAt(looked)) == Queue::kWait)
-                ++looked; // it was rounded down
-            else
-                queue.remove();
-        }
-        looked = std::max(looked, until);
-    }
 
     Machine machine;
     std::mt19937 random;
     SceneAt sceneAt;
     double length; // of the film
-    Queue queue = {};
     std::vector<Decision> all;
-    int64_t moment = 0, begin = -1, looked = 0; // now; of the film's start; until which pictures were shown
 };
 
 std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt) {

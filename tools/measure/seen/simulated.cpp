@@ -1,20 +1,17 @@
 #include "tools/measure/seen/simulated.h"
 
-#include "play/schedule.h"
 #include "tools/common/text.h"
 #include "tools/measure/detect/screening.h"
+#include "tools/measure/seen/simulated_player.h"
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace odraz::measure {
 
 namespace {
 
 constexpr double kScreenRate = 60;
-
-int64_t nanosecondsOf(double seconds) { return std::llround(seconds * 1e9); }
 
 // What making a picture takes, with scaling it up; `from` is what it is made from.
 Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, const MadeFrom &from) {
@@ -24,11 +21,10 @@ Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, cons
 }
 double presenting(const Machine &machine) { return machine.presenting * machine.width * machine.height; }
 
-// The player of makePictures().
-class Simulation {
+class Simulation : public SimulatedPlayer {
 public:
     Simulation(const CostOf &costOf, const Machine &machine, double from, double to)
-        : costOf(costOf), machine(machine), from(from), to(to) {}
+        : SimulatedPlayer(from), costOf(costOf), machine(machine), to(to) {}
 
     std::vector<Shown> play() {
         Governor governor;
@@ -40,10 +36,6 @@ public:
     }
 
     bool goesOn(double time) const { return time < to; }
-    int64_t now() const { return moment; }
-    double filmAt(int64_t at) const {
-        return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
-    }
     int sceneOf(double time) const { return sceneAt(time); }
     Pace paceOf(int scene) const { return machine.paceOf(scene); }
     void trace(Made &m, int, const Governor &governor) {
@@ -58,20 +50,10 @@ public:
         make(s, {before, traced});
     }
     unsigned add(const Made &m) {
-        showUntil(moment);
         list.push_back(traced);
         list.back().time = m.time;
         list.back().between = m.time != traced.time;
-        unsigned count = queue.add(m);
-        if (count == Queue::kAhead) begin = moment;
-        return count;
-    }
-    void await(unsigned number) {
-        while (!queue.removed(number)) {
-            if (begin < 0) throw std::logic_error("the player would wait for ever");
-            moment = std::max(moment, nextDue());
-            showUntil(moment);
-        }
+        return SimulatedPlayer::add(m);
     }
 
 private:
@@ -88,20 +70,7 @@ private:
         }
         moment = end;
     }
-    // When the time of the first waiting picture comes.
-    int64_t nextDue() const { return std::max(looked, begin + nanosecondsOf(queue.first().time - from)); }
-    // Shows all pictures whose time comes until a moment, as play() does.
-    void showUntil(int64_t until) {
-        while (begin >= 0 && queue.shown < queue.made && nextDue() <= until) {
-            looked = nextDue();
-            Queue::Action action = queue.action(filmAt(looked));
-            if (action == Queue::kWait) ++looked; // it was rounded down
-            if (action == Queue::kShow) show(queue.shown);
-            if (action != Queue::kWait) queue.remove();
-        }
-        looked = std::max(looked, until);
-    }
-    void show(unsigned number) {
+    void show(unsigned number) override {
         looked += nanosecondsOf(presenting(machine) / core());
         double sixtieths = std::ceil((filmAt(looked) - from) * kScreenRate - 0.5);
         list[number].at = from + (sixtieths + 0.5) / kScreenRate;
@@ -111,12 +80,9 @@ private:
 
     const CostOf &costOf;
     Machine machine;
-    double from, to; // of the film
-    Queue queue = {};
+    double to;                      // seconds of the film
     std::vector<Shown> list;        // by the numbers of the queue
     Shown before = {}, traced = {}; // the last two
-    int64_t moment = 0, begin = -1; // now; the film's first picture
-    int64_t looked = 0;             // until when pictures were shown
     unsigned last = 0;              // the one that was shown last
     int presented = 0;
 };
