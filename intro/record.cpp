@@ -50,7 +50,7 @@ std::string listOf(std::vector<Row> rows) {
 static int refused(const Options &o, const char *to) {
     const char *wrong = nullptr;
     if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
-    if (o.quality != QualityName::Count) wrong = "--shown plays as the governor says: leave out --quality";
+    if (o.quality != QualityName::Count) wrong = "--shown plays as the governor decides: leave out --quality";
     if (o.stats && isStdout(to)) wrong = "--shown - and --stats cannot both go to standard output";
     if (wrong) return printError(wrong), 2;
     int closed = prepareDescriptors();
