@@ -33,6 +33,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -203,21 +204,21 @@ void setTitle(const Screen &s, const Maker &m, double passed, const std::string 
 }
 
 // Writes the tracks where the maker's editor will look for them, but not over what somebody else has written.
-void writeTracks(Edits &edits, const Stage &stage, std::string &message) {
+std::string writeTracks(Edits &edits) try {
     static std::filesystem::file_time_type ours; // when we wrote it
     const std::string file = FILM_NAME ".rocket";
-    std::string wrong = file + " is there already: move it away";
-    std::error_code none;
-    if (!std::filesystem::exists(file) || std::filesystem::last_write_time(file, none) == ours)
-        wrong = edits.writeDocument(stage, file, message);
-    if (wrong.empty()) ours = std::filesystem::last_write_time(file, none);
-    if (!wrong.empty()) message = wrong;
-    fail(message.c_str());
+    if (std::filesystem::exists(file) && std::filesystem::last_write_time(file) != ours)
+        return file + " is there already: move it away";
+    std::string message = edits.writeDocument(file);
+    ours = std::filesystem::last_write_time(file);
+    return message;
+} catch (const std::runtime_error &e) {
+    return e.what();
 }
 
 // What was asked for by keys and by the editor.
-void edit(Maker &m, Edits &edits, const Stage &stage, std::string &message) {
-    Edits::Requests asked = edits.update(stage, glfwGetTime(), m.time * kRowsPerSecond);
+void edit(Maker &m, Edits &edits, std::string &message) {
+    Edits::Requests asked = edits.update(glfwGetTime(), m.time * kRowsPerSecond);
     if (!asked.message.empty()) fail(asked.message.c_str());
     if (asked.pause) m.paused = *asked.pause;
     if (asked.row) {
@@ -227,19 +228,21 @@ void edit(Maker &m, Edits &edits, const Stage &stage, std::string &message) {
     if (m.sets || m.removes) {
         double row = m.time * kRowsPerSecond;
         CameraKey view = m.flying ? m.camera : cameraAt(m.time);
-        uint32_t at = edits.setView(stage, row, m.sets ? &view : nullptr, message);
+        uint32_t at = edits.setView(row, m.sets ? &view : nullptr, message);
         m.time = at / kRowsPerSecond;
         m.sought = true;
         m.flying = false;
     }
-    if (m.undoes) edits.undo(stage, message);
-    if (m.redoes) edits.redo(stage, message);
+    if (m.undoes) message = edits.undo();
+    if (m.redoes) message = edits.redo();
     if (m.saves) {
-        std::string wrong = edits.save(stage, message);
-        if (!wrong.empty()) message = wrong;
+        message = edits.save();
         fail(message.c_str());
     }
-    if (m.writes || asked.save) writeTracks(edits, stage, message);
+    if (m.writes || asked.save) {
+        message = writeTracks(edits);
+        fail(message.c_str());
+    }
     if (!edits.unsaved()) m.warned = false;
     if (m.leaves && edits.unsaved() && !m.warned) {
         message = "what you edited is not saved: Ctrl S saves it, ESC again leaves";
@@ -289,18 +292,20 @@ int main(int argc, char **argv) {
         message = word;
         if (!line.empty()) fail(line.c_str());
     });
-    Edits edits(follower.showFolder(), own.host, own.port);
+    Edits edits(stage, follower.showFolder(), own.host, own.port);
     stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || own.tracks);
     prepare(screen);
     Maker &m = theMaker;
     if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
     if (m.closes) return glfwTerminate(), 0;
-    if (own.tracks) {
-        std::string problem = edits.writeDocument(stage, own.tracks, message);
-        if (problem.empty()) std::puts(message.c_str());
-        glfwTerminate();
-        return problem.empty() ? 0 : fail(problem.c_str());
-    }
+    if (own.tracks) try {
+            std::puts(edits.writeDocument(own.tracks).c_str());
+            glfwTerminate();
+            return 0;
+        } catch (const std::runtime_error &e) {
+            glfwTerminate();
+            return fail(e.what());
+        }
     Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
     listen(panel, screen.window);
 
@@ -319,7 +324,7 @@ int main(int argc, char **argv) {
             panel.learn();
         }
         panel.steer(m.time, m.paused, m.sought);
-        edit(m, edits, stage, message);
+        edit(m, edits, message);
         keepTime(m);
         fly(screen.window, m, (float)passed, !panel.grabs());
         Picture p =

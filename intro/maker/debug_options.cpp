@@ -2,8 +2,7 @@
 
 #include "maker/rocket/client.h"
 
-#include <algorithm>
-#include <charconv>
+#include <regex>
 
 namespace odraz::maker {
 
@@ -11,23 +10,12 @@ namespace {
 
 // HOST, HOST:PORT, [ADDRESS], [ADDRESS]:PORT; an address of IPv6 has colons of its own.
 bool readHost(const std::string &word, std::string &host, int &port) {
-    host = word;
-    port = rocket::kPort;
-    size_t colon = word.rfind(':');
-    bool bracket = word[0] == '[';
-    size_t end = bracket ? word.find(']') : 0;
-    if (bracket) {
-        if (end == word.npos) return false;
-        host = word.substr(1, end - 1);
-        if (end + 1 == word.size()) return !host.empty();
-        if (colon != end + 1) return false;
-    } else {
-        if (colon == word.npos || word.find(':') != colon) return true;
-        host = word.substr(0, colon);
-    }
-    const char *last = word.data() + word.size();
-    auto [at, error] = std::from_chars(word.data() + colon + 1, last, port);
-    return !host.empty() && error == std::errc() && at == last && port >= 1 && port <= 65535;
+    static const std::regex form(R"((?:\[([^\]]+)\]|([^:\[]+)|([^\[]*:[^\[]*:.*))(?::(\d{1,5}))?)");
+    std::smatch part;
+    if (!std::regex_match(word, part, form)) return false;
+    host = part[1].str() + part[2].str() + part[3].str();
+    port = part[4].matched ? std::stoi(part[4]) : rocket::kPort;
+    return port >= 1 && port <= 65535;
 }
 
 } // namespace

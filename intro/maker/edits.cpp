@@ -1,10 +1,8 @@
 #include "maker/edits.h"
 
-#include <cerrno>
+#include "tools/common/whole_file.h"
+
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 namespace odraz::maker {
 
@@ -14,10 +12,10 @@ constexpr double kGreets = 0.3; // seconds in which an editor sends the keys tha
 
 } // namespace
 
-Edits::Edits(std::string show, std::string name, int number)
-    : host(std::move(name)), port(number), tracks(std::move(show)) {}
+Edits::Edits(const Stage &shown, std::string show, std::string name, int number)
+    : stage(shown), host(std::move(name)), port(number), tracks(std::move(show)) {}
 
-void Edits::find(const Stage &stage) {
+void Edits::find() {
     if (found) return;
     found = true;
     std::vector<std::string> before = tracks.names();
@@ -28,10 +26,10 @@ void Edits::find(const Stage &stage) {
     version = 0;
 }
 
-Edits::Requests Edits::update(const Stage &stage, double now, double row) {
+Edits::Requests Edits::update(double now, double row) {
     Requests requests;
     if (host.empty() && tracks.names().empty()) return requests; // nothing was ever edited
-    find(stage);
+    find();
     if (!client) return requests;
     client->update(now);
     if (client->connected() != connected) {
@@ -54,50 +52,45 @@ Edits::Requests Edits::update(const Stage &stage, double now, double row) {
     return requests;
 }
 
-uint32_t Edits::setView(const Stage &stage, double row, const CameraKey *camera, std::string &message) {
-    find(stage);
+uint32_t Edits::setView(double row, const CameraKey *camera, std::string &message) {
+    find();
     uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.setView(at, camera), done = camera ? "set" : "removed";
     message = why.empty() ? "key " + done + (camera ? " on " : " from ") + tracks.rowInWords(at)
                           : "no key " + done + ": " + why;
     return at;
 }
-void Edits::undo(const Stage &stage, std::string &message) {
-    find(stage);
-    message = tracks.undo() ? "undone" : "nothing to undo";
+std::string Edits::undo() {
+    find();
+    bool undone = tracks.undo();
     tracks.show();
     if (!tracks.unsavedByHand()) found = false; // the files are read again: somebody may have changed them
+    return undone ? "undone" : "nothing to undo";
 }
-void Edits::redo(const Stage &stage, std::string &message) {
-    find(stage);
-    message = tracks.redo() ? "done again" : "nothing to do again";
+std::string Edits::redo() {
+    find();
+    bool done = tracks.redo();
     tracks.show();
+    return done ? "done again" : "nothing to do again";
 }
-std::string Edits::save(const Stage &stage, std::string &message) {
-    find(stage);
-    return tracks.save(message);
+std::string Edits::save() {
+    find();
+    std::string message, wrong = tracks.save(message);
+    return wrong.empty() ? message : wrong;
 }
 
-std::string Edits::writeDocument(const Stage &stage, const std::string &file, std::string &message) {
-    find(stage);
+std::string Edits::writeDocument(const std::string &file) {
+    find();
     std::vector<rocket::Track> all;
     for (size_t i = 0; i < tracks.names().size(); ++i) all.push_back(tracks.track(i));
-    int rows = (int)std::ceil(stage.live().duration() * kRowsPerSecond);
-    std::string text = rocket::document(tracks.names(), all, rows + 1), beside = file + ".new";
-    std::ofstream out(beside, std::ios::binary);
-    out << text;
-    out.close();
-    std::error_code error;
-    if (out) std::filesystem::rename(beside, file, error);
-    message = std::to_string(all.size()) + " tracks in " + file;
-    if (int off = tracks.offRows())
+    int rows = (int)std::ceil(stage.live().duration() * kRowsPerSecond), off = tracks.offRows();
+    common::writeWhole(file, rocket::document(tracks.names(), all, rows + 1));
+    std::string message = std::to_string(all.size()) + " tracks in " + file;
+    if (off)
         message += "; " + std::to_string(off) +
-                   " keys of the film are between rows, before row 0 or two on a row: "
-                   "they are on the nearest one, or left out";
-    if (out && !error) return "";
-    std::string why = error ? error.message() : std::strerror(errno);
-    std::filesystem::remove(beside, error);
-    return "cannot write " + file + ": " + why;
+                   " keys of the film are between rows, before row 0 or two on a row: they are on the "
+                   "nearest one, or left out";
+    return message;
 }
 
 } // namespace odraz::maker

@@ -13,7 +13,7 @@ class Edits {
 public:
     // Without a host there is no editor, and tracks are edited by hand alone.
     // `show`: the folder of the film's content, which files of keys are read and written.
-    explicit Edits(std::string show, std::string host = "", int port = rocket::kPort);
+    Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
     // There is a new film: its tracks are found when they are needed.
     void renew() { found = false; }
@@ -26,24 +26,24 @@ public:
     };
     // Once a picture, at a row of the film, which the editor gets to know; its keys are taken over. `now`:
     // seconds of any clock.
-    Requests update(const Stage &stage, double now, double row);
+    Requests update(double now, double row);
 
     // Sets a key for the eye and the target of a view, on the row next to one of the film, which it returns;
     // or removes it, where `camera` is null. `message`: what was done, or why not.
-    uint32_t setView(const Stage &stage, double row, const CameraKey *camera, std::string &message);
-    void undo(const Stage &stage, std::string &message); // one step that was done by hand
-    void redo(const Stage &stage, std::string &message);
-    // Writes all that was edited to the sources. Returns what was not written, or nothing.
-    std::string save(const Stage &stage, std::string &message);
+    uint32_t setView(double row, const CameraKey *camera, std::string &message);
+    // One step that was done by hand. These return what was done, or why not.
+    std::string undo();
+    std::string redo();
+    std::string save();                              // all that was edited
     int unsaved() const { return tracks.unsaved(); } // tables
 
-    // Writes all tracks for an editor to open. Returns what went wrong, or nothing; `message`: what was
-    // written.
-    std::string writeDocument(const Stage &stage, const std::string &file, std::string &message);
+    // Writes all tracks for an editor to open. Throws std::runtime_error; returns what was written.
+    std::string writeDocument(const std::string &file);
 
 private:
-    void find(const Stage &stage);
+    void find();
 
+    const Stage &stage;
     std::string host;
     int port;
     Tracks tracks;

@@ -2,26 +2,14 @@
 
 #include <cstdio>
 #include <cstring>
-#include <sys/mman.h>
 
 namespace odraz::maker {
 
 namespace {
 
-Arena takeArena(size_t bytes) {
-    void *memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    return {memory == MAP_FAILED ? nullptr : (unsigned char *)memory, bytes, 0};
-}
-void giveBack(Arena &arena) {
-    if (arena.base) munmap(arena.base, arena.size);
-    arena = {};
-}
-
 uint64_t hallHash(const Live &live) {
-    Arena arena = takeArena(live.hallHashMemory);
-    uint64_t hash = arena.base ? live.hallHash(arena) : 0;
-    giveBack(arena);
-    return hash;
+    MappedArena memory(live.hallHashMemory);
+    return memory.arena.base ? live.hallHash(memory.arena) : 0;
 }
 
 } // namespace
@@ -37,35 +25,29 @@ void Stage::settle(int w, int h, int count, bool silent) {
     mute = silent;
 }
 
-// Gets ready to load, on the thread that shows pictures.
-void Stage::start(Loaded &to) {
-    giveBack(to.arena);
-    to.pool = std::make_unique<Pool>(threads);
-}
-
 const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     IntroSettings settings = {width, height};
     Workers &workers = to.pool->workers();
-    to.arena = takeArena(to.live->memoryNeeded(settings, workers.count, true));
-    if (!to.arena.base) return "not enough memory: try a smaller --size";
-    return to.live->load(to.intro, settings, to.arena, workers, &gl, report);
+    to.memory = MappedArena(to.live->memoryNeeded(settings, workers.count, true));
+    if (!to.memory.arena.base) return "not enough memory: try a smaller --size";
+    return to.live->load(to.intro, settings, to.memory.arena, workers, &gl, report);
 }
 
 // The music of its score, ready at a block. The former one may still make a block: its memory stays until
 // this one was replaced, too.
 Sound *Stage::newSound(Loaded &to, int block) {
     if (mute) return to.sound = nullptr;
-    giveBack(sounds[0]);
-    sounds[0] = sounds[1];
-    sounds[1] = takeArena(to.live->soundMemory());
-    to.sound = sounds[1].base ? to.live->loadSound(sounds[1]) : nullptr;
+    sounds[0] = std::move(sounds[1]);
+    sounds[1] = MappedArena(to.live->soundMemory());
+    to.sound = sounds[1].arena.base ? to.live->loadSound(sounds[1].arena) : nullptr;
     if (to.sound) to.live->seekSound(*to.sound, block);
     return to.sound;
 }
 
 void Stage::loadOnThread(Loaded &to, const Gl &gl, const Current &current) {
     progress = 0;
-    start(to);
+    to.memory = {};
+    to.pool = std::make_unique<Pool>(threads);
     loading = std::thread([this, &to, &gl, current] {
         current(true);
         Progress report = {[](float part, void *at) { *(std::atomic<float> *)at = part; }, &progress};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "maker/live_film.h"
+#include "maker/mapped_arena.h"
 #include "maker/pool.h"
 
 #include <atomic>
@@ -51,11 +52,10 @@ private:
         const Live *live = nullptr;
         Intro *intro = nullptr;
         Sound *sound = nullptr;
-        Arena arena = {};
+        MappedArena memory;
         uint64_t solvers = 0, hall = 0; // hashes of what the hall's light is made by, and from
         std::unique_ptr<Pool> pool;
     };
-    void start(Loaded &to);
     const char *load(Loaded &to, const Gl &gl, const Progress &progress);
     void loadOnThread(Loaded &to, const Gl &gl, const Current &current);
     Sound *newSound(Loaded &to, int block);
@@ -64,7 +64,7 @@ private:
     int width = 0, height = 0, threads = 1;
     bool mute = false;
     Loaded now, next;
-    Arena sounds[2] = {}; // of the music before this, and of this
+    MappedArena sounds[2]; // of the music before this, and of this
     std::thread loading;
     std::atomic<bool> done = false;
     std::atomic<float> progress = 0;

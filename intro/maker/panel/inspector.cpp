@@ -1,7 +1,6 @@
 #include "maker/panel/inspector.h"
 
 #include "inside.h"
-#include "maker/panel/probe.h"
 #include "show/events.h"
 #include "tools/common/hash.h"
 

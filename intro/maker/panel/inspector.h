@@ -50,6 +50,10 @@ struct Probe {
     bool brightens = false;
 };
 
+// From now on this probe notes what happens; null: none. No picture may be in the making. In probe.cpp, to
+// which the linker leads the calls of some of the engine's functions (--wrap, see CMakeLists.txt).
+void watchPictures(Probe *probe);
+
 struct Inspector {
     // All shots in the order of time, and all events, at most `most`; their number.
     int (*shots)(ShotInfo *to, int most);
@@ -61,8 +65,7 @@ struct Inspector {
     // little. samplesTaken() is then of this picture.
     bool (*swatches)(Intro &intro, Arena &arena, int across, int side, uint8_t *rgba);
     size_t (*swatchMemory)(int across, int side);
-    // From now on this probe notes what happens; null: none.
-    void (*watch)(Probe *probe);
+    void (*watch)(Probe *probe); // watchPictures()
     // A copy of the film's music, apart from what is played: as loadSound() and soundBlock() of intro.h.
     size_t (*soundMemory)();
     Sound *(*loadSound)(Arena &arena);

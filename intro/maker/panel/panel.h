@@ -7,10 +7,9 @@
 
 #include "maker/panel/compare.h"
 #include "maker/panel/costs.h"
-#include "maker/panel/envelope.h"
 #include "maker/panel/ghost.h"
 #include "maker/panel/keys.h"
-#include "maker/panel/meter.h"
+#include "maker/panel/level.h"
 #include "maker/panel/strip.h"
 #include "maker/panel/swatches.h"
 

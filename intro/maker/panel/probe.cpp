@@ -1,5 +1,7 @@
-#include "maker/panel/probe.h"
-
+// Notes what is done while a picture is made, without a change to the engine: the linker leads the calls of
+// some of its functions here, from where they go on to the functions themselves. The film is linked without,
+// so it is the same to the byte.
+#include "maker/panel/inspector.h"
 #include "show/show.h"
 #include "trace/picture/development.h"
 #include "trace/picture/enlarge.h"

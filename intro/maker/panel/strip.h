@@ -4,7 +4,7 @@
 
 #include "maker/panel/canvas.h"
 #include "maker/panel/content.h"
-#include "maker/panel/envelope.h"
+#include "maker/panel/level.h"
 #include "maker/panel/steps.h"
 
 #include <vector>

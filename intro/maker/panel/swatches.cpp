@@ -1,8 +1,8 @@
 #include "maker/panel/swatches.h"
 
+#include "maker/mapped_arena.h"
+
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
 
 namespace odraz::maker {
 
@@ -15,13 +15,9 @@ void Swatches::look(const Inspector &inspector, Intro &intro, int wide) {
     side = wide;
     if (same) return;
     ++times;
-    size_t bytes = inspector.swatchMemory(kAcross, side);
-    std::unique_ptr<unsigned char, void (*)(void *)> memory((unsigned char *)std::calloc(1, bytes + 64),
-                                                            std::free);
     rgba.assign((size_t)(kAcross * side * std::max(rows(), 1) * side * 4), 0);
-    if (!memory) return;
-    Arena arena = {memory.get() + (64 - (uintptr_t)memory.get() % 64), bytes, 0};
-    inspector.swatches(intro, arena, kAcross, side, rgba.data());
+    MappedArena memory(inspector.swatchMemory(kAcross, side));
+    if (memory.arena.base) inspector.swatches(intro, memory.arena, kAcross, side, rgba.data());
 }
 
 Rect Swatches::draw(Canvas &canvas, int x, int y) const {

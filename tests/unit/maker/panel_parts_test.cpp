@@ -1,6 +1,6 @@
 #include "maker/panel/ghost.h"
 #include "maker/panel/keys.h"
-#include "maker/panel/meter.h"
+#include "maker/panel/level.h"
 #include "maker/panel/steps.h"
 #include "maker/panel/strip.h"
 

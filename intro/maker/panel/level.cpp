@@ -1,9 +1,50 @@
-#include "maker/panel/meter.h"
+#include "maker/panel/level.h"
+
+#include "maker/mapped_arena.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace odraz::maker {
+
+void Envelope::start(const Inspector &inspector, double seconds) {
+    stop();
+    blocks.assign((size_t)std::ceil(seconds / kBlock), {});
+    thread = std::thread([this, &inspector] { render(inspector); });
+}
+
+void Envelope::stop() {
+    leave = true;
+    if (thread.joinable()) thread.join();
+    leave = false;
+    done = 0;
+}
+
+void Envelope::render(const Inspector &inspector) {
+    MappedArena memory(inspector.soundMemory());
+    Sound *sound = memory.arena.base ? inspector.loadSound(memory.arena) : nullptr;
+    if (!sound) return;
+    for (size_t i = 0; i < blocks.size() && !leave; ++i) {
+        float stereo[2 * kSoundBlock];
+        inspector.soundBlock(*sound, stereo);
+        for (int k = 0; k < kSoundBlock; ++k) {
+            blocks[i].left = std::max(blocks[i].left, std::abs(stereo[2 * k]));
+            blocks[i].right = std::max(blocks[i].right, std::abs(stereo[2 * k + 1]));
+        }
+        done.store((int)i + 1, std::memory_order_release);
+    }
+}
+
+Level Envelope::most(double from, double to) const {
+    int count = done.load(std::memory_order_acquire), first = std::max((int)(from / kBlock), 0),
+        end = std::min(std::max((int)std::ceil(to / kBlock), first + 1), count);
+    Level level;
+    for (int i = first; i < end; ++i) {
+        level.left = std::max(level.left, blocks[(size_t)i].left);
+        level.right = std::max(level.right, blocks[(size_t)i].right);
+    }
+    return level;
+}
 
 float decibels(float amplitude) {
     return amplitude > 0 ? std::max(20 * std::log10(amplitude), Meter::kFloor) : Meter::kFloor;

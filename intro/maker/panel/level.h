@@ -1,8 +1,7 @@
-// How loud the film's sound is, all along it: rendered once, on a thread of its own, from a copy of the
-// music.
+// How loud the film's sound is: all along it, and now.
 #pragma once
 
-#include "maker/panel/inspector.h"
+#include "maker/panel/canvas.h"
 
 #include <atomic>
 #include <thread>
@@ -15,6 +14,7 @@ struct Level {
     float left = 0, right = 0;
 };
 
+// All along the film, rendered once, on a thread of its own, from a copy of the music.
 class Envelope {
 public:
     Envelope() = default;
@@ -41,5 +41,29 @@ private:
     std::atomic<bool> leave = false;
     std::thread thread;
 };
+
+// Now: each side a bar that falls slowly, with the last peak held above it.
+class Meter {
+public:
+    static constexpr float kFloor = -60; // decibels: the lower end
+    static constexpr float kFall = 24;   // decibels a second
+    static constexpr double kHold = 1.5; // seconds that a peak stays
+
+    // Takes what was heard in the last `passed` seconds.
+    void hear(Level level, double passed);
+    // Decibels below full scale of a side (0 left, 1 right): what the bar shows, and the peak. kFloor at
+    // least.
+    float shown(int side) const { return bars[side]; }
+    float peak(int side) const { return peaks[side]; }
+    bool clipped(int side) const { return peaks[side] >= 0; }
+
+private:
+    float bars[2] = {kFloor, kFloor}, peaks[2] = {kFloor, kFloor};
+    double age[2] = {};
+};
+
+float decibels(float amplitude); // kFloor at least
+
+void drawMeter(Canvas &canvas, Rect where, const Meter &meter);
 
 } // namespace odraz::maker
