@@ -8,9 +8,9 @@ cd "$prefix/bin" || exit 1
 here=(*)
 echo "${here[*]}"
 for program in pack pack-link compare radiosity; do check "$program is there" test -x $program; done
-for program in "${here[@]}"; do check "$program has a --help" prints '^usage: ' "./$program" --help; done
+for program in "${here[@]}"; do check "$program has a --help" prints '^[Uu]sage: ' "./$program" --help; done
 check "pack packs from there" prints ': whole; ' bash -c './pack "$1" -o "$2" >/dev/null && exec ./pack --test "$2"' - "$BUILD/compare" "$WORK/packed"
-check "... a program that runs" prints '^usage: compare' "$WORK/packed" --help
+check "... a program that runs" prints '^[Uu]sage: compare' "$WORK/packed" --help
 echo 'int puts(const char *); int main() { puts("linked"); return 0; }' >"$WORK/small.c"
 cc -c "$WORK/small.c" -o "$WORK/small.o"
 check "pack-link finds it there" prints '^linked$' bash -c './pack-link "$1/small.o" -o "$1/small" >/dev/null && exec "$1/small"' - "$WORK"

@@ -59,7 +59,7 @@ check "... with their READMEs and licences" test -s doc/pack/README.md -a -s doc
 check "nothing is left to fill in" eval '! grep -nE "@[A-Za-z][A-Za-z_-]*@" README.txt'
 check "their README has 80 columns" test "$(wc -L <README.txt)" -le 80
 for program in compare pack radiosity; do
-    check "$program may be run, and has a --help" prints '^usage: ' "./$program" --help
+    check "$program may be run, and has a --help" prints '^[Uu]sage: ' "./$program" --help
     check "... README.txt lists it" grep -q "^  $program  " README.txt
     objdump -p $program >"$WORK/needs"
     if [ $program = radiosity ]; then
