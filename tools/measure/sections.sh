@@ -55,7 +55,7 @@ head_of_results() {
 since, \`--check\` prints which these are. Below each title stands when and where it was made, how many processors other
 programs kept busy meanwhile (above 0.5, times are too long), and the commands. Times are those of processors, unless a
 column says otherwise: of all threads, user and system. Callgrind counts instructions, which other programs do not
-disturb. Where cores are shared, ratios within one run say more than times.
+disturb. Where cores are shared, ratios within one run are more reliable than times.
 
 | the last run | |
 |---|---|
@@ -94,7 +94,7 @@ hash_sources() {
         [ "${name% missing}" != "$name" ] || hash_now[$path]=${name:0:12}
     done 3<"$WORK/sources" 4<"$WORK/hashes"
 }
-# verdict SECTION: prints nothing if its sources are what they were; else one line that says why
+# verdict SECTION: prints nothing if its sources are what they were; else one line with the reason
 verdict() {
     local path record changed=()
     describe "$1"

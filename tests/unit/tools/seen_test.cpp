@@ -53,10 +53,10 @@ TEST(Shown, WhatIsWrongIsReported) {
 
 TEST(Shown, TheLastOneThatCameStands) {
     std::vector<Shown> list = {{1, 1, false, 1, 64, 36}, {-1, 2, false, 1, 64, 36}, {3, 3, false, 1, 64, 36}};
-    EXPECT_EQ(standsAt(list, 0.9), -1);
-    EXPECT_EQ(standsAt(list, 1), 0);
-    EXPECT_EQ(standsAt(list, 2.5), 0); // the second never came
-    EXPECT_EQ(standsAt(list, 9), 2);
+    EXPECT_EQ(onScreenAt(list, 0.9), -1);
+    EXPECT_EQ(onScreenAt(list, 1), 0);
+    EXPECT_EQ(onScreenAt(list, 2.5), 0); // the second never came
+    EXPECT_EQ(onScreenAt(list, 9), 2);
 }
 
 TEST(Shown, SteadyPlayersTraceOneOfN) {

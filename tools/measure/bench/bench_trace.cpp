@@ -84,7 +84,7 @@ void registerRays(const std::string &name) {
               [&](size_t i) { benchmark::DoNotOptimize(intersect(s.scene(), r.primary[i], kLanes >= 0)); });
     });
     with("mirrored", [](benchmark::State &state, Subject &s, Rays &r) {
-        if (r.mirrored.empty()) return state.SkipWithError("nothing is met there");
+        if (r.mirrored.empty()) return state.SkipWithError("no ray hits anything there");
         count(state, r.mirrored.size(),
               [&](size_t i) { benchmark::DoNotOptimize(intersect(s.scene(), r.mirrored[i], kLanes >= 0)); });
     });

@@ -32,7 +32,7 @@ constexpr char kSceneHelp[] =
                kKeptHelp[] = "what `pose` or `film` kept";
 
 struct Kept {
-    Intro *intro; // stands after this header
+    Intro *intro; // behind this header
     View view;
     IntroSettings settings;
     char scene[64];

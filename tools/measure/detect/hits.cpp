@@ -46,11 +46,11 @@ static double energy(const Recording &r, int64_t from, int64_t to) {
 
 double riseTime(const Recording &r, int64_t at) {
     const int window = r.rate / 500, step = window / 4, count = r.rate / 10 / step;
-    std::vector<double> heard;
-    for (int i = 0; i < count; ++i) heard.push_back(energy(r, at + i * step, at + i * step + window));
-    double most = *std::max_element(heard.begin(), heard.end());
+    std::vector<double> energies;
+    for (int i = 0; i < count; ++i) energies.push_back(energy(r, at + i * step, at + i * step + window));
+    double most = *std::max_element(energies.begin(), energies.end());
     for (int i = 0; i < count; ++i)
-        if (heard[(size_t)i] >= 0.81 * most) return (double)(i * step + window) * 1000 / r.rate;
+        if (energies[(size_t)i] >= 0.81 * most) return (double)(i * step + window) * 1000 / r.rate;
     return 1e3;
 }
 

@@ -1,4 +1,4 @@
-// What a test can hear of the film's hits and of its noise.
+// Measurements of the film's hits and of its noise.
 #pragma once
 
 #include "tools/measure/detect/recording.h"
@@ -15,8 +15,8 @@ std::vector<SceneSpan> sceneSpans();
 // The rows of the film on which a drum is struck, in order.
 std::vector<int> hitRows();
 
-// How late a hit is: milliseconds from `at` until 2 ms of sound are, but for a tenth, as strong as the
-// strongest 2 ms within the 100 ms after it.
+// How late a hit is: milliseconds from `at` until 2 ms of sound have nine tenths of the amplitude of the
+// strongest 2 ms within the next 100 ms.
 double riseTime(const Recording &recording, int64_t at);
 
 // The mean level of [from, to), of both sides, in dB of full scale; -200 for silence.

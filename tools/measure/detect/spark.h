@@ -1,5 +1,5 @@
 // Sparks: one to three adjacent pixels that are much brighter than all around them, and that the picture
-// before or after does not show. A bright point that stays, or moves with its ball, is no spark.
+// before or after does not show. A bright point that stays, or moves with its ball, is not a spark.
 #pragma once
 
 #include <cstddef>

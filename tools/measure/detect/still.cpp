@@ -4,7 +4,7 @@ namespace odraz::measure {
 
 std::vector<Piece> stillPieces(const std::vector<double> &changes, int hold, double limit) {
     std::vector<Piece> pieces;
-    int between = hold - 1; // changes in so many seconds
+    int between = hold - 1; // changes within `hold` seconds
     for (int i = 0; i + between <= (int)changes.size(); ++i) {
         double sum = 0;
         for (int k = i; k < i + between; ++k) sum += changes[(size_t)k];

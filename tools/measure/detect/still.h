@@ -1,4 +1,4 @@
-// Stillness: seconds in one piece in which hardly anything changes.
+// Stillness: spans of seconds in which hardly anything changes.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@ struct Piece {
     int from, to;
 };
 
-// The pieces of `hold` seconds or more that stand still. changes[i] tells how much second i + 1 differs from
-// second i. In every `hold` seconds of a piece the mean of these changes is less than `limit`.
+// The pieces of `hold` seconds or more that are still. changes[i] is the difference of second i + 1 from
+// second i. In any `hold` seconds of a piece the mean of these changes is less than `limit`.
 std::vector<Piece> stillPieces(const std::vector<double> &changes, int hold, double limit);
 
 } // namespace odraz::measure

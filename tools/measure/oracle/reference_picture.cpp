@@ -31,7 +31,7 @@ struct Surface {
           tint(toDouble(m.tint)), emit(toDouble(m.emit)), specular((double)m.specular),
           exponent((double)m.exponent), reflect((double)m.reflect), ior((double)m.ior), fresnel(m.fresnel) {
         if (!m.plain() || m.transmit > 0)
-            throw std::logic_error("paths know plain colours and whole glass only");
+            throw std::logic_error("paths handle plain colours and whole glass only");
     }
     double mirrors(double cosine) const {
         return reflect + (fresnel ? (1 - reflect) * std::pow(1 - cosine, 5) : 0);
@@ -69,11 +69,11 @@ struct World {
                 floor.push_back(Surface(m));
                 floorAt = (double)s.centre.y;
             } else
-                throw std::logic_error("paths know balls and a floor only");
+                throw std::logic_error("paths handle balls and a floor only");
         }
         for (int i = 0; i < scene.lightCount; ++i) {
             const Light &l = scene.lights[i];
-            if (l.radius <= 0) throw std::logic_error("paths know lights with a radius only");
+            if (l.radius <= 0) throw std::logic_error("paths handle lights with a radius only");
             double radius = (double)l.radius;
             lights.push_back({{toDouble(l.position), radius}, toDouble(l.intensity) / (radius * radius)});
         }

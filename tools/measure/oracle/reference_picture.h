@@ -1,11 +1,11 @@
 // Pictures by path tracing in double precision, to check the film's effects on balls.
 //
-// It shares only the scene's numbers with the tracer. It knows balls, a floor (a plane that faces up), plain
-// colours, lights with a radius, and a sky that is `ambientHigh` everywhere; for other scenes it throws
+// It shares only the scene's numbers with the tracer. It handles balls, a floor (a plane that faces up),
+// plain colours, lights with a radius, and a sky that is `ambientHigh` everywhere; for other scenes it throws
 // std::logic_error. A light of `intensity` and `radius` is a ball of radiance intensity / radius^2.
 //
-// At glass and mirrors, paths from the eye go on in a random direction. At matte places, a ray into the cone
-// in which a light is seen looks for that light, and a ray by the cosine law looks for the sky. Light that
+// At glass and mirrors, paths from the eye go on in a random direction. At matte places, a ray into a
+// light's cone samples that light, and a ray by the cosine law samples the sky. Light that
 // glass throws on the floor comes from the other end: photons go from the lights to the balls and are counted
 // in cells of the floor. Highlights are Phong's, averaged over the light's disc.
 #pragma once

@@ -18,8 +18,8 @@ struct Cost {
     double serial, parallel;
 };
 
-// What is asked for: a picture of the film's time, of a level of quality (0 film, 1 play, 2 draft) and of a
-// number of pixels. It is traced, or made between two of that level.
+// A picture of the film, by its time, its level of quality (0 film, 1 play, 2 draft) and its number of
+// pixels. It is traced, or made between two of that level.
 struct Pictured {
     double seconds;
     float level;
@@ -31,10 +31,10 @@ class Costs {
 public:
     // Reads the table, as `costs` writes it: "seconds,gap,level,width,height,serial,parallel", counts in
     // thousands. Each moment needs traced pictures and in-betweens, and level 1 in two sizes for each gap.
-    // Throws Refused, with the line's number if it is a line's fault.
+    // Throws Refused, with the number of the line that is wrong.
     explicit Costs(const std::string &csv);
 
-    // Linear in time within a shot and in the gap of in-betweens, and the same beyond what was counted.
+    // Linear in time within a shot and in the gap of in-betweens, and constant beyond what was counted.
     // Logarithms are linear in level between counted ones, the same beyond them, and linear in the logarithm
     // of pixels. A level counted at one size grows as level 1 does. Throws Refused if no moment of this shot
     // was counted.
@@ -53,7 +53,7 @@ private:
     std::vector<Moment> moments; // in order of time
 };
 
-// The table that the repository has.
+// The repository's table.
 extern const char kCostsFile[];
 
 } // namespace odraz::measure

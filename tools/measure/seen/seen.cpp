@@ -59,8 +59,8 @@ void check(const common::CommandLine &line, Options &o) {
 
 Options read(common::CommandLine &line) {
     Options o;
-    line.about("Compares what stands on the screen at every sixtieth of a second with the film's picture of "
-               "that very\n"
+    line.about("Compares the picture on the screen at every sixtieth of a second with the film's picture of "
+               "that\n"
                "moment, at the quality `film`: mean FLIP, and PSNR in linear light and in sRGB, in dB. "
                "Prints a CSV.");
     line.argument("LIST", o.list, "the pictures that were shown, as odraz-debug --shown writes them", false);
@@ -76,7 +76,7 @@ Options read(common::CommandLine &line) {
     line.flag("--summary", o.onlySummary, "only print what was shown, by scene");
     line.option(
         "--pictures", "FOLDER", o.pictures,
-        "write what stands on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of the "
+        "write the pictures on the screen, and the truth: 052000-3.png and 052000-3-truth.png are of the "
         "fourth sixtieth of the window at 52 s");
     line.option("--costs", "FILE", o.costs, "what pictures cost, as tools/measure/seen/costs writes it");
     line.group("A player that never misses, instead of LIST");
@@ -102,7 +102,7 @@ Options read(common::CommandLine &line) {
     return o;
 }
 
-// A file that must hold what `parse` understands.
+// A file, parsed; errors name it.
 template <class Parse> auto parsed(const std::string &path, Parse parse) {
     std::string text = common::readWhole(path);
     try {
@@ -136,7 +136,7 @@ Machine machineOf(const Options &o, double giga, const IntroSettings &screen) {
     return machine;
 }
 
-// All players, with the pictures that they showed, of which some stand on the screen between two moments.
+// All players, with the pictures that they showed between two moments.
 std::vector<Player> playersOf(const Options &o, double from, double to, const CostOf &costs) {
     std::vector<Player> players;
     for (const std::string &screen : o.screens) {
@@ -156,7 +156,7 @@ std::vector<Player> playersOf(const Options &o, double from, double to, const Co
     return players;
 }
 
-// Where it looks: windows of the same row of the output stand together.
+// The windows to look at, a vector for each row of the output.
 std::vector<std::vector<Span>> windowsOf(const Options &o) {
     std::vector<std::vector<Span>> rows;
     for (double at : o.at) rows.push_back({{sceneAt(at), at, std::min(at + o.length, duration())}});
@@ -174,13 +174,13 @@ void printRow(const Player &player, const char *scene, const Seen &s) {
     std::fflush(stdout);
 }
 
-// Writes what stands on the screen, and the truth, sixtieth by sixtieth of a window.
+// Writes the picture on the screen, and the truth, for each sixtieth of a window.
 Viewer::Each writer(const std::string &folder, const Span &window, const IntroSettings &size) {
     if (folder.empty()) return {};
-    return [=, n = 0](const std::vector<uint8_t> &stands, const std::vector<uint8_t> &truth) mutable {
+    return [=, n = 0](const std::vector<uint8_t> &shown, const std::vector<uint8_t> &truth) mutable {
         std::string path =
             common::format("%s/%06ld-%d", folder.c_str(), std::lround(window.from * 1000), n++);
-        for (auto [rgb, end] : {std::pair(&stands, ".png"), std::pair(&truth, "-truth.png")})
+        for (auto [rgb, end] : {std::pair(&shown, ".png"), std::pair(&truth, "-truth.png")})
             pictures::writePng(path + end, {size.width, size.height, *rgb});
     };
 }

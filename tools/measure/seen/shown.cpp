@@ -87,7 +87,7 @@ MadeFrom madeFrom(const std::vector<Shown> &list, size_t i) {
     return {list[before], list[after]};
 }
 
-int standsAt(const std::vector<Shown> &list, double seconds) {
+int onScreenAt(const std::vector<Shown> &list, double seconds) {
     int found = -1;
     for (size_t i = 0; i < list.size(); ++i)
         if (list[i].at >= 0 && list[i].at <= seconds) found = (int)i;

@@ -34,8 +34,8 @@ struct MadeFrom {
 };
 MadeFrom madeFrom(const std::vector<Shown> &list, size_t i);
 
-// Which picture of the list stands on the screen at a moment; -1 before the first one.
-int standsAt(const std::vector<Shown> &list, double seconds);
+// Which picture of the list is on the screen at a moment; -1 before the first one.
+int onScreenAt(const std::vector<Shown> &list, double seconds);
 
 // A player that never misses: `rate` pictures a second from one moment to another, each shown when its time
 // comes, for as long as it lasts. One of `every` is traced, and those between two of them are made.

@@ -1,4 +1,4 @@
-// The film's player on a machine that we do not have: its own decisions (play/schedule.h, play/governor.h),
+// The film's player on a simulated machine: its own decisions (play/schedule.h, play/governor.h),
 // on a clock that counted instructions move. There is no noise, so the same numbers come out everywhere.
 #pragma once
 
@@ -30,10 +30,9 @@ struct Machine {
 using CostOf = std::function<Cost(const Pictured &)>;
 
 // Plays the film from one second to another and returns which pictures were made and when they were shown, in
-// order. The parallel part of making a picture takes as long as all cores need for it, the serial one as long
-// as one core does. Showing takes a core's time, which those that trace lack. What was given to the screen
-// stands on it from its next sixtieth of a second on; these lie half-way between those of the film, which is
-// neither good luck nor bad. What else the system does costs nothing.
+// order. All cores share the parallel part of making a picture; one core does the serial part. Showing takes
+// time of one core, which is lost to tracing. The screen shows a picture from its next sixtieth of a second
+// on; the screen's sixtieths begin half-way between the film's. All else that the system does costs nothing.
 std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to);
 
 // What was done for a scene, by the pictures' own times.

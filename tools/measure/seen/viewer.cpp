@@ -46,7 +46,7 @@ Picture Viewer::traced(int slot, const Shown &s) {
     return h.picture;
 }
 
-// A picture of the list, as it stands on the screen.
+// A picture of the list, as the screen shows it.
 Picture Viewer::made(const std::vector<Shown> &list, size_t i) {
     MadeFrom from = madeFrom(list, i);
     int slot = same(held[1].shown, from.earlier);
@@ -77,30 +77,29 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
             throw common::Refused("pictures of " + std::to_string(s.width) + "x" + std::to_string(s.height) +
                                   " are not scaled to a screen of " + std::to_string(width) + "x" +
                                   std::to_string(height));
-    std::vector<uint8_t> standing;
+    std::vector<uint8_t> shown;
     pictures::SeenPicture perceived;
     int last = -1;
     // (0.1334 s are eight sixtieths)
     auto sixtieth = [](double seconds) { return std::lround(std::ceil(seconds * kScreenRate - 0.01)); };
     long first = sixtieth(begin), behind = sixtieth(end);
     for (long n = first; n < behind; ++n) {
-        // What stands there in the middle of its sixtieth: a picture that took some milliseconds to come on
-        // the screen has come, as on a screen that shows it a little later than it was given
+        // In the middle of the sixtieth: a picture that came some milliseconds late counts
         double moment = (double)n / kScreenRate;
-        int i = standsAt(list, moment + 0.5 / kScreenRate + 1e-6);
+        int i = onScreenAt(list, moment + 0.5 / kScreenRate + 1e-6);
         if (i < 0) throw common::Refused("nothing was shown before " + std::to_string(moment) + " s");
         if ((n - first) % mostTruths == 0) keepTruth(n, std::min(n + mostTruths, behind));
         if (i != last) {
-            standing = rgbOf(made(list, (size_t)i));
-            perceived = pictures::see(standing, width, height);
+            shown = rgbOf(made(list, (size_t)i));
+            perceived = pictures::see(shown, width, height);
             seen.fresh += last >= 0;
             last = i;
         }
         const auto &[truth, perceivedTruth] = truths.at(n);
         double linear = 0, srgb = 0;
         for (size_t k = 0; k < truth.size(); ++k) {
-            double a = (pictures::linearOfSrgb(truth[k]) - pictures::linearOfSrgb(standing[k])) * 255,
-                   b = truth[k] - standing[k];
+            double a = (pictures::linearOfSrgb(truth[k]) - pictures::linearOfSrgb(shown[k])) * 255,
+                   b = truth[k] - shown[k];
             linear += a * a;
             srgb += b * b;
         }
@@ -108,7 +107,7 @@ void Viewer::look(const std::vector<Shown> &list, double begin, double end, Seen
         seen.srgb += srgb / (double)truth.size();
         seen.flip += pictures::meanFlip(perceivedTruth, perceived);
         ++seen.sixtieths;
-        if (each) each(standing, truth);
+        if (each) each(shown, truth);
     }
 }
 

@@ -1,6 +1,5 @@
-// What is seen of the pictures that were shown: every sixtieth of a second, what stands on the screen (in the
-// middle of it) is compared with the film's picture of that very moment. So pictures that come late or too
-// seldom count, as well as coarse ones.
+// Compares the picture on the screen, in the middle of every sixtieth of a second, with the film's picture of
+// that moment. So late and missing pictures count, as well as coarse ones.
 #pragma once
 
 #include "tools/measure/detect/screening.h"
@@ -15,7 +14,7 @@ namespace odraz::measure {
 // Sums over the sixtieths of a second.
 struct Seen {
     int sixtieths = 0;
-    int fresh = 0; // of these, how many brought another picture than the one before
+    int fresh = 0; // of these, those with a new picture
     double flip = 0;
     double linear = 0, srgb = 0; // squares, 0 .. 255^2, means of a picture
 
@@ -35,10 +34,10 @@ public:
     // std::runtime_error.
     Viewer(int width, int height, double from, double to);
 
-    // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing stands on
-    // the screen at one of them, or if a picture has more pixels than the screen. What stands there and the
-    // truth are given to `each`, in sRGB, 3 bytes a pixel.
-    using Each = std::function<void(const std::vector<uint8_t> &stands, const std::vector<uint8_t> &truth)>;
+    // Adds what is seen from one second to another, sixtieth by sixtieth. Throws Refused if nothing is on the
+    // screen at one of them, or if a picture has more pixels than the screen. The picture on the screen and
+    // the truth are passed to `each`, in sRGB, 3 bytes a pixel.
+    using Each = std::function<void(const std::vector<uint8_t> &shown, const std::vector<uint8_t> &truth)>;
     void look(const std::vector<Shown> &list, double from, double to, Seen &seen, const Each &each = {});
 
 private:

@@ -29,7 +29,7 @@ uint32_t neighbours(int type, uint32_t i) {
     return ((4u << i / pairs) - 1) << (first + i % pairs) & pack::kMayUse[type];
 }
 
-// Parameters with the given number of contexts: the first of `ordinary`, then some that nobody chose.
+// Parameters with the given number of contexts: the first of `ordinary`, then arbitrary ones.
 ModelParameters parametersOf(const PackSettings &s, const ModelParameters &ordinary) {
     ModelParameters parameters = {s.contexts, s.slotBits, {}};
     for (int type = 0; type < 2; ++type) {
@@ -94,8 +94,8 @@ int tradeoffPack(common::CommandLine &line) {
     Layout layout = program.layout();
     Workspace workspace;
     for (const PackSetting &s : settings) {
-        // Only a search from contexts that nobody chose shows what search gains: those that ship, and the
-        // default ones, have been searched for already
+        // Searches start from arbitrary contexts: those that ship, and the default ones, are results of
+        // searches
         ModelParameters parameters = parametersOf(s.value, s.series == kSearch ? ModelParameters{} : ships);
         double began = common::processorSeconds();
         if (s.value.effort > 0)
