@@ -25,7 +25,7 @@ struct Prepared {
     Workers workers;
     IntroSettings settings;
     bool hall;  // some of its scenes play there
-    bool heard; // with its music
+    bool music; // it is played with sound
     char processor[49];
     Arena arena;
     Intro *intro;
@@ -62,12 +62,12 @@ int prepare(const Options &o, Prepared &f) {
     double beside = o.live ? 1 / 60.0 : 0;
     bool any = !o.dump || firstFrame(o.from, o.fps) < firstFrame(o.to, o.fps);
     f.hall = any && needsHall(seconds(o.from) - beside, seconds(o.to) + beside);
-    f.heard = !o.dump && !o.mute;
+    f.music = !o.dump && !o.mute;
     f.settings = {o.width, o.height};
     f.settings.pairs = o.live || !o.dump;
     cpuName(f.processor);
     if (!o.dump) f.settings.bytes = ownSize(), f.settings.machine = f.processor;
-    size_t bytes = memoryNeeded(f.settings, f.workers.count, f.hall) + (f.heard ? soundMemory() : 0);
+    size_t bytes = memoryNeeded(f.settings, f.workers.count, f.hall) + (f.music ? soundMemory() : 0);
     f.arena = {(unsigned char *)takeMemory(bytes), bytes, 0};
     if (f.arena.base) return 0;
     Message m;
@@ -92,7 +92,7 @@ int playFilm(const Options &o, Prepared &f, int64_t began) {
     const char *wrong = load(f.intro, f.settings, f.arena, f.workers, f.hall ? &window.gl : nullptr,
                              {showLoading, &window, theEarly.opened ? kEarlyShare : 0});
     if (viewerLeft()) return 0;
-    Sound *sound = f.heard ? loadSound(f.arena) : nullptr;
+    Sound *sound = f.music ? loadSound(f.arena) : nullptr;
     return wrong ? showError(wrong) : play(*f.intro, sound, o, window, &theEarly.viewerLeft, began);
 }
 

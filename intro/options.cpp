@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-static_assert(kMaxWorkers == 64 && kMaxWidth == 7680 && kMaxHeight == 4320, "the help says so");
+static_assert(kMaxWorkers == 64 && kMaxWidth == 7680 && kMaxHeight == 4320, "the help names these limits");
 
 namespace {
 
@@ -75,7 +75,7 @@ bool readQuality(const char *p, Options &o) {
 struct Option {
     char name[10];
     char value[7]; // what follows it, for the help; "" if nothing does
-    // what the value must be: the line about a wrong value says so, and the help begins with it
+    // what the value must be: printed when it is wrong, and the start of the help
     const char *expects;
     const char *helpTail; // the rest of the help
     bool (*read)(const char *p, Options &o);

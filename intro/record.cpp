@@ -47,7 +47,7 @@ std::string listOf(std::vector<Row> rows) {
 } // namespace
 
 // Checks the options and the output before the film is played. Returns an exit status.
-static int refused(const Options &o, const char *to) {
+static int checkOptions(const Options &o, const char *to) {
     const char *wrong = nullptr;
     if (o.dump || o.wav) wrong = "--shown plays: leave out --dump and --wav";
     if (o.quality != QualityName::Count) wrong = "--shown plays as the governor decides: leave out --quality";
@@ -61,7 +61,7 @@ static int refused(const Options &o, const char *to) {
 }
 
 int recordShown(const Options &o, const char *to) {
-    if (int status = refused(o, to)) return status;
+    if (int status = checkOptions(o, to)) return status;
     int64_t began = nanoseconds();
     static int leave = 0; // the window's thread sets it
     static Workers workers;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kHalfSide = 1.5f;            // metres
 constexpr float kUnfolded = 0.19f;           // half a side of the cross's faces, in heights of the picture
-constexpr float kBrightened = 5;             // what it sees is dark
+constexpr float kBrightened = 5;             // factor, because what it sees is dark
 constexpr Rgb kSky = {0.30f, 0.34f, 0.40f};  // in windows
 constexpr Rgb kLine = {0.30f, 0.16f, 0.10f}; // between the patches that it sees
 constexpr Rgb kEdge = {1.6f, 0.7f, 0.34f};
@@ -26,8 +26,8 @@ void drawHalfCube(const Hall &hall, float rise, float open, const View &view, Fr
     const Patch &patch = m.patches[hall.visited];
     const Chart &c = m.charts[patch.chart];
     float h = (float)frame.height, size = h * kUnfolded;
-    // The middle of its bottom, and its half sides: on the patch, and as far on the way to the cross as it
-    // is open. Through such a long lens the sides are alike everywhere
+    // The middle of its bottom, and its half sides: on the patch, and moved towards the cross by the share
+    // that it is open. Through such a long lens the sides are alike everywhere
     float on[4][2], now[4][2] = {{view.width - 0.51f * h, 0.5f * h}, {-size, 0}, {0, size}, {0, 0}};
     const Vec3 ways[4] = {{}, c.u, c.v, c.n};
     for (int i = 0; i < 4; ++i) view.project(patch.p + ways[i] * (kHalfSide * rise), on[i][0], on[i][1]);

@@ -48,7 +48,7 @@ void addMaterials(Scene &scene, const HallLight &light, float grey) {
 // beyond.
 void raiseShafts(Sunshafts &s, const Daylight &now, const HallLight &light) {
     Vec3 sun = now.sky.sun;
-    // They thin out as the sun sinks: low ones would lie along the view, and hide the hall
+    // They get fainter as the sun sinks, because low ones would lie along the view and hide the hall
     Rgb scatter = now.sunlight * (kDust * light.sun * saturate(fmadd(sun.y, 2.4f, -0.35f)));
     if (maxComponent(scatter) <= 0) return;
     float deep = kDeep / -sun.x, down = deep * sun.y, along = -deep * sun.z;
@@ -118,8 +118,8 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     if (Rgb sun = now.sunlight * (light.sun * dot(now.sunAt, now.sunAt)); maxComponent(sun) > 0)
         scene.add(Light{now.sunAt, sun});
 
-    // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its own
-    // light is drawn in part, so that no jump is seen when two change places
+    // The tracer draws the two strongest lanterns. One that exceeds the weakest by less than 15 % of its
+    // own light is drawn in part, so that nothing jumps when two change places
     float least = min(light.lanterns[0], min(light.lanterns[1], light.lanterns[2])), drawn[kLanterns] = {};
     for (int i = 0; i < kLanterns; ++i) {
         float on = light.lanterns[i];
@@ -133,9 +133,10 @@ void poseHall(Hall &hall, const HallLight &light, float grey, const Vec3 &eye, S
     }
     relightRoom(hall, lightVector(light, drawn), eye, 0.06f, 0.5f * (1 - grey));
 
-    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it; aside if
-    // only one side of the door burns, and farther than that side, so that shadows are seen to turn. With
-    // more than 0.3 metres, its light on the walls aside ends at a strip here and at the gap beside it there
+    // It stands behind the wall, so that it lights neither wall nor strips, and reaches through it. If only
+    // one side of the door is lit, it stands beyond that side, so that shadows visibly turn. If it were
+    // more than 0.3 metres behind the wall, its light on the side walls would end at a strip on one side
+    // and at a gap on the other
     float burning = 0, aside = 0;
     for (int i = 0; i < kStrips; ++i)
         burning += light.strips[i], aside += light.strips[i] * ((float)i - 3.5f);

@@ -6,7 +6,7 @@ static constexpr Texture plain(Rgb c) {
     return {.pattern = Pattern::Plain, .scale = 1, .palette = {c, c, c, c}};
 }
 
-// Palettes from the commonest colours to the rarest, or from one end of the pattern to the other.
+// Palettes run from the commonest colour to the rarest, or from one end of the pattern to the other.
 static constexpr Texture kBlackMarble = {
     .pattern = Pattern::Marble,
     .scale = 2.3f,

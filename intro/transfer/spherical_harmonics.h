@@ -2,9 +2,9 @@
 //
 // Coefficient l (l + 1) + m belongs to band l and order m, -l .. l. The pole is the world's y. Orders m > 0
 // go with the cosine of the angle from z towards x. The basis is orthonormal over the sphere, with the
-// Condon-Shortley phase, as in Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), with the axes renamed.
-// Functions with frequencies above band 4 are blurred to some 45 degrees. Functions with steps overshoot
-// (ring) unless they are windowed.
+// Condon-Shortley phase, as in Sloan, "Stupid Spherical Harmonics (SH) Tricks" (2008), with the axes
+// renamed. Detail finer than band 4 is blurred to some 45 degrees. Functions with steps overshoot (ring)
+// unless they are windowed.
 #pragma once
 
 #include "trace/scene/sky.h"

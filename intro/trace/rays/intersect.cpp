@@ -137,7 +137,8 @@ struct Stack {
 
 // Calls meet(with, shape, t) for every unbounded shape, and for every bounded one that an active ray hits
 // before its limit, near nodes first if `sorted`. `t` holds the distances to the shape. meet may lower
-// `limit` and clear lanes of `active`. (A function pointer, as the loop is large and would stand here twice.)
+// `limit` and clear lanes of `active`. (A function pointer, because the loop is large and would be compiled
+// twice.)
 [[gnu::noinline, gnu::noclone]] void traverse(const Scene &scene, const Ray8 &ray, Flat flat, bool sorted,
                                               Float8 &limit, Int8 &active,
                                               void (*meet)(const void *with, int shape, Float8 t),
