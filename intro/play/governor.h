@@ -108,7 +108,7 @@ struct Governor {
     float tracing = 0.05f, making = 0.02f;
     float weight = 1;     // of the next time in them: after a cut 1, 1/2, 1/3, then kWeight
     int waited = kWait;   // sixtieths for which another cadence has been better
-    float margin = 1;     // the share of its error below which another cadence is taken
+    float margin = 1;     // another cadence is taken below this share of the present one's error
     int played = 0;       // sixtieths of this scene
     bool reduced = false; // whether fewer pixels are traced than shown: coarseness is at least `draft`
     int scene = -1;
