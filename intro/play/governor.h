@@ -128,7 +128,7 @@ struct Governor {
     // Whether quality is used up, and pixels are left to give up.
     bool mustReduce() const { return coarseness >= kSteps && coarsest() > kSteps; }
 
-    // --- What the player asks for ---
+    // --- Output: how to make the next pictures ---
 
     // The position of quality() on kRange: 0 `film`, 1 `play`, 2 `draft`.
     float level() const { return min(coarseness, (float)kSteps); }
@@ -165,7 +165,7 @@ struct Governor {
         return time;
     }
 
-    // --- What the player reports ---
+    // --- Input: the scene, and the times that pictures took ---
 
     // The next picture to trace is of this scene.
     void enter(int next, const Pace &nextPace) {
@@ -206,7 +206,7 @@ struct Governor {
         margin = min(margin, kMargin);
     }
 
-    // --- How it decides ---
+    // --- Decisions ---
 
     // The coarseness at which a cadence would meet its budget on this machine.
     float expected(int c) const {

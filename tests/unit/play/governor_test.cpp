@@ -60,7 +60,7 @@ public:
         return all;
     }
 
-    // What makePictures() asks for
+    // The rest of the interface that makePictures() needs
     bool goesOn(double time) {
         if (!all.empty()) {
             Decision &last = all.back();

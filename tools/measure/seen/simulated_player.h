@@ -18,7 +18,7 @@ public:
     explicit SimulatedPlayer(double from) : from(from) {}
     virtual ~SimulatedPlayer() = default;
 
-    // These are a part of what makePictures() asks for
+    // A part of the interface that makePictures() needs
     int64_t now() const { return moment; }
     double filmAt(int64_t at) const {
         return begin < 0 ? Governor::kNotBegun : from + (double)(at - begin) * 1e-9;
