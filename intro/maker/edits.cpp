@@ -22,7 +22,7 @@ void Edits::find() {
     tracks.find(stage.live());
     if (host.empty() || (client && tracks.names() == before)) return;
     client =
-        std::make_unique<rocket::Client>(host, port, tracks.names()); // other tracks, another conversation
+        std::make_unique<rocket::Client>(host, port, tracks.names()); // other tracks need a new connection
     version = 0;
 }
 
@@ -39,7 +39,7 @@ Edits::Requests Edits::update(double now, double row) {
     }
     if (!connected && client->problem() != problem) requests.message = client->problem();
     problem = client->problem();
-    // At first it has none, and sends what it has at once: until then the film stays as it is
+    // A new editor sends its keys at once; before they have arrived it seems to have none
     if (connected && now >= since + kGreets && client->version() != version) {
         version = client->version();
         for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, client->track(i));

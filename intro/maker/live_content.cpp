@@ -1,4 +1,4 @@
-// What the shared object consists of, beside the engine.
+// The shared object's own part, beside the engine.
 #include "inside.h"
 #include "maker/live.h"
 #include "tools/common/hash.h"
@@ -15,8 +15,8 @@ struct Hash {
     }
 };
 
-// Only of what is used, and of no addresses: they differ from object to object. A film may have a hall that
-// is no room, with nothing to solve
+// Hashes only what is used, and no addresses: they differ from object to object. The hall of a film may have
+// nothing to solve
 template <class AnyHall> void add(Hash &hash, const AnyHall &hall, const Scene &scene) {
     if constexpr (requires { hall.radiosity.bases; }) {
         hash.add(hall.model.charts, hall.model.chartCount);

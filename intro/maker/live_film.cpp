@@ -9,7 +9,7 @@ namespace odraz {
 
 namespace {
 
-// Both at once, for the music's thread
+// Replaced together, for the music's thread
 struct InUse {
     const maker::Live *live;
     Sound *sound;

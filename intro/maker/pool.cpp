@@ -30,7 +30,7 @@ void Pool::work() {
             seen = round;
         }
         job.take(worker);
-        std::lock_guard lock(mutex); // whoever waits for the last one must not miss it
+        std::lock_guard lock(mutex); // run() must not miss the last one
         if (job.done()) ends.notify_one();
     }
 }

@@ -1,5 +1,5 @@
-// Workers on threads that end with it. The host's (host/threads.h) are one set for a process; here a film is
-// shown while another is loaded, and each needs a set of its own.
+// Workers on threads that end with the object. The host (host/threads.h) has one set for a process; here a
+// film is shown while another is loaded, and each needs its own set.
 #pragma once
 
 #include "base/parallel.h"
@@ -19,7 +19,7 @@ public:
     Pool(const Pool &) = delete;
 
     Workers &workers() { return all; }
-    // What is being done becomes useless, and ends soon.
+    // Work in progress becomes useless, and ends soon.
     void abort() { __atomic_store_n(&leave, 1, __ATOMIC_RELAXED); }
 
 private:

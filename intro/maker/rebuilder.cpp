@@ -71,13 +71,13 @@ void Rebuilder::start() {
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
     posix_spawn_file_actions_adddup2(&actions, 1, 2);
-    // A group of its own, to be ended as one
+    // A process group, which is ended as one
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    // In English, with quotes that our font has. Not by cmake, which would end before those it has started
+    // In English, with quotes that our font has. Not by cmake, which would end before its children
     const char *words[] = {"env", "LC_ALL=C", maker.c_str(), "-C", build.c_str(), "live", nullptr};
-    // Between what was saved before and what is saved from now on: files' times are late by some milliseconds
+    // The times of files are up to 15 ms late: what was saved before is older than this
     began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(15);
     int error = posix_spawnp(&compiling, words[0], &actions, &attributes, (char *const *)words, environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -88,13 +88,13 @@ void Rebuilder::start() {
     }
 }
 
-// Ends what compiles, with what it has started.
+// Ends the build with all its processes.
 void Rebuilder::stop() {
     if (compiling > 0) kill(-compiling, SIGTERM);
 }
 
-// Objects get the time at which their build began: what is saved while they are compiled is then newer than
-// they are. (Ninja before 1.12 does not look at that.)
+// Objects get the time at which their build began, so that a source saved during the build is newer. (Ninja
+// before 1.12 does not see to that.)
 void Rebuilder::backdate() {
     std::error_code ignored;
     for (const std::string &file : objects())
@@ -127,7 +127,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
         dirty |= !settled;
     }
     if (compiling > 0) {
-        if (dirty && !stopped) stop(); // what is built is not what there is now
+        if (dirty && !stopped) stop(); // it builds old sources
         stopped = dirty;
         int status;
         pid_t ended = waitpid(compiling, &status, WNOHANG);
@@ -146,7 +146,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
     return compiling > 0 ? Event::Building : Event::Failed;
 }
 
-// Of the target: they lie in a folder of its own, under the paths of their sources.
+// The target's object files: they have a folder of their own.
 std::vector<std::string> Rebuilder::objects() const {
     std::vector<std::string> files;
     std::error_code ignored;

@@ -1,4 +1,4 @@
-// Watches the film's sources, and builds the shared object anew whenever one is saved.
+// Watches the film's sources, and builds the shared object again when one is saved.
 #pragma once
 
 #include <filesystem>
@@ -21,19 +21,20 @@ public:
         None,
         Building, // a build has begun
         Failed,   // error() has the reason
-        Built,    // it is to be loaded
+        Built,    // it can be loaded
     };
-    // What happened since the last call; does not wait. `now`: seconds of any clock.
+    // Does what can be done without waiting, and returns what happened since the last call. `now`: seconds of
+    // any clock.
     Event poll(double now);
 
     bool building() const { return compiling > 0; }
 
     const std::string &problem() const { return wrong; }
-    // The compiler's first error, or what else was wrong, as one line with paths from the source folder on.
+    // The compiler's first error, or another problem, as one line. Paths start at the source folder.
     const std::string &error() const { return firstError; }
     std::string showFolder() const { return source.empty() ? "" : source + "/intro/show"; }
     std::string object() const { return build + "/live/live.so"; }
-    // A hash of the code that solves the hall. Where it changes, the hall must be solved anew.
+    // A hash of the code that solves the hall. When it changes, the hall must be solved again.
     uint64_t solverHash() const;
     double saved() const { return savedAt; } // when the last change was seen that was built
 

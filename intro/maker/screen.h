@@ -10,15 +10,15 @@
 namespace odraz::maker {
 
 struct Screen {
-    GLFWwindow *window, *hidden; // the latter's context is for what is loaded in the background
+    GLFWwindow *window, *hidden; // the context of `hidden` is for loading in the background
     Gl gl;
     int width, height;
-    // Makes the hidden window's context current, or none: for the thread that loads
+    // For the thread that loads: makes the hidden window's context current, or none
     void hiddenCurrent(bool on) const { glfwMakeContextCurrent(on ? hidden : nullptr); }
     GLuint texture, framebuffer;
 };
 
-// Opens it and makes its context current. Returns null, or what is missing. `visible`: whether it is shown.
+// Opens the window, which may be invisible, and makes its context current. Returns null, or what is missing.
 const char *open(Screen &s, int width, int height, bool visible);
 
 // Makes what show() needs.

@@ -33,8 +33,8 @@ const char *Stage::load(Loaded &to, const Gl &gl, const Progress &report) {
     return to.live->load(to.intro, settings, to.memory.arena, workers, &gl, report);
 }
 
-// The music of its score, ready at a block. The former one may still make a block: its memory stays until
-// this one was replaced, too.
+// Loads the music, at a block. The previous music may still be rendering a block, so its memory stays until
+// the next change.
 Sound *Stage::newSound(Loaded &to, int block) {
     if (mute) return to.sound = nullptr;
     sounds[0] = std::move(sounds[1]);
@@ -79,7 +79,7 @@ void Stage::giveUp() {
 }
 
 void Stage::change(const Gl &gl, uint64_t solvers, int block, const Current &current) {
-    giveUp(); // what it loads is stale
+    giveUp(); // it loads an old film
     wrong.clear();
     const Live *live = openLive(object, wrong);
     if (!live) return;

@@ -1,4 +1,4 @@
-// The film as odraz-debug shows it: loaded, and loaded again in the background while the former is shown.
+// The film as odraz-debug shows it: loaded, and loaded again in the background while the old one is shown.
 #pragma once
 
 #include "maker/live_film.h"
@@ -15,37 +15,37 @@ namespace odraz::maker {
 
 class Stage {
 public:
-    // Opens the shared object, whose functions can be called from then on; problem() says why not.
+    // Opens the shared object, whose functions can be called from then on. If it cannot, problem() is the
+    // reason.
     explicit Stage(std::string object);
     ~Stage() { giveUp(); }
     const std::string &problem() const { return wrong; }
 
-    // What pictures and sound are to be like.
+    // The size of pictures, the number of threads; `mute`: no sound.
     void settle(int width, int height, int threads, bool mute);
     using Current = std::function<void(bool)>;
-    // Loads the film, on a thread that calls current(true) first, to make another context of OpenGL current,
-    // and current(false) at its end. Until then wait(share), 0 .. 1, is called again and again; it returns
-    // false to give up. Returns null, or a line that says what is missing. `solvers`: a hash of the code that
-    // solves the hall.
+    // Loads the film on a thread, which calls current(true) first, to make another context of OpenGL current,
+    // and current(false) at its end. Until then wait(share), 0 .. 1, is called repeatedly; it returns false
+    // to give up. Returns null, or what is missing, as a line. `solvers`: a hash of the code that solves the
+    // hall.
     const char *loadFirst(const Gl &gl, uint64_t solvers, const Current &current,
                           const std::function<bool(float)> &wait);
 
-    // Takes the object that was built. Where its data are laid out as before and the hall's light is the
-    // same, the next picture is of it. If not, it is loaded in the background, as above. `block`: where the
-    // music is.
+    // Opens the object that was built. If its data have the same layout and the hall the same light, the next
+    // picture is of it; else it is loaded in the background, as above. `block`: where the music is.
     void change(const Gl &gl, uint64_t solvers, int block, const Current &current);
-    // Ends what is loaded in the background; its context must still be there.
+    // Stops loading in the background; the context must still exist.
     void giveUp();
-    // Once a picture: takes what was loaded in the background. True if there is a new film.
+    // Called once a picture: takes over what was loaded in the background. True if there is a new film.
     bool poll(int block);
 
     Intro &intro() const { return *now.intro; }
     Sound *sound() const { return now.sound; }
     const Live &live() const { return *now.live; }
-    // What goes on in the background, or what went wrong, as one line; or empty.
+    // The progress in the background, or what went wrong, as one line; or empty.
     std::string state() const;
     bool loads() const { return loading.joinable(); }
-    float loaded() const { return loads() ? progress.load() : 0; } // how much of it, 0 .. 1
+    float loaded() const { return loads() ? progress.load() : 0; } // 0 .. 1
 
 private:
     struct Loaded {
@@ -53,7 +53,7 @@ private:
         Intro *intro = nullptr;
         Sound *sound = nullptr;
         MappedArena memory;
-        uint64_t solvers = 0, hall = 0; // hashes of what the hall's light is made by, and from
+        uint64_t solvers = 0, hall = 0; // hashes of the code that solves the hall's light, and of its input
         std::unique_ptr<Pool> pool;
     };
     const char *load(Loaded &to, const Gl &gl, const Progress &progress);
@@ -64,7 +64,7 @@ private:
     int width = 0, height = 0, threads = 1;
     bool mute = false;
     Loaded now, next;
-    MappedArena sounds[2]; // of the music before this, and of this
+    MappedArena sounds[2]; // of the previous music, and of the current one
     std::thread loading;
     std::atomic<bool> done = false;
     std::atomic<float> progress = 0;

@@ -48,11 +48,11 @@ CameraKey posed(const std::vector<CameraKey> &path, float row) {
     return pose({path.data(), (int)path.size()}, row);
 }
 
-// An editor may give one number of a camera keys on other rows than another. The film's table has all numbers
-// on every row, so what is shown has, too: a number without a key there is where its own curve is.
+// In an editor, each number of a camera may have keys on rows of its own. The film's table has all numbers on
+// every row: a number without a key there gets the value of its own curve.
 std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
     std::set<float> rows;
-    std::vector<CameraKey> paths[kChannelCount]; // of each only its own number counts
+    std::vector<CameraKey> paths[kChannelCount]; // of each only one number is used
     for (size_t c = 0; c < kChannelCount; ++c)
         for (const Key &k : channels[c]) {
             rows.insert(k.row);
@@ -83,7 +83,7 @@ void Tracks::find(const Live &from) {
     files.read(names, rows);
     tables.clear();
     for (KeyTable *t = live->keyTables(); t; t = t->next) {
-        // The shot that it is read for: a path's own, or the first of the scene that its file is named after
+        // A path's own shot, or the first shot of the scene that the file is named after
         std::string file = fileOf(*t), scene = std::filesystem::path(file).stem();
         auto shot = std::find_if(shots.begin(), shots.end(), [&](const ShotInfo &s) {
             return t->camera ? s.path->keys == t->poses : live->sceneName(s.scene) == scene;
@@ -156,7 +156,7 @@ int Tracks::offRows() const {
     int count = 0;
     for (const Table &t : tables) {
         int off = 0;
-        double last = -1; // two keys on a row are a jump, which Rocket has not, either
+        double last = -1; // two keys on a row are a jump, which Rocket does not have either
         for (const KeyNumbers &k : own(t)) {
             double row = (double)k[0] + t.shift;
             off += row < 0 || row != std::round(row) || row == last;

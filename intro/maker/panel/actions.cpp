@@ -1,4 +1,4 @@
-// What keys and the mouse do to the panel.
+// Input to the panel: actions and the mouse.
 #include "maker/panel/panel.h"
 
 #include <algorithm>

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kWeight = 0.125f, kTracking = 0.6f;
 
-// A line of text, as how much of each pixel it covers. The baseline is `above` rows from the top.
+// A line of text as the coverage of each pixel. The baseline is `above` rows from the top.
 struct Lettering {
     int width = 0, height = 0, above = 0;
     std::vector<float> cover;
@@ -39,7 +39,7 @@ Lettering letter(const std::string &text, float size) {
     return l;
 }
 
-// What was drawn lately: most texts are the same in the next picture
+// A cache: most texts are the same in the next picture
 const Lettering &lettering(const std::string &text, float size) {
     static std::map<std::pair<std::string, float>, Lettering> known;
     if (known.size() > 400) known.clear();
@@ -81,7 +81,7 @@ void Canvas::line(float x0, float y0, float x1, float y1, float wide, Colour col
     int top = within(std::min(y0, y1) - margin, height()),
         bottom = within(std::max(y0, y1) + margin + 1, height());
     for (int y = top; y < bottom; ++y) {
-        // Only where the line comes near this row
+        // Only where the line is near this row
         float from = std::min(x0, x1), to = std::max(x0, x1), py = (float)y + 0.5f;
         if (std::abs(dy) > 1) {
             float a = x0 + (py - margin - y0) / dy * dx, b = x0 + (py + margin - y0) / dy * dx;

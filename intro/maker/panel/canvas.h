@@ -13,7 +13,7 @@ struct Colour {
 inline constexpr Colour kInk = {236, 232, 224}, kFaint = {150, 146, 140}, kGround = {14, 14, 17},
                         kWarm = {222, 130, 70}, kCold = {110, 160, 220};
 
-// The colour at 0 .. 1 on the way from the first of nine to the last; it ends there.
+// A ramp of nine colours: the first at 0, the last at 1.
 Colour colourAt(float share, const Colour (&stops)[9]);
 
 struct Rect {
@@ -24,7 +24,7 @@ struct Rect {
     int bottom() const { return y + height; }
 };
 
-// What lies outside of the picture is left out.
+// Clips at the picture's edges.
 class Canvas {
 public:
     explicit Canvas(const Picture &picture) : picture(picture) {}
@@ -32,7 +32,7 @@ public:
     int height() const { return picture.height; }
     Rect whole() const { return {0, 0, width(), height()}; }
 
-    // Opacity 0 .. 1 mixes with what is there.
+    // Opacity, 0 .. 1: 0 leaves the picture as it is.
     void fill(Rect where, Colour colour, float opacity = 1);
     void line(float x0, float y0, float x1, float y1, float width, Colour colour, float opacity = 1);
     void dot(float x, float y, float radius, Colour colour, float opacity = 1);
@@ -40,7 +40,7 @@ public:
     // figures and . , : - + / alone.
     void text(const std::string &text, float x, float y, float size, Colour colour,
               Align align = Align::Left);
-    // A picture of four bytes a pixel, as large as it is, its top left corner at (x, y).
+    // A picture of four bytes a pixel, not scaled, with its top left corner at (x, y).
     void put(int x, int y, const uint8_t *rgba, int width, int height);
 
     // One pixel; it must be in the picture.
@@ -54,11 +54,11 @@ private:
 // The size of the panel's text in a picture of this height.
 float textSize(int height);
 
-// How wide a line of text is, in pixels.
+// The width of a line of text, in pixels.
 float widthOf(const std::string &text, float size);
 
-// Draws text on a dark ground at the lower edge of a picture, in as many lines as it takes; and below it a
-// bar that is filled up to `done`, 0 .. 1 of the width.
+// Draws text on a dark ground at the lower edge of a picture, broken into lines, and below it a bar that is
+// filled up to `done`, 0 .. 1 of the width.
 void drawStatus(const Picture &picture, const std::string &text, float done);
 
 } // namespace odraz::maker

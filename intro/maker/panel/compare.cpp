@@ -77,7 +77,7 @@ void drawDifference(Canvas &canvas, const Difference &d, const std::string &what
     char text[96];
     std::snprintf(text, sizeof text, "%s   flip %.4f", what.c_str(), d.mean);
     drawLabel(canvas, text, (float)canvas.width() * 0.5f, Align::Centre);
-    // What the colours mean, below it
+    // The scale of the colours, below it
     float size = textSize(canvas.height());
     std::snprintf(text, sizeof text, "%.3g", (double)d.most);
     int wide = (int)(size * 16), left = (canvas.width() - wide) / 2, top = (int)(size * 2.6f),

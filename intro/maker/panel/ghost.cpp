@@ -14,7 +14,7 @@ struct Ball {
     float radius;
 };
 
-// About the box of all that must be seen
+// Around the box of all that must be visible
 Ball ballOf(const ShotInfo &shot, const CameraKey &now) {
     Vec3 lo = now.eye, hi = now.eye;
     auto take = [&](const Vec3 &p) {

@@ -7,7 +7,7 @@
 
 namespace odraz::maker {
 
-// How the maker looks at it: degrees around the path's middle and above it, and how near.
+// The maker's point of view: degrees around the path's middle and above it, and a factor of nearness.
 struct GhostPlace {
     float turn = 35, rise = 32, nearness = 1;
 
@@ -15,11 +15,11 @@ struct GhostPlace {
     void zoom(float factor);                          // nearness stays within 0.3 .. 5
 };
 
-// The camera that looks at a shot from a place outside, so that all of its path and targets, and the camera
-// now, are in the picture.
+// The camera that looks at a shot from outside. The whole path, its targets and the current camera are in the
+// picture.
 CameraKey outside(const ShotInfo &shot, const CameraKey &now, const GhostPlace &place);
 
-// A point of the world in a rectangle of the canvas, as that camera sees it; false if it lies behind it.
+// Projects a point of the world into a rectangle of the canvas; false if it is behind the camera.
 struct Projection {
     View view;
     Rect where;
@@ -28,11 +28,11 @@ struct Projection {
 };
 Projection projectionOf(const CameraKey &from, Rect where);
 
-// The corners of what a camera sees at a distance: upper left, upper right, lower right, lower left.
+// The corners of the camera's frustum at a distance: upper left, upper right, lower right, lower left.
 void cornersOf(const CameraKey &camera, float aspect, float distance, Vec3 corners[4]);
 
-// Draws the path of a shot's camera over a picture that outside() sees: what the shot shows, what lies beyond
-// its cuts (faint), the keys as dots, the camera's frustum now, and the line to its target.
+// Draws the path of a shot's camera over the picture from outside(): the part within the shot, the rest
+// (faint), the keys as dots, the current frustum, and the line to the target.
 void drawGhost(Canvas &canvas, const Projection &project, const ShotInfo &shot, const CameraKey &now,
                float aspect);
 

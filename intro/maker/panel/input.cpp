@@ -11,7 +11,7 @@ namespace {
 Panel *thePanel;
 GLFWkeyfun theKeys;
 int theWidth, theHeight; // of the picture
-double theX, theY; // where the mouse was last told to be: when a button's turn comes it may be elsewhere
+double theX, theY; // of the last motion event: when a button's event is handled the mouse may be elsewhere
 
 void place(GLFWwindow *window, double &x, double &y) {
     int w, h;

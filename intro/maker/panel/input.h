@@ -1,4 +1,4 @@
-// Keys and the mouse of a GLFW window, led to the panel.
+// Passes keys and the mouse of a GLFW window to the panel.
 #pragma once
 
 #include "maker/panel/panel.h"
@@ -7,8 +7,8 @@ struct GLFWwindow;
 
 namespace odraz::maker {
 
-// Sets the window's callbacks. Those for keys and the mouse that were there are called too: for all keys that
-// are not the panel's, and always for the mouse. The panel must outlive the window.
+// Sets the window's callbacks. The previous callback for keys gets all keys that are not the panel's. The
+// panel must outlive the window.
 void listen(Panel &panel, GLFWwindow *window);
 
 } // namespace odraz::maker

@@ -1,6 +1,5 @@
-// What the maker needs of the film beyond intro.h: its shots, cameras' keys, events and materials, and what
-// happens while a picture is made. All of it goes through one table of functions, so that the film may be
-// another object than the panel.
+// What odraz-debug needs of the film beyond intro.h: its shots, cameras' keys, events and materials, and the
+// costs of a picture. All of it goes through one table of functions, because the film is a shared object.
 #pragma once
 
 #include "intro.h"
@@ -27,8 +26,8 @@ struct EventInfo {
 
 // A material of the scene that the last picture shows.
 struct MaterialInfo {
-    uint64_t hash; // of all that it is made of: equal if it looks the same
-    int shapes;    // that have it
+    uint64_t hash; // of all its members: equal if it looks the same
+    int shapes;    // with this material
     bool mirror, glass, glows, textured;
 };
 inline constexpr int kMostMaterials = 32;
@@ -36,22 +35,21 @@ inline constexpr int kMostMaterials = 32;
 // The parts of making a picture.
 enum class Cost { Posing, Tracing, Glare, Development, Enlarging, Count };
 
-// What is noted while pictures are made. The host provides the clock and the memory.
+// Measurements of a picture. The host provides the clock and the memory.
 struct Probe {
     int64_t (*clock)() = nullptr;         // nanoseconds
     int64_t spent[(int)Cost::Count] = {}; // nanoseconds, since the host set them to 0
-    // null, or width * height numbers of samples, to which every sample adds one at its pixel. A sample on
-    // the line between two pixels counts for the right or the lower one, one outside for the pixel at the
-    // edge
+    // null, or width * height counters, to which every sample adds one at its pixel. A sample on the border
+    // of two pixels counts for the right or the lower one, one outside for the pixel at the edge
     uint32_t *samples = nullptr;
     int width = 0, height = 0;
-    // Pictures are developed at least so bright that their lights can be seen: also where the film has faded
-    // out, or where the camera looks from a dark side.
+    // Pictures are brightened until their lights are visible, even if the film has faded out or the camera is
+    // on a dark side.
     bool brightens = false;
 };
 
-// From now on this probe notes what happens; null: none. No picture may be in the making. In probe.cpp, to
-// which the linker leads the calls of some of the engine's functions (--wrap, see CMakeLists.txt).
+// From now on pictures are measured by this probe; null: by none. Must not be called while a picture is made.
+// In probe.cpp.
 void watchPictures(Probe *probe);
 
 struct Inspector {

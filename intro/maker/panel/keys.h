@@ -1,4 +1,4 @@
-// What the panel can be told to do, and by which keys: H shows this table.
+// The panel's actions and their keys: H shows this table.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -14,13 +14,13 @@ enum class Action {
 };
 // clang-format on
 
-// A key as GLFW names it: the code of its letter in the American layout, or what input.cpp translates.
+// A key: the code of its letter in the American layout, as GLFW has it, or a KeyName.
 enum class KeyName { Tab = 1, PageUp, PageDown };
 struct KeyRow {
-    Action action; // Count: a key of the host, only to be told
+    Action action; // Count: a key of the host, which is only listed
     int key;       // a letter, a figure, a sign, or a KeyName; 0: none
     bool shift;
-    const char *shown, *what; // what H says: no `shown`, a headline; no `what`, the row above says it
+    const char *shown, *what; // as H lists them; without `shown` a headline; without `what` not listed
 };
 
 inline constexpr int code(KeyName name) { return (int)name; }

@@ -75,7 +75,7 @@ void drawMeter(Canvas &canvas, Rect r, const Meter &meter) {
             canvas.fill({x, r.bottom() - up(std::min(meter.peak(side), 0.f)), wide, 2},
                         meter.clipped(side) ? Colour{255, 60, 50} : kInk);
     }
-    // Its figures, on a ground: pictures are bright, too
+    // Its scale, on a dark ground: a picture may be bright
     float size = textSize(canvas.height()) * 0.75f, figures = widthOf("-36", size) + size;
     canvas.fill({r.x - (int)figures, r.y, (int)figures, r.height}, kGround, 0.75f);
     for (float db : {-6.f, -18.f, -36.f}) {

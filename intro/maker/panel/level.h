@@ -1,4 +1,4 @@
-// How loud the film's sound is: all along it, and now.
+// The level of the film's sound: along the whole film, and now.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -14,20 +14,20 @@ struct Level {
     float left = 0, right = 0;
 };
 
-// All along the film, rendered once, on a thread of its own, from a copy of the music.
+// The level along the film. It is rendered once, on a thread of its own, from a copy of the music.
 class Envelope {
 public:
     Envelope() = default;
     Envelope(const Envelope &) = delete;
     ~Envelope() { stop(); }
 
-    // Begins to render a film of so many seconds; what was known before is forgotten.
+    // Begins to render a film of `seconds`, and drops what was rendered before.
     void start(const Inspector &inspector, double seconds);
-    // Ends that. Must be called before the film's code goes away.
+    // Ends that. Must be called before the film's code is replaced.
     void stop();
     bool started() const { return thread.joinable(); }
 
-    // Up to which second it is known: it grows from 0 to the film's end within some seconds.
+    // The second up to which it is known: it grows from 0 to the film's end within some seconds.
     double known() const { return done.load(std::memory_order_acquire) * kBlock; }
     // The level in [from, to), as far as it is known; of at least one block of 5 ms.
     Level most(double from, double to) const;
@@ -42,14 +42,14 @@ private:
     std::thread thread;
 };
 
-// Now: each side a bar that falls slowly, with the last peak held above it.
+// The current level: a bar for each side that falls slowly, with the last peak held above it.
 class Meter {
 public:
     static constexpr float kFloor = -60; // decibels: the lower end
     static constexpr float kFall = 24;   // decibels a second
     static constexpr double kHold = 1.5; // seconds that a peak stays
 
-    // Takes what was heard in the last `passed` seconds.
+    // Takes the level of the last `passed` seconds.
     void hear(Level level, double passed);
     // Decibels below full scale of a side (0 left, 1 right): what the bar shows, and the peak. kFloor at
     // least.

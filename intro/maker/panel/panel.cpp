@@ -52,7 +52,7 @@ Picture Panel::picture(Intro &intro, const PictureRequest &m) {
     return p;
 }
 
-// The film's picture, watched
+// The film's picture, with its costs measured
 Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
     std::fill(std::begin(probe.spent), std::end(probe.spent), 0);
     probe.samples = nullptr;
@@ -74,7 +74,7 @@ Picture Panel::makePicture(Intro &intro, const PictureRequest &m) {
 
 static CameraKey cameraOf(const PictureRequest &m) { return m.camera ? *m.camera : cameraAt(m.time); }
 
-// The scene from outside, in few pixels: the engine scales it up, we shrink it again to where it is shown
+// The scene from outside, traced in few pixels: the engine scales it up, this scales it down to the inset
 void Panel::makeGhost(Intro &intro, const PictureRequest &m) {
     Rect r = inset();
     CameraKey from = outside(content.shotAt(m.time), cameraOf(m), place);
@@ -96,8 +96,8 @@ void Panel::makeGhost(Intro &intro, const PictureRequest &m) {
         }
 }
 
-// False while it is not there. The reference takes many seconds: it is traced only if the moment stays, after
-// a picture that says so
+// False until there is one. The reference takes many seconds: it is traced for the second picture of a
+// moment, when the first has announced it
 bool Panel::makeOther(Intro &intro, const PictureRequest &m) {
     Key key = keyOf(m), before = lastKey;
     lastKey = key;
@@ -110,8 +110,7 @@ bool Panel::makeOther(Intro &intro, const PictureRequest &m) {
     return true;
 }
 
-// A moment looks as ever, unless the film was edited: then the other picture is traced again, for the next
-// one
+// If a moment looks different the second time, the film was edited: the other picture is traced again
 void Panel::watchForChanges(const Picture &p, const PictureRequest &m) {
     Key key = keyOf(m);
     bool edited = lastPictureKey == key && lastPicture.fits(p) &&
@@ -170,7 +169,7 @@ void Panel::draw(const Picture &p, const PictureRequest &m) {
     if (room && heated && !differs) y = drawHeatLegend(canvas, gap, y).bottom() + gap;
     if (room && materials) swatches.draw(canvas, gap, y);
     drawInset(canvas, m);
-    // What was heard since the last picture
+    // The level since the last picture
     int64_t moment = clock();
     double passed = last ? (double)(moment - last) * 1e-9 : 0;
     last = moment;

@@ -1,5 +1,5 @@
-// The makers' panel over the picture: a time line, the camera from outside, what the picture costs, the
-// scene's materials, two qualities side by side. Hidden it costs nothing.
+// The makers' panel over the picture: a time line, the camera from outside, the costs of the picture, the
+// scene's materials, two qualities side by side. While hidden it costs nothing.
 //
 // The host calls steer() before a picture, and picture() instead of that of intro.h; keys and the mouse come
 // from input.h, or from a test.
@@ -24,7 +24,7 @@ struct PictureRequest {
 
 class Panel {
 public:
-    // For pictures of this size; `rate`: pictures a second, by which steps go; `clock`: nanoseconds.
+    // For pictures of this size; `rate`: pictures a second, for steps; `clock`: nanoseconds.
     Panel(int width, int height, double rate, int64_t (*clock)());
 
     // --- From input ---
@@ -34,14 +34,14 @@ public:
     void move(double x, double y);
     void release();
     void wheel(double x, double y, double turns);
-    bool grabs() const { return grabbed != Grab::None; } // the mouse, so that the host must not use it
+    bool grabs() const { return grabbed != Grab::None; } // the mouse, which the host must then not use
 
     // --- To the picture ---
-    // Puts what was asked for since the last call into the host's time; `sought` becomes true where it leaps.
+    // Applies the actions since the last call to the host's time; `sought` is set when it jumps.
     void steer(double &time, bool &paused, bool &sought);
     Picture picture(Intro &intro, const PictureRequest &request);
 
-    // The film's code is about to be replaced; and it has been.
+    // To be called before the film's code is replaced, and after it.
     void forget() { envelope.stop(); }
     void learn();
 
@@ -50,10 +50,10 @@ public:
     bool visible() const { return shown; }
     const Strip &timeLine() const { return strip; }
     const Loop &loop() const { return stretch; }
-    int othersTraced() const { return others; } // how often the other quality was
+    int othersTraced() const { return others; } // the number of times that the other quality was traced
     const Costs &lastCosts() const { return costs; }
     const std::vector<uint32_t> &samples() const { return heat; }
-    Rect inset() const; // of the view from outside
+    Rect inset() const; // with the view from outside
 
 private:
     enum class Grab { None, Scrub, LoopEnd, Orbit, Divider };
@@ -92,7 +92,7 @@ private:
     float scale = 0; // of its map, until another comparison is asked for
     std::vector<uint32_t> heat;
 
-    // What a kept picture is of
+    // What identifies a kept picture
     struct Key {
         double time = -1;
         QualityName quality = QualityName::Count, other = QualityName::Count;
@@ -107,7 +107,7 @@ private:
     Grab grabbed = Grab::None;
     double mouseX = -1, mouseY = -1, loopFrom = 0;
 
-    // Asked for since the last steer()
+    // Since the last steer()
     double now = 0, wanted = -1, heardTo = 0;
     bool stop = false, waits = false; // waits: for the other picture to be traced
     int64_t last = 0;

@@ -1,6 +1,5 @@
-// Notes what is done while a picture is made, without a change to the engine: the linker leads the calls of
-// some of its functions here, from where they go on to the functions themselves. The film is linked without,
-// so it is the same to the byte.
+// Measures how a picture is made, without a change to the engine: the linker (--wrap) redirects the calls of
+// some of its functions to this file, which calls the functions themselves. The film is linked without it.
 #include "maker/panel/inspector.h"
 #include "show/show.h"
 #include "trace/picture/development.h"
@@ -12,9 +11,9 @@ namespace odraz::maker {
 
 namespace {
 
-Probe *theProbe; // the wrapped functions have no other way to it
+Probe *theProbe; // for the wrapped functions
 
-// Adds the time until its end to a part.
+// Adds its lifetime to a part.
 struct Timed {
     Probe *probe = theProbe;
     int64_t begin = probe ? probe->clock() : 0;
@@ -29,8 +28,8 @@ struct Timed {
 
 void watchPictures(Probe *probe) { theProbe = probe; }
 
-// Of every wrapped function there are two names: the one that calls lead to, and the function itself. The
-// linker names the former __wrap_, the latter __real_ and what the compiler calls it.
+// Every wrapped function has two names: calls go to __wrap_ and its mangled name, the function itself is
+// __real_ and its mangled name.
 // clang-format off
 #define ODRAZ_WRAPPED(type, name, mangled, ...) \
     type name##Itself(__VA_ARGS__) asm("__real_" mangled); \
@@ -95,8 +94,8 @@ ODRAZ_WRAPPED(void, enlarge, "_ZN5odraz7enlargeEPKhiiPhiiRNS_7WorkersE", const u
 }
 
 // Adds samples to the map. Squares at the right and the lower edge may have corners outside: these count for
-// the pixel at the edge. With a grid in every pixel there are none, but a row is filled up to a multiple of
-// eight: those beyond the edge are no samples.
+// the pixel at the edge. A grid in every pixel has none outside, but its rows are padded to a multiple of
+// eight: the padding does not count.
 static void count(Probe &p, bool grid, int count, const float *x, const float *y) {
     for (int i = 0; i < count; ++i) {
         if (grid && x[i] > (float)p.width) continue;

@@ -1,5 +1,5 @@
-// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras and the
-// sound's envelope, and in it the loop and the time that is shown. Times are seconds of the film.
+// The time line: a strip along the lower edge with scenes and cuts, bars, events, keys of cameras, the
+// sound's envelope, the loop, and the current time. Times are seconds of the film.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -16,7 +16,7 @@ inline double timeOf(const ShotInfo &shot, const CameraKey &key) {
     return shot.story + key.row / kRowsPerSecond;
 }
 
-// Where the strip lies, and what stretch of the film it shows.
+// The strip's place, and the part of the film that it shows.
 struct Strip {
     Rect area = {};
     double end = 1;          // of the film
@@ -24,14 +24,14 @@ struct Strip {
 
     double timeAt(double x) const; // of a pixel; within [0, end]
     double xOf(double time) const; // may lie outside of the area
-    // Shows a stretch `factor` times as long, so that the time at x stays at x.
+    // Shows a part `factor` times as long. The time at x stays at x.
     void zoom(double x, double factor);
-    // Moves on, a page, if a time is not shown.
+    // Moves on if `time` is not shown.
     void follow(double time);
 };
 
-// The strip of a picture's size, for a film that ends at `end`. Its height is none if the picture is too
-// small for it.
+// The strip for a picture's size and a film that ends at `end`. Its height is 0 if the picture is too small
+// for it.
 Strip stripOf(int width, int height, double end);
 
 // The event at a pixel of the strip, or null.

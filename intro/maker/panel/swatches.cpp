@@ -31,7 +31,7 @@ Rect Swatches::draw(Canvas &canvas, int x, int y) const {
             int from = ((i / kAcross * side + row) * kAcross + i % kAcross) * side;
             canvas.put(left, top + row, rgba.data() + (size_t)from * 4, side, 1);
         }
-        // What no shape has is faint
+        // A material without a shape is faint
         canvas.text(std::to_string(i), (float)left + (float)side * 0.5f, (float)(top + side) + size * 1.15f,
                     size * 0.8f, known[(size_t)i].shapes ? kInk : kFaint, Align::Centre);
         if (!known[(size_t)i].shapes) canvas.fill({left, top, side, side}, kGround, 0.6f);

@@ -1,4 +1,4 @@
-// The scene's materials: each as a ball that the film's own tracer shows, with its number.
+// The scene's materials: a numbered ball of each, traced by the film's own tracer.
 #pragma once
 
 #include "maker/panel/canvas.h"
@@ -10,11 +10,11 @@ namespace odraz::maker {
 
 class Swatches {
 public:
-    // Looks at the materials of the last picture, and traces those balls again if a material has changed.
+    // Reads the materials of the last picture, and traces the balls again if a material has changed.
     void look(const Inspector &inspector, Intro &intro, int side);
     int count() const { return (int)known.size(); }
     int rows() const { return (count() + kAcross - 1) / kAcross; }
-    // How often they were traced.
+    // The number of times that they were traced.
     int traced() const { return times; }
 
     // Draws them from (x, y) on; returns the rectangle that it took.

@@ -78,7 +78,7 @@ void Client::connect() {
         socket = ::socket(a->ai_family, a->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, a->ai_protocol);
         if (socket < 0) continue;
         if (::connect(socket, a->ai_addr, a->ai_addrlen) == 0 || errno == EINPROGRESS) {
-            int on = 1; // a row is worth a packet of its own
+            int on = 1; // rows are not held back to fill a packet
             setsockopt(socket, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
             state = State::Connecting;
         } else {
@@ -131,7 +131,7 @@ void Client::read() {
     }
 }
 
-// False: there is nothing to talk about yet, or no longer.
+// False: the connection was dropped.
 bool Client::greet() {
     size_t size = std::min(in.size(), sizeof kAnswer - 1);
     if (in.compare(0, size, kAnswer, size))
@@ -140,7 +140,7 @@ bool Client::greet() {
     in.erase(0, size);
     state = State::Talking;
     wrong.clear();
-    // It sends all keys anew
+    // It will send all keys again
     for (Track &t : keys) t.clear();
     ++changes;
     for (const std::string &name : names) {
