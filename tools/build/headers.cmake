@@ -1,9 +1,9 @@
-# Headers of the standard library and of GoogleTest, compiled once for all tools and once for all tests: reading them
-# again and again was a third of the whole build.
+# Headers of the standard library and of GoogleTest, compiled once for all tools and once for all tests. Reading them in
+# every file took a third of the build time.
 
 # headers(NAME "PROCESSOR;..." "OPTION;..." HEADER...): sets the variable HEADERS_NAME to the options that include these
-# headers before all others. They are compiled for each of these processors, with these options; the compiler takes what
-# fits those of a file, and reads the headers themselves where nothing fits.
+# headers before all others. They are compiled for each of these processors, with these options. The compiler takes those that
+# match the options of a file, and reads the headers themselves where none match.
 function(headers name processors more)
     set(header ${GENERATED}/headers/${name}.h)
     list(TRANSFORM ARGN REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE lines)

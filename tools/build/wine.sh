@@ -4,12 +4,12 @@ wine=$(command -v wine64 || echo /usr/lib/wine/wine64)
 wine_server=$(command -v wineserver64 || echo /usr/lib/wine/wineserver64)
 have_wine() { [ -x "$wine" ] && [ -x "$wine_server" ]; }
 
-# Sets WINE_PID, a server that the caller must end. Without it each program would start one, which would inherit the
-# pipes that the program's output is read from
+# Sets WINE_PID, a server that the caller must end. Without it each program would start one, which would inherit and
+# keep open the pipes of the program's output
 start_wine() {
     export WINEPREFIX=$BUILD/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=;winemenubuilder.exe=d'
     mkdir -p "$WINEPREFIX"
-    "$wine_server" -k || true # of who was stopped before its end: it would show windows where nobody looks
+    "$wine_server" -k || true # of an interrupted run: it would show windows on another display
     "$wine_server" -f -p </dev/null >/dev/null 2>&1 &
     WINE_PID=$!
     if [ ! -e "$WINEPREFIX/system.reg" ] && ! env -u DISPLAY "$wine" wineboot -i </dev/null >"$WINEPREFIX/wineboot" 2>&1; then

@@ -1,8 +1,8 @@
-// Linked to a program so that any glibc since 2.31 runs it (Debian 11, Ubuntu 22.04), although a newer one is
-// there when it is linked: that asks for the newest version of each function, which older systems lack.
+// Linked to a program so that any glibc since 2.31 runs it (Debian 11, Ubuntu 22.04). Otherwise linking with
+// a newer glibc would require the newest version of each function, which older systems lack.
 //
-// portable.cmake has the linker send all calls of the functions below to __wrap_NAME (ld --wrap). Those call
-// the oldest version, which every glibc keeps, or do without.
+// By ld --wrap (portable.cmake) all calls of the functions below go to __wrap_NAME. Those call the oldest
+// version, which every glibc keeps, or do the work themselves.
 #include <cstddef>
 #include <cstdint>
 #include <link.h>
@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-// OLD(RESULT, NAME, (PARAMETERS), (ARGUMENTS)): sends NAME on to its first version.
+// OLD(RESULT, NAME, (PARAMETERS), (ARGUMENTS)): forwards NAME to its first version.
 #define OLD(result, name, parameters, arguments)                                                             \
     extern "C" result old_##name parameters;                                                                 \
     __asm__(".symver old_" #name ", " #name "@GLIBC_2.2.5");                                                 \

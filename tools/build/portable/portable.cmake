@@ -1,5 +1,5 @@
-# The tools, linked so that systems older than this one run them, for tools/release: build/portable/NAME. Whatever was
-# compiled is only linked anew.
+# The tools, linked so that systems older than this one run them, for tools/release: build/portable/NAME. Their objects
+# are those of the ordinary programs.
 add_custom_target(portable)
 
 # portable(PROGRAM static|dynamic): static, it needs no library. dynamic, for a program that opens libraries by name, it
