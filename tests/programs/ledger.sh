@@ -34,8 +34,8 @@ report 40000
 check "a room that outgrows its share" prints '^trace +40000 .*more than its share$' rooms
 check "... is reported on stderr, in one line" test "$(grep -c 'trace has outgrown its share' "$WORK/err")/$(wc -l <"$WORK/err")" = 1/1
 rm "$WORK/build/odraz.json"
-check "a film that is not built" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" rooms
-check "... whose ledger cannot be renewed" refuses 1 "build the film first" env BUILD="$WORK/build" "$ledger" renew
+check "a film that is not built" refuses 1 "build film and pack first" env BUILD="$WORK/build" "$ledger" rooms
+check "... whose ledger cannot be renewed" refuses 1 "build film and pack first" env BUILD="$WORK/build" "$ledger" renew
 check "the ledger in the repository names no folder of a machine" eval '! grep -q "\"room\"\|\"/" "$SOURCE/intro/size_ledger.json"'
 check "an unknown word" refuses 2 "cannot use 'colour'" "$ledger" colour
 # Every folder of the engine has its row; maker is of odraz-debug

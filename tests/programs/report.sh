@@ -99,5 +99,5 @@ check "a comment, compared with another report" prints '^\*\*`odraz`: [0-9,]+ by
 check "a page without a name" refuses 2 "html needs a file" "$ledger" html
 check "an unknown word" refuses 2 "cannot use '--before'" "$ledger" text --before x
 check "an earlier report that is none" refuses 2 "foreign: not a report of pack" env BUILD=film "$ledger" html x.html --than foreign
-check "a film that is not built" refuses 1 "build the film first" env BUILD=folder "$ledger" text
+check "a film that is not built" refuses 1 "build film and pack first" env BUILD=folder "$ledger" text
 finish
