@@ -37,7 +37,7 @@ LightVector lightVector(const HallLight &light, const float *drawn = nullptr);
 // Builds the hall's model and lights, and fills and finishes a scene with it, for solveRoom().
 void prepareHall(Hall &hall, Scene &scene);
 
-// The settings that ship: `tradeoff radiosity` shows how they were chosen.
+// The settings that ship, chosen by their error against rays and their time.
 inline constexpr RadiositySettings kHallSettings = {.px = 16, .block = 2, .residual = 1e-2f};
 // Settings for solveRoom(), for a prepared hall: kHallSettings, the lobe of its gloss, the light that scene 4
 // follows and the place of the patch that it visits.

@@ -17,7 +17,7 @@ check "without a driver: one line, though Mesa says more" refuses 1 "no headless
 check "with an OpenGL that is too old" refuses 1 "no headless OpenGL 3.3: install" env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz" --dump - --from 100 --to 100.04
 if can_be_unwritten; then
     check "where written memory may not be executed, odraz-safe draws scenes without the hall" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump "$WORK/frames" --from 20 --to 20.04 --size 64x36
-    check "... and tells why it cannot draw the hall" refuses 1 "SELinux forbids what software OpenGL does: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
+    check "... and reports why it cannot draw the hall" refuses 1 "SELinux forbids what software OpenGL does: allow it" "${UNWRITTEN[@]}" "$BUILD/odraz-safe" --dump - --from 100 --to 100.04
 fi
 
 # dumped FILE COMMAND...: a picture of 64x36
@@ -39,7 +39,7 @@ check "without address randomisation" dumped "$WORK/still.ppm" setarch -R "$odra
 check "... the same" cmp "$WORK/plain.ppm" "$WORK/still.ppm"
 if command -v qemu-x86_64 >/dev/null; then
     check "on a processor of 2008" refuses 1 "AVX2" qemu-x86_64 -cpu Nehalem "$odraz" --version
-    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # which tells what qemu lacks
+    qemu-x86_64 -cpu Haswell "$odraz" --version >"$WORK/haswell" 2>"$WORK/err" # which prints what qemu lacks
     check "on a processor of 2013" grep -q ^odraz "$WORK/haswell"
 else
     echo "skipped: qemu-x86_64 is not installed"

@@ -2,7 +2,7 @@
 # Films play with the server and without it at the same time, each on a display of its own.
 #   playing.sh BUILD [server]
 . "$(dirname "$0")/display.sh"
-. "$(dirname "$0")/heard.sh"
+. "$(dirname "$0")/recorded.sh"
 [ -e /usr/share/alsa/alsa.conf ] || { echo "SKIPPED: libasound2 is not installed"; exit 77; }
 odraz=$BUILD/odraz-safe # the packed film is the same program and takes seconds more to start
 start_display 640x400
@@ -66,10 +66,10 @@ device 'pcm.!default { type pulse }'
 check "a server starts" serve
 into_server() {
     for _ in {1..10}; do
-        record "$WORK/heard"
+        record "$WORK/recorded"
         play --to 4 || return 1
         kill $recorder
-        is_music "$WORK/heard" 2 1 && return 0
+        is_music "$WORK/recorded" 2 1 && return 0
     done
     return 1
 }

@@ -1,5 +1,6 @@
 # The film in other systems, with their glibc and their Mesa: pictures, the hall's light and the music are equal to the
 # bit. debootstrap installs each system, and chroot enters it, so this needs root and a Debian mirror.
+# On 2026-11-25 all was equal with Debian 11 (glibc 2.31, Mesa 20.3) and sid (glibc 2.43, Mesa 26.2).
 #   systems.sh BUILD [SYSTEM...]      of debian11 debian13 sid; none named: the oldest and the newest
 . "$(dirname "$0")/../common.sh"
 shift

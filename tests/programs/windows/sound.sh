@@ -1,7 +1,7 @@
 # The film's music on Windows, played by Wine to a PulseAudio server: by waveOut, which reports a position.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
-. "$(dirname "$0")/../heard.sh"
+. "$(dirname "$0")/../recorded.sh"
 can_serve || { echo "SKIPPED: PulseAudio is not installed"; exit 77; }
 film=$BUILD/odraz-safe.exe
 start_display 640x400
@@ -14,10 +14,10 @@ play() { timeout "$PATIENCE" "$wine" "$film" --window --size 160x90 "$@" >"$WORK
 check "a server starts" serve
 into_server() {
     for _ in {1..10}; do
-        record "$WORK/heard"
+        record "$WORK/recorded"
         play --to 6 || return 1
         kill $recorder
-        is_music "$WORK/heard" 4 0 480 && return 0
+        is_music "$WORK/recorded" 4 0 480 && return 0
     done
     return 1
 }

@@ -1,8 +1,8 @@
 # Sourced by tests of the film's sound. WORK/film has its music; recordings are 48 kHz, 16 bits, stereo.
 loud_from() { od -An -v -td2 -w4 "$1" | awk '$1 > 100 || $1 < -100 { from = 1 } from'; } # "left right", a line each
 # is_music RECORDING SECONDS MOST [LOST]: from its first loud frame on, the recording is the film's music, sample for
-# sample, for so many seconds. The film sounds from its first sample on; a server may have lost up to LOST frames (a
-# second) of it before it was awake.
+# sample, for SECONDS. The film sounds from its first sample on; a server may lose up to LOST frames (a second) of it
+# while it wakes.
 is_music() {
     awk -v most="$3" -v lost="${4-48000}" -v wanted=$(($2 * 48000)) '
         function far(d) { return d < 0 ? -d : d }
