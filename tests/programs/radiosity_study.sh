@@ -5,7 +5,7 @@ needs_built radiosity
 cd "$WORK" || exit 1
 
 check "a model" prints polygons "$radiosity" generate cube -o cube.obj
-check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutions, [0-9]+ measurements left out$' "$radiosity" study cube.obj -o page --minutes 0.65
+check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutions, [0-9]+ measurements left out$' "$radiosity" study cube.obj -o page --minutes 0.4
 
 # --- The page ---
 PAGE=page/index.html
@@ -35,6 +35,14 @@ done
 check "its plots name their axes" test "$(grep -l 'rotate(-90)' page/*.svg | wc -l)" = "$(ls page/*.svg | wc -l)"
 
 # --- Figures ---
+# Unless a busy machine had no time for it, as the page says with these words: unhurried WORDS COMMAND...
+unhurried() {
+    local words=$1
+    shift
+    ! grep -qE "$words" $PAGE || { echo "    not compared: $(grep -ohE "$words" $PAGE | head -1)"; return 0; }
+    "$@"
+}
+solved_by="rasters: a whole solution with (25|100) pixels" gathered_by="one gather: (25|100) pixels, one in the middle"
 cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION
 check "passes: what came and what is left are all" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
 check "... less is left with each" table page/passes.csv 'if ($3 != "") { if (NR > 2 && $3 > last) bad = 1; last = $3 }' '!bad'
@@ -43,17 +51,13 @@ check "gathering converges" less "$(cell methods_within 5 '/^gathering/')" 0.01
 check "... to what Gauss-Seidel finds" less "$(cell methods_within 5 '/^Gauss-Seidel/')" 0.01
 check "... and shooting" less "$(cell methods_within 5 '/^shooting over/')" 0.1
 check "shooting with hemicubes of its own was measured" table page/methods.csv 'n += /^"?shooting by hemicubes/' 'n >= 3'
-check "a raster of 25 pixels" less 0.01 "$(cell rasters 5 '$1 == 25')"
-check "... is worse than one of 100" less "$(cell rasters 5 '$1 == 100')" "$(cell rasters 5 '$1 == 25')"
-check "one gather by 100 pixels beats 25" less "$(cell gathering 4 '$2 == 100')" "$(cell gathering 4 '$2 == 25')"
-check "interpolated light is nearer than flat light" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/')"
-# On a busy machine there may be no time for two of them
-nearer() {
-    awk -F, '$2 == "uniform" { ++n; if (n == 1) first = $4; last = $4 } END { exit !(n > 1 ? last < first : told) }' told="$(grep -c '<li>elements: uniform' $PAGE)" page/elements.csv
-}
-check "more elements are nearer" nearer
+check "a raster of 25 pixels" unhurried "$solved_by" less 0.01 "$(cell rasters 5 '$1 == 25')"
+check "... is worse than one of 100" unhurried "$solved_by" less "$(cell rasters 5 '$1 == 100')" "$(cell rasters 5 '$1 == 25')"
+check "one gather by 100 pixels beats 25" unhurried "$gathered_by" less "$(cell gathering 4 '$2 == 100')" "$(cell gathering 4 '$2 == 25')"
+check "interpolated light is nearer than flat light" unhurried "hemicubes would take too long" less "$(cell display 5 '/interpolated/')" "$(cell display 5 '/flat/')"
+check "more elements are nearer" unhurried "elements: about [0-9]*, uniform|hemicubes of all of them would take too long" table page/elements.csv 'if ($2 == "uniform") { ++n; if (n == 1) first = $4; last = $4 }' 'n > 1 && last < first'
 check "one gather: the finest raster has no difference from itself" table page/gathering.csv 'if (/^one/ && $2 > most) { most = $2; left = $6 } if ($6 != "") { ++n; bad = bad || !($6 > 0) }' 'n > 2 && left == "" && !bad'
-check "... 25 pixels are further from it than 100" less "$(cell gathering 6 '/^one/ && $2 == 100')" "$(cell gathering 6 '/^one/ && $2 == 25')"
+check "... 25 pixels are further from it than 100" unhurried "$gathered_by" less "$(cell gathering 6 '/^one/ && $2 == 100')" "$(cell gathering 6 '/^one/ && $2 == 25')"
 check "the reference was compared with path tracing" grep -qE 'The reference itself differs from path tracing, .*, by (less than )?[0-9.]+ % \(rms; median [0-9.]+ %\)' $PAGE
 check "sizes have as many patches as they were divided into" table page/table.csv 'if (!seen[$1]++) { ++sizes; bad = bad || $1 <= last; last = $1 }' '!bad && sizes >= 1'
 legend() { # every size that has a row, and no other
@@ -96,7 +100,7 @@ check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cub
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.1"
 
 interrupted() { # in this chapter, with this line
-    "$radiosity" study cube.obj -o x --progress --minutes 0.3 2>said &
+    "$radiosity" study cube.obj -o x --progress --minutes 0.2 2>said &
     local pid=$!
     PIDS+=($pid)
     await grep -q "^progress: $1.* %" said && kill -INT $pid && ! ended $pid && grep -qx "radiosity: $2" said
@@ -125,17 +129,23 @@ check "... is written as far as it came" table x/table.csv 'rows += $2 == 100 &&
 check "... its command has the options" grep -q 'radiosity solve columns.obj -o OUT.rad --reflectance 0.5 --scale 2 --direct hemicube --hemicube 100' x/solutions.csv
 
 # --- Extremes ---
-# What does not leave a surface, in a colour that it does not reflect, arrives nevertheless
-sed 's/^Kd 0.65 .*/Kd 0.65 0 0/; s/^Kd 0.12 .*/Kd 0 0.5 0/' cube.mtl >pure.mtl && sed 's/cube.mtl/pure.mtl/' cube.obj >pure.obj
-check "a room of pure colours" eval '"$radiosity" study pure.obj -o pure --minutes 0.1 >/dev/null && test -s pure/index.html'
-check "... whose reference is near the paths" less "$(grep -oE 'differs from path tracing, [^:]* by (less than )?[0-9.]+ %' pure/index.html | grep -oE '[0-9.]+ %$' | tr -d ' %')" 5
-one() { printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj && "$radiosity" study one.obj -o one --minutes 0.1 >/dev/null; }
-check "one triangle" one
-check "... has a page" test -s one/index.html
-sed 's/^Kd .*/Kd 0 0 0/' cube.mtl >black.mtl && sed 's/cube.mtl/black.mtl/' cube.obj >black.obj
-check "a room that reflects nothing" eval '"$radiosity" study black.obj -o black --minutes 0.1 >/dev/null && test -s black/index.html'
-sed 's/^Kd .*/Kd 0.99 0.99 0.99/' cube.mtl >bright.mtl && sed 's/cube.mtl/bright.mtl/' cube.obj >bright.obj
-check "a room that reflects nearly all" eval '"$radiosity" study bright.obj -o bright --minutes 0.1 >/dev/null && test -s bright/index.html'
-sed 's/^Ke .*/Ke 0 0 0/' cube.mtl >dark.mtl && sed 's/cube.mtl/dark.mtl/' cube.obj >dark.obj
-check "a closed room without lamps" eval '"$radiosity" study dark.obj -o dark --minutes 0.1 >/dev/null && test -s dark/index.html'
+# Each takes its whole time, so they run at once. What does not leave a surface, in a colour that it does not reflect,
+# arrives nevertheless
+altered() { sed "$2" cube.mtl >"$1.mtl" && sed "s/cube.mtl/$1.mtl/" cube.obj >"$1.obj"; } # altered NAME SED
+altered pure 's/^Kd 0.65 .*/Kd 0.65 0 0/; s/^Kd 0.12 .*/Kd 0 0.5 0/'
+altered black 's/^Kd .*/Kd 0 0 0/'
+altered bright 's/^Kd .*/Kd 0.99 0.99 0.99/'
+altered dark 's/^Ke .*/Ke 0 0 0/'
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >one.obj
+studies=()
+for kind in pure one black bright dark; do
+    "$radiosity" study $kind.obj -o $kind --minutes 0.1 >/dev/null &
+    PIDS+=($!) studies+=($!)
+done
+number=0
+for what in "a room of pure colours:pure" "one triangle:one" "a room that reflects nothing:black" "a room that reflects nearly all:bright" "a closed room without lamps:dark"; do
+    check "${what%:*}" ended "${studies[number++]}"
+    check "... has a page" test -s "${what#*:}/index.html"
+done
+check "the reference of pure colours is near the paths" less "$(grep -oE 'differs from path tracing, [^:]* by (less than )?[0-9.]+ %' pure/index.html | grep -oE '[0-9.]+ %$' | tr -d ' %')" 5
 finish
