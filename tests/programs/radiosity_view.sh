@@ -1,19 +1,8 @@
 # `radiosity view`: its pictures against those of `radiosity render`; what its layers, keys, mouse and wheel do; and
 # models that are solved while they are shown.
-. "$(dirname "$0")/display.sh"
-skip_unless convert
-needs_built radiosity
-needs_built compare
-radiosity=$BUILD/radiosity
-"$radiosity" view 2>&1 | grep -q 'left out of this build' &&
-    { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_window.sh"
 
-seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
-titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
-view() { "$radiosity" view "$@" >told 2>err; }
-# like A B DB: pictures alike, by PSNR of their sRGB bytes
-like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
+view() { "$radiosity" view "$@" >printed 2>err; }
 pixels() { identify -format '%#' "$1"; } # the same for equal ones
 shows() { shot && [ "$(pixels shot.png)" = "$(pixels "$1")" ]; } 2>/dev/null
 alters() { shot && [ "$(pixels shot.png)" != "$(pixels "$1")" ]; } 2>/dev/null
@@ -21,7 +10,6 @@ alters() { shot && [ "$(pixels shot.png)" != "$(pixels "$1")" ]; } 2>/dev/null
 part() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3]" info:; }
 most() { convert "$1" -crop "$2" +repage -format "%[fx:255*mean.$3*0.7]" info:; }
 
-start_display 900x700
 for kind in cube columns; do
     "$radiosity" generate $kind -o $kind.obj >out
     check "solve $kind" prints '^processor' "$radiosity" solve $kind.obj -o $kind.rad
@@ -39,7 +27,7 @@ for kind in cube columns bumps; do
     for tone in film:46 log:28; do
         check "$kind, tone ${tone%:*}" view $kind.rad --screenshot view.png --size 480x300 --tone ${tone%:*}
         "$radiosity" render $kind.rad -o render.png --size 480x300 --tone ${tone%:*} >out
-        check "... tells where it stands as render does" cmp -s out <(grep -e --eye told)
+        check "... prints where it stands as render does" cmp -s out <(grep -e --eye printed)
         check "... is what render shows" like view.png render.png ${tone#*:}
     done
 done
@@ -67,7 +55,7 @@ for kind in "cube" "columns --adaptive" "bumps --sun 30,90,3,3,3 --sky 0.2,0.3,0
     view model.rad --size 300x200 --screenshot file.png
     check "$kind, solved while it is looked at" view "$model.obj" --size 300x200 --screenshot live.png "$@"
     check "... ends with the light of the file" eval '[ "$(pixels live.png)" = "$(pixels file.png)" ]'
-    check "... and had shown some before" eval '[ "$(sed -n "s/.* shown \([0-9]*\) times/\1/p" told)" -ge 2 ]'
+    check "... and had shown some before" eval '[ "$(sed -n "s/.* shown \([0-9]*\) times/\1/p" printed)" -ge 2 ]'
 done
 
 # Layers. A plate of 2 x 2 with 4 x 4 patches and 8 x 8 elements fills most of a picture
@@ -112,31 +100,31 @@ view cube.rad --size 480x300 "${at[@]}" --exposure 0.5 --screenshot bright.png
 check "a window" begin "$radiosity" view cube.rad --size 480x300 "${at[@]}"
 check "... has the keyboard" await focused
 check "... is of the size asked" measures 480 300
-check "... tells its keys" await grep -q '1 patches, 2 elements' out
+check "... prints its keys" await grep -q '1 patches, 2 elements' out
 check "... shows the picture" await shows plain.png
 number=0
 for layer in patches elements wireframe; do
     number=$((number + 1))
     xdotool key $number
     check "key $number shows $layer" await shows $layer.png
-    check "... and tells it in the title" await titled "  $layer"
+    check "... and names it in the title" await titled "  $layer"
     xdotool key $number
     check "... and hides it when pressed again" await shows plain.png
 done
-# The keys over the picture: so many lines of letters on dark in its upper left corner, all else as it was
+# The keys over the picture: lines of letters on dark in its upper left corner, all else as it was
 helped() { # the lines in that corner
     shot && convert shot.png -crop 200x270+20+14 +repage -threshold 35% -scale '1x!' -fill white +opaque black txt: |
         awk '/^[0-9]/ { ink = !/#000000|black/; n += ink && !on; on = ink } END { print n + 0 }'
 }
-tells_keys() { [ "$(helped)" = 15 ]; } 2>/dev/null
+shows_keys() { [ "$(helped)" = 15 ]; } 2>/dev/null
 for key in h F1; do
     xdotool key $key
-    check "key $key shows the keys" await tells_keys
+    check "key $key shows the keys" await shows_keys
     check "... beside them the plain picture" eval '[ "$(convert shot.png -crop 120x300+360+0 +repage -format "%#" info:)" = "$(convert plain.png -crop 120x300+360+0 +repage -format "%#" info:)" ]'
     xdotool key $key
     check "... and hides it when pressed again" await shows plain.png
 done
-check "the title tells of them" titled 'H help'
+check "the title names them" titled 'H help'
 xdotool key t
 check "key T: the logarithm" await shows log.png
 xdotool key t
@@ -155,36 +143,44 @@ check "... and none" await shows plain.png
 # Flying
 camera() { grep -e '^--eye' out | tail -n 1; }
 lines=0
-tells() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
-asks() { lines=$(grep -ce '^--eye' out); xdotool key c; await tells; }
-check "key C tells of the camera" asks
+printed() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
+asks() { lines=$(grep -ce '^--eye' out); xdotool key c; await printed; }
+check "key C prints the camera" asks
 check "... where it was put" eval '[ "$(camera)" = "${at[*]} --up y --exposure 0 --tone film --size 480x300" ]'
-flies() { # KEY: until it is elsewhere
+flies() { # KEY COORDINATE: until that is another one
+    await rests
+    from=$(place "$2")
     xdotool keydown "$1"
-    await alters plain.png
+    await flown "$2"
     xdotool keyup "$1"
 }
+# A key that was released counts for one more picture
+rests() {
+    local was
+    was=$(camera)
+    asks && [ "$(camera)" = "$was" ]
+}
+flown() { asks && [ "$(place "$1")" != "$from" ]; }
 place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
 ahead() { [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }; } # SIGN FROM TO
 for move in "w 3 -1" "s 3 1" "a 1 -1" "d 1 1" "e 2 1" "q 2 -1"; do
     # shellcheck disable=SC2086
     set -- $move
-    check "key $1 flies" flies "$1"
-    asks
-    from=(1 5 4.9)
-    check "... the right way" ahead "$3" "${from[$(($2 - 1))]}" "$(place "$2")"
-    xdotool key r
-    check "... and R comes back" await shows plain.png
+    check "key $1 flies" flies "$1" "$2"
+    check "... the right way" ahead "$3" "$from" "$(place "$2")"
 done
+check "elsewhere it shows another picture" await alters plain.png
+xdotool key r
+check "key R comes back" await shows plain.png
 xdotool mousemove --window "$window" 200 150 mousedown 1 mousemove --window "$window" 260 130 mouseup 1
 check "the mouse looks around" await alters plain.png
-flies w
+flies w 3
 sleep 0.5
-check "... and tells where" asks
+check "... and prints where" asks
 check "... to the right and up" eval 'less 0 "$(place 4)" && less 4 "$(place 5)"'
 same() {
     # shellcheck disable=SC2046
-    "$radiosity" view cube.rad $(camera) --screenshot view.png >told && shot && like shot.png view.png 40
+    "$radiosity" view cube.rad $(camera) --screenshot view.png >printed && shot && like shot.png view.png 40
 }
 check "a camera's line gives the same picture" await same
 # shellcheck disable=SC2046

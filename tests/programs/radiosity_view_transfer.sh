@@ -1,19 +1,8 @@
 # `radiosity view` of a room: its pictures against those of `render`, the sky turned by the mouse, lamps, bands and
 # clusters by keys, and the rate.
-. "$(dirname "$0")/display.sh"
-. "$(dirname "$0")/room.sh"
-skip_unless convert perl
-needs_built radiosity
-needs_built compare
-radiosity=$BUILD/radiosity
-"$radiosity" view 2>&1 | grep -q 'left out of this build' &&
-    { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
-cd "$WORK" || exit 1
-
-seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
-titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
+. "$(dirname "$0")/radiosity_window.sh"
+skip_unless perl
 shows() { shot && like shot.png "$1" 46; } 2>/dev/null
-start_display 900x700
 
 perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
     for $j (0 .. 31) { for $i (0 .. 63) { print pack("C4", $i < 32 ? (200, 90, 40, 129) : (30, 60, 120, 128)) } }' >sky.hdr
@@ -21,11 +10,11 @@ open_room hall
 check "transfer" prints 'lamps 1 lamp, 2 spot' "$radiosity" transfer hall.obj -o hall.prt --rays 64 --element 0.02 --glossy red --rank 8 --clusters 40
 at=(--size 320x200 --eye 0,1.5,7 --at 0,1.5,0)
 render() { "$radiosity" render hall.prt -o "$@" "${at[@]}" --sky sky.hdr >out; }
-view() { "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" "$@" >told 2>err; }
+view() { "$radiosity" view hall.prt --relight sky.hdr "${at[@]}" "$@" >printed 2>err; }
 render plain.png
 check "a picture" view --screenshot view.png
 check "... is render's" like view.png plain.png 44
-check "... and the loss is told" grep -q 'sky.hdr: 5 bands hold' told
+check "... and the loss is printed" grep -q 'sky.hdr: 5 bands hold' printed
 for more in "--turn 70" "--lamps none" "--lamps 2=3" "--bands 2" "--rank 3" "--tilt 40" "--clusters 20" "--clusters 3 --rank 1"; do
     # shellcheck disable=SC2086 # options are several words
     check "with $more" view $more --screenshot view.png
@@ -50,12 +39,12 @@ view --screenshot turned.png --turn 50
 for other in one two bands turned; do check "$other.png is another picture" eval "! like $other.png plain.png 46"; done
 check "a window" begin "$radiosity" view hall.prt --relight sky.hdr "${at[@]}"
 check "... has the keyboard" await focused
-check "... tells its keys" await grep -q '1 .. 9 0 lamps' out
+check "... prints its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
 check "... and what it is" titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
 xdotool key 1
 check "key 1: without the first lamp" await shows one.png
-check "... tells so" await titled 'lamps 2 '
+check "... and says so in the title" await titled 'lamps 2 '
 xdotool key 1
 await shows plain.png
 xdotool key 2
@@ -92,7 +81,7 @@ xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$wi
 check "the right button turns the sky" await shows turned.png
 check "... by a third of a degree for a pixel" await titled 'turn 50 '
 xdotool key c
-check "key C tells of the light too" await grep -qE -- '--tone film --size 320x200 --sky sky.hdr --turn 50 --tilt 0 --bands 5 --lamps 1,2$' out
+check "key C prints the light too" await grep -qE -- '--tone film --size 320x200 --sky sky.hdr --turn 50 --tilt 0 --bands 5 --lamps 1,2$' out
 xdotool key Escape
 ended $pid
 check "ESC ends it with status 0" test $? = 0
@@ -103,16 +92,16 @@ odd="it's a \$sky\" "
 cp sky.hdr "$odd"
 check "a window" begin "$radiosity" view hall.prt --relight "$odd" --tilt 25 "${at[@]}"
 await focused
-check "... tells the tilt" await titled 'turn 0  tilt 25  5 bands'
+check "... whose title has the tilt" await titled 'turn 0  tilt 25  5 bands'
 xdotool key comma minus
 check "... and other clusters" await titled '20 clusters of 7 axes  lamps'
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mouseup 3
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
 await titled 'turn 10  tilt 30  '
 xdotool key c
-check "key C tells clusters" await grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
+check "key C prints clusters" await grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
 line=$(grep -e '^--eye' out | tail -n 1)
-again() { eval "\"$radiosity\" $1 $line" >told; }
+again() { eval "\"$radiosity\" $1 $line" >printed; }
 check "... for render" again 'render hall.prt -o render.png'
 check "... for view" again 'view hall.prt --screenshot view.png'
 like_both() { shot && like shot.png view.png 46 && like shot.png render.png 44; }
@@ -129,7 +118,7 @@ check "more clusters than texels" refuses 2 "--clusters: the room has" "$radiosi
 balls=()
 for k in $(seq 11); do balls+=(--lamp "-1.$((9 - k % 10)),0.$((k % 9 + 1)),-1.$((k % 9)),0.2,$((k % 3)),2,$((k % 2))"); done
 check "a room of 13 lamps" prints '13 ball 11$' "$radiosity" transfer hall.obj -o many.prt --rays 16 --element 0.04 --bands 2 "${balls[@]}"
-many() { "$radiosity" view many.prt "${at[@]}" "$@" >told 2>err; }
+many() { "$radiosity" view many.prt "${at[@]}" "$@" >printed 2>err; }
 many --screenshot three.png --lamps 1,2=3,12=9
 many --screenshot weak.png --lamps 1,2,12=9
 many --screenshot without.png --lamps 1,2=3
@@ -150,7 +139,7 @@ check "... which comes back, too" await shows three.png
 xdotool key shift+3
 check "Shift and 3: the thirteenth, which was off" await titled 'lamps 1 2 12 13 '
 xdotool key c
-check "key C tells strengths" await grep -qE -- '--lamps 1,2=3,12=9,13$' out
+check "key C prints strengths" await grep -qE -- '--lamps 1,2=3,12=9,13$' out
 xdotool key shift+4 shift+9
 check "Shift and numbers of no lamp do nothing" await titled 'lamps 1 2 12 13 '
 xdotool key Escape
@@ -166,7 +155,7 @@ if command -v prlimit >/dev/null; then
     size=$(awk '/^VmSize/ { print $2 * 1024 }' /proc/$pid/status)
     prlimit --pid $pid --as=$((size + 40000000))
     xdotool key period
-    check "too little memory for more clusters is told" await grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
+    check "too little memory for more clusters is reported" await grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
     check "... in one line" test "$(wc -l <err)" = 1
     check "... and the old ones stay" await titled '2048 clusters of 32 axes  lamps'
     xdotool key p

@@ -1,0 +1,14 @@
+# Sourced by the tests of `radiosity view`: what they need, and its window on a display.
+. "$(dirname "$0")/display.sh"
+. "$(dirname "$0")/room.sh"
+skip_unless convert
+needs_built radiosity
+needs_built compare
+radiosity=$BUILD/radiosity
+"$radiosity" view 2>&1 | grep -q 'left out of this build' &&
+    { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
+cd "$WORK" || exit 1
+
+seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
+start_display 900x700
