@@ -15,8 +15,6 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kGlossRays = 4096; // from the middle of a square
-
 class TransferFinder {
 public:
     TransferFinder(const Mesh &mesh, const TransferSettings &s, Workers &workers,
@@ -247,7 +245,7 @@ private:
             show("gloss", (float)i / (float)charts.size());
             const Chart &c = room.model.charts[charts[i]];
             room.gloss.push_back(squaresOf(c, (int)charts[i], lights(), side));
-            findGloss(room.gloss.back(), c, kGlossRays, s.exponent, arrives, workers);
+            findGloss(room.gloss.back(), c, s.glossRays, s.exponent, arrives, workers);
             report.squares += room.gloss.back().across * room.gloss.back().down;
         }
     }

@@ -13,9 +13,10 @@ namespace odraz::radiosity {
 
 struct TransferSettings {
     int bands = kBands;
-    int clusters = 0, rank = 0;            // 0: as many as the bands need for an error of a per cent
+    int clusters = 0, rank = 0;            // 0: the number that keeps the error below one per cent
     std::string glossy;                    // a material; empty: none is
     float polish = kPolish, exponent = 16; // see gloss.h, and window() of spherical_harmonics.h
+    int glossRays = 4096;                  // from the middle of each square of the glossy planes
     bool upIsZ = false;
     // Its rays, element, lamps, suns, memory and residual count; the sky does not
     SolveSettings solve;
@@ -28,11 +29,11 @@ struct TransferReport {
     std::vector<std::string> notes;
 };
 
-// The number of clusters and axes for a room of so many texels.
+// The number of clusters for a room of this number of texels, and of axes.
 int usualClusters(size_t texels, int bands);
 int usualRank(int bands);
 
-// The rays from every site, if the settings do not say: 256, fewer for many sites.
+// The rays from every site, unless the settings give their number: 256, fewer for many sites.
 int usualRays(size_t sites);
 
 // Column weights for the clusters: environment and lamps count alike.
