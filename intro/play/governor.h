@@ -52,16 +52,17 @@ struct Governor {
     // A time counts as at most this many times the average. A longer one is a hiccup of the system, and does
     // not predict the next.
     static constexpr float kMostTimes = 4;
-    // Where no in-betweens are made, the average of making one moves towards kGuess of the time of tracing,
-    // which is usual; by kForget of the difference with each picture, so within a second.
+    // While no in-betweens are made, the average of making one moves towards kGuess times that of tracing,
+    // the usual ratio: by kForget of the difference with each picture, so that it is forgotten within a
+    // second.
     static constexpr float kForget = 0.03f, kGuess = 0.5f;
 
     // --- How coarseness moves ---
 
-    // The excess of a picture is the time it took over its budget, less 1. For each sixtieth of a second,
+    // The excess of a picture is its time divided by its budget, minus 1. For each sixtieth of a second,
     // coarseness moves by kGain times the excess, which is limited: upwards to kMostExcess (from `play` to
-    // `draft` in a seventh of a second), downwards to kLeastExcess, since viewers notice a late picture more
-    // than a coarse one. Beyond kAlarm it moves up by a whole step at once.
+    // `draft` in a seventh of a second), downwards to kLeastExcess, since viewers notice a late picture
+    // more than a coarse one. Beyond kAlarm it moves up by a whole step at once.
     static constexpr float kGain = 0.12f, kLeastExcess = -0.5f, kMostExcess = 1, kAlarm = 1.5f;
     // While fewer pixels are traced than shown, an excess up to kDeadBand does not count, so that the size of
     // pictures does not swing.
@@ -74,8 +75,8 @@ struct Governor {
     static constexpr int kWidthStep = 16; // reduced widths are multiples of it, in pixels
     // Scaling up blurs the whole picture, so less than this part of a step is not worth it.
     static constexpr float kLeastShrink = 0.06f;
-    // Any quality better than `draft` takes samples within pixels, and this many times as long. All pixels
-    // are traced again only if there is time for that.
+    // Any quality better than `draft` takes samples within pixels, which multiplies the time by this. All
+    // pixels are traced again only if there is time for that.
     static constexpr float kInsideCost = 1.28f;
 
     // --- How the cadence is chosen ---

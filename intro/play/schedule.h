@@ -6,6 +6,7 @@
 
 namespace odraz {
 
+// A finished picture, on its way to the thread that shows it.
 struct Made {
     Picture picture;
     double time;       // of the film, in seconds
