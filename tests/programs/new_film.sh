@@ -19,16 +19,21 @@ check "a file" refuses 2 "is there already" "$new" "$WORK/full/.file" mira
 check "a folder in this house" refuses 2 "lies in this house" "$new" "$SOURCE/tools/mira" mira
 check "... by another path" refuses 2 "lies in this house" bash -c "ln -s '$SOURCE' '$WORK/link' && cd '$WORK' && exec '$new' link/mira mira"
 [ "$(id -u)" = 0 ] || check "a folder that may not be written to" refuses 2 "cannot write into /" "$new" /mira mira
-interrupted() { # while it builds; children of the terminal's group end, too
+not_copied() { # headers of tools and tests that the copy includes and does not have
+    cd "$1" && grep -rhoE '^#include "(tools|tests)/[^"]*"' intro packer tools tests/unit | cut -d'"' -f2 | sort -u |
+        while read -r header; do [ -e "$header" ] || echo "$header"; done
+}
+interrupted() { # while it builds, when all is copied; children of the terminal's group end, too
     setsid "$new" "$1" mira --no-test >/dev/null 2>&1 &
     local pid=$!
-    await test -e "$1/build/build.log" && kill -TERM -- -$pid 2>/dev/null
+    await test -e "$1/build/build.log" && missing=$(not_copied "$1") && kill -TERM -- -$pid 2>/dev/null
     wait $pid
     [ $? = 130 ]
 }
 if [ -z "$(dpkg-query -W -f '${Status}\n' cmake ninja-build libcli11-dev libstb-dev 2>&1 | grep -v 'ok installed')" ]; then
     check "it is interrupted" interrupted "$to"
     check "... and leaves nothing" test ! -e "$to"
+    check "what a new film includes is there${missing:+, but for $missing}" test "$missing" = ""
     mkdir "$to"
     check "... in a folder that was there" interrupted "$to"
     check "... which is as empty as before" rmdir "$to"
