@@ -1,5 +1,5 @@
-# The command that measures and writes RESULTS.md: quick runs of two sections into another file; and what --check prints,
-# in a scratch repository with two sections that take no time.
+# The command that measures and writes RESULTS.md: quick runs of two sections into another file; and what --check
+# prints, in a scratch repository with two sections that take no time.
 . "$(dirname "$0")/common.sh"
 needs_built bench_transfer
 export BUILD
@@ -10,15 +10,19 @@ section() { awk -v name="$1" '/^<!-- .* -->$/ { sub(/:$/, "", $2); inside = $2 =
 renew() { "$all" --built --quick --to "$to" "$@" >/dev/null 2>"$WORK/err"; }
 
 check "sections are measured" renew --only size --only transfer
-check "its mark has the hashes of its sources" grep -qE '^<!-- size: intro [0-9a-f]{12}, .*tools/measure/results/size [0-9a-f]{12} -->$' "$to"
-check "processor, compiler and Mesa stand at the head of all" test "$(grep -cE '^\| (processor|compiler|Mesa) \| .+ \|$' "$to")" = 3
+check "its mark has the hashes of its sources" \
+    grep -qE '^<!-- size: intro [0-9a-f]{12}, .*tools/measure/results/size [0-9a-f]{12} -->$' "$to"
+check "processor, compiler and Mesa stand at the head of all" \
+    test "$(grep -cE '^\| (processor|compiler|Mesa) \| .+ \|$' "$to")" = 3
 "$all" --list >"$WORK/list"
 check "sections are listed" test "$(wc -l <"$WORK/list")" -gt 3
-check "... which take no longer than half an hour together" less "$(awk '{ sum += $2 } END { print sum }' "$WORK/list")" 30.01
+check "... which take no longer than half an hour together" \
+    less "$(awk '{ sum += $2 } END { print sum }' "$WORK/list")" 30.01
 check "... and they are twenty at most" test "$(wc -l <"$WORK/list")" -le 20
 check "... and every one is there" test "$(grep -c '^## ' "$to")" = "$(wc -l <"$WORK/list")"
 check "what was not measured says how" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
-check "the film's size is printed" grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
+check "the film's size is printed" \
+    grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
 check "... with the command that makes it" prints 'By `cmake --build build --target film film_windows`:' section size
 section transfer >"$WORK/transfer"
 check "transfer is printed" test "$(grep -cE '^\| [a-z].*\| [0-9.]+ \|' "$WORK/transfer")" -ge 10
@@ -42,7 +46,7 @@ check "... nor by programs that are missing" refuses 2 "odraz-safe is missing: c
 
 # --- CSV by the titles of its columns ---
 . "$SOURCE/tools/measure/tables.sh"
-export -f column csv
+export -f column columns csv
 printf 'scene,ms,shipped\nA,3,1\nB,4,0\n' >"$WORK/a.csv"
 printf 'count,scene\n7,A\n' >"$WORK/b.csv"
 check "a column's number" test "$(column ms "$WORK/a.csv")" = 2
@@ -50,7 +54,12 @@ check "a title that is missing" refuses 1 "has no column 'db'" bash -c 'column d
 check "cells by title" test "$(csv '$shipped { print $scene, $ms }' "$WORK/a.csv")" = "A 3"
 check "... of two files, whatever the order of their columns" \
     test "$(csv 'NR == FNR { n[$scene] = $count; next } { print $scene n[$scene] }' "$WORK/b.csv" "$WORK/a.csv" | paste -sd ' ')" = "A7 B"
-check "... a title that is missing" refuses 1 "has no column 'db'" bash -c 'csv "{ print \$db }" "$@"' - "$WORK/a.csv" "$WORK/b.csv"
+check "... a title that is missing" \
+    refuses 1 "has no column 'db'" bash -c 'csv "{ print \$db }" "$@"' - "$WORK/a.csv" "$WORK/b.csv"
+
+check "a table of some columns, under other headings" \
+    test "$(columns "$WORK/a.csv" ms=time scene | paste -sd ' ')" = "| time | scene | |---|---| | 3 | A | | 4 | B |"
+check "... a title that is missing" refuses 1 "has no column 'db'" bash -c 'columns "$1" ms db' - "$WORK/a.csv"
 
 # --- What --check prints ---
 scratch=$WORK/scratch
@@ -87,7 +96,8 @@ reports() {
     echo "exit $got, wanted $1; printed: $(head -c 500 "$WORK/report")" >&2
     return 1
 }
-check "nothing was measured: reported, with the command" reports 1 '^unmeasured: two: tools/measure/all --only two, 1 minutes$'
+check "nothing was measured: reported, with the command" \
+    reports 1 '^unmeasured: two: tools/measure/all --only two, 1 minutes$'
 check "all is measured" measures
 check "... and --check has nothing to report" reports 0 ''
 check "... except the totals" grep -qx '2 sections, 0 of them stale' "$WORK/report"
@@ -98,7 +108,8 @@ check "hashes are git's" grep -qF "intro/trace $(git rev-parse HEAD:intro/trace 
 quality=$(find intro/trace -name quality.h)
 commit -m results
 echo >>"$quality"
-check "a change that is not committed makes its section stale, and no other" reports 0 '^stale: one: since then intro/trace$'
+check "a change that is not committed makes its section stale, and no other" \
+    reports 0 '^stale: one: since then intro/trace$'
 check "... which is no failure" test "$(grep -c '^stale' "$WORK/report")" = 1
 commit -m change
 check "... as does a commit" reports 0 '^stale: one: since then intro/trace$'
@@ -131,7 +142,8 @@ git checkout -q "$quality"
 cp "$WORK/before" "$to"
 
 sed -i 's/1,235/1,234/' README.md
-check "other figures than the sections'" reports 1 '^README.md has other figures than RESULTS.md: tools/measure/all --readme$'
+check "other figures than the sections'" \
+    reports 1 '^README.md has other figures than RESULTS.md: tools/measure/all --readme$'
 check "... are written anew" "$all" --readme
 check "... as they were" reports 0 ''
 sed -i '/<!-- .figures -->/d' README.md

@@ -14,7 +14,8 @@ check "... which shows the film in order, nothing before its time" table "$list"
     'if ($2 < last || ($1 >= 0 && $1 < $2)) wrong = 1; last = $2; shown += $1 >= 0; if ($4 > 2 || $5 != 160 || $6 != 90) wrong = 1' \
     '!wrong && shown > 20 && lines <= 181 && last > 53 && last < 53.5'
 check "seen sums it up" prints '^flake,[0-9.]+,[0-9]+,[0-9]+,[0-9]+,' "$BUILD/seen" "$list" --summary
-check "... and looks at it" prints '^flake,30,[0-9]+,0\.[0-9]+,[0-9.]+,[0-9.]+$' "$BUILD/seen" "$list" --at 51.75 --screen 160x90
+check "... and looks at it" \
+    prints '^flake,30,[0-9]+,0\.[0-9]+,[0-9.]+,[0-9.]+$' "$BUILD/seen" "$list" --at 51.75 --screen 160x90
 check "... and writes what stands on the screen, and the truth" eval \
     '"$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$WORK/pictures" >"$WORK/out" &&
     [ "$(ls "$WORK/pictures" | tr "\n" " ")" = "$(for n in 0 1 2 3; do printf "051750-$n-truth.png 051750-$n.png "; done)" ]'
@@ -29,16 +30,19 @@ check "... is looked at" eval \
     '[ "$("${players[@]}" --judged 64x36 --at 52 --length 0.05 | cut -d, -f 1-4 | tr "\n" " ")" = "screen,machine,scene,sixtieths 640x360,8,flake,3 640x360,64,flake,3 1280x720,8,flake,3 1280x720,64,flake,3 " ]'
 check "several screens are judged on none" refuses 2 "several screens need --judged" "${players[@]}"
 check "three penalties" refuses 2 "takes 4 numbers" "$BUILD/seen" --machine 8 --penalty 1,2,3
-check "a folder that cannot be" refuses 1 "$list" "$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$list/none"
+check "a folder that cannot be" \
+    refuses 1 "$list" "$BUILD/seen" "$list" --at 51.75 --length 0.0667 --screen 160x90 --pictures "$list/none"
 
-check "writes to standard output" eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'
+check "writes to standard output" \
+    eval '"$BUILD/odraz-debug" --shown - --from 50 --to 50.5 --size 64x36 --mute | grep -q "^at,time,kind"'
 
 # What is wrong is reported in one line
 debug=("$BUILD/odraz-debug" --size 64x36 --mute --from 50 --to 50.3 --shown)
 check "no folder" refuses 1 "cannot write $WORK/none/list" "${debug[@]}" "$WORK/none/list"
 check "a folder" refuses 1 "cannot write $WORK" "${debug[@]}" "$WORK"
 check "a full disk" refuses 1 "no space left" "${debug[@]}" /dev/full
-check "a closed pipe" refuses 1 "cannot write standard output" bash -c '"$@" - | true; exit ${PIPESTATUS[0]}' - "${debug[@]}"
+check "a closed pipe" \
+    refuses 1 "cannot write standard output" bash -c '"$@" - | true; exit ${PIPESTATUS[0]}' - "${debug[@]}"
 check "a quality" refuses 2 "leave out --quality" "${debug[@]}" "$list" --quality film
 check "a dump" refuses 2 "leave out --dump" "$BUILD/odraz-debug" --shown "$list" --dump "$WORK/frames"
 finish

@@ -36,8 +36,10 @@ wait "${runs[@]}"
 soaks() { cp "$WORK/report.$1" "$WORK/report" && [ "$(cat "$WORK/status.$1")" = 0 ]; }
 finds() { ! soaks "$1" && grep -qxF -- "- $2" <(sed 's/took [0-9.]* MB/took some MB/' "$WORK/report"); }
 check "one that does as it should" soaks nothing
-check "... its run is in the table" grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/report"
-check "... and that it is well" grep -q '^Every run ended with status 0 and printed nothing on standard error' "$WORK/report"
+check "... its run is in the table" \
+    grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/report"
+check "... and that it is well" \
+    grep -q '^Every run ended with status 0 and printed nothing on standard error' "$WORK/report"
 check "memory that grows" finds memory "run 1 took some MB more after its first third"
 check "descriptors that stay open" finds descriptors "run 1 took more descriptors"
 check "threads that stay" finds threads "run 1 took more threads"

@@ -2,7 +2,8 @@
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 tradeoff=$BUILD/tradeoff
-check "the packer's trade-off is measured" "$tradeoff" pack --quick --model "$SOURCE/intro/odraz.model" --csv "$WORK/csv" --plot "$WORK/svg" "$BUILD/odraz-safe"
+check "the packer's trade-off is measured" \
+    "$tradeoff" pack --quick --model "$SOURCE/intro/odraz.model" --csv "$WORK/csv" --plot "$WORK/svg" "$BUILD/odraz-safe"
 check "... as a table" grep -qx "file,setting,shipped,bytes,encode_s,decode_kb_s,memory_mb" "$WORK/csv"
 check "... with one point that ships, whose size is the film's" \
     table "$WORK/csv" 'if ($3 == 1) { ++shipped; bytes = $4 }' "shipped == 1 && bytes > 10000 && bytes <= $(($(stat -c %s "$BUILD/odraz") - 2634))"

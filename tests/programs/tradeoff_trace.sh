@@ -9,10 +9,12 @@ if [ "${2-}" = all ]; then
     sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50
 fi
 check "the tracer's trade-off is measured" "$tradeoff" trace --quick "${sweep[@]}" --csv "$WORK/csv" --plot "$WORK/svg"
-check "... as a table, its measures named" grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
+check "... as a table, its measures named" \
+    grep -qx "scene,camera,setting,shipped,samples_per_pixel,cpu_ms,mean_flip,linear_psnr_db,srgb_psnr_db,words" "$WORK/csv"
 check "... its settings in words, to be counted" grep -qE ',play grid=1$' "$WORK/csv"
 for scene in "${scenes[@]}"; do
-    check "... with the points of $scene that ship" table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
+    check "... with the points of $scene that ship" \
+        table "$WORK/csv" "shipped += \$1 == \"$scene\" && \$4 == 1" 'shipped >= 3'
 done
 . "$SOURCE/tools/measure/tables.sh"
 # measured COLUMN SCENE SETTING
@@ -20,7 +22,8 @@ measured() { csv "\$scene == \"$2\" && \$setting == \"$3\" { print \$$1 }" "$WOR
 for scene in "${apart[@]}"; do
     for pair in "draft play" "play film"; do
         set -- $pair
-        check "... in which $2 is nearer than $1 in $scene: by FLIP" less "$(measured mean_flip $scene $2)" "$(measured mean_flip $scene $1)"
+        check "... in which $2 is nearer than $1 in $scene: by FLIP" \
+            less "$(measured mean_flip $scene $2)" "$(measured mean_flip $scene $1)"
         check "... in linear light" less "$(measured linear_psnr_db $scene $1)" "$(measured linear_psnr_db $scene $2)"
         check "... and in sRGB" less "$(measured srgb_psnr_db $scene $1)" "$(measured srgb_psnr_db $scene $2)"
     done
@@ -31,24 +34,31 @@ check "... each with its name" test "$(grep -c 'class="name"' "$WORK/svg")" = "$
 check "a scene alone" prints '^field,0,play,1,' "$tradeoff" trace --quick --scene field
 mkdir "$WORK/kept"
 again() { "$tradeoff" trace --quick --scene credits/1 --references "$WORK/kept" --setting play --setting play,grid=2,cutoff=1/64 | cut -d, -f1-5,7-; }
-check "another camera, a setting of one's own, a reference to keep" prints '^credits,1,play grid=2 cutoff=1/64,0,4.000,' again
+check "another camera, a setting of one's own, a reference to keep" \
+    prints '^credits,1,play grid=2 cutoff=1/64,0,4.000,' again
 check "... named after both" test -s "$WORK/kept/credits-1-256"
 check "... which is kept" test "$(stat -c %s "$WORK/kept"/*)" = $((256 * 144 * 3))
 cp "$WORK/printed" "$WORK/first"
 check "... and used again" cmp "$WORK/first" <(again)
 check "a camera that is not there" refuses 2 "cameras are 0 to 2" "$tradeoff" trace --scene A/3
-check "a knob that is not there" refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
+check "a knob that is not there" \
+    refuses 2 "there is no knob 'colour'; there are: grid" "$tradeoff" trace --setting play,colour=1
 check "a value that is none" refuses 2 "'1/x' is no value of cutoff" "$tradeoff" trace --setting play,cutoff=1/x
 check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tradeoff" trace --setting fast
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
-check "a plot that cannot be written" refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
-check "instructions refuses words it does not know" refuses 2 "usage: tools/measure/bench/instructions" "$SOURCE/tools/measure/bench/instructions" --fast
-check "peer_povray refuses scenes it does not know" refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
+check "a plot that cannot be written" \
+    refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
+check "instructions refuses words it does not know" \
+    refuses 2 "usage: tools/measure/bench/instructions" "$SOURCE/tools/measure/bench/instructions" --fast
+check "peer_povray refuses scenes it does not know" \
+    refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
-    check "bench_trace counts rays" prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"
+    check "bench_trace counts rays" \
+        prints items_per_second bash -c "exec '$BUILD/bench_trace' --benchmark_filter='^ray/.*/A$' --benchmark_min_time=0.01 2>/dev/null"
     check "... of four kinds" test "$(grep -c items_per_second "$WORK/printed")" = 4
     "$BUILD/bench_trace" --benchmark_filter='^picture/A/(posing|draft|development|all of play)/' --benchmark_min_time=0.01 >"$WORK/parts" 2>/dev/null
-    check "... and all parts of a picture" test "$(grep -cE '^picture/A/(posing|draft|development|all of play)/.* ms ' "$WORK/parts")" = 4
+    check "... and all parts of a picture" \
+        test "$(grep -cE '^picture/A/(posing|draft|development|all of play)/.* ms ' "$WORK/parts")" = 4
     check "bench_trace refuses options it does not know" refuses 2 "" "$BUILD/bench_trace" --slow
 else
     echo "skipped: bench_trace is not built"

@@ -15,7 +15,10 @@ display() {
 window_manager() {
     openbox >/dev/null 2>&1 &
     trap "kill $! $XVFB" EXIT
-    for _ in $(seq 100); do xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id' && return; sleep 0.1; done
+    for _ in $(seq 100); do
+        xprop -root _NET_SUPPORTING_WM_CHECK 2>/dev/null | grep -q 'window id' && return
+        sleep 0.1
+    done
     echo "${0##*/}: openbox does not start" >&2
     return 1
 }

@@ -1,8 +1,8 @@
 # Sourced by tools/measure/all: the sections of RESULTS.md, and the sources that they were measured from.
 #
-# Above each section stands its mark, with git's hashes of its sources: <!-- size: intro 286356691e85, ... -->. A source
-# is a folder or a file of the repository, as it is in the working tree (`git rev-parse HEAD:intro` prints the same hash),
-# so it is the same in every clone, and a rebase does not change it. READMEs and odraz-debug are left out.
+# Above each section is its mark, with git's hashes of its sources: <!-- size: intro 286356691e85, ... -->. A source
+# is a folder or a file of the repository, as it is in the working tree (`git rev-parse HEAD:intro` prints the same
+# hash). So it is the same in every clone, and a rebase does not change it. READMEs and odraz-debug are left out.
 
 # describe SECTION: loads what its file defines
 describe() {
@@ -17,11 +17,16 @@ read_results() {
     mkdir "$WORK/kept" "$WORK/records"
     for name in "${SECTIONS[@]}"; do : >"$WORK/kept/$name" >"$WORK/records/$name"; done
     [ ! -r "$1" ] || awk -v work="$WORK" '
-        function keep() { if (name != "") { sub(/\n+$/, "\n", text); printf "%s", text >(work "/kept/" name) } text = "" }
+        function keep() {
+            sub(/\n+$/, "\n", text)
+            if (name != "") printf "%s", text >(work "/kept/" name)
+            text = ""
+        }
         /^<!-- [a-z-]+(: .*)? -->$/ {
             keep()
             name = $2; sub(/:$/, "", name)
-            record = $0; if (sub(/^<!-- [a-z-]+: /, "", record)) { sub(/ -->$/, "", record); print record >(work "/records/" name) }
+            record = $0
+            if (sub(/^<!-- [a-z-]+: /, "", record) && sub(/ -->$/, "", record)) print record >(work "/records/" name)
             next
         }
         { text = text $0 "\n" }
@@ -39,7 +44,8 @@ write_results() {
                 cat "$WORK/kept/$name"
             else
                 describe "$name"
-                printf '\n<!-- %s -->\n## %s\n\nNot measured yet: `tools/measure/all --only %s`, %s minutes.\n' "$name" "$title" "$name" "$minutes"
+                printf '\n<!-- %s -->\n## %s\n\n' "$name" "$title"
+                printf 'Not measured yet: `tools/measure/all --only %s`, %s minutes.\n' "$name" "$minutes"
             fi
         done
     } >"$PLOTS/.results.$$"
@@ -51,11 +57,11 @@ head_of_results() {
     cat <<END
 # Measured
 
-\`tools/measure/all\` writes this page: \`--only NAME\` measures one section, \`--stale\` those whose sources have changed
-since, \`--check\` prints which these are. Below each title stands when and where it was made, how many processors other
-programs kept busy meanwhile (above 0.5, times are too long), and the commands. Times are those of processors, unless a
-column says otherwise: of all threads, user and system. Callgrind counts instructions, which other programs do not
-disturb. Where cores are shared, ratios within one run are more reliable than times.
+\`tools/measure/all\` writes this page: \`--only NAME\` measures one section, \`--stale\` those whose sources have
+changed since, \`--check\` prints which these are. Below each title are its day and machine, how many processors other
+programs kept busy meanwhile (above 0.5, times are too long), and the commands. Times are those of processors, unless
+a column is headed otherwise: of all threads, user and system. Callgrind counts instructions, which other programs do
+not disturb. Where cores are shared, ratios within one run are more reliable than times.
 
 | the last run | |
 |---|---|
@@ -83,7 +89,8 @@ hash_sources() {
         # A temporary index and object store
         index=$(git rev-parse --git-path index) store=$(git rev-parse --git-path objects)
         cp "$index" "$WORK/index"
-        export GIT_INDEX_FILE=$WORK/index GIT_OBJECT_DIRECTORY=$WORK/objects GIT_ALTERNATE_OBJECT_DIRECTORIES=$(cd "$store" && pwd)
+        export GIT_INDEX_FILE=$WORK/index GIT_OBJECT_DIRECTORY=$WORK/objects
+        export GIT_ALTERNATE_OBJECT_DIRECTORIES=$(cd "$store" && pwd)
         git add --all
         git ls-files -z '*.md' intro/maker intro/main_debug.cpp packer/link | git update-index -z --force-remove --stdin
         tree=$(git write-tree)
@@ -127,7 +134,7 @@ clock() { echo $((${EPOCHREALTIME/[.,]/} / 10000)); }
 
 # measure_section NAME: writes its text to $WORK/section and the record of its sources to $WORK/record
 measure_section() {
-    local self=$BASHPID all_before own_before began took path
+    local self=$BASHPID all_before own_before began took others path
     hash_sources "$1"
     describe "$1"
     if [ -z "$built" ]; then
@@ -140,9 +147,10 @@ measure_section() {
     began=$(clock) all_before=$(busy) own_before=$(own $self)
     measure >"$WORK/body"
     took=$(($(clock) - began))
+    others=$(($(busy) - all_before - $(own $self) + own_before))
     {
         printf '## %s\n\n%s, %s, others %s%s, took %d.%d s. By ' "$title" "$(date -u +%Y-%m-%d)" "$(processor)" \
-            "$(awk "BEGIN { others = ($(busy) - $all_before - $(own $self) + $own_before) / ($took + 1); printf \"%.2f\", others < 0 ? 0 : others }")" \
+            "$(awk "BEGIN { printf \"%.2f\", $others < 0 ? 0 : $others / ($took + 1) }")" \
             "${quick:+, quick}" $((took / 100)) $((took / 10 % 10))
         awk '!seen[$0]++ { printf "%s`%s`", (NR > 1 ? "; " : ""), $0 } END { printf ":\n\n" }' "$WORK/commands"
         sed '/./,$!d' "$WORK/body"

@@ -2,7 +2,8 @@
 
 # column TITLE FILE: prints the column's number; fails if the file has no such title
 column() {
-    head -n 1 "$2" | tr , '\n' | grep -nxF -- "$1" | cut -d: -f1 | grep . || { echo "$2 has no column '$1'" >&2; return 1; }
+    head -n 1 "$2" | tr , '\n' | grep -nxF -- "$1" | cut -d: -f1 | grep . ||
+        { echo "$2 has no column '$1'" >&2; return 1; }
 }
 # csv PROGRAM FILE...: awk over the rows of the files. In the program, $title is the cell below that title, which the
 # first or another file must have: in a file without it the cell is empty. Titles are letters, digits and _, and
@@ -18,6 +19,16 @@ csv() {
     awk -F, "FNR == 1 { delete at_; for (i_ = 1; i_ <= NF; ++i_) at_[\$i_] = i_; $find next } $program" "$@"
 }
 
+# columns FILE TITLE[=HEADING]...: writes these columns of a CSV, under other headings if there are any
+columns() {
+    local file=$1 one number cells= heads=
+    shift
+    for one; do
+        number=$(column "${one%%=*}" "$file") || return 1
+        cells+=" \",\" \$$number" heads+=",${one#*=}"
+    done
+    { echo "${heads#,}"; awk -F, "NR > 1 { print substr($cells, 2) }" "$file"; } | markdown
+}
 # The first line becomes the head
 markdown() {
     awk -F, '{
@@ -50,8 +61,8 @@ plot() { printf '\n![%s](%s)\n' "$2" "$1"; }
 # Writes paragraphs around the tables
 prose() { printf '\n'; cat; }
 
-# played FILE: what the film prints with --stats, as CSV
+# played FILE: what the film prints with --stats, as CSV; `rate` is the pictures shown in a second
 played() {
-    awk 'BEGIN { print "scene,traced,between,shown,missed,trace_ms,trace_95,between_ms,between_95,show_ms,show_95,samples,width" }
-        NF == 13 && $2 ~ /^[0-9]+$/ { $1 = $1; print }' OFS=, "$1"
+    echo scene,traced,between,shown,missed,trace_ms,trace_95,between_ms,between_95,show_ms,show_95,samples,width,rate
+    awk 'NF == 13 && $2 ~ /^[0-9]+$/ { $14 = sprintf("%.1f", 60 * $4 / ($4 + $5)); print }' OFS=, "$1"
 }

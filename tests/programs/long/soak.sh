@@ -12,5 +12,6 @@ scenes=(point table flake patches hall odraz credits)
 for scene in "${scenes[@]}"; do
     check "... $scene was shown" grep -qE "^\| $scene \|( [0-9]+ \|){2} [1-9]" "$WORK/soak"
 done
-check "... within 512 MB" less "$(sed -n 's/^| all |.*| \([0-9]*\) at most | [0-9.]* at most.*/\1/p' "$WORK/soak" | head -n 1)" 512
+check "... within 512 MB" \
+    less "$(sed -n 's/^| all |.*| \([0-9]*\) at most | [0-9.]* at most.*/\1/p' "$WORK/soak" | head -n 1)" 512
 finish

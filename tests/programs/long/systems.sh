@@ -39,7 +39,8 @@ for system; do
     for program in odraz odraz-safe; do
         cp "$BUILD/$program" "$root/$program"
         for part in "${!PARTS[@]}"; do
-            check "$system, $program: $part" draws "$system" "$part" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$root" "/$program"
+            check "$system, $program: $part" \
+                draws "$system" "$part" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin chroot "$root" "/$program"
             check "... is the same" same here "$system" "$part"
         done
     done

@@ -37,7 +37,8 @@ spent() {
         counted=$(awk -F, '$3 ~ /^instructions/ { print $1 }' "$log")
     }
     if [ -z "$counted" ]; then
-        valgrind --tool=callgrind --callgrind-out-file=/dev/null "${of[@]}" "$@" >/dev/null 2>"$log" || { cat "$log" >&2; rm "$log"; return 1; }
+        valgrind --tool=callgrind --callgrind-out-file=/dev/null "${of[@]}" "$@" >/dev/null 2>"$log" ||
+            { cat "$log" >&2; rm "$log"; return 1; }
         counted=$(awk '$2 == "Collected" { print $4 }' "$log")
     fi
     rm "$log"
