@@ -1,9 +1,5 @@
 // pack_film: packs the film in its build. It does what pack does with the same parts, and needs no library,
 // so the film can be built where those of pack are not installed.
-//   pack_film elf|pe IN OUT MODEL SAFE-NAME BUDGET MAP SYMBOLS REPORT
-//   pack_film pe-plain IN OUT
-// The words are those of pack: -o, --model, --safe-name (or "" for none), --budget, --map, --symbols,
-// --report.
 #include "packer/model/model_parameters.h"
 #include "packer/read/elf_reader.h"
 #include "packer/report/report.h"
@@ -15,6 +11,12 @@
 namespace pack {
 
 namespace {
+
+constexpr char kUsage[] =
+    "usage: pack_film elf|pe IN OUT MODEL SAFE-NAME BUDGET MAP SYMBOLS REPORT\n"
+    "       pack_film pe-plain IN OUT\n"
+    "Packs the film in its build, for Linux or Windows; or writes it for Windows, not packed. For what the\n"
+    "words mean see pack --help: -o and the options of their names. SAFE-NAME may be empty.\n";
 
 void packFilm(char **words) {
     std::string how = words[0], in = words[1], out = words[2], model = words[3], safeName = words[4],
@@ -44,6 +46,10 @@ void packFilm(char **words) {
 int main(int argc, char **argv) {
     try {
         std::string how = argc > 1 ? argv[1] : "";
+        if (how == "--help") {
+            std::fputs(pack::kUsage, stdout);
+            return 0;
+        }
         if (how == "pe-plain" && argc == 4) {
             pack::Program program = pack::readProgram(pack::readBytes(argv[2]), pack::kWindows);
             pack::writeBytes(argv[3], pack::kPe.writePlain(program), true);
@@ -51,7 +57,7 @@ int main(int argc, char **argv) {
             pack::packFilm(argv + 1);
         else
             throw common::Refused(
-                "it takes elf or pe and eight words, or pe-plain IN OUT: see pack_film.cpp");
+                "it takes elf or pe and eight words, or pe-plain IN OUT: see pack_film --help");
     } catch (const std::exception &e) {
         std::fprintf(stderr, "pack_film: %s\n", e.what());
         return dynamic_cast<const common::Refused *>(&e) ? 2 : 1;
