@@ -1,4 +1,4 @@
-// What the linker says, for people: one line with what to do.
+// The linker's messages as one line with what to do.
 #include "packer/link/linker.h"
 
 #include <set>
@@ -60,10 +60,10 @@ std::string explainMissing(const std::string &name, size_t others) {
 
 } // namespace
 
-std::string explainLink(const std::string &said, bool isStatic) {
+std::string explainLink(const std::string &messages, bool isStatic) {
     std::set<std::string> missing;
     std::string first, any;
-    std::istringstream lines(said);
+    std::istringstream lines(messages);
     for (std::string line; std::getline(lines, line);) {
         std::string name = between(line, "undefined reference to `", "'"),
                     library = between(line + "\n", "cannot find -l", "\n"),
@@ -81,7 +81,7 @@ std::string explainLink(const std::string &said, bool isStatic) {
         if (any.empty() && !warns && line.find(": ") != std::string::npos) any = line;
     }
     if (!first.empty()) return explainMissing(first, missing.size() - 1);
-    return "it cannot be linked: " + (any.empty() ? said : any);
+    return "it cannot be linked: " + (any.empty() ? messages : any);
 }
 
 } // namespace pack::linking

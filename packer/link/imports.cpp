@@ -39,8 +39,8 @@ void checkObjects(const std::vector<Object> &objects) {
     }
 }
 
-// What a library calls or reads in the program: nothing can be found in a packed one. libpulse asks for
-// main() and needs none.
+// Refuses what a library looks up in the program, because a packed one has no symbols. libpulse looks for
+// main() and does without.
 void checkExports(const std::vector<Object> &objects, const DynamicFile &program) {
     for (const Object &o : objects)
         for (const std::string &name : o.defines) {
@@ -93,7 +93,7 @@ std::map<std::string, Uses> allUses(const std::vector<Object> &objects, const Dy
     return uses;
 }
 
-// Data may be copied if nobody writes to it; those three are pointers that only programs change.
+// Data may be copied if it is never written; those three are pointers that only programs change.
 bool mayCopy(const std::string &name, const DynamicSymbol &symbol) {
     return symbol.constant || name == "stdin" || name == "stdout" || name == "stderr";
 }

@@ -28,8 +28,7 @@ struct Reader {
         return !written || relro;
     }
     void readDynamicSection(const Elf64_Shdr &s) {
-        for (uint64_t at = 0; at + sizeof(Elf64_Dyn) <= s.sh_size; at += sizeof(Elf64_Dyn)) {
-            auto d = in.at<Elf64_Dyn>(s.sh_offset + at, kCut);
+        for (const Elf64_Dyn &d : in.table<Elf64_Dyn>(s, kCut)) {
             if (d.d_tag == DT_NEEDED) file.needed.push_back(in.text(linked(s), d.d_un.d_val));
             if (d.d_tag == DT_SONAME) file.soname = in.text(linked(s), d.d_un.d_val);
             file.ownFolders |= d.d_tag == DT_RPATH || d.d_tag == DT_RUNPATH;
@@ -37,20 +36,19 @@ struct Reader {
             if (d.d_tag == DT_FINI_ARRAYSZ) file.destructors = d.d_un.d_val > sizeof(uint64_t);
         }
     }
-    bool isOld(uint64_t index) const {
-        for (const Elf64_Shdr &s : sections)
-            if (s.sh_type == SHT_GNU_versym) return in.at<uint16_t>(s.sh_offset + 2 * index, kCut) & 0x8000;
-        return false;
-    }
     void readSymbols(const Elf64_Shdr &table) {
-        for (uint64_t i = 1; i < table.sh_size / sizeof(Elf64_Sym); ++i) {
-            auto s = in.at<Elf64_Sym>(table.sh_offset + i * sizeof(Elf64_Sym), kCut);
-            std::string name = in.text(linked(table), s.st_name);
-            bool defined = s.st_shndx != SHN_UNDEF;
-            if (defined && isOld(i)) continue;
+        std::vector<uint16_t> versions;
+        for (const Elf64_Shdr &s : sections)
+            if (s.sh_type == SHT_GNU_versym) versions = in.table<uint16_t>(s, kCut);
+        std::vector<Elf64_Sym> all = in.table<Elf64_Sym>(table, kCut);
+        for (size_t i = 1; i < all.size(); ++i) {
+            const Elf64_Sym &s = all[i];
+            bool defined = s.st_shndx != SHN_UNDEF, old = i < versions.size() && versions[i] & 0x8000;
+            if (defined && old) continue;
             int type = ELF64_ST_TYPE(s.st_info);
-            file.symbols[name] = {defined, type == STT_FUNC || type == STT_GNU_IFUNC || type == STT_NOTYPE,
-                                  type == STT_TLS, defined && isConstant(s.st_value), s.st_size};
+            file.symbols[in.text(linked(table), s.st_name)] = {
+                defined, type == STT_FUNC || type == STT_GNU_IFUNC || type == STT_NOTYPE, type == STT_TLS,
+                defined && isConstant(s.st_value), s.st_size};
         }
     }
 };

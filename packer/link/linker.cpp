@@ -3,7 +3,6 @@
 #include "packer/link/linker_map.h"
 #include "packer/link/start.h"
 #include "packer/read/program.h"
-#include "tools/common/arguments.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -31,7 +30,7 @@ bool holdsObjects(const std::string &path) {
 // What is given, read ahead of the first link to choose the compiler.
 struct Given {
     Code code = Code::kMachine;
-    bool cpp = false; // -flto tells no names, so it is taken for C++
+    bool cpp = false; // objects of -flto have no symbols that show it: they are linked as C++
 };
 Given lookAhead(const Words &inputs) {
     Given given;
@@ -51,7 +50,7 @@ std::string compilerFor(const Given &given) {
     return given.cpp || given.code == Code::kGcc ? "c++" : "cc";
 }
 
-// In place of the first object of -flto stands what became of all.
+// Replaces the first object of -flto by the machine code of all, and drops the others.
 Words replaceIntermediate(const Words &inputs, const Words &intermediate, const Words &compiled) {
     Words replaced;
     bool done = false;
@@ -123,10 +122,14 @@ Words Linker::command(const Linked &to, const Words &flags) const {
     return words;
 }
 
+void Linker::link(const Words &words, bool isStatic) const {
+    Outcome outcome = run(words, Output::kKept, options.verbose);
+    need(!outcome.status, explainLink(outcome.output, isStatic));
+}
+
 std::string Linker::assemble(const std::string &name, const std::string &source) const {
     common::writeWhole(file(name + ".s"), source);
-    Outcome outcome = runKept({compiler, "-c", file(name + ".s"), "-o", file(name + ".o")}, options.tell);
-    if (outcome.status) throw common::Refused("the compiler cannot assemble: " + explainLink(outcome.said));
+    link({compiler, "-c", file(name + ".s"), "-o", file(name + ".o")});
     return file(name + ".o");
 }
 
@@ -138,8 +141,7 @@ Facts Linker::linkFirst() {
     if (code == Code::kClang) add(words, {"-flto", "-Wl,-plugin-opt,obj-path=" + optimised});
     if (code == Code::kGcc) add(words, {"-flto-partition=one", "-save-temps"});
     add(words, options.inputs);
-    Outcome outcome = runKept(words, options.tell);
-    if (outcome.status) throw common::Refused(explainLink(outcome.said));
+    link(words);
 
     Facts facts = {};
     Taken taken = readLinkerMap(common::readWhole(to.map));
@@ -173,8 +175,7 @@ Linked Linker::linkDynamic(const Facts &facts, const std::string &name, const Wo
         add(words, {"-nostartfiles", assemble(name, startDynamic(whole))});
     }
     add(words, facts.inputs);
-    Outcome outcome = runKept(words, options.tell);
-    need(!outcome.status, explainLink(outcome.said));
+    link(words);
     return to;
 }
 
@@ -182,8 +183,16 @@ Linked Linker::linkStatic(const Facts &facts) {
     Linked to = linked("static");
     Words words = command(to, {"-static"});
     add(words, facts.inputs);
-    Outcome outcome = runKept(words, options.tell);
-    need(!outcome.status, explainLink(outcome.said, true));
+    link(words, true);
+    return to;
+}
+
+// A file in a folder of its own, under the name by which the report calls it.
+std::string Linker::saveObject(const std::string &path, const Bytes &bytes) const {
+    std::string folder = file("objects/" + std::to_string(slotted.size()));
+    fs::create_directories(folder);
+    std::string to = folder + "/" + fs::path(path).filename().string();
+    writeBytes(to, bytes);
     return to;
 }
 
@@ -196,30 +205,17 @@ void Linker::saveSlots(const Facts &facts, const Plan &plan) {
     slotted.clear();
     for (Object object : facts.objects) {
         bool any = makeSlots(object, names);
-        if (object.member.empty()) {
-            // Under its own name, by which the report calls it
-            std::string to = file("objects/" + std::to_string(slotted.size()));
-            fs::create_directories(to);
-            to += "/" + fs::path(object.path).filename().string();
-            writeBytes(to, object.bytes);
-            slotted.push_back(to);
-        } else if (any) {
+        if (object.member.empty())
+            slotted.push_back(saveObject(object.path, object.bytes));
+        else if (any) {
             Bytes &archive = changed[object.path];
             if (archive.empty()) archive = readBytes(object.path);
             std::copy(object.bytes.begin(), object.bytes.end(), archive.begin() + (long)object.offset);
         }
     }
     slotted.push_back("-Wl,--start-group");
-    for (const std::string &path : facts.archives) {
-        std::string to = path;
-        if (changed.count(path)) {
-            to = file("objects/" + std::to_string(slotted.size()));
-            fs::create_directories(to);
-            to += "/" + fs::path(path).filename().string();
-            writeBytes(to, changed[path]);
-        }
-        slotted.push_back(to);
-    }
+    for (const std::string &path : facts.archives)
+        slotted.push_back(changed.count(path) ? saveObject(path, changed[path]) : path);
     slotted.push_back("-Wl,--end-group");
 }
 
@@ -232,10 +228,8 @@ Linked Linker::linkImports(const Facts &facts, const Plan &plan, const std::stri
         // What the linker sees of the library
         assemble("libdl", ".globl dlopen, dlsym\n.type dlopen, @function\n.type dlsym, @function\ndlopen:\n"
                           "dlsym: ret\n.section .note.GNU-stack, \"\", @progbits\n");
-        Outcome made = runKept({compiler, "-shared", "-nostdlib", "-Wl,-soname,libdl.so.2", file("libdl.o"),
-                                "-o", file("libdl.so")},
-                               options.tell);
-        need(!made.status, explainLink(made.said));
+        link({compiler, "-shared", "-nostdlib", "-Wl,-soname,libdl.so.2", file("libdl.o"), "-o",
+              file("libdl.so")});
     }
     Linked to = linked(name);
     Words words = command(to, flags);
@@ -249,8 +243,7 @@ Linked Linker::linkImports(const Facts &facts, const Plan &plan, const std::stri
     words.push_back(file("imports.o"));
     add(words, slotted);
     words.push_back(file("libdl.so"));
-    Outcome outcome = runKept(words, options.tell);
-    need(!outcome.status, explainLink(outcome.said));
+    link(words);
     return to;
 }
 

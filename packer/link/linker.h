@@ -39,6 +39,9 @@ private:
     Words command(const Linked &to, const Words &flags) const;
     std::string assemble(const std::string &name, const std::string &source) const;
     Linked linked(const std::string &name) const { return {file(name + ".elf"), file(name + ".map")}; }
+    // Throws common::Refused with the reason in one line.
+    void link(const Words &words, bool isStatic = false) const;
+    std::string saveObject(const std::string &path, const Bytes &bytes) const;
     void saveSlots(const Facts &facts, const Plan &plan);
 
     const Options &options;
@@ -47,7 +50,7 @@ private:
     Words slotted; // what the way `imports` links: the objects of the program, with slots, and archives
 };
 
-// What a failed link said, as one line. `isStatic`: of static libraries.
-std::string explainLink(const std::string &said, bool isStatic = false);
+// The messages of a failed link as one line. `isStatic`: of static libraries.
+std::string explainLink(const std::string &messages, bool isStatic = false);
 
 } // namespace pack::linking

@@ -1,34 +1,33 @@
 // pack-link: links a program for the packer, in the ways that are possible, and keeps the smallest.
-#include "packer/link/options.h"
 #include "packer/link/tries.h"
-
-#include "packer/read/program.h"
-#include "tools/common/arguments.h"
 #include "tools/common/temporary_folder.h"
 
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 
+namespace pack::linking {
+
 namespace {
 
-namespace linking = pack::linking;
+Words theCompilerWords;
 
 std::string findPacker() {
-    std::string beside = linking::ownFolder() + "/pack";
+    std::error_code none;
+    auto beside = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / "pack";
     if (std::filesystem::exists(beside)) return beside;
-    throw common::Refused("there is no " + beside + ": pack must lie beside pack-link");
+    throw common::Refused("there is no " + beside.string() + ": pack must lie beside pack-link");
 }
 
-int packLink(common::Arguments &arguments) {
-    setenv("LC_ALL", "C", 1); // what the linker says is read
+int packLink(common::CommandLine &line) {
+    setenv("LC_ALL", "C", 1); // the linker's messages are read
     try {
-        linking::Options options = linking::parseOptions(arguments);
-        linking::catchSignals();
+        Options options = parseOptions(line, theCompilerWords);
+        blockSignals();
         common::TemporaryFolder folder;
         std::string path = folder / "";
         path.pop_back();
-        linking::Tries tries(options, path, findPacker());
+        Tries tries(options, path, findPacker());
         tries.run();
         std::fputs(tries.print().c_str(), stdout);
         return tries.finish();
@@ -40,6 +39,12 @@ int packLink(common::Arguments &arguments) {
 
 } // namespace
 
+} // namespace pack::linking
+
 int main(int argc, char **argv) {
-    return common::runProgram("pack-link", linking::kUsage, argc, argv, packLink);
+    pack::linking::DividedWords words = pack::linking::divide(argc, argv);
+    pack::linking::theCompilerWords = words.compiler;
+    std::vector<char *> own = {argv[0]};
+    for (std::string &word : words.own) own.push_back(word.data());
+    return common::runProgram("pack-link", (int)own.size(), own.data(), pack::linking::packLink);
 }

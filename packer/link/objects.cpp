@@ -10,8 +10,8 @@ namespace pack::linking {
 namespace {
 
 constexpr char kCut[] = "an object file is cut short: compile it again";
-constexpr char kArchive[] = "!<arch>\n", kThin[] = "!<thin>\n";
-constexpr size_t kMagic = sizeof kArchive - 1, kMemberHeader = 60;
+constexpr std::string_view kArchive = "!<arch>\n", kThin = "!<thin>\n", kBitcode = "BC\xC0\xDE";
+constexpr size_t kMemberHeader = 60;
 
 // One object's tables.
 struct Reader {
@@ -21,9 +21,6 @@ struct Reader {
 
     std::string nameOf(const Elf64_Shdr &s) const {
         return in.text(sections[in.at<Elf64_Ehdr>(0, kCut).e_shstrndx], s.sh_name);
-    }
-    Elf64_Sym symbol(const Elf64_Shdr &table, uint64_t index) const {
-        return in.at<Elf64_Sym>(table.sh_offset + index * sizeof(Elf64_Sym), kCut);
     }
     std::string nameOf(const Elf64_Shdr &table, const Elf64_Sym &symbol) const {
         need(table.sh_link < sections.size(), kCut);
@@ -42,22 +39,24 @@ struct Reader {
         object.exceptions |= name.rfind(".gcc_except_table", 0) == 0;
     }
     void readSymbols(const Elf64_Shdr &table) {
-        for (uint64_t i = table.sh_info; i < table.sh_size / sizeof(Elf64_Sym); ++i) {
-            Elf64_Sym s = symbol(table, i);
-            if (s.st_shndx != SHN_UNDEF) object.defines.insert(nameOf(table, s));
-            object.indirect |= ELF64_ST_TYPE(s.st_info) == STT_GNU_IFUNC;
+        std::vector<Elf64_Sym> all = in.table<Elf64_Sym>(table, kCut);
+        for (size_t i = table.sh_info; i < all.size(); ++i) { // the local ones come before
+            if (all[i].st_shndx != SHN_UNDEF) object.defines.insert(nameOf(table, all[i]));
+            object.indirect |= ELF64_ST_TYPE(all[i].st_info) == STT_GNU_IFUNC;
         }
     }
     void readRelocations(const Elf64_Shdr &table) {
         need(table.sh_info < sections.size() && table.sh_link < sections.size(), kCut);
         const Elf64_Shdr &target = sections[table.sh_info], &symbols = sections[table.sh_link];
         if (!(target.sh_flags & SHF_ALLOC) || nameOf(target) == ".eh_frame") return;
-        for (uint64_t at = 0; at + sizeof(Elf64_Rela) <= table.sh_size; at += sizeof(Elf64_Rela)) {
-            auto r = in.at<Elf64_Rela>(table.sh_offset + at, kCut);
-            Elf64_Sym s = symbol(symbols, ELF64_R_SYM(r.r_info));
-            if (s.st_shndx != SHN_UNDEF || !s.st_name) continue;
-            object.references.push_back(
-                {nameOf(symbols, s), (uint32_t)ELF64_R_TYPE(r.r_info), table.sh_offset + at});
+        std::vector<Elf64_Sym> all = in.table<Elf64_Sym>(symbols, kCut);
+        size_t place = table.sh_offset;
+        for (const Elf64_Rela &r : in.table<Elf64_Rela>(table, kCut)) {
+            need(ELF64_R_SYM(r.r_info) < all.size(), kCut);
+            const Elf64_Sym &s = all[ELF64_R_SYM(r.r_info)];
+            if (s.st_shndx == SHN_UNDEF && s.st_name)
+                object.references.push_back({nameOf(symbols, s), (uint32_t)ELF64_R_TYPE(r.r_info), place});
+            place += sizeof r;
         }
     }
     void read() {
@@ -69,13 +68,10 @@ struct Reader {
     }
 };
 
-bool isElf(const Bytes &bytes) {
-    return bytes.size() >= sizeof(Elf64_Ehdr) && !std::memcmp(bytes.data(), ELFMAG, SELFMAG);
+bool begins(const Bytes &bytes, std::string_view magic) {
+    return bytes.size() >= magic.size() && !std::memcmp(bytes.data(), magic.data(), magic.size());
 }
-
-bool isBitcode(const Bytes &bytes) {
-    return bytes.size() >= 4 && !std::memcmp(bytes.data(), "BC\xC0\xDE", 4);
-}
+bool isElf(const Bytes &bytes) { return bytes.size() >= sizeof(Elf64_Ehdr) && begins(bytes, ELFMAG); }
 
 Object readObject(const std::string &path, const std::string &member, size_t offset, Bytes bytes) {
     Object object = {};
@@ -83,8 +79,8 @@ Object readObject(const std::string &path, const std::string &member, size_t off
     object.member = member;
     object.offset = offset;
     object.bytes = std::move(bytes);
-    if (!isElf(object.bytes)) { // an archive may carry texts along
-        object.code = isBitcode(object.bytes) ? Code::kClang : Code::kNone;
+    if (!isElf(object.bytes)) { // an archive may have other files in it
+        object.code = begins(object.bytes, kBitcode) ? Code::kClang : Code::kNone;
         return object;
     }
     Elf64_Ehdr header = ElfFile{object.bytes}.at<Elf64_Ehdr>(0, kCut);
@@ -97,7 +93,7 @@ Object readObject(const std::string &path, const std::string &member, size_t off
 std::vector<Object> readArchive(const std::string &path, const Bytes &all) {
     std::vector<Object> objects;
     std::string longNames;
-    for (size_t at = kMagic; at + kMemberHeader <= all.size();) {
+    for (size_t at = kArchive.size(); at + kMemberHeader <= all.size();) {
         std::string header(all.begin() + (long)at, all.begin() + (long)(at + kMemberHeader));
         size_t size = std::strtoull(header.substr(48, 10).c_str(), nullptr, 10);
         at += kMemberHeader;
@@ -125,11 +121,9 @@ std::vector<Object> readArchive(const std::string &path, const Bytes &all) {
 bool isPie(const Bytes &bytes) {
     ElfFile in = {bytes};
     for (const Elf64_Shdr &s : in.sections())
-        for (uint64_t at = 0; s.sh_type == SHT_DYNAMIC && at + sizeof(Elf64_Dyn) <= s.sh_size;
-             at += sizeof(Elf64_Dyn)) {
-            auto d = in.at<Elf64_Dyn>(s.sh_offset + at, kCut);
-            if (d.d_tag == DT_FLAGS_1 && d.d_un.d_val & DF_1_PIE) return true;
-        }
+        if (s.sh_type == SHT_DYNAMIC)
+            for (const Elf64_Dyn &d : in.table<Elf64_Dyn>(s, kCut))
+                if (d.d_tag == DT_FLAGS_1 && d.d_un.d_val & DF_1_PIE) return true;
     return false;
 }
 
@@ -138,12 +132,9 @@ bool isPie(const Bytes &bytes) {
 FileKind kindOf(const std::string &path) {
     if (!std::filesystem::is_regular_file(path)) return FileKind::kMissing;
     Bytes bytes = readBytes(path);
-    auto begins = [&](const char *magic, size_t size) {
-        return bytes.size() >= size && !std::memcmp(bytes.data(), magic, size);
-    };
-    if (begins(kArchive, kMagic)) return FileKind::kArchive;
-    if (begins(kThin, kMagic)) return FileKind::kThinArchive;
-    if (isBitcode(bytes)) return FileKind::kBitcode;
+    if (begins(bytes, kArchive)) return FileKind::kArchive;
+    if (begins(bytes, kThin)) return FileKind::kThinArchive;
+    if (begins(bytes, kBitcode)) return FileKind::kBitcode;
     if (!isElf(bytes)) return FileKind::kOther;
     uint16_t type = ElfFile{bytes}.at<Elf64_Ehdr>(0, kCut).e_type;
     if (type == ET_REL) return FileKind::kObject;
@@ -153,10 +144,8 @@ FileKind kindOf(const std::string &path) {
 std::vector<Object> readObjects(const std::string &path) {
     Bytes bytes = readBytes(path);
     try {
-        need(bytes.size() < kMagic || std::memcmp(bytes.data(), kThin, kMagic),
-             "a thin archive: make it with ar rcs, without T");
-        if (bytes.size() >= kMagic && !std::memcmp(bytes.data(), kArchive, kMagic))
-            return readArchive(path, bytes);
+        need(!begins(bytes, kThin), "a thin archive: make it with ar rcs, without T");
+        if (begins(bytes, kArchive)) return readArchive(path, bytes);
         std::vector<Object> one;
         one.push_back(readObject(path, "", 0, std::move(bytes)));
         return one;

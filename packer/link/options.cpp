@@ -1,134 +1,144 @@
 #include "packer/link/options.h"
 
 #include "packer/link/objects.h"
-#include "tools/common/arguments.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace pack::linking {
 
-const char kUsage[] =
-    "usage: pack-link OBJECT... [-lLIBRARY...] [-o OUT] [OPTION...]\n"
-    "       links objects of C or C++ (.o, .a) in the ways that are possible, packs each, and keeps the\n"
-    "       smallest; say it instead of cc -o:\n"
-    "       pack-link main.o -lSDL2 -lGL -o intro\n"
-    "-o OUT                        the packed program; a.out\n"
-    "-l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc\n"
-    "                              as for the compiler; -W..., -std=, -I, -D, -s and -no-pie change nothing\n"
-    "--way dynamic|imports|static  link in this way alone:\n"
-    "                              dynamic: as cc does, without what a packed program does not need\n"
-    "                              imports: made for the packer: it opens its libraries by itself\n"
-    "                              static: libraries become a part of it (-static)\n"
-    "--cc COMPILER                 link with this compiler; c++ for C++ and for -flto, else cc\n"
-    "--effort fast|normal|best|SECONDS\n"
-    "--model FILE, --save-model FILE, --budget BYTES, --name NAME, --safe-name NAME\n"
-    "--report FILE, --html FILE, --text FILE, --than OLD.json\n"
-    "                              as for pack, for the way that was taken\n"
-    "--keep FOLDER                 keep the program as linked, the linker's map and the generated source\n"
-    "                              there\n"
-    "-v                            say the commands\n"
-    "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.\n";
-
 namespace {
 
-bool begins(const std::string &word, const char *with) { return word.rfind(with, 0) == 0; }
+const Words kTwoWords = {"-l", "-L", "-u",
+                         "-Xlinker"}; // options of the compiler that the next word belongs to
+
+bool isAmong(const std::string &word, const Words &words) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+bool beginsWithOneOf(const std::string &word, const Words &beginnings) {
+    return std::any_of(beginnings.begin(), beginnings.end(),
+                       [&](const std::string &b) { return word.rfind(b, 0) == 0; });
+}
 
 // Words of the compiler that would make something else of the program.
 void refuseForeign(const std::string &word) {
-    for (const char *other : {"-static-pie", "-pie", "-shared", "-r", "-c", "-nostdlib", "-nostartfiles"})
-        if (word == other)
-            throw common::Refused(word + " is not for pack-link, which chooses how to link; see --way in "
-                                         "pack-link --help");
-    for (const char *other : {"-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"})
-        if (word == other)
-            throw common::Refused(word +
-                                  ": nothing can import from what pack-link makes; link such a program with "
-                                  "cc, and pack that");
+    if (isAmong(word, {"-static-pie", "-pie", "-shared", "-r", "-c", "-nostdlib", "-nostartfiles"}))
+        throw common::Refused(word + " is not for pack-link, which chooses how to link: see --way in "
+                                     "pack-link --help");
+    if (isAmong(word, {"-rdynamic", "-Wl,-E", "-Wl,--export-dynamic"}))
+        throw common::Refused(word + ": nothing can import from what pack-link makes: link such a program "
+                                     "with cc, and pack that");
+    if (beginsWithOneOf(word, {"-fsanitize"}))
+        throw common::Refused("a program with " + word + " cannot be packed: link it without");
 }
 
-// Words that stand in many a line with cc -o and change nothing here.
+// Words that often stand beside cc -o and change nothing here.
 bool isIgnored(const std::string &word) {
-    for (const char *with : {"-W", "-std=", "-I", "-D", "-U"})
-        if (begins(word, with)) return word.size() > 2 && !begins(word, "-Wl,");
-    return word == "-s" || word == "-no-pie" || word == "-pipe";
+    return isAmong(word, {"-s", "-no-pie", "-pipe"}) ||
+           (beginsWithOneOf(word, {"-W", "-std=", "-I", "-D", "-U"}) && word.size() > 2 &&
+            !beginsWithOneOf(word, {"-Wl,"}));
 }
 
-// Words for linking that the compiler is to have.
 bool isForCompiler(const std::string &word) {
-    if (begins(word, "-fsanitize")) throw common::Refused("a program with " + word + " cannot be packed");
-    for (const char *with : {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"})
-        if (begins(word, with)) return true;
-    return word == "-pthread" || word == "-static-libgcc" || word == "-static-libstdc++";
+    return beginsWithOneOf(word, {"-l", "-L", "-Wl,", "-u", "-f", "-m", "-O", "-B", "-g"}) ||
+           isAmong(word, {"-Xlinker", "-pthread", "-static-libgcc", "-static-libstdc++"});
 }
 
-bool isForPacker(const std::string &word) {
-    for (const char *option : {"--effort", "--model", "--save-model", "--budget", "--name", "--safe-name",
-                               "--report", "--html", "--text", "--than"})
-        if (word == option) return true;
-    return false;
-}
-
-void takeFile(const std::string &word, Options &o) {
-    switch (kindOf(word)) {
+void checkFile(const std::string &path) {
+    switch (kindOf(path)) {
     case FileKind::kMissing:
-        if (std::filesystem::is_directory(word)) throw common::Refused(word + " is a folder");
-        throw common::Refused("there is no file " + word);
+        if (std::filesystem::is_directory(path)) throw common::Refused(path + " is a folder");
+        throw common::Refused("there is no file " + path);
     case FileKind::kProgram:
-        throw common::Refused(word + " is a program: give the object files that it was linked from");
+        throw common::Refused(path + " is a program: give the object files that it was linked from");
     case FileKind::kOther:
-        throw common::Refused(word +
+        throw common::Refused(path +
                               " is no object file: compile it first (cc -Os -c; more in pack-link --help)");
     case FileKind::kThinArchive:
-        throw common::Refused(word + " is a thin archive: make it with ar rcs, without T");
-    default:
-        o.inputs.push_back(word);
+        throw common::Refused(path + " is a thin archive: make it with ar rcs, without T");
+    default:;
     }
-}
-
-std::string wayOf(const std::string &word) {
-    if (word == "dynamic" || word == "imports" || word == "static") return word;
-    throw common::Refused("--way is dynamic, imports or static, not '" + word + "'");
-}
-
-void takePacking(const std::string &word, common::Arguments &arguments, Options &o) {
-    std::string value = arguments.value(word);
-    Words &to = word == "--model" ? o.model : o.packing;
-    to.insert(to.end(), {word, value});
-    o.budget |= word == "--budget";
 }
 
 } // namespace
 
-Options parseOptions(common::Arguments &arguments) {
+DividedWords divide(int argc, char **argv) {
+    DividedWords words;
+    for (int i = 1; i < argc; ++i) {
+        std::string word = argv[i];
+        // All of its own options but two have a value, which may be the next word
+        bool flag = word == "--help" || word == "-v";
+        bool own = flag || word == "-o" || word.rfind("--", 0) == 0;
+        bool two = own ? !flag && word.find('=') == word.npos : isAmong(word, kTwoWords);
+        Words &to = own ? words.own : words.compiler;
+        to.push_back(word);
+        if (two && i + 1 < argc) to.push_back(argv[++i]);
+    }
+    return words;
+}
+
+Options parseOptions(common::CommandLine &line, const Words &compiler) {
     Options o;
+    line.about("Links objects of C or C++ (.o, .a) in the ways that are possible, packs each, and keeps the\n"
+               "smallest. It stands in place of cc -o:\n"
+               "  pack-link main.o -lSDL2 -lGL -o intro");
+    line.option("-o", "OUT", o.out, "the packed program");
+    line.option(
+        "--way", "dynamic|imports|static",
+        [&](const std::string &way) {
+            if (!isAmong(way, {"dynamic", "imports", "static"}))
+                throw common::Refused("--way is dynamic, imports or static, not '" + way + "'");
+            o.way = way;
+        },
+        "link in this way alone. dynamic: as cc does, without what a packed program does not need; imports: "
+        "made for the packer: it opens its libraries by itself; static: libraries become a part of it "
+        "(-static)");
+    line.option("--cc", "COMPILER", o.compiler, "link with this one; c++ for C++ and for -flto, else cc");
+    line.option("--keep", "FOLDER", o.keep,
+                "keep the program as linked, the linker's map and the generated source there");
+    line.flag("-v", o.verbose, "print the commands");
+    line.group("As for pack, for the way that was taken");
+    for (auto [name, value] : {std::pair("--effort", "fast|normal|best|SECONDS"),
+                               {"--model", "FILE"},
+                               {"--save-model", "FILE"},
+                               {"--budget", "BYTES"},
+                               {"--name", "NAME"},
+                               {"--safe-name", "NAME"},
+                               {"--report", "FILE"},
+                               {"--html", "FILE"},
+                               {"--text", "FILE"},
+                               {"--than", "OLD.json"}})
+        line.option(
+            name, value,
+            [&o, option = std::string(name)](const std::string &given) {
+                Words &to = option == "--model" ? o.model : o.packing;
+                to.insert(to.end(), {option, given});
+            },
+            "");
+    line.notes("Words for the compiler: -l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc;\n"
+               "-W..., -std=, -I, -D, -s and -no-pie change nothing.\n"
+               "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.");
+    line.parse();
+    o.budget = line.has("--budget");
     bool files = false;
-    while (const char *next = arguments.next()) {
-        std::string word = next;
+    for (size_t i = 0; i < compiler.size(); ++i) {
+        const std::string &word = compiler[i];
         refuseForeign(word);
-        if (word == "-o")
-            o.out = arguments.value(word);
-        else if (word == "-v")
-            o.tell = true;
-        else if (word == "--way")
-            o.way = wayOf(arguments.value(word));
-        else if (word == "--keep")
-            o.keep = arguments.value(word);
-        else if (word == "--cc")
-            o.compiler = arguments.value(word);
-        else if (isForPacker(word))
-            takePacking(word, arguments, o);
-        else if (word == "-l" || word == "-L" || word == "-u" || word == "-Xlinker")
-            o.inputs.insert(o.inputs.end(), {word, arguments.value(word)});
-        else if (word == "-static")
+        if (word == "-static")
             o.way = "static";
         else if (isIgnored(word))
             continue;
-        else if (isForCompiler(word))
+        else if (isForCompiler(word)) {
             o.inputs.push_back(word);
-        else if (word[0] == '-' || word.empty())
-            arguments.refuse(word);
+            if (isAmong(word, kTwoWords)) {
+                if (++i == compiler.size()) line.refuse(word + " needs a value");
+                o.inputs.push_back(compiler[i]);
+            }
+        } else if (word.empty() || word[0] == '-')
+            line.refuse("cannot use '" + word + "'");
         else {
-            takeFile(word, o);
+            checkFile(word);
+            o.inputs.push_back(word);
             files = true;
         }
     }
@@ -137,7 +147,7 @@ Options parseOptions(common::Arguments &arguments) {
         if (std::filesystem::equivalent(input, o.out, ignored))
             throw common::Refused(input + " would be written over: give another name with -o");
     }
-    if (!files) throw common::Refused("it takes object files to link; see pack-link --help");
+    if (!files) line.refuse("it takes object files to link");
     return o;
 }
 

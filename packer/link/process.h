@@ -6,24 +6,21 @@
 
 namespace pack::linking {
 
-using Words = std::vector<std::string>;
+using Words = std::vector<std::string>; // a command, or a part of one
 
 struct Outcome {
-    int status;       // as a shell tells it: 128 and the signal's number for a program that a signal ended
-    std::string said; // on both outputs, if it was kept
+    int status;         // as a shell's: 128 and the signal's number for a program that a signal ended
+    std::string output; // on stdout and stderr, if it was kept
 };
 
-// Waits for the command to end. Its outputs are kept, or they are ours. With `tell` the command is printed
-// first, on stderr. Throws std::runtime_error if a signal asks this program to end meanwhile (catchSignals),
-// and common::Refused if there is no such program.
-Outcome runKept(const Words &command, bool tell);
-Outcome runShown(const Words &command, bool tell);
+enum class Output { kKept, kShown };
 
-// From now on SIGINT, SIGTERM and SIGHUP end the program that runs, and then this one by an exception, so
-// that no temporary file stays. During runShown SIGINT is left to the program that runs.
-void catchSignals();
+// Waits for the command to end. With `verbose` the command is printed first, on stderr. Throws
+// common::Refused if there is no such program, and std::runtime_error if a signal asks this program to end
+// meanwhile (blockSignals); the command is ended then, too. SIGINT is left to a command that is shown.
+Outcome run(const Words &command, Output output, bool verbose);
 
-// The folder that this program lies in, to find others beside it; empty if the system does not tell.
-std::string ownFolder();
+// From now on SIGINT, SIGTERM and SIGHUP have an effect in run() alone, so that no temporary file stays.
+void blockSignals();
 
 } // namespace pack::linking

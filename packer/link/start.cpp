@@ -4,130 +4,134 @@ namespace pack::linking {
 
 namespace {
 
-constexpr char kNoStack[] = ".section .note.GNU-stack, \"\", @progbits\n";
-
-// Destructors are registered for the object that has this address, and atexit() for the one with this value.
-// It is a variable of crtbegin.o; exit() calls what is registered for any.
-constexpr char kObject[] = ".globl __dso_handle\n"
-                           ".hidden __dso_handle\n"
-                           ".bss\n"
-                           ".balign 8\n"
-                           "__dso_handle: .skip 8\n";
+// Destructors are registered for the object that has the address of __dso_handle, and atexit() for the one
+// with its value. It is a variable of crtbegin.o; exit() calls what is registered for any.
+constexpr char kEnd[] = R"(
+.globl __dso_handle
+.hidden __dso_handle
+.bss
+.balign 8
+__dso_handle: .skip 8
+.section .note.GNU-stack, "", @progbits
+)";
 
 // ld.so and the packer's stub leave rsp as the kernel made it: aligned to 16, argc on top. rdx is ld.so's
-// function for exit.
-std::string callWhole(const std::string &function, const std::string &main) {
-    return "    mov %rdx, %r9\n"
-           "    mov (%rsp), %esi\n"
-           "    lea 8(%rsp), %rdx\n"
-           "    mov $" +
-           main +
-           ", %edi\n"
-           "    xor %ecx, %ecx\n"
-           "    xor %r8d, %r8d\n"
-           "    push %rsp\n"
-           "    push %rsp\n"
-           "    call *" +
-           function + "(%rip)\n";
-}
-std::string callMain(const std::string &exit, const std::string &main) {
-    return "    pop %rdi\n"
-           "    mov %rsp, %rsi\n"
-           "    push %rax\n"
-           "    lea 8(%rsi, %rdi, 8), %rdx\n"
-           "    call " +
-           main +
-           "\n"
-           "    xchg %eax, %edi\n"
-           "    call *" +
-           exit + "(%rip)\n";
-}
+// function for exit. END is __libc_start_main.
+constexpr char kCallWhole[] = R"(
+    mov %rdx, %r9
+    mov (%rsp), %esi
+    lea 8(%rsp), %rdx
+    mov $MAIN, %edi
+    xor %ecx, %ecx
+    xor %r8d, %r8d
+    push %rsp
+    push %rsp
+    call *END(%rip)
+)";
+// ... END is exit().
+constexpr char kCallMain[] = R"(
+    pop %rdi
+    mov %rsp, %rsi
+    push %rax
+    lea 8(%rsi, %rdi, 8), %rdx
+    call MAIN
+    xchg %eax, %edi
+    call *END(%rip)
+)";
 
-// Looks for the names, which follow each other; those of libraries are no functions' names.
-std::string lookup(const std::string &open, const std::string &find) {
-    return "    mov $names, %ebx\n"
-           "    mov $slots, %ebp\n"
-           "1:  mov %ebx, %esi\n"
-           "    xor %edi, %edi\n" // RTLD_DEFAULT
-           "    call *" +
-           find +
-           "@GOTPCREL(%rip)\n"
-           "    test %rax, %rax\n"
-           "    jnz 2f\n"
-           "    mov $0x101, %esi\n" // RTLD_LAZY | RTLD_GLOBAL, as ld.so does
-           "    mov %ebx, %edi\n"
-           "    call *" +
-           open +
-           "@GOTPCREL(%rip)\n"
-           "    test %rax, %rax\n"
-           "    jz missing\n"
-           "2:  mov %rax, (%rbp)\n"
-           "    add $8, %ebp\n"
-           "3:  inc %ebx\n"
-           "    cmpb $0, -1(%rbx)\n"
-           "    jne 3b\n"
-           "    cmpb $0, (%rbx)\n"
-           "    jne 1b\n";
-}
+// Looks up the names, which follow each other; those of libraries are no functions' names. edi: RTLD_DEFAULT,
+// esi: RTLD_LAZY | RTLD_GLOBAL, as ld.so opens libraries.
+constexpr char kLookup[] = R"(
+    mov $names, %ebx
+    mov $slots, %ebp
+1:  mov %ebx, %esi
+    xor %edi, %edi
+    call *DLSYM@GOTPCREL(%rip)
+    test %rax, %rax
+    jnz 2f
+    mov $0x101, %esi
+    mov %ebx, %edi
+    call *DLOPEN@GOTPCREL(%rip)
+    test %rax, %rax
+    jz missing
+2:  mov %rax, (%rbp)
+    add $8, %ebp
+3:  inc %ebx
+    cmpb $0, -1(%rbx)
+    jne 3b
+    cmpb $0, (%rbx)
+    jne 1b
+)";
 
-// Names what is missing, in a line on standard error.
-constexpr char kMissing[] = "missing:\n"
-                            "    mov %ebx, %esi\n"
-                            "    xor %edx, %edx\n"
-                            "1:  inc %edx\n"
-                            "    cmpb $0, (%rsi, %rdx)\n"
-                            "    jne 1b\n"
-                            "    movb $10, (%rsi, %rdx)\n"
-                            "    inc %edx\n"
-                            "    push $2\n"
-                            "    pop %rdi\n"
-                            "    push $1\n" // write
-                            "    pop %rax\n"
-                            "    syscall\n"
-                            "    push $127\n"
-                            "    pop %rdi\n"
-                            "    mov $231, %eax\n" // exit_group
-                            "    syscall\n";
+// Names what is missing, in a line on standard error: write() and exit_group().
+constexpr char kMissing[] = R"(
+missing:
+    mov %ebx, %esi
+    xor %edx, %edx
+1:  inc %edx
+    cmpb $0, (%rsi, %rdx)
+    jne 1b
+    movb $10, (%rsi, %rdx)
+    inc %edx
+    push $2
+    pop %rdi
+    push $1
+    pop %rax
+    syscall
+    push $127
+    pop %rdi
+    mov $231, %eax
+    syscall
+)";
 
-// Constructors and main; destructors are registered first, to run last.
-std::string runAll(const Plan &plan, const std::string &atExit) {
-    std::string text = "run:\n"
-                       "    push %rbx\n"
-                       "    push %rsi\n"
-                       "    push %rdx\n"
-                       "    push %rdi\n"
-                       "    push %rdi\n";
-    if (plan.destructors)
-        text += "    mov $finish, %edi\n"
-                "    xor %esi, %esi\n"
-                "    xor %edx, %edx\n"
-                "    call *" +
-                atExit + "(%rip)\n";
-    if (plan.constructors)
-        text += "    mov $__init_array_start, %ebx\n"
-                "1:  mov (%rsp), %rdi\n"
-                "    mov 16(%rsp), %rdx\n"
-                "    mov 24(%rsp), %rsi\n"
-                "    call *(%rbx)\n"
-                "    add $8, %ebx\n"
-                "    cmp $__init_array_end, %ebx\n"
-                "    jne 1b\n";
-    text += "    pop %rdi\n"
-            "    pop %rdi\n"
-            "    pop %rdx\n"
-            "    pop %rsi\n"
-            "    pop %rbx\n"
-            "    jmp main\n";
-    if (plan.destructors)
-        text += "finish:\n"
-                "    push %rbx\n"
-                "    mov $__fini_array_end, %ebx\n"
-                "1:  sub $8, %ebx\n"
-                "    call *(%rbx)\n"
-                "    cmp $__fini_array_start, %ebx\n"
-                "    jne 1b\n"
-                "    pop %rbx\n"
-                "    ret\n";
+// Constructors and main; destructors are registered first, to run last. ATEXIT is __cxa_atexit.
+constexpr char kRun[] = R"(
+run:
+    push %rbx
+    push %rsi
+    push %rdx
+    push %rdi
+    push %rdi
+)",
+               kRegister[] = R"(
+    mov $finish, %edi
+    xor %esi, %esi
+    xor %edx, %edx
+    call *ATEXIT(%rip)
+)",
+               kConstruct[] = R"(
+    mov $__init_array_start, %ebx
+1:  mov (%rsp), %rdi
+    mov 16(%rsp), %rdx
+    mov 24(%rsp), %rsi
+    call *(%rbx)
+    add $8, %ebx
+    cmp $__init_array_end, %ebx
+    jne 1b
+)",
+               kRunEnd[] = R"(
+    pop %rdi
+    pop %rdi
+    pop %rdx
+    pop %rsi
+    pop %rbx
+    jmp main
+)",
+               kFinish[] = R"(
+finish:
+    push %rbx
+    mov $__fini_array_end, %ebx
+1:  sub $8, %ebx
+    call *(%rbx)
+    cmp $__fini_array_start, %ebx
+    jne 1b
+    pop %rbx
+    ret
+)";
+
+// The text with a value in place of a name in capitals.
+std::string with(std::string text, const std::string &name, const std::string &value) {
+    for (size_t at; (at = text.find(name)) != text.npos;) text.replace(at, name.size(), value);
     return text;
 }
 
@@ -155,46 +159,32 @@ private:
     std::vector<std::string> names;
 };
 
-// The linker's --wrap gives this name to what the program calls dlopen or dlsym.
-std::string labelOf(const std::string &name) {
-    return name == "dlopen" || name == "dlsym" ? "__wrap_" + name : name;
-}
-bool imports(const Plan &plan, const std::string &name) {
-    for (const Import &import : plan.imports)
-        if (import.name == name) return true;
-    return false;
-}
-std::string realName(const Plan &plan, const std::string &name) {
-    return (imports(plan, name) ? "__real_" : "") + name;
-}
+// The imports in their forms, and the copies that are made at the start.
+struct Forms {
+    std::string code, data, copies;
 
-std::string printCopies(const Plan &plan, Slots &slots) {
-    std::string text;
-    for (const Import &import : plan.imports)
-        if (import.form == Import::kCopy)
-            text += "    mov " + slots.place(import.name) + "(%rip), %rsi\n    mov $" + import.name +
-                    ", %edi\n    mov $" + std::to_string(import.size) + ", %ecx\n    rep movsb\n";
-    return text;
-}
-std::string printForms(const Plan &plan, Slots &slots) {
-    std::string code, data;
-    for (const Import &import : plan.imports) {
-        std::string label = labelOf(import.name), slot = slots.place(import.name);
-        code += ".globl " + label + "\n";
-        if (import.form == Import::kSlot) code += label + " = " + slot + "\n";
-        if (import.form == Import::kJump) code += label + ": jmp *" + slot + "(%rip)\n";
-        if (import.form == Import::kCopy)
-            data += ".balign 16\n" + label + ": .skip " + std::to_string(import.size) + "\n";
+    Forms(const Plan &plan, Slots &slots) {
+        for (const Import &import : plan.imports) {
+            std::string label = import.name, slot = slots.place(label), size = std::to_string(import.size);
+            // The linker's --wrap gives this name to what the program calls dlopen or dlsym
+            if (label == "dlopen" || label == "dlsym") label = "__wrap_" + label;
+            code += ".globl " + label + "\n";
+            if (import.form == Import::kSlot) code += label + " = " + slot + "\n";
+            if (import.form == Import::kJump) code += label + ": jmp *" + slot + "(%rip)\n";
+            if (import.form != Import::kCopy) continue;
+            data += ".balign 16\n" + label + ": .skip " + size + "\n";
+            copies += "    mov " + slot + "(%rip), %rsi\n    mov $" + label + ", %edi\n    mov $" + size +
+                      ", %ecx\n    rep movsb\n";
+        }
     }
-    return code + ".bss\n" + data;
-}
+};
 
 } // namespace
 
 std::string startDynamic(bool whole) {
-    return std::string(".text\n.globl _start\n_start:\n") +
-           (whole ? callWhole("__libc_start_main@GOTPCREL", "main") : callMain("exit@GOTPCREL", "main")) +
-           kObject + kNoStack;
+    std::string end = whole ? "__libc_start_main@GOTPCREL" : "exit@GOTPCREL";
+    return ".text\n.globl _start\n_start:\n" +
+           with(with(whole ? kCallWhole : kCallMain, "MAIN", "main"), "END", end) + kEnd;
 }
 
 std::string startImports(const Plan &plan) {
@@ -202,15 +192,24 @@ std::string startImports(const Plan &plan) {
     std::string end = slots.place(plan.whole ? "__libc_start_main" : "exit");
     std::string atExit = plan.destructors ? slots.place("__cxa_atexit") : "";
     bool runs = plan.constructors || plan.destructors;
-    std::string main = runs ? "run" : "main";
+    Forms forms(plan, slots);
+    auto real = [&](const std::string &name) { // dlopen and dlsym themselves, if the program imports them
+        for (const Import &import : plan.imports)
+            if (import.name == name) return "__real_" + name;
+        return name;
+    };
     std::string text = ".section .text.start, \"ax\", @progbits\n.globl _start\n_start:\n";
     if (plan.whole) text += "    mov %rdx, %r12\n";
-    text += lookup(realName(plan, "dlopen"), realName(plan, "dlsym")) + printCopies(plan, slots);
+    text += with(with(kLookup, "DLOPEN", real("dlopen")), "DLSYM", real("dlsym")) + forms.copies;
     if (plan.whole) text += "    mov %r12, %rdx\n";
-    text += plan.whole ? callWhole(end, main) : callMain(end, main);
+    text += with(with(plan.whole ? kCallWhole : kCallMain, "MAIN", runs ? "run" : "main"), "END", end);
     text += kMissing;
-    if (runs) text += runAll(plan, atExit);
-    return text + printForms(plan, slots) + slots.print() + kObject + kNoStack;
+    if (runs) text += kRun;
+    if (plan.destructors) text += with(kRegister, "ATEXIT", atExit);
+    if (plan.constructors) text += kConstruct;
+    if (runs) text += kRunEnd;
+    if (plan.destructors) text += kFinish;
+    return text + forms.code + ".bss\n" + forms.data + slots.print() + kEnd;
 }
 
 const char kImportsScript[] = R"(ENTRY(_start)

@@ -2,7 +2,7 @@
 
 #include "packer/link/small_model.h"
 #include "packer/read/elf_file.h"
-#include "tools/common/arguments.h"
+#include "tools/common/text.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -30,16 +30,14 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
     writeBytes(path, bytes, true);
 }
 
-bool sameBytes(const std::string &a, const std::string &b) { return readBytes(a) == readBytes(b); }
-
 // "12345" as "12,345".
 std::string grouped(uint64_t number) {
-    std::string text = std::to_string(number);
-    for (int at = (int)text.size() - 3; at > 0; at -= 3) text.insert((size_t)at, ",");
+    std::string digits = std::to_string(number), text;
+    for (size_t i = 0; i < digits.size(); ++i) {
+        if (i && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
     return text;
-}
-std::string padded(const std::string &text, size_t width) {
-    return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
 }
 
 // The bytes that a program takes before it is packed.
@@ -54,155 +52,123 @@ uint64_t sizeInFile(const std::string &path) {
 
 } // namespace
 
-bool Tries::again(uint64_t before) const { return before <= kLarge; }
-
 void Tries::pack(Try &made) const {
     std::string to = folder + "/try";
     Words words = {packer, made.linked.program, "-o", to, "--budget", "none"};
     if (made.way != "imports") words.push_back("--loader");
     words.insert(words.end(), made.model.begin(), made.model.end());
-    Outcome outcome = runKept(words, options.tell);
-    // "FILE: 3332 bytes (3149 of them stub and headers) from 4416"
-    size_t last = outcome.said.rfind(to + ": ");
-    unsigned long packed, overhead, before;
-    if (outcome.status || last == std::string::npos ||
-        std::sscanf(outcome.said.c_str() + last + to.size(),
-                    ": %lu bytes (%lu of them stub and headers) from %lu", &packed, &overhead,
-                    &before) != 3) {
-        made.detail = outcome.said.substr(0, outcome.said.find('\n'));
+    Outcome outcome = linking::run(words, Output::kKept, options.verbose);
+    if (outcome.status) {
+        made.detail = outcome.output.substr(0, outcome.output.find('\n'));
         size_t colon = made.detail.rfind(made.linked.program + ": ");
         if (colon != std::string::npos) made.detail.erase(0, colon + made.linked.program.size() + 2);
         return;
     }
-    made.packed = packed;
-    made.overhead = overhead;
-    made.before = before;
+    made.packed = fs::file_size(to);
+    // "FILE: 3332 bytes (3149 of them stub and headers) from 4416"
+    made.before = std::strtoull(outcome.output.c_str() + outcome.output.rfind(") from ") + 7, nullptr, 10);
 }
 
-void Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
-    for (const Try &t : tries) // where there is nothing to sort, say
-        if (t.isPacked() && sameBytes(t.linked.program, linked.program)) return;
-    Try made;
-    made.way = way;
-    made.detail = detail;
-    made.linked = linked;
-    made.model = options.model;
+bool Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
+    for (const Try &t : tries) // for example where there is nothing to sort
+        if (t.packed && readBytes(t.linked.program) == readBytes(linked.program)) return true;
+    Try made = {way, detail, linked, options.model};
     pack(made);
-    if (way == "imports" && options.model.empty() && made.isPacked() && made.before <= kSmall) {
-        std::string model = folder + "/small.model";
-        common::writeWhole(model, kSmallModel);
+    if (way == "imports" && options.model.empty() && made.packed && made.before <= kSmall) {
+        common::writeWhole(folder + "/small.model", kSmallModel);
         Try small = made;
-        small.model = {"--model", model};
+        small.model = {"--model", folder + "/small.model"};
         small.detail += ", four contexts";
         pack(small);
-        if (small.isPacked() && small.packed < made.packed) made = small;
+        if (small.packed && small.packed < made.packed) made = small;
     }
     tries.push_back(made);
+    return made.before <= kLarge;
 }
-void Tries::addFailed(const std::string &way, const std::string &why) {
-    Try failed;
-    failed.way = way;
-    failed.detail = why;
-    tries.push_back(failed);
+
+void Tries::tryWay(const char *way, void (Tries::*make)()) {
+    if (!options.way.empty() && options.way != way) return;
+    try {
+        (this->*make)();
+    } catch (const common::Refused &e) {
+        tries.push_back({way, e.what()});
+    }
 }
 
 void Tries::tryDynamic() {
-    try {
-        for (const char *hash : {"gnu", "sysv"}) {
-            std::string name = std::string("dynamic-") + hash;
-            Linked linked = linker.linkDynamic(facts, name, {"-Wl,--hash-style=" + std::string(hash)});
-            if (!facts.exceptions) wipe(linked.program, {".eh_frame", ".note.gnu.property", ".note.ABI-tag"});
-            add("dynamic", std::string("hash table of ") + hash, linked);
-            if (!again(tries.back().before)) return;
-        }
-    } catch (const common::Refused &e) {
-        addFailed("dynamic", e.what());
+    for (const char *hash : {"gnu", "sysv"}) {
+        std::string name = std::string("dynamic-") + hash;
+        Linked linked = linker.linkDynamic(facts, name, {"-Wl,--hash-style=" + std::string(hash)});
+        if (!facts.exceptions) wipe(linked.program, {".eh_frame", ".note.gnu.property", ".note.ABI-tag"});
+        if (!add("dynamic", std::string("hash table of ") + hash, linked)) return;
     }
 }
 
 void Tries::tryImports() {
-    try {
-        Plan plan = planImports(facts.objects, facts.program, facts.libraries);
-        std::string detail = std::to_string(plan.imports.size()) + " imports";
-        const struct {
-            const char *name, *says;
-            Words flags;
-        } kVariants[] = {
-            {"imports", "", {}},
-            {"imports-sorted", ", sections sorted by name", {"-Wl,--sort-section=name"}},
-            {"imports-aligned", ", sections sorted by alignment", {"-Wl,--sort-section=alignment"}}};
-        for (auto &variant : kVariants) {
-            Linked linked = linker.linkImports(facts, plan, variant.name, variant.flags);
-            wipe(linked.program, {".got.plt"}); // what a PLT needs, which there is none of
-            add("imports", detail + variant.says, linked);
-            if (!again(tries.back().before)) return;
-        }
-    } catch (const common::Refused &e) {
-        addFailed("imports", e.what());
+    Plan plan = planImports(facts.objects, facts.program, facts.libraries);
+    std::string detail = std::to_string(plan.imports.size()) + " imports";
+    const struct {
+        const char *name, *detail;
+        Words flags;
+    } kVariants[] = {{"imports", "", {}},
+                     {"imports-sorted", ", sections sorted by name", {"-Wl,--sort-section=name"}},
+                     {"imports-aligned", ", sections sorted by alignment", {"-Wl,--sort-section=alignment"}}};
+    for (auto &variant : kVariants) {
+        Linked linked = linker.linkImports(facts, plan, variant.name, variant.flags);
+        wipe(linked.program, {".got.plt"}); // what a PLT needs, which there is none of
+        if (!add("imports", detail + variant.detail, linked)) return;
     }
 }
 
 void Tries::tryStatic() {
-    try {
-        Linked linked = linker.linkStatic(facts);
-        uint64_t before = sizeInFile(linked.program), least = UINT64_MAX;
-        for (const Try &t : tries)
-            if (t.isPacked()) least = std::min(least, t.packed);
-        if (least != UINT64_MAX && before / kHopeless > least)
-            return addFailed("static", grouped(before) + " bytes before packing: far too large");
-        add("static", "with its libraries", linked);
-    } catch (const common::Refused &e) {
-        addFailed("static", e.what());
-    }
+    Linked linked = linker.linkStatic(facts);
+    uint64_t before = sizeInFile(linked.program), least = UINT64_MAX;
+    for (const Try &t : tries)
+        if (t.packed) least = std::min(least, t.packed);
+    need(least == UINT64_MAX || before / kHopeless <= least,
+         grouped(before) + " bytes before packing: far too large");
+    add("static", "with its libraries", linked);
 }
 
 void Tries::run() {
     facts = linker.linkFirst();
-    if (asked("dynamic")) tryDynamic();
-    if (asked("imports")) tryImports();
-    if (asked("static")) tryStatic();
+    tryWay("dynamic", &Tries::tryDynamic);
+    tryWay("imports", &Tries::tryImports);
+    tryWay("static", &Tries::tryStatic);
     for (const Try &t : tries)
-        if (t.isPacked()) return;
+        if (t.packed) return;
     throw common::Refused(tries.front().way + ": " + tries.front().detail);
 }
 
 const Try &Tries::best() const {
     const Try *best = nullptr;
     for (const Try &t : tries)
-        if (t.isPacked() && (!best || t.packed < best->packed)) best = &t;
+        if (t.packed && (!best || t.packed < best->packed)) best = &t;
     return *best;
 }
 
 std::string Tries::print() const {
     std::string text = "way         before   packed\n";
-    const Try &taken = best();
-    for (const Try &t : tries) {
-        text += t.way + std::string(9 - t.way.size(), ' ');
-        if (t.isPacked())
-            text += padded(grouped(t.before), 9) + padded(grouped(t.packed), 9) + "   " + t.detail +
-                    (&t == &taken ? "   <- taken" : "") + "\n";
-        else
-            text += padded("-", 9) + padded("-", 9) + "   " + t.detail + "\n";
-    }
+    for (const Try &t : tries)
+        common::append(text, "%-9s%9s%9s   %s%s\n", t.way.c_str(), t.packed ? grouped(t.before).c_str() : "-",
+                       t.packed ? grouped(t.packed).c_str() : "-", t.detail.c_str(),
+                       &t == &best() ? "   <- taken" : "");
     return text;
 }
 
-// What pack's report needs to tell which file a function comes from that -flto made: words for pack, none if
-// there is no such program as gcc-nm.
+// Words for pack, whose report needs the names in objects of -flto; none if there is no gcc-nm.
 Words Tries::namesOfIntermediate() const {
     if (facts.intermediate.empty()) return {};
     Words tool = {"gcc-nm", "-A"};
     tool.insert(tool.end(), facts.intermediate.begin(), facts.intermediate.end());
     try {
-        Outcome names = runKept(tool, options.tell);
-        std::string to = folder + "/names";
-        if (!names.status) {
-            common::writeWhole(to, names.said);
-            return {"--symbols", to};
-        }
+        Outcome names = linking::run(tool, Output::kKept, options.verbose);
+        if (names.status) return {};
+        common::writeWhole(folder + "/names", names.output);
+        return {"--symbols", folder + "/names"};
     } catch (const common::Refused &) {
+        return {};
     }
-    return {};
 }
 
 void Tries::keepFiles(const Try &taken) const {
@@ -227,7 +193,7 @@ int Tries::finish() const {
     if (!options.budget) words.insert(words.end(), {"--budget", "none"});
     for (const Words &more : {namesOfIntermediate(), taken.model, options.packing})
         words.insert(words.end(), more.begin(), more.end());
-    return runShown(words, options.tell).status;
+    return linking::run(words, Output::kShown, options.verbose).status;
 }
 
 } // namespace pack::linking

@@ -5,14 +5,12 @@
 
 namespace pack::linking {
 
-// One way to link, and what came of it.
+// One way to link, and its result.
 struct Try {
     std::string way, detail; // detail: how it was linked; or, if it was not packed, why not
-    Linked linked;
-    Words model; // the contexts that it is packed with, as words for pack
-    uint64_t before = 0, packed = 0,
-             overhead = 0; // bytes: of memory, of the file, and of stub and headers there
-    bool isPacked() const { return packed > 0; }
+    Linked linked = {};
+    Words model = {};                // the contexts that it is packed with, as words for pack
+    uint64_t before = 0, packed = 0; // bytes of memory, and of the file; 0 if it was not packed
 };
 
 class Tries {
@@ -26,21 +24,21 @@ public:
     const Try &best() const;
     // A line for each way.
     std::string print() const;
-    // Packs the best one again, to `options.out`, with what the user asks for; tells what it costs. Returns
-    // pack's exit status.
+    // Packs the best one again, to `options.out`, with what the user asks for, and reports what it costs.
+    // Returns pack's exit status.
     int finish() const;
 
 private:
     void tryDynamic();
     void tryImports();
     void tryStatic();
-    bool asked(const char *way) const { return options.way.empty() || options.way == way; }
-    bool again(uint64_t before) const;
+    // Makes a way, if it is asked for; notes why it is not possible.
+    void tryWay(const char *way, void (Tries::*make)());
     void pack(Try &made) const;
     Words namesOfIntermediate() const;
     void keepFiles(const Try &taken) const;
-    void add(const std::string &way, const std::string &detail, const Linked &linked);
-    void addFailed(const std::string &way, const std::string &why);
+    // Packs a linked program. Returns whether it is quick enough for variants.
+    bool add(const std::string &way, const std::string &detail, const Linked &linked);
 
     const Options &options;
     std::string packer, folder;

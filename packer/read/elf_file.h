@@ -52,6 +52,14 @@ struct ElfFile {
         need(all.empty() || header.e_shstrndx < all.size(), "its section headers make no sense");
         return all;
     }
+    // The entries of a section that is a table.
+    template <class T> std::vector<T> table(const Elf64_Shdr &section, const char *otherwise) const {
+        need(section.sh_size < sizeof(T) || within(section.sh_offset, section.sh_size, 0, bytes.size()),
+             otherwise);
+        std::vector<T> all(section.sh_size / sizeof(T));
+        if (!all.empty()) std::memcpy(all.data(), &bytes[section.sh_offset], all.size() * sizeof(T));
+        return all;
+    }
     // The string at `offset` in a table of strings, which begins at `table` in the file.
     std::string text(uint64_t table, uint64_t offset) const {
         constexpr char kCut[] = "cut short: a table of names is incomplete";

@@ -30,7 +30,7 @@ void add(std::vector<Claim> &claims, uint64_t address, uint64_t size, std::strin
         claims.push_back({address, address + size, std::move(name), std::move(room)});
 }
 
-// Sections and, by their names as the linker knows them, functions and objects.
+// Sections, functions and objects, by the linker's names.
 void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &symbols) {
     constexpr char kOutside[] = "its symbols lie outside the file: strip it";
     ElfFile in = {elf};
@@ -41,8 +41,7 @@ void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &sy
             add(names, s.sh_addr, s.sh_size, in.text(sections[header.e_shstrndx], s.sh_name));
         if (s.sh_type != SHT_SYMTAB) continue;
         need(s.sh_link < sections.size(), kOutside);
-        for (uint64_t at = 0; at + sizeof(Elf64_Sym) <= s.sh_size; at += sizeof(Elf64_Sym)) {
-            auto symbol = in.at<Elf64_Sym>(s.sh_offset + at, kOutside);
+        for (const Elf64_Sym &symbol : in.table<Elf64_Sym>(s, kOutside)) {
             int type = ELF64_ST_TYPE(symbol.st_info);
             if (type == STT_FUNC || type == STT_OBJECT || type == STT_GNU_IFUNC)
                 add(symbols, symbol.st_value, symbol.st_size, in.text(sections[s.sh_link], symbol.st_name));

@@ -1,5 +1,43 @@
 # pack-link with programs as their makers write them: they must do what they do when cc links them.
-. "$(dirname "$0")/linking.sh"
+. "$(dirname "$0")/common.sh"
+skip_unless gcc
+needs_built pack-link
+link=$BUILD/pack-link
+cd "$WORK" || exit 1
+
+# A model that packs in a third of the time; few=() leaves the choice to pack-link
+sed -n 's/.*"(slots 21/slots 14/p; /^\(code\|data\)/p' "$SOURCE/packer/link/small_model.h" >few.model
+few=(--model few.model)
+
+says() { # says COMMAND...: what it prints, on each output, and its exit status
+    timeout "$PATIENCE" "$@" >said.1 2>said.2
+    echo "status $?" >>said.2
+    cat said.1 said.2
+} 2>/dev/null # where the shell tells of signals
+# takes WAY WORD...: pack-link links them to packed/run, in that way, without a word on stderr
+takes() {
+    local way=$1
+    shift
+    mkdir -p packed
+    "$link" "$@" "${few[@]}" -o packed/run >told 2>err && [ ! -s err ] && grep -q "^$way .*<- taken" told && return 0
+    cat told err >&2
+    return 1
+}
+# same COMPILER WORD...: packed/run does what the program does that COMPILER links of the words
+same() {
+    local compiler=$1
+    shift
+    mkdir -p plain
+    $compiler "$@" -o plain/run || return 1
+    (cd plain && says ./run a 'b c') >wanted
+    (cd packed && says ./run a 'b c') >got
+    cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
+}
+# every OBJECT...: the program is the same by each way that is possible
+ways() {
+    local way
+    for way in dynamic imports; do takes $way --way $way "$@" && same "gcc -no-pie" "$@" || return 1; done
+}
 
 # All that a start has to do with: arguments, environment, constructors in their order, atexit and destructors in
 # theirs, data of libc, exit through main() with what is still in stdout's buffer, pointers to functions of libraries
@@ -44,10 +82,12 @@ for options in "-O2 -fno-pic -fcf-protection=none" "-O0 -g -fPIC" "-Os -fno-plt 
     gcc $options -c c.c -o c.o
     check "C with $options: by dynamic and by imports" ways c.o
 done
-check "... imports are smaller" takes imports c.o
+few=()
+check "C with the contexts that pack-link chooses: imports are smaller" eval 'takes imports c.o && same "gcc -no-pie" c.o'
 check "... and all ways are told" prints '^dynamic .* hash table of sysv$' cat told
 check "... static, too, which is too large" prints '^static .* far too large$' cat told
 check "... and what each object costs" prints '^c.o +[0-9]+ +[0-9]+$' cat told
+few=(--model few.model)
 
 # Libraries: of maths, of threads, of one's own
 cat >libraries.c <<'END'
@@ -111,7 +151,7 @@ unset LD_LIBRARY_PATH
 gcc -Os -flto -c libraries.c added.c numbers.c
 gcc-ar rcs libmine.a added.o numbers.o
 check "-flto" ways libraries.o added.o numbers.o -lm
-check "... with costs by file" prints '^libraries.o +[0-9]' "$link" libraries.o added.o numbers.o -lm -o packed/run --way imports
+check "... with costs by file" prints '^libraries.o +[0-9]' "$link" libraries.o added.o numbers.o -lm -o packed/run --way imports "${few[@]}"
 check "... in an archive" ways libraries.o libmine.a -lm
 
 if command -v g++ >/dev/null; then
@@ -199,6 +239,17 @@ else
     echo "not checked: SDL2 and OpenGL, whose headers are not installed"
 fi
 
+# All of libc in the program
+cat >small.c <<'END'
+#include <stdio.h>
+int main(int count, char **words) { return printf("%d %s\n", count, words[1]); }
+END
+static=gcc
+command -v musl-gcc >/dev/null && static=musl-gcc # a hundredth of the size
+$static -Os -c small.c
+check "static, where it is asked for" takes static small.o --way static --cc $static
+check "... the same" same "$static -static" small.o
+
 # What goes wrong
 fresh() { rm -f made && "$@" && [ ! -e made ] && [ -z "$(ls -d made.* 2>/dev/null)" ]; }
 cat >missing.c <<'END'
@@ -229,23 +280,23 @@ check "no such compiler" fresh refuses 2 "cannot run nocc" "$link" c.o --cc nocc
 check "data of libc that changes, named directly" fresh refuses 2 "errno.o reads 'environ' of libc.so.6 directly: compile it with -fPIC" "$link" errno.o --way imports -o made
 check "a function that libc looks for in the program" fresh refuses 2 "looks for 'malloc' in the program" "$link" malloc.o --way imports -o made
 check "libraries in folders of its own" fresh refuses 2 "(-rpath)" "$link" c.o -Wl,-rpath,/tmp --way imports -o made
-check "over a budget" fresh eval '"$link" c.o -o made --budget 100 >told 2>err; [ $? = 1 ] && grep -q "over budget" err'
+check "over a budget" fresh eval '"$link" c.o -o made "${few[@]}" --budget 100 >told 2>err; [ $? = 1 ] && grep -q "over budget" err'
 check "nowhere to write" refuses 2 "cannot write" bash -c "'$link' c.o -o /nowhere/out 2>&1 >/dev/null | tail -n 1 >&2; exit \${PIPESTATUS[0]}"
 cp c.o cut.o && truncate -s 900 cut.o
 check "an object that is cut short" fresh refuses 2 "cut.o" "$link" cut.o -o made
 
-check "a search, a report, and what it linked" eval '"$link" c.o -o made --effort 1 --report report.json --html report.html --text report.md --name mine --keep kept -v >told 2>err'
+check "a search, a report, and what it linked" eval '"$link" c.o -o made "${few[@]}" --effort 1 --report report.json --html report.html --text report.md --name mine --keep kept -v >told 2>err'
 check "... are there" eval '[ -s report.json ] && [ -s report.html ] && [ -s report.md ] && grep -q mine: made && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
-check "... by another way, too" eval '"$link" c.o -o made --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
+check "... by another way, too" eval '"$link" c.o -o made "${few[@]}" --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
 ended_early() { # by a signal, while it searches: nothing stays
     rm -f err
-    "$link" c.o -o made --effort 100 -v >told 2>err &
+    "$link" c.o -o made --way imports "${few[@]}" --effort 100 -v >told 2>err &
     PIDS+=($!)
     await eval "grep -qs -e --effort err || gone $!" && kill "$1" $! && ended $!
     [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null
 }
 always_early() { for _ in {1..10}; do ended_early "$1" || return; done; } # now just before the search, now in it
 check "ended by a signal it leaves nothing" fresh always_early -TERM
-check "--help" prints '^usage: pack-link' "$link" --help
+check "--help" prints '^Usage: pack-link' "$link" --help
 finish
