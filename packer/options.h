@@ -1,7 +1,7 @@
 // The command line of pack.
 #pragma once
 
-#include "packer/write/texts.h"
+#include "packer/write/messages.h"
 
 #include <optional>
 

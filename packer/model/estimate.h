@@ -1,4 +1,4 @@
-// Estimates a payload's size with other contexts, for the search, which asks thousands of times.
+// Estimates a payload's size with other contexts, for the search, which needs thousands of estimates.
 //
 // A context's inputs depend on its own masks and on the bits coded; other contexts change them only where
 // slots collide. So the inputs are kept, 16 bits each. For parameters that differ in one context, only that

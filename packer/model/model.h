@@ -4,7 +4,7 @@
 // far, the hash selects a slot, which gives three adaptive probabilities: the slot's own; one selected by the
 // last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
 // slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
-// slot's own also as p - 1/2. One more input is what the places say that an operand may name
+// slot's own also as p - 1/2. One more input comes from the marked places that an operand may name
 // (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; fields and bits of its own
 // select one. A ninth set, whose row the phase selects, mixes the eight results. A last table, selected by
 // fields and bits too, corrects the mixed probability. The weights are trained by the error (as in Mahoney's

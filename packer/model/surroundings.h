@@ -1,15 +1,15 @@
 // What is known at a place in the program before its byte is decoded: the fields, and what a jump to
 // somewhere would mean.
 //
-// The parser says where instructions begin and which places they name; both are noted beside the bytes. Since
-// jumps go forward, too, places are known that are not decoded yet.
+// The parser finds where instructions begin and which places they name; both are noted beside the bytes.
+// Since jumps go forward, too, places are known that are not decoded yet.
 #pragma once
 
 #include "packer/model/x86.h"
 
 namespace pack {
 
-// A byte as it was coded, and what was said of its place, kNamed and kBegins.
+// A byte as it was coded, and the marks of its place, kNamed and kBegins.
 struct Place {
     uint8_t byte, marks;
 };

@@ -1,7 +1,7 @@
-// An incremental parser of x86-64 code: after each byte it tells what the next byte is part of. The model
+// An incremental parser of x86-64 code: after each byte it returns what the next byte is part of. The model
 // uses this as context. The parser also finds the operands that name addresses relative to themselves.
 //
-// It knows the instructions that compilers write for user programs up to AVX2. After an unknown instruction
+// It parses the instructions that compilers write for user programs up to AVX2. After an unknown instruction
 // (or data) it may lose its place, and recovers after a few bytes. That costs compression but not
 // correctness, because packer and stub lose their place in the same way.
 #pragma once

@@ -38,7 +38,7 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
     for (const Elf64_Phdr &h : headers) {
         need(h.p_type != PT_TLS, "it has thread-local storage, which is not supported");
         need(h.p_type != PT_GNU_STACK || !(h.p_flags & PF_X),
-             "it wants an executable stack, which it would not get: link it with -z noexecstack");
+             "it needs an executable stack, which it would not get: link it with -z noexecstack");
         if (h.p_type == PT_LOAD && h.p_memsz) loads.push_back(h);
     }
     need(!loads.empty(), "nothing to load in it");
@@ -59,7 +59,7 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
             codeEnd = end;
     }
     uint64_t base = loads[0].p_vaddr & ~(kPage - 1), writtenPage = firstWritten & ~(kPage - 1);
-    static_assert(kLeastBase == 0x210000 && kMostMemory == 64 << 20); // as the lines say
+    static_assert(kLeastBase == 0x210000 && kMostMemory == 64 << 20); // as in the messages
     need(base >= kLeastBase,
          "linked below 0x210000, where the packed file must go: link it higher (-Ttext-segment)");
     need(end - base <= kMostMemory, "its segments lie too far apart: over 64 MiB from first to last");
@@ -74,7 +74,7 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
                     program.bytes.begin() + (long)(h.p_vaddr - base));
 }
 
-// What the dynamic section says, as far as it matters here.
+// The entries of the dynamic section that matter here.
 struct Dynamic {
     std::vector<uint64_t> needed; // names of libraries
     uint64_t strings, stringSize, symbols, relocations, relocationSize, hash;

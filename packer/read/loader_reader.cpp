@@ -69,7 +69,7 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
              within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first.p_filesz),
          "its first segment lacks its headers: link it without a script that leaves them out");
     need(header.e_type == ET_DYN || base >= kLeastAddress,
-         "it lies below 64 KiB, where Linux lets nothing lie: link it higher");
+         "it lies below 64 KiB, where Linux maps nothing: link it higher");
     need(end - base <= kMostMemory, "it takes more than 64 MiB of memory: it cannot be packed");
     program.base = (uint32_t)base;
     program.readOnly = program.span = (uint32_t)wholePages(end - base);
@@ -111,7 +111,7 @@ bool isMadeForPacking(const Bytes &file) {
         return header.e_type == ET_EXEC && names.size() == 1 &&
                (names[0] == kLinux.library || names[0] == kWindows.library);
     } catch (const common::Refused &) {
-        return false; // whoever reads it says why
+        return false; // reading it gives the reason
     }
 }
 

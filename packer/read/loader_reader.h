@@ -6,7 +6,7 @@
 namespace pack {
 
 // Whether a program was made for the packer: of type ET_EXEC, with libdl.so.2 (or, for Windows, kernel32.dll)
-// as its only library. readProgram() takes these, or says why not. Throws nothing.
+// as its only library. readProgram() takes these, or throws the reason. Throws nothing.
 bool isMadeForPacking(const Bytes &file);
 
 // Accepts any x86-64 program that is static or names its interpreter, and whose first segment holds its
@@ -14,7 +14,7 @@ bool isMadeForPacking(const Bytes &file);
 // has no slots, and nothing early. Throws common::Refused.
 Program readAnyProgram(const Bytes &file);
 
-// How many bytes lie behind everything that the ELF headers tell of. A packed program does not find them.
+// The number of bytes behind everything that the ELF headers name. They are not part of a packed program.
 uint64_t appendedBytes(const Bytes &file);
 
 } // namespace pack

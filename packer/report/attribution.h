@@ -17,11 +17,11 @@ inline bool isWholeProgram(const std::string &object) { return object.find(".ltr
 struct Stretch {
     uint32_t begin, size; // in Program::bytes
     std::string section, object, room, symbol;
-    // The symbol is plain, not as the linker knows it. What has no symbol is "(nothing named in SECTION)",
+    // The symbol is demangled. What has no symbol is "(nothing named in SECTION)",
     // and so is what has no object. Room and object are empty if there is no map.
 };
 
-// A part says that it has some addresses. Others may say the same.
+// The addresses of a part. Those of other parts may overlap them.
 struct Claim {
     uint64_t begin, end;
     std::string name;

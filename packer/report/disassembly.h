@@ -1,4 +1,4 @@
-// A program's instructions, as objdump (binutils) tells them, and a short form of them for pages.
+// A program's instructions, as objdump (binutils) prints them, and a short form of them for pages.
 #pragma once
 
 #include <cstdint>

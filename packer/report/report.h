@@ -31,7 +31,7 @@ struct Report {
 };
 inline constexpr int kUnit = 16; // units of a bit
 
-// What a file of rooms says, a line each: ROOM SHARE OBJECT..., the share in bytes or -. The room of "(stub)"
+// A file of rooms, a line each: ROOM SHARE OBJECT..., the share in bytes or -. The room of "(stub)"
 // is that of stub and headers.
 struct Rooms {
     std::map<std::string, std::string> of; // an object's

@@ -86,7 +86,7 @@ std::string printMarkdown(const std::string &name, const Report &report, const R
     now[kStub].bits = 8.0 * (double)report.overhead;
     if (before) was[kStub].bits = 8.0 * (double)before->overhead;
     std::vector<Change> changes = compare(now, was);
-    // A changed byte moves the costs of others by a fraction each: smaller changes tell nothing
+    // A changed byte moves the costs of others by a fraction each: smaller changes mean nothing
     double least = before ? kLeastChange : 0.5;
     std::erase_if(changes, [&](const Change &c) { return std::abs(c.now - c.was) < least; });
     if (changes.empty()) return text + "No " + kind.name + " changed by four bytes or more.\n";

@@ -17,7 +17,7 @@
 //
 // The check is chosen so that checksum() over the file, read as 32-bit words, is 0. Bytes after the first
 // PayloadHeader::words words are not part of the file. There are no section headers. The stub's size is
-// stored nowhere: a reader must know the stub that it was made for.
+// stored nowhere: a reader must have the stub that the file was made with.
 //
 // IN MEMORY the file is one R-X segment that starts kBelow bytes below the program. The program is one RW
 // segment of whole pages that starts at PayloadHeader::image; it has no bytes in the file, so it starts as
@@ -26,12 +26,12 @@
 // the addresses of the two imports into the program's own slots. Then the loader jumps to the first byte of
 // the stub.
 //
-// START. The stub computes the checksum of the whole file. Before it reads a page, it asks the kernel whether
-// the page is there, because a truncated file lacks some. Then it maps PayloadHeader::memory bytes for the
-// model, saves the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes of the image
-// R-X and unmaps the model's memory. Finally it jumps to PayloadHeader::entry with rsp, rsi and rdx as the
-// loader left them: the program sees argc, the arguments, the environment and, in rdx, the function to call
-// at exit. No memory is ever writable and executable at once.
+// START. The stub computes the checksum of the whole file. Before it reads a page, it checks by a call of the
+// kernel that the page is there, because a truncated file lacks some. Then it maps PayloadHeader::memory
+// bytes for the model, saves the two slots, decodes, restores the slots, makes PayloadHeader::readOnly bytes
+// of the image R-X and unmaps the model's memory. Finally it jumps to PayloadHeader::entry with rsp, rsi and
+// rdx as the loader left them: the program sees argc, the arguments, the environment and, in rdx, the
+// function to call at exit. No memory is ever writable and executable at once.
 //
 // IN TWO PHASES. If PayloadHeader::early is not kNothingEarly, the stub calls the function at
 // PayloadHeader::earlyEntry before it decodes each byte whose offset in the image is a multiple of kEarlyStep
@@ -63,9 +63,9 @@
 // lowest byte first. Contexts and parser see the bytes as they were coded. The parser reports one-byte
 // fields, too: they are coded as they are.
 //
-// ERRORS. If the checksum is not 0 or a page is missing, the stub says "damaged: get it afresh"; if it gets
+// ERRORS. If the checksum is not 0 or a page is missing, the stub prints "damaged: get it afresh"; if it gets
 // no memory, "not enough free memory"; if the system does not let memory that was written be executed, "it
-// may not run packed", or which program to use instead (texts.h). Each is one line on standard error; the
+// may not run packed", or which program to use instead (messages.h). Each is one line on standard error; the
 // exit status is 1, and nothing of the program has run. Once the checksum is right, the stub trusts the file
 // and examines nothing else. The checksum can guard neither the Front, which the loader reads first, nor the
 // 128 bytes of code that compute it.
@@ -110,7 +110,7 @@ struct Front {
 };
 static_assert(sizeof(Front) == 528 && offsetof(Front, dynamic) % 8 == 0);
 
-// What the stub must know. This header begins the payload section, right after the stub's code.
+// What the stub needs. This header begins the payload section, right after the stub's code.
 struct PayloadHeader {
     uint32_t words;    // 32-bit words that the checksum covers: in an ELF file all of them
     uint32_t image;    // address of the program's first byte; page-aligned

@@ -10,23 +10,23 @@
 //
 // IN MEMORY it has two segments, and both the program and the file keep the places that the kernel gave them.
 // The first is the program: PayloadHeader::readOnly bytes, RW, from the address PayloadHeader::image on,
-// which is the program's own; for ET_DYN the kernel adds what it likes. Of the file it has a single byte,
+// which is the program's own; for ET_DYN the kernel adds an offset. Of the file it has a single byte,
 // which decoding overwrites, because the kernel chooses no place for a first segment without any. The second,
 // R-X, is the file, right behind, so the heap begins behind both.
 //
 // THE PAYLOAD decodes to the program's segments as they lie in memory. The first one must hold the program's
-// own ELF header and program headers. They are all that the stub needs to know: protections, interpreter,
-// entry. Other fields of PayloadHeader are 0, and nothing is early.
+// own ELF header and program headers. They are all that the stub needs: protections, interpreter, entry.
+// Other fields of PayloadHeader are 0, and nothing is early.
 //
 // START. The stub checks the file and decodes as in format.h. Then it gives each segment its protection. What
 // lies between segments stays RW. If the program names an interpreter, that is read into fresh memory. In the
 // auxiliary vector AT_PHDR, AT_PHNUM, AT_ENTRY and AT_BASE become those of the program and the interpreter.
 // The stub jumps to the interpreter, or to the program if it names none, with the stack as the kernel made
-// it. Relocations, libraries, thread-local storage and constructors are left to who does them always: to
-// ld.so, or to the start of a static program. The file stays mapped.
+// it. ld.so, or the start of a static program,
+// does relocations, libraries, thread-local storage and constructors as always. The file stays mapped.
 //
-// ERRORS are as in format.h, after the name by which the program was called; one more says that the
-// interpreter is missing.
+// ERRORS are as in format.h, after the name by which the program was called; one more is for a missing
+// interpreter.
 #pragma once
 
 #include "packer/stub/format.h"

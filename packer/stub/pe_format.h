@@ -3,7 +3,7 @@
 //
 // THE FILE is an executable (PE32+ for x86-64) with a fixed address:
 //
-//     PeFront        512 bytes: headers, two sections, texts
+//     PeFront        512 bytes: headers, two sections, messages
 //     PeStart        begins the first section: what is imported
 //     stub           machine code, the same in every file
 //     PayloadHeader, masks, payload, zeros up to a multiple of 512 less four bytes, check
@@ -29,16 +29,16 @@
 
 namespace pack {
 
-// The stub's texts (texts.h), and the names of the function that shows a box and its library. They fill room
-// that the file has anyway.
-struct PeTexts {
+// The stub's messages (messages.h), and the names of the function that shows a box and its library. They fill
+// room that the file has anyway.
+struct PeMessages {
     char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];
 };
 
 struct PeFront {
     PeHeader header;
     PeSection sections[2];
-    PeTexts texts;
+    PeMessages messages;
 };
 static_assert(sizeof(PeFront) == kPeFileAlign);
 

@@ -1,8 +1,8 @@
 // The code in front of every packed program: checks the file, decodes the program, starts it. Position-
 // independent, baseline x86-64, no library.
 //
-// It is in assembler because it is part of every packed file: 2.5 KB. When it was 1.9, g++ -Os made 3.7 KB of the same in C++. It
-// does what decoder.h, model.h and x86.h say, and uses their names. The packer runs both versions before it writes a
+// It is in assembler because it is part of every packed file: it has 2.5 KB, half of what g++ -Os makes of C++. It
+// does what decoder.h, model.h and x86.h do, and uses their names. The packer runs both versions before it writes a
 // file. format.h describes its input, its actions and its results. Numbers shared with C++ come from stub_numbers.h.
 // Other numbers are offsets in its own memory, the kernel's calls and x86 opcodes, as in x86.h.
 //
@@ -15,14 +15,14 @@
 
 .section .stub, "ax"
 start:
-    push rdx // ld.so's function for exit, which the program wants to see
+    push rdx // ld.so's function for exit, which the program gets
     push rsi
     lea ebx, [rip + payload_header]
 
     // Nothing is trusted before it is checked, so the file's beginning is computed from this code's own address
     lea edi, [rip + start - FRONT]
     check_file
-damaged: // the texts are here so that a truncated file still has them; each has 23 bytes, and texts.h knows them
+damaged: // the texts are here so that a truncated file still has them; each has 23 bytes, and as in messages.h
     call refuse
     .ascii "damaged: get it afresh\n"
 no_memory:

@@ -45,7 +45,7 @@ no_memory:
 refuse: // "NAME: text"
     movq rax, xmm15
 .globl stubLoaderName
-stubLoaderName: // four bytes, which texts.cpp replaces if the texts have a name of their own
+stubLoaderName: // four bytes, which messages.cpp replaces if the texts have a name of their own
     mov rsi, [rax + 8]
     call print
     pop rsi
@@ -143,7 +143,7 @@ get_memory:
     add r9, [r14 + E_ENTRY]
     mov r8, [rsp + PAGE]
 
-// The auxiliary vector lies behind the arguments and the environment. It tells of the program, not of this file
+// The auxiliary vector lies behind the arguments and the environment. It must describe the program, not this file
 give_vector:
     mov r14, r12
     call headers

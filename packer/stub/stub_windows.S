@@ -90,7 +90,7 @@ no_memory:
 // Writes to standard error; if there is none, shows a message box.
 refuse:
     pop rsi
-    lea edi, [FRONT + PE_TEXTS]
+    lea edi, [FRONT + PE_MESSAGES]
     add esi, edi
     and rsp, -16
     sub rsp, 48
@@ -99,7 +99,7 @@ refuse:
     call GET_STD_HANDLE
     mov rcx, rax
     mov rdx, rsi
-    push PE_TEXT // its size
+    push PE_MESSAGE // its size
     pop r8
     lea r9, [rsp + 40]
     and qword ptr [rsp + 32], 0

@@ -13,7 +13,7 @@ namespace {
 // Where things lie in a packed file
 constexpr size_t kStubAt = sizeof(Front), kPayloadSectionAt = kStubAt + sizeof kStub;
 
-NamedStub namedStub() { return {kStub, sizeof kStub, kTexts, 0}; }
+NamedStub namedStub() { return {kStub, sizeof kStub, kMessages, 0}; }
 
 Elf64_Phdr segment(uint32_t type, uint32_t flags, uint64_t offset, uint64_t address, uint64_t inFile,
                    uint64_t inMemory, uint64_t align) {

@@ -13,11 +13,11 @@ namespace {
 constexpr size_t kStubAt = sizeof(LoaderFront), kPayloadSectionAt = kStubAt + sizeof kStubLoader;
 
 NamedStub namedStub() {
-    return {kStubLoader, sizeof kStubLoader, kLoaderTexts, (size_t)(stubLoaderName - stubLoaderStart)};
+    return {kStubLoader, sizeof kStubLoader, kLoaderMessages, (size_t)(stubLoaderName - stubLoaderStart)};
 }
 
 LoaderFront makeFront(const Program &program, size_t size) {
-    // What the program asks for, by its own headers, which are part of it
+    // Alignment and stack, by the program's own headers, which are part of it
     ElfFile own = {program.bytes};
     Elf64_Ehdr header;
     uint64_t alignment = kPage;

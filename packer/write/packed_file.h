@@ -1,8 +1,8 @@
 // Packed files of all kinds: written, proved, opened, and made plain again.
 #pragma once
 
+#include "packer/write/messages.h"
 #include "packer/write/payload_section.h"
-#include "packer/write/texts.h"
 
 namespace pack {
 

@@ -17,8 +17,9 @@ constexpr uint32_t fileWhole(uint64_t bytes) {
 // Where the first section lies; the headers take the page before
 constexpr uint32_t kFirst = kPage;
 
-// Bytes of stack of the main thread and of every thread that asks for no other size. All of it is committed,
-// because code that was not compiled for Windows may step over the guard page that makes a stack grow.
+// Bytes of stack of the main thread and of every thread that is not given another size. All of it is
+// committed, because code that was not compiled for Windows may step over the guard page that makes a stack
+// grow.
 constexpr uint64_t kPeStack = 1 << 20;
 
 // The fields of a header that do not depend on the program.
@@ -38,7 +39,7 @@ PeHeader makeHeader(uint32_t base, uint32_t sections) {
     h.system[0] = h.subsystemVersion[0] = 6; // Windows Vista and later
     h.headerSize = kPeFileAlign;
     h.subsystem = 2;     // graphical: a double-click opens no console
-    h.dllFlags = 0x8100; // no data is executed; knows of terminal servers
+    h.dllFlags = 0x8100; // no data is executed; aware of terminal servers
     h.stackReserve = h.stackCommit = kPeStack;
     h.heapReserve = 1 << 20;
     h.heapCommit = kPage;
@@ -107,23 +108,25 @@ PeStart makeStart(const Program &program) {
     return s;
 }
 
-PeTexts makeTexts(const Names &names) {
-    PeTexts t = {{}, {}, {}, "user32", "MessageBoxA"};
-    char *places[] = {
-        [Text::kDamaged] = t.damaged, [Text::kNoMemory] = t.noMemory, [Text::kMayNotRun] = t.mayNotRun};
-    for (const Text &text : kTexts) std::strcpy(places[text.what], withNames(text, names).c_str());
+PeMessages makeMessages(const Names &names) {
+    PeMessages t = {{}, {}, {}, "user32", "MessageBoxA"};
+    char *places[] = {[Message::kDamaged] = t.damaged,
+                      [Message::kNoMemory] = t.noMemory,
+                      [Message::kMayNotRun] = t.mayNotRun};
+    for (const Message &message : kMessages)
+        std::strcpy(places[message.what], withNames(message, names).c_str());
     return t;
 }
 
-// The names that the texts were made with, if the texts are whole; else perhaps others.
-Names namesIn(const PeTexts &texts) {
+// The names that the messages were made with, if the messages are whole; else perhaps others.
+Names namesIn(const PeMessages &messages) {
     // Of "use NAME instead" and "NAME is damaged"
     auto between = [](const char(&text)[24], const std::string &before, const char *behind) {
         std::string line(text, sizeof text);
         size_t from = before.size(), to = line.find(behind, from);
         return line.compare(0, from, before) || to == line.npos ? "" : line.substr(from, to - from);
     };
-    Names names = {between(texts.damaged, "", " is damaged"), between(texts.mayNotRun, "use ", " ")};
+    Names names = {between(messages.damaged, "", " is damaged"), between(messages.mayNotRun, "use ", " ")};
     try {
         checkNames(names);
     } catch (const common::Refused &) {
@@ -139,7 +142,7 @@ PeFront makeFront(const Program &program, uint32_t size, const Names &names) {
     PeFront f = {makeHeader(base, 2),
                  {{".text", programAt - kFirst, kFirst, size - kPeFileAlign, kPeFileAlign, {}, kPeCode},
                   {".data", (uint32_t)wholePages(program.span), programAt, 0, 0, {}, kPeZeros}},
-                 makeTexts(names)};
+                 makeMessages(names)};
     f.header.entry = kFirst + (uint32_t)(kStubAt - kStartAt);
     f.header.imageSize = programAt + f.sections[1].memorySize;
     f.header.directories[kPeImports] = {kFirst + (uint32_t)offsetof(PeStart, library), 2 * sizeof(PeImports)};
@@ -179,7 +182,7 @@ Packed open(const Bytes &file) {
     if (start.slots[kPeProgram1] != start.slots[kPeLoadLibrary])
         std::swap(program.slots[0], program.slots[1]);
     // Headers and slots are not in the check: the loader reads them
-    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.texts));
+    PeFront front = makeFront(program, (uint32_t)(kCheckedFrom + 4 * packed.words), namesIn(f.messages));
     PeStart slots = makeStart(program);
     need(!std::memcmp(&f, &front, sizeof f) && !std::memcmp(&start, &slots, sizeof start), kDamaged);
     return packed;

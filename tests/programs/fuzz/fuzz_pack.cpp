@@ -1,4 +1,4 @@
-// For libFuzzer: whatever the input is, the packer's readers answer with a program or an error line. The
+// For libFuzzer: whatever the input is, the packer's readers return a program or throw an error. The
 // first byte of the input chooses the reader.
 #include "packer/model/model_parameters.h"
 #include "packer/read/elf_reader.h"

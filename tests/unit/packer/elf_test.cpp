@@ -101,7 +101,7 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
     EXPECT_EQ(p.bytes, Bytes{0}); // everything in it was for the loader
 }
 
-TEST(Reader, SaysWhatIsUnsuitable) {
+TEST(Reader, ThrowsWhatIsUnsuitable) {
     EXPECT_EQ(complaint({}), "not an ELF file");
     EXPECT_EQ(complaint(Bytes(5000, 'x')), "not an ELF file");
     EXPECT_NE(
@@ -352,7 +352,7 @@ template <class Change> std::string loaderComplaintAfter(Change change) {
 
 } // namespace
 
-TEST(Loader, TellsWhatWasMadeForPacking) {
+TEST(Loader, FindsWhatWasMadeForPacking) {
     EXPECT_TRUE(isMadeForPacking(Example().file()));
     Example other;
     std::memcpy(other.data.strings, "\0libdl.so.3", 11);
@@ -363,26 +363,26 @@ TEST(Loader, TellsWhatWasMadeForPacking) {
     EXPECT_FALSE(isMadeForPacking({}));
 }
 
-TEST(Loader, SaysWhatIsUnsuitable) {
-    auto says = [](const std::string &complaint, const char *text) {
+TEST(Loader, ThrowsWhatIsUnsuitable) {
+    auto contains = [](const std::string &complaint, const char *text) {
         return complaint.find(text) != std::string::npos;
     };
     EXPECT_EQ(loaderComplaintAfter([](Example &) {}), "");
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }),
-                     "names no interpreter"));
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }),
-                     "no entry point"));
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_flags |= PF_W; }),
-                     "both writable and executable"));
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; }),
-                     "overlap"));
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_filesz = 64; }),
-                     "lacks its headers"));
-    EXPECT_TRUE(says(
+    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }),
+                         "names no interpreter"));
+    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }),
+                         "no entry point"));
+    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_flags |= PF_W; }),
+                         "both writable and executable"));
+    EXPECT_TRUE(contains(
+        loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; }), "overlap"));
+    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_filesz = 64; }),
+                         "lacks its headers"));
+    EXPECT_TRUE(contains(
         loaderComplaintAfter([](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; }),
         "cut short"));
-    EXPECT_TRUE(says(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; }),
-                     "more than 64 MiB"));
+    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; }),
+                         "more than 64 MiB"));
 }
 
 TEST(Loader, WritesWhatReadsBack) {
@@ -417,25 +417,25 @@ TEST(Loader, WritesWhatReadsBack) {
     }
 }
 
-// --- Texts ---
+// --- Messages ---
 
-TEST(Texts, KeepTheirLength) {
+TEST(Messages, KeepTheirLength) {
     for (const char *program : {"", "a", "tenletters"})
         for (const char *safe : {"", "a", "odraz-safe", "fourteen.chars"}) {
             Names names = {program, safe};
             EXPECT_NO_THROW(checkNames(names));
-            for (const Text &t : kTexts) {
+            for (const Message &t : kMessages) {
                 std::string line = withNames(t, names);
                 EXPECT_EQ(line.size(), std::strlen(t.usual));
                 EXPECT_EQ(line.find('\n'), line.size() - 1); // one line
             }
-            for (const Text &t : kLoaderTexts) {
+            for (const Message &t : kLoaderMessages) {
                 std::string line = withNames(t, names);
                 EXPECT_EQ(line.size(), std::strlen(t.usual));
                 EXPECT_NE(line.find('\n'), std::string::npos);
             }
         }
-    EXPECT_EQ(withNames(kTexts[2], {"", "odraz-safe"}), "use odraz-safe instead\n");
+    EXPECT_EQ(withNames(kMessages[2], {"", "odraz-safe"}), "use odraz-safe instead\n");
     for (const char *wrong : {"twelveletter", "a b", "a\n", "\xc3\xa9"})
         EXPECT_THROW(checkNames({wrong, ""}), common::Refused) << wrong;
     EXPECT_THROW(checkNames({"", "fifteen.letters"}), common::Refused);

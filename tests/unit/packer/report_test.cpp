@@ -13,7 +13,7 @@ std::string text(const std::vector<Claim> &claims) {
     return all;
 }
 
-// Bytes that cost so many bits each, in one section; two objects and three symbols.
+// Bytes of the given costs, in one section; two objects and three symbols.
 Report example(std::vector<float> bits, const Rooms *rooms = nullptr) {
     std::vector<Stretch> stretches = {{0, 2, ".text", "a.o", "liba.a", "f(int)"},
                                       {2, 1, ".text", "a.o", "liba.a", "(nothing named in .text)"},
@@ -134,7 +134,7 @@ TEST(Json, ReadsNamesWithAnySigns) {
 }
 
 TEST(Json, ReadsEarlierReportsAndLaterOnes) {
-    // As a ledger keeps it, which has no symbols; and with what nobody knows yet
+    // As a ledger keeps it, which has no symbols; and with members of a later version
     Report r = readJson("{\"file\": 20, \"overhead\": 10, \"later\": {\"x\": {\"y\": \"z\"}},\n"
                         "\"sections\": {\".text\": {\"bytes\": 9, \"bits\": 80}}, \"objects\": {\n"
                         "\"cc7sCLLD.ltrans0.ltrans.o\": {\"bytes\": 9, \"bits\": 80, \"more\": 1}}}");
@@ -167,7 +167,7 @@ TEST(Json, RefusesWhatIsNoReport) {
 
 // --- A comment on a change ---
 
-TEST(Markdown, TellsTotalBudgetAndLargestChanges) {
+TEST(Markdown, HasTotalBudgetAndLargestChanges) {
     Report before = example({8, 8, 8, 8}), now = example({80, 8, 8, 8});
     std::string text = printMarkdown("a|b", now, &before, 120);
     EXPECT_NE(text.find("**`a/b`: 115 bytes**, +9 (+8.49 %), 5 left of 120\n"), std::string::npos) << text;

@@ -44,7 +44,7 @@ double numberIn(pid_t pid, const char *file, const char *name) {
     while (value < 0 && std::fgets(line, sizeof line, in))
         if (!std::strncmp(line, name, std::strlen(name))) value = std::atof(line + std::strlen(name));
     std::fclose(in);
-    if (value < 0) throw std::runtime_error(path + " does not tell " + name);
+    if (value < 0) throw std::runtime_error(path + " has no " + name);
     return value;
 }
 

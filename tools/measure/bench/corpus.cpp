@@ -60,10 +60,10 @@ std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &mi
                {"llvmpipe", lib + "dri/swrast_dri.so", 2048, 128},
                {"llvmpipe", lib + "dri/swrast_dri.so", 1024, 256}};
     std::vector<Sample> samples;
-    for (auto &want : all) {
-        Bytes code = instructions(want.path);
-        std::string name = std::string(want.name) + " " + std::to_string(want.size) + "K";
-        size_t from = want.skip * 1024, size = want.size * 1024;
+    for (auto &part : all) {
+        Bytes code = instructions(part.path);
+        std::string name = std::string(part.name) + " " + std::to_string(part.size) + "K";
+        size_t from = part.skip * 1024, size = part.size * 1024;
         if (from + size > code.size())
             missing.push_back(name);
         else
