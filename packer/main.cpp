@@ -59,7 +59,7 @@ void checkCopy(const std::string &path, const Bytes &file) {
     struct stat s;
     need(stat(path.c_str(), &s) == 0 && !(s.st_mode & (S_ISUID | S_ISGID)),
          "setuid or setgid, which a packed file cannot be: pack a copy without that (chmod a-s)");
-    need(!kElf.isPacked(file) && !kLoader.isPacked(file),
+    need(!isPacked(kElf, file) && !isPacked(kLoader, file),
          "it is packed already: pack the program that it was made from");
     need(getxattr(path.c_str(), "security.capability", nullptr, 0) < 0,
          "it has file capabilities, which a packed file cannot have: pack a copy without them (cp)");

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace pack {
 
@@ -76,64 +77,42 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
 
 // The entries of the dynamic section that matter here.
 struct Dynamic {
-    std::vector<uint64_t> needed; // names of libraries
-    uint64_t strings, stringSize, symbols, relocations, relocationSize, hash;
+    std::vector<uint64_t> needed;      // names of libraries
+    std::map<int64_t, uint64_t> value; // of other entries, by their tags
 };
 
 // Refuses what the packed program would not have: a PLT, constructors, destructors.
 Dynamic readDynamic(const Elf64_Phdr &segment, const Memory &memory) {
-    Dynamic dynamic = {};
+    Dynamic dynamic;
     need(segment.p_memsz < 4096, "its dynamic section makes no sense");
     for (uint64_t a = segment.p_vaddr; a + sizeof(Elf64_Dyn) <= segment.p_vaddr + segment.p_memsz;
          a += sizeof(Elf64_Dyn)) {
         auto d = memory.at<Elf64_Dyn>(a);
-        switch (d.d_tag) {
-        case DT_NEEDED:
+        if (d.d_tag == DT_NEEDED)
             dynamic.needed.push_back(d.d_un.d_val);
-            break;
-        case DT_STRTAB:
-            dynamic.strings = d.d_un.d_ptr;
-            break;
-        case DT_STRSZ:
-            dynamic.stringSize = d.d_un.d_val;
-            break;
-        case DT_SYMTAB:
-            dynamic.symbols = d.d_un.d_ptr;
-            break;
-        case DT_RELA:
-            dynamic.relocations = d.d_un.d_ptr;
-            break;
-        case DT_RELASZ:
-            dynamic.relocationSize = d.d_un.d_val;
-            break;
-        case DT_HASH:
-            dynamic.hash = d.d_un.d_ptr;
-            break;
-        case DT_JMPREL:
-            throw common::Refused("it calls through a PLT: compile with -fno-plt");
-        case DT_INIT:
-        case DT_FINI:
-        case DT_INIT_ARRAY:
-        case DT_FINI_ARRAY:
-        case DT_PREINIT_ARRAY:
-            throw common::Refused("it has constructors or destructors, which would not run");
-        }
+        else
+            dynamic.value[d.d_tag] = d.d_un.d_val;
     }
+    need(!dynamic.value.count(DT_JMPREL), "it calls through a PLT: compile with -fno-plt");
+    for (int64_t tag : {DT_INIT, DT_FINI, DT_INIT_ARRAY, DT_FINI_ARRAY, DT_PREINIT_ARRAY})
+        need(!dynamic.value.count(tag), "it has constructors or destructors, which would not run");
     return dynamic;
 }
 
 // Finds the slots of the two imports, and refuses all others.
-void findImports(const Dynamic &dynamic, const Memory &memory, const System &system, Program &program) {
+void findImports(Dynamic &dynamic, const Memory &memory, const System &system, Program &program) {
     std::string two = std::string(system.functions[0]) + " and " + system.functions[1],
                 onlyThem = "it must import " + two + " and nothing else";
-    need(dynamic.needed.size() == 1 && memory.text(dynamic.strings + dynamic.needed[0]) == system.library,
+    need(dynamic.needed.size() == 1 &&
+             memory.text(dynamic.value[DT_STRTAB] + dynamic.needed[0]) == system.library,
          "it must need " + std::string(system.library) + " and no other library");
-    need(dynamic.relocationSize == 2 * sizeof(Elf64_Rela), onlyThem);
+    need(dynamic.value[DT_RELASZ] == 2 * sizeof(Elf64_Rela), onlyThem);
     bool found[2] = {};
     for (int i = 0; i < 2; ++i) {
-        auto r = memory.at<Elf64_Rela>(dynamic.relocations + (uint64_t)i * sizeof(Elf64_Rela));
-        auto symbol = memory.at<Elf64_Sym>(dynamic.symbols + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
-        std::string name = memory.text(dynamic.strings + symbol.st_name);
+        auto r = memory.at<Elf64_Rela>(dynamic.value[DT_RELA] + (uint64_t)i * sizeof(Elf64_Rela));
+        auto symbol =
+            memory.at<Elf64_Sym>(dynamic.value[DT_SYMTAB] + ELF64_R_SYM(r.r_info) * sizeof(Elf64_Sym));
+        std::string name = memory.text(dynamic.value[DT_STRTAB] + symbol.st_name);
         bool second = name == system.functions[1];
         need(second || name == system.functions[0], onlyThem);
         need(ELF64_R_TYPE(r.r_info) == R_X86_64_GLOB_DAT && r.r_addend == 0,
@@ -150,11 +129,11 @@ void findImports(const Dynamic &dynamic, const Memory &memory, const System &sys
 }
 
 // Zeros in place of what only the loader reads.
-void wipeDynamic(const Elf64_Phdr &segment, const Dynamic &dynamic, Memory &memory) {
-    memory.wipe(dynamic.relocations, dynamic.relocationSize);
-    memory.wipe(dynamic.symbols, 3 * sizeof(Elf64_Sym));
-    memory.wipe(dynamic.strings, dynamic.stringSize);
-    if (uint64_t hash = dynamic.hash)
+void wipeDynamic(const Elf64_Phdr &segment, Dynamic &dynamic, Memory &memory) {
+    memory.wipe(dynamic.value[DT_RELA], dynamic.value[DT_RELASZ]);
+    memory.wipe(dynamic.value[DT_SYMTAB], 3 * sizeof(Elf64_Sym));
+    memory.wipe(dynamic.value[DT_STRTAB], dynamic.value[DT_STRSZ]);
+    if (uint64_t hash = dynamic.value[DT_HASH])
         memory.wipe(hash, 4 * (2 + uint64_t(memory.at<uint32_t>(hash)) + memory.at<uint32_t>(hash + 4)));
     memory.wipe(segment.p_vaddr, segment.p_memsz);
 }

@@ -57,19 +57,13 @@ Bytes write(const Program &program, const ModelParameters &parameters, const Byt
     Front f = makeFront(base, base + kStubAt, program.slots);
     f.segments[1] = segment(PT_LOAD, PF_R | PF_X, 0, base, size, size, kPage);
     f.segments[2] = segment(PT_LOAD, PF_R | PF_W, 0, program.base, 0, wholePages(program.span), kPage);
-    Bytes out(sizeof f), stub = namedStub().with(names);
-    std::memcpy(out.data(), &f, sizeof f);
-    out.insert(out.end(), stub.begin(), stub.end());
+    Bytes out = beginFile(f, namedStub().with(names));
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
 
-bool isPacked(const Bytes &file) {
-    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
-}
-
 Packed open(const Bytes &file) {
-    need(isPacked(file), kForeign);
+    need(isPacked(kElf, file), kForeign);
     Front f;
     std::memcpy(&f, file.data(), sizeof f);
     uint64_t span = f.segments[2].p_memsz;
@@ -98,6 +92,6 @@ Bytes writePlain(const Program &program) {
 
 } // namespace
 
-const PackedKind kElf = {kPayloadSectionAt, stubDecode, write, isPacked, open, writePlain};
+const PackedKind kElf = {kStubAt, namedStub, stubDecode, write, open, writePlain};
 
 } // namespace pack

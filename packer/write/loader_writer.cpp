@@ -41,19 +41,13 @@ Bytes write(const Program &program, const ModelParameters &parameters, const Byt
             const Names &names) {
     size_t size = (overhead(kLoader, parameters) + payload.size() + 3) / 4 * 4;
     LoaderFront f = makeFront(program, size);
-    Bytes out(sizeof f), stub = namedStub().with(names);
-    std::memcpy(out.data(), &f, sizeof f);
-    out.insert(out.end(), stub.begin(), stub.end());
+    Bytes out = beginFile(f, namedStub().with(names));
     appendPayloadSection(out, program, parameters, payload, 0, size);
     return out;
 }
 
-bool isPacked(const Bytes &file) {
-    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) && namedStub().same(file.data() + kStubAt);
-}
-
 Packed open(const Bytes &file) {
-    need(isPacked(file), kForeign);
+    need(isPacked(kLoader, file), kForeign);
     LoaderFront f;
     std::memcpy(&f, file.data(), sizeof f);
     return openPayloadSection(file, kPayloadSectionAt, 0, f.program.p_memsz);
@@ -74,6 +68,6 @@ Bytes writePlain(const Program &program) {
 
 } // namespace
 
-const PackedKind kLoader = {kPayloadSectionAt, stubDecodeLoader, write, isPacked, open, writePlain};
+const PackedKind kLoader = {kStubAt, namedStub, stubDecodeLoader, write, open, writePlain};
 
 } // namespace pack

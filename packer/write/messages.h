@@ -47,6 +47,9 @@ public:
     NamedStub(const uint8_t *stub, size_t size, const Message (&messages)[kMessageCount], size_t named)
         : usual(stub, stub + size), messages(messages), count(kMessageCount), named(named) {}
 
+    NamedStub(const uint8_t *stub, size_t size) : usual(stub, stub + size) {} // without messages
+
+    size_t size() const { return usual.size(); }
     Bytes with(const Names &names) const;
     // Whether the stub lies at `at`, with any names.
     bool same(const uint8_t *at) const;
@@ -55,8 +58,8 @@ private:
     size_t placeOf(const Message &message) const;
 
     Bytes usual;
-    const Message *messages;
-    size_t count, named;
+    const Message *messages = nullptr;
+    size_t count = 0, named = 0;
 };
 
 } // namespace pack

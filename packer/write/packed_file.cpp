@@ -7,16 +7,23 @@ namespace pack {
 
 bool isPe(const Bytes &file) { return file.size() > 1 && file[0] == 'M' && file[1] == 'Z'; }
 
+static size_t sectionAt(const PackedKind &kind) { return kind.stubAt + kind.stub().size(); }
+
+bool isPacked(const PackedKind &kind, const Bytes &file) {
+    return file.size() > sectionAt(kind) + sizeof(PayloadHeader) &&
+           kind.stub().same(file.data() + kind.stubAt);
+}
+
 const PackedKind &kindOf(const Bytes &file) {
-    return isPe(file) ? kPe : kLoader.isPacked(file) ? kLoader : kElf;
+    return isPe(file) ? kPe : isPacked(kLoader, file) ? kLoader : kElf;
 }
 
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters) {
-    return kind.sectionAt + payloadSectionOverhead(parameters);
+    return sectionAt(kind) + payloadSectionOverhead(parameters);
 }
 
 Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed) {
-    return decodePayloadSection(packed, kind.sectionAt, kind.stubDecode);
+    return decodePayloadSection(packed, sectionAt(kind), kind.stubDecode);
 }
 
 Program readPacked(const PackedKind &kind, const Bytes &file) {

@@ -2,19 +2,21 @@
 #pragma once
 
 #include "packer/write/messages.h"
+
+#include <algorithm>
+#include <cstring>
 #include "packer/write/payload_section.h"
 
 namespace pack {
 
 // A kind of packed file.
 struct PackedKind {
-    size_t sectionAt;       // of the payload section in the file
-    StubDecode &stubDecode; // the decoder in the stub
+    size_t stubAt;          // in the file; the payload section follows the stub
+    NamedStub (*stub)();    // with its usual messages
+    StubDecode &stubDecode; // the decoder in it
     // `payload` encodes `program.bytes`. Throws common::Refused.
     Bytes (*write)(const Program &program, const ModelParameters &parameters, const Bytes &payload,
                    const Names &names);
-    // Whether a file was packed so. It may be damaged, but its stub is whole.
-    bool (*isPacked)(const Bytes &file);
     // Takes a packed file apart, but does not decode it. The file may come from any source. Throws
     // common::Refused.
     Packed (*open)(const Bytes &file);
@@ -28,8 +30,19 @@ extern const PackedKind kPe;     // made for packing, for Windows (stub/pe_forma
 
 bool isPe(const Bytes &file); // packed or not
 
+// Whether a file is packed, of this kind. It may be damaged, but its stub is whole.
+bool isPacked(const PackedKind &kind, const Bytes &file);
+
 // The kind of a packed file; kElf if it is none.
 const PackedKind &kindOf(const Bytes &file);
+
+// A packed file up to the payload section: the headers, and the stub.
+template <class Front> Bytes beginFile(const Front &front, const Bytes &stub) {
+    Bytes file(sizeof front + stub.size());
+    std::memcpy(file.data(), &front, sizeof front);
+    std::copy(stub.begin(), stub.end(), file.begin() + sizeof front);
+    return file;
+}
 
 // Bytes of a packed file that are not payload.
 size_t overhead(const PackedKind &kind, const ModelParameters &parameters);

@@ -76,6 +76,8 @@ constexpr size_t kStartAt = kPeFileAlign, kStubAt = kStartAt + sizeof(PeStart),
                  kPayloadSectionAt = kStubAt + sizeof kStubWindows,
                  kCheckedFrom = kStartAt + sizeof(PeStart::slots);
 
+NamedStub namedStub() { return {kStubWindows, sizeof kStubWindows}; }
+
 // What a packed file imports: for the program in the order of its slots, then for the stub.
 PeStart makeStart(const Program &program) {
     uint32_t first = program.slots[1] < program.slots[0];
@@ -164,13 +166,8 @@ Bytes write(const Program &program, const ModelParameters &parameters, const Byt
     return out;
 }
 
-bool isPacked(const Bytes &file) {
-    return file.size() > kPayloadSectionAt + sizeof(PayloadHeader) &&
-           !std::memcmp(file.data() + kStubAt, kStubWindows, sizeof kStubWindows);
-}
-
 Packed open(const Bytes &file) {
-    need(isPacked(file), kForeign);
+    need(isPacked(kPe, file), kForeign);
     PeFront f;
     PeStart start;
     std::memcpy(&f, file.data(), sizeof f);
@@ -223,6 +220,6 @@ Bytes writePlain(const Program &program) {
 
 } // namespace
 
-const PackedKind kPe = {kPayloadSectionAt, stubDecodeWindows, write, isPacked, open, writePlain};
+const PackedKind kPe = {kStubAt, namedStub, stubDecodeWindows, write, open, writePlain};
 
 } // namespace pack

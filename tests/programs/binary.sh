@@ -8,7 +8,7 @@ for name in odraz odraz-safe; do
     readelf -dW "$BUILD/$name" >"$WORK/dynamic"
     check "$name is a fixed-base executable" grep -q "EXEC (Executable" "$WORK/segments"
     check "$name has no segment that is writable and executable" lacks '(LOAD|GNU_STACK) .* RWE' "$WORK/segments"
-    check "$name says that its stack is not executable" grep -qE "GNU_STACK .* RW " "$WORK/segments"
+    check "$name asks for a stack that is not executable" grep -qE "GNU_STACK .* RW " "$WORK/segments"
     check "$name needs one library" test "$(grep -c NEEDED "$WORK/dynamic")" = 1
     check "... libdl.so.2, which is found" prints 'libdl.so.2 => /' ldd "$BUILD/$name"
 done

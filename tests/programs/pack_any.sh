@@ -14,8 +14,8 @@ same() {
     cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
 }
 
-# Constructors before main, destructors after it, thread-local storage, the heap, the environment and what the kernel
-# tells: all that a loader has to do with. A page of bss must be zeros. The vector must tell of the program itself
+# Constructors before main, destructors after it, thread-local storage, the heap, the environment and the auxiliary
+# vector: all that a loader deals with. A page of bss must be zeros. The vector must describe the program itself
 cat >c.c <<'END'
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,7 +73,7 @@ int main() {
     } catch (const std::out_of_range &e) {
         std::cout << e.what() << '\n';
     }
-    throw 1; // which nobody catches: it ends by a signal
+    throw 1; // not caught: it ends by a signal
 }
 END
 cat >rust.rs <<'END'
@@ -113,19 +113,19 @@ is_small() {
 check "stub and headers take 3,200 bytes at most" is_small
 
 # Opened again
-check "tells that a packed one is whole" prints 'whole' "$pack" --test c.packed
+check "finds that a packed one is whole" prints 'whole' "$pack" --test c.packed
 check "makes it plain" "$pack" -d c.packed -o plain
 transcript ./plain x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
 
-# What goes wrong is told by name, and nothing of the program runs
+# Errors begin with the name, and nothing of the program runs
 cp c.packed damaged
 flip damaged 3800
-check "a damaged one says so" refuses 1 "./damaged: damaged: get it afresh" ./damaged
+check "a damaged one prints that" refuses 1 "./damaged: damaged: get it afresh" ./damaged
 head -c 3900 c.packed >short && chmod +x short
 check "... one cut short, too" refuses 1 "./short: damaged: get it afresh" ./short
-check "lack of memory is told" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
+check "... one without memory" refuses 1 "./c.packed: not enough free memory" bash -c 'ulimit -v 30000; exec ./c.packed'
 sed 's/ld-linux-x86-64.so.2/ld-linux-x86-64.so.9/' c >lost && chmod +x lost
 "$pack" lost -o lost.packed >/dev/null
 check "a missing interpreter, too" refuses 1 "./lost.packed: interpreter missing" ./lost.packed
@@ -135,7 +135,7 @@ fi
 called() { "$pack" c -o named --name hello --safe-name hello-safe >/dev/null && "$pack" --test named >/dev/null; }
 check "packed with names, it is whole" called
 flip named 3800
-check "... and says its name" refuses 1 "hello is damaged" ./named
+check "... and prints its name" refuses 1 "hello is damaged" ./named
 if can_be_unwritten; then
     called
     check "... or that of another" refuses 1 "use hello-safe" "${UNWRITTEN[@]}" ./named
@@ -166,7 +166,7 @@ else
     echo "not checked: files cannot be given capabilities here"
 fi
 cp c appended && head -c 1000 /dev/zero | tr "\0" x >>appended
-check "what is appended is told to be left out" prints '1000 bytes that are appended' "$pack" appended -o "$WORK/y"
+check "a line warns of what is appended and left out" prints '1000 bytes that are appended' "$pack" appended -o "$WORK/y"
 cp c padded && head -c 1000 /dev/zero >>padded
 check "... but no padding" eval '"$pack" padded -o y >said && ! grep appended said'
 check "over a budget" refuses 1 "over budget" bash -c "'$pack' c -o x --budget 1000 >/dev/null"

@@ -9,18 +9,18 @@ cd "$WORK" || exit 1
 sed -n 's/.*"(slots 21/slots 14/p; /^\(code\|data\)/p' "$SOURCE/packer/link/small_model.h" >few.model
 few=(--model few.model)
 
-says() { # says COMMAND...: what it prints, on each output, and its exit status
+did() { # did COMMAND...: what it prints, on each output, and its exit status
     timeout "$PATIENCE" "$@" >said.1 2>said.2
     echo "status $?" >>said.2
     cat said.1 said.2
-} 2>/dev/null # where the shell tells of signals
+} 2>/dev/null # where the shell reports signals
 # takes WAY WORD...: pack-link links them to packed/run, in that way, without a word on stderr
 takes() {
     local way=$1
     shift
     mkdir -p packed
-    "$link" "$@" "${few[@]}" -o packed/run >told 2>err && [ ! -s err ] && grep -q "^$way .*<- taken" told && return 0
-    cat told err >&2
+    "$link" "$@" "${few[@]}" -o packed/run >printed.txt 2>err && [ ! -s err ] && grep -q "^$way .*<- taken" printed.txt && return 0
+    cat printed.txt err >&2
     return 1
 }
 # same COMPILER WORD...: packed/run does what the program does that COMPILER links of the words
@@ -29,8 +29,8 @@ same() {
     shift
     mkdir -p plain
     $compiler "$@" -o plain/run || return 1
-    (cd plain && says ./run a 'b c') >wanted
-    (cd packed && says ./run a 'b c') >got
+    (cd plain && did ./run a 'b c') >wanted
+    (cd packed && did ./run a 'b c') >got
     cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
 }
 # every OBJECT...: the program is the same by each way that is possible
@@ -50,7 +50,7 @@ cat >c.c <<'END'
 static int made;
 static const int some[2] __attribute__((section("parts"), used)) = {20, 3}; // which others may add to
 extern const int __start_parts[], __stop_parts[];
-void absent(void) __attribute__((weak)); // which nobody has
+void absent(void) __attribute__((weak)); // which no object has
 static void *(*const allocate)(size_t) = malloc;
 __attribute__((constructor(201))) static void second(void) { made = made * 10 + 2; }
 __attribute__((constructor(101))) static void first(int count, char **words, char **environment) {
@@ -84,9 +84,9 @@ for options in "-O2 -fno-pic -fcf-protection=none" "-O0 -g -fPIC" "-Os -fno-plt 
 done
 few=()
 check "C with the contexts that pack-link chooses: imports are smaller" eval 'takes imports c.o && same "gcc -no-pie" c.o'
-check "... and all ways are told" prints '^dynamic .* hash table of sysv$' cat told
-check "... static, too, which is too large" prints '^static .* far too large$' cat told
-check "... and what each object costs" prints '^c.o +[0-9]+ +[0-9]+$' cat told
+check "... and all ways are printed" prints '^dynamic .* hash table of sysv$' cat printed.txt
+check "... static, too, which is too large" prints '^static .* far too large$' cat printed.txt
+check "... and what each object costs" prints '^c.o +[0-9]+ +[0-9]+$' cat printed.txt
 few=(--model few.model)
 
 # Libraries: of maths, of threads, of one's own
@@ -194,14 +194,14 @@ int main() {
     } catch (const std::exception &e) {
         std::cout << local << ' ' << e.what() << std::endl;
     }
-    throw 1; // which nobody catches: it ends by a signal
+    throw 1; // not caught: it ends by a signal
 }
 END
     g++ -Os -fno-exceptions -c cpp.cpp && g++ -Os -pthread -c thrown.cpp
     check "C++ with constructors, destructors and types" eval 'takes imports cpp.o && same g++ cpp.o'
     check "... compiled with -fPIC" eval 'g++ -Os -fPIC -fno-exceptions -c cpp.cpp && takes imports cpp.o && same g++ cpp.o'
     check "C++ with exceptions, threads and streams: dynamic" eval 'takes dynamic thrown.o && same g++ thrown.o'
-    check "... and why not by imports" prints '^imports .*thrown.o has tables of exceptions: compile with -fno-exceptions$' cat told
+    check "... and why not by imports" prints '^imports .*thrown.o has tables of exceptions: compile with -fno-exceptions$' cat printed.txt
 fi
 if command -v clang >/dev/null && clang -Os -c c.c -o clang.o; then
     check "of clang" ways clang.o
@@ -280,18 +280,18 @@ check "no such compiler" fresh refuses 2 "cannot run nocc" "$link" c.o --cc nocc
 check "data of libc that changes, named directly" fresh refuses 2 "errno.o reads 'environ' of libc.so.6 directly: compile it with -fPIC" "$link" errno.o --way imports -o made
 check "a function that libc looks for in the program" fresh refuses 2 "looks for 'malloc' in the program" "$link" malloc.o --way imports -o made
 check "libraries in folders of its own" fresh refuses 2 "(-rpath)" "$link" c.o -Wl,-rpath,/tmp --way imports -o made
-check "over a budget" fresh eval '"$link" c.o -o made "${few[@]}" --budget 100 >told 2>err; [ $? = 1 ] && grep -q "over budget" err'
+check "over a budget" fresh eval '"$link" c.o -o made "${few[@]}" --budget 100 >printed.txt 2>err; [ $? = 1 ] && grep -q "over budget" err'
 check "nowhere to write" refuses 2 "cannot write" bash -c "'$link' c.o -o /nowhere/out 2>&1 >/dev/null | tail -n 1 >&2; exit \${PIPESTATUS[0]}"
 cp c.o cut.o && truncate -s 900 cut.o
 check "an object that is cut short" fresh refuses 2 "cut.o" "$link" cut.o -o made
 
-check "a search, a report, and what it linked" eval '"$link" c.o -o made "${few[@]}" --effort 1 --report report.json --html report.html --text report.md --name mine --keep kept -v >told 2>err'
+check "a search, a report, and what it linked" eval '"$link" c.o -o made "${few[@]}" --effort 1 --report report.json --html report.html --text report.md --name mine --keep kept -v >printed.txt 2>err'
 check "... are there" eval '[ -s report.json ] && [ -s report.html ] && [ -s report.md ] && grep -q mine: made && [ -s kept/program.elf ] && [ -s kept/program.map ] && [ -s kept/start.s ]'
-check "... by another way, too" eval '"$link" c.o -o made "${few[@]}" --way dynamic --keep kept >told && grep -q libc_start_main kept/start.s'
+check "... by another way, too" eval '"$link" c.o -o made "${few[@]}" --way dynamic --keep kept >printed.txt && grep -q libc_start_main kept/start.s'
 check "... with the commands" grep -q '^cc .*--gc-sections' err
 ended_early() { # by a signal, while it searches: nothing stays
     rm -f err
-    "$link" c.o -o made --way imports "${few[@]}" --effort 100 -v >told 2>err &
+    "$link" c.o -o made --way imports "${few[@]}" --effort 100 -v >printed.txt 2>err &
     PIDS+=($!)
     await eval "grep -qs -e --effort err || gone $!" && kill "$1" $! && ended $!
     [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null

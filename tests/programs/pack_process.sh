@@ -64,12 +64,12 @@ both() {
 check "\$ORIGIN, /proc/self/exe, headers, vDSO" both 'exec ./run'
 check "... it got through" grep -q '^42: .* 1 vdso' got
 check "any argv[0]" both 'exec -a "another name" ./run'
-check "... it is told" grep -q 'called another name, is run' got
+check "... it is printed" grep -q 'called another name, is run' got
 check "by a path from elsewhere" both 'cd /; exec "$OLDPWD/run" x'
 check "LD_PRELOAD" both 'LD_PRELOAD=$PWD/../lib/preloaded.so exec ./run'
 check "... it is loaded" grep -q 'rand -1234' got
 check "an unlimited stack" both 'ulimit -s unlimited; exec ./run'
-check "... is told" grep -q 'a stack of -1' got
+check "... is printed" grep -q 'a stack of -1' got
 check "a stack of 8 MB" both 'ulimit -s 8192; exec ./run'
 check "without randomised addresses" both 'exec setarch -R ./run'
 check "with closed descriptors" both 'exec ./run <&- 2>&-'
@@ -107,7 +107,7 @@ pid=$!
 PIDS+=($pid)
 check "it waits" await waiting
 check "no memory is both writable and executable" bash -c "! grep ' rwx' /proc/$pid/maps"
-# The kernel tells debuggers of the packed file's headers, so they need to be told where the program lies
+# Debuggers get the packed file's headers from the kernel, so they need the program's address
 base=0x$(grep -m 1 '/run$' /proc/$pid/maps | cut -d- -f1) libc=0x$(grep -m 1 'libc[.-]' /proc/$pid/maps | cut -d- -f1)
 if command -v gdb >/dev/null; then
     gdb -nx -batch -p $pid -ex "symbol-file b/run -o $base" -ex "add-symbol-file $(grep -om 1 '/.*libc[.-].*' /proc/$pid/maps) -o $libc" -ex bt >seen 2>&1

@@ -2,19 +2,19 @@
 . "$(dirname "$0")/common.sh"
 pack=$BUILD/pack hello=$WORK/hello
 check "the example is built and packed" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK"
-says() { # says STATUS TEXT COMMAND...: exit status and standard output
+exits() { # exits STATUS TEXT COMMAND...: exit status and standard output
     local status=$1 text=$2 got
     shift 2
     got=$("$@" 2>"$WORK/err")
     [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
 }
-check "it runs" says 7 "hello, 1 words, 42" "$hello"
-check "it gets its arguments" says 7 "hello, 3 words, 42" "$hello" a b
+check "it runs" exits 7 "hello, 1 words, 42" "$hello"
+check "it gets its arguments" exits 7 "hello, 3 words, 42" "$hello" a b
 check "it costs its payload and 3,149 bytes" prints '\(3149 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"
-check "without randomised addresses" says 7 "hello, 1 words, 42" setarch -R "$hello"
+check "without randomised addresses" exits 7 "hello, 1 words, 42" setarch -R "$hello"
 check "with closed descriptors" bash -c "'$hello' <&- >&- 2>&-; test \$? = 7"
-check "by another path" says 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
-check "in little memory" says 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
+check "by another path" exits 7 "hello, 1 words, 42" bash -c "cd '$WORK' && exec ./hello"
+check "in little memory" exits 7 "hello, 1 words, 42" bash -c "ulimit -v 120000; exec '$hello'"
 check "in too little memory" refuses 1 "not enough free memory" bash -c "ulimit -v 40000; exec '$hello'"
 if can_be_unwritten; then check "where written memory may not be executed" refuses 1 "it may not run packed." "${UNWRITTEN[@]}" "$hello"; fi
 named() { # named OPTION...: packs the example with names, and it is still opened
@@ -23,15 +23,15 @@ named() { # named OPTION...: packs the example with names, and it is still opene
 check "it may name a program to use instead" named --safe-name hello-safe
 if can_be_unwritten; then check "... and does" refuses 1 "use hello-safe instead" "${UNWRITTEN[@]}" "$WORK/named"; fi
 check "... and call itself by a name" named --name hello
-check "... which runs" says 7 "hello, 1 words, 42" "$WORK/named"
-check "... and says it" refuses 1 "hello: no memory" bash -c "ulimit -v 40000; exec '$WORK/named'"
+check "... which runs" exits 7 "hello, 1 words, 42" "$WORK/named"
+check "... and prints it" refuses 1 "hello: no memory" bash -c "ulimit -v 40000; exec '$WORK/named'"
 check "for Windows, too" bash -c "bash '$SOURCE/packer/example/build.sh' '$pack' '$WORK' --pe >/dev/null && '$pack' '$WORK/hello_windows.elf' --pe -o '$WORK/named.exe' --name hello --safe-name hello-safe >/dev/null && grep -qa 'use hello-safe instead' '$WORK/named.exe' && '$pack' --test '$WORK/named.exe' >/dev/null"
 check "a name that does not fit is refused" refuses 2 "--name takes up to 10 letters" "$pack" "$WORK/hello.elf" -o "$WORK/x" --name twelveletter
 check "... or is none" refuses 2 "names consist of" "$pack" "$WORK/hello.elf" -o "$WORK/x" --safe-name "a b"
 
-check "--test says that it is whole" prints ': whole; ' "$pack" --test "$hello"
+check "--test finds that it is whole" prints ': whole; ' "$pack" --test "$hello"
 check "-d gives it back" "$pack" -d "$hello" -o "$WORK/plain"
-check "... and that runs" says 7 "hello, 2 words, 42" "$WORK/plain" a
+check "... and that runs" exits 7 "hello, 2 words, 42" "$WORK/plain" a
 # The image is as the linker laid it out, except for the loader's tables, which are zeros; this compares the code
 read -r offset size <<<"$(readelf -SW "$WORK/hello.elf" | sed -n 's/.* \.text *PROGBITS *[0-9a-f]* \([0-9a-f]*\) \([0-9a-f]*\) .*/\1 \2/p')"
 part() { tail -c +$(($2 + 0x$offset + 1)) "$1" | head -c $((0x$size)); }
@@ -82,7 +82,7 @@ cut_film() { # several pages are missing
 }
 check "the film too" cut_film
 { cat "$hello"; echo "more bytes"; } >"$broken"
-check "bytes behind its end do not matter" says 7 "hello, 1 words, 42" "$broken"
+check "bytes behind its end do not matter" exits 7 "hello, 1 words, 42" "$broken"
 check "... nor to --test" "$pack" --test "$broken"
 ls "$WORK" >"$WORK/list"
 check "refusals leave nothing behind" lacks '^x|part' "$WORK/list"

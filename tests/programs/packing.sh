@@ -16,7 +16,7 @@ check "... which adds up to the payload" awk -F'[:}]' '
     on && /"bits"/ { sum += $(NF - 1); ++lines }
     /"file"/ { file = $2 + 0 } /"overhead"/ { over = $2 + 0 }
     END { d = file - over - sum / 8; exit !(lines > 2 && file > 10000 && d > -40 && d < 40) }' "$WORK/report"
-check "tells how it compares to the file before" prints ' [0-9]+ bytes .*before [0-9]+ \(\+0\), ' "$pack" "$hello" -o "$WORK/hello"
+check "prints how it compares to the file before" prints ' [0-9]+ bytes .*before [0-9]+ \(\+0\), ' "$pack" "$hello" -o "$WORK/hello"
 
 # For Windows, not packed; and for Linux
 check "makes an example for Windows" bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" --pe
@@ -31,7 +31,7 @@ check "takes contexts that do not suit" prints 'bytes left' "$pack" "$hello" -o 
 "$pack" "$hello" -o "$WORK/found" --model "$WORK/unsuited" --effort 100000 --save-model "$WORK/model" 2>"$WORK/searching" >/dev/null &
 pid=$!
 PIDS+=($pid)
-check "a search tells that it searches" await grep -qE 'searching: [0-9]+ bytes after [0-9]+ tries, [0-9]+ of 100000 s' "$WORK/searching"
+check "a search reports its progress" await grep -qE 'searching: [0-9]+ bytes after [0-9]+ tries, [0-9]+ of 100000 s' "$WORK/searching"
 check "... works" worked $pid 300
 kill -INT $pid
 check "... and interrupted packs with what it has" ended $pid
@@ -46,7 +46,7 @@ mkdir "$WORK/tiny"
 ln -s "$pack" "$WORK/tiny/pack"
 cp "$WORK/hello.elf" "$WORK/tiny/odraz.elf"
 cp "$WORK/unsuited" "$WORK/suits"
-check "the ledger tells what a search would save" prints '^1 s of search save [0-9]+ bytes of [0-9]+: contexts suit$' env BUILD="$WORK/tiny" "$ledger" search 1
+check "the ledger prints what a search would save" prints '^1 s of search save [0-9]+ bytes of [0-9]+: contexts suit$' env BUILD="$WORK/tiny" "$ledger" search 1
 # A busy machine may find nothing in two seconds
 keeps() {
     local seconds
@@ -72,7 +72,7 @@ check "bad budget" refuses 2 "--budget needs" "$pack" "$in" -o "$WORK/x" --budge
 check "bad effort" refuses 2 "--effort needs fast, normal, best or a number of seconds" "$pack" "$in" -o "$WORK/x" --effort more
 mkfifo "$WORK/fifo"
 for endless in "$WORK/fifo" /dev/zero; do check "a file that is a pipe or a device" refuses 2 "not a regular file" "$pack" "$endless" -o "$WORK/x"; done
-check "a name of two lines, told in one" refuses 2 "cannot use '--two?lines'" "$pack" $'--two\nlines'
+check "a name of two lines, printed in one" refuses 2 "cannot use '--two?lines'" "$pack" $'--two\nlines'
 check "a missing model" refuses 2 "cannot read" "$pack" "$in" -o "$WORK/x" --model "$WORK/none"
 echo "code byte7" >"$WORK/bad"
 check "a wrong model" refuses 2 "line 1: unknown field in 'byte7'" "$pack" "$in" -o "$WORK/x" --model "$WORK/bad"

@@ -27,9 +27,9 @@ json_sums() { # of a report, in whole bits
 }
 check "a page, a report and a text" "${packs[@]}" --html a.html --report a.json --text a.md --budget 5000 >said
 check "the page adds up to the file" prints '^[0-9]+ bytes of [0-9]+, [0-9]{2} stretches, [1-9][0-9]+ instructions$' sums a.html
-check "... which is as large as the page says" grep -q " of $(stat -c %s packed), " printed
+check "... which is as large as on the page" grep -q " of $(stat -c %s packed), " printed
 check "the report adds up, too" json_sums a.json
-check "the text tells size and budget" grep -qx "\*\*\`packed\`: $(sed ':a; s/\B[0-9]\{3\}\>/,&/; ta' <<<"$(stat -c %s packed)") bytes\*\*, .* left of 5,000" a.md
+check "the text has size and budget" grep -qx "\*\*\`packed\`: $(sed ':a; s/\B[0-9]\{3\}\>/,&/; ta' <<<"$(stat -c %s packed)") bytes\*\*, .* left of 5,000" a.md
 perl "$page" a.html tables >tables
 check "the page knows the archive's file, and the folder" eval 'grep -q "^\[\"libtwice.a\"," tables && grep -q "^\[\"folder\"," tables'
 check "what has two names is there once" test "$(grep -cE '^\["(once|again)",' tables)" = 1
@@ -60,7 +60,7 @@ gcc -O1 -c folder/main.c -o folder/main.o && gcc folder/main.o libtwice.a -Wl,-M
 echo "house 100 main.o twice.o
 stub 4000 (stub)" >rooms
 "${packs[@]}" --html g.html --report g.json --text - --than a.json --rooms rooms >text
-check "a comparison tells what grew, and nothing else is printed" test "$(grep -cE '^\| +\+[0-9]+ \| +[0-9]+ \| +[0-9]+ \| `(once|again)` \|$' text)/$(grep -c '^packed: ' text)" = 1/0
+check "a comparison names what grew, and nothing else is printed" test "$(grep -cE '^\| +\+[0-9]+ \| +[0-9]+ \| +[0-9]+ \| `(once|again)` \|$' text)/$(grep -c '^packed: ' text)" = 1/0
 check "... the page, too, and both add up" sums g.html >/dev/null
 perl "$page" g.html tables >tables
 check "... by rooms and their shares" grep -qE '^\["house",[0-9]+,[0-9]+,[0-9]+,100\]' tables

@@ -66,7 +66,7 @@ function scrollListingTo(at) {
     $('listing').scrollTop = Math.ceil(Math.min(1, wanted / most) * (listingHeight() - $('listing').clientHeight));
 }
 
-// The text of an instruction, with the numbers that stand in its bytes; disassembly.h tells how.
+// The text of an instruction, with the numbers that stand in its bytes; see disassembly.h.
 function textOf(number) {
     const at = instructions.at[number], end = at + instructions.sizes[instructions.form[number]];
     const view = new DataView(bytes.buffer, bytes.byteOffset);

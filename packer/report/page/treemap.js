@@ -31,7 +31,7 @@ function buildTree() {
     const sort = at => {
         at.children = [...at.children.values()].sort((a, b) => b.units - a.units);
         at.children.forEach(sort);
-        // A level that holds one thing without a name of its own says nothing
+        // Skip a level that holds one thing without a name of its own
         const [only, ...others] = at.children;
         if (only && !others.length && (only.name === at.name || only.name.startsWith('(nothing named')))
             at.children = only.children;

@@ -391,8 +391,8 @@ TEST(Loader, WritesWhatReadsBack) {
     ModelParameters parameters = defaultParameters();
     Bytes packed =
         kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
-    EXPECT_TRUE(kLoader.isPacked(packed));
-    EXPECT_FALSE(kElf.isPacked(packed));
+    EXPECT_TRUE(isPacked(kLoader, packed));
+    EXPECT_FALSE(isPacked(kElf, packed));
     EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
     EXPECT_EQ(decodeWithStub(kLoader, packed), p.bytes);
     Program q = readPacked(kLoader, packed);
@@ -403,7 +403,7 @@ TEST(Loader, WritesWhatReadsBack) {
     Bytes named = kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload,
                                 {"example", "plain-one"});
     EXPECT_EQ(named.size(), packed.size());
-    EXPECT_TRUE(kLoader.isPacked(named));
+    EXPECT_TRUE(isPacked(kLoader, named));
     EXPECT_EQ(readPacked(kLoader, named).bytes, p.bytes);
     EXPECT_NE(std::string(named.begin(), named.end()).find("example is damaged\n"), std::string::npos);
     // Read again, its own file differs by the offsets in its headers alone
