@@ -88,7 +88,7 @@ void takeFile(const std::string &path, const Taken &taken, bool optimised, Facts
     if (any && kind == FileKind::kArchive) facts.archives.push_back(path);
 }
 
-// Only libraries that the program needs, in the order that ld.so looks into them.
+// Keeps the libraries that the program needs, in the order in which ld.so searches them.
 void orderLibraries(Facts &facts) {
     std::vector<DynamicFile> needed;
     for (const std::string &name : facts.program.needed)

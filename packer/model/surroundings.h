@@ -51,8 +51,8 @@ struct Surroundings {
             block = places + first;
     }
 
-    // How much likelier a one is than a zero, as far as marks tell, after `bits`: a leading one, then the
-    // byte's bits so far. As the numerator and the denominator of the odds; equal if nothing is known.
+    // The odds of a one against a zero, by the marks alone, after `bits`: a leading one, then the byte's bits
+    // so far. Equal if nothing is known.
     struct Odds {
         uint32_t ones, zeros;
     };
