@@ -93,9 +93,9 @@ Dynamic readDynamic(const Elf64_Phdr &segment, const Memory &memory) {
         else
             dynamic.value[d.d_tag] = d.d_un.d_val;
     }
-    need(!dynamic.value.count(DT_JMPREL), "it calls through a PLT: compile with -fno-plt");
     for (int64_t tag : {DT_INIT, DT_FINI, DT_INIT_ARRAY, DT_FINI_ARRAY, DT_PREINIT_ARRAY})
         need(!dynamic.value.count(tag), "it has constructors or destructors, which would not run");
+    need(!dynamic.value.count(DT_JMPREL), "it calls through a PLT: compile with -fno-plt");
     return dynamic;
 }
 
