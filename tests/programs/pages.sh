@@ -47,8 +47,11 @@ mkdir "$WORK/help"
 PROGRAMS=$(cd "$HOUSE" && find -L build -maxdepth 1 -type f -perm -u+x ! -name '*.elf' ! -name '*.exe' ! -name '*.so' | sort
     find tools -type f -perm -u+x ! -path 'tools/render_parts/*' ! -path 'tools/new_film/*' ! -name '*.py' | sort)
 helps() { # helps PROGRAM
-    local to=$WORK/help/${1//\//:}
-    timeout "$PATIENCE" "$1" --help >"$to" 2>"$WORK/err" </dev/null && [ -s "$to" ] && [ ! -s "$WORK/err" ]
+    local to=$WORK/help/${1//\//:} command
+    timeout "$PATIENCE" "$1" --help >"$to" 2>"$WORK/err" </dev/null && [ -s "$to" ] && [ ! -s "$WORK/err" ] || return
+    for command in $(sed -n '/^Subcommands:/,/^$/s/^  *\([a-z0-9-]*\)  .*/\1/p' "$to"); do
+        "$1" "$command" --help >>"$to" 2>"$WORK/err" || return
+    done
 }
 all_help() {
     local program wrong=0

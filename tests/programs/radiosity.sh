@@ -250,18 +250,18 @@ check "an option's value that is no number" refuses 2 "takes a number" "$radiosi
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" solve cube.obj -o x.rad --fast
 check "... of two lines, told in one" refuses 2 "cannot use '--fa?st'" "$radiosity" solve cube.obj -o x.rad $'--fa\nst'
 check "an unknown model" refuses 2 "name one of them" "$radiosity" generate sphere -o x.obj
-check "no command" refuses 2 "say what to do" "$radiosity"
+check "no command" refuses 2 "a command is missing" "$radiosity"
 check "a solution that is none" refuses 1 "was not written by" "$radiosity" export cube.obj --csv x.csv
 head -c 100000 cube.rad >cut.rad
 check "a solution cut short" refuses 1 "damaged" "$radiosity" export cut.rad --csv x.csv
 cp cube.rad bit.rad && printf '\x55' | dd of=bit.rad bs=1 seek=200000 conv=notrunc 2>/dev/null
 check "a solution with a wrong byte" refuses 1 "damaged" "$radiosity" render bit.rad -o x.png --eye 0,1,0 --at 0,0,0
-check "a picture with half a camera" refuses 2 "render needs --eye and --at, or neither" "$radiosity" render cube.rad -o x.png --eye 0,1,0
+check "a picture with half a camera" refuses 2 "--eye and --at go together" "$radiosity" render cube.rad -o x.png --eye 0,1,0
 check "a lens that is none" refuses 2 "--lens takes a number from 1 to 170" "$radiosity" render cube.rad -o x.png --lens 180
 check "a size that is none" refuses 2 "--size takes pixels" "$radiosity" render cube.rad -o x.png --eye 0,1,0 --at 1,1,0 --size big
 check "a full disk" refuses 1 "cannot write" "$radiosity" export cube.rad --csv /dev/full/x.csv
 "$radiosity" --help | head -n 1 >help
-check "a closed pipe" grep -q usage help
+check "a closed pipe" grep -q "Computes the light" help
 
 # Ctrl-C when the bar on the terminal shows that there are some rows: the result has direct light and those rows
 "$radiosity" generate columns -o big.obj --area 0.5 >/dev/null

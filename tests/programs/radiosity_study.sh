@@ -92,7 +92,7 @@ check "no place for a folder" refuses 2 "cannot write" "$radiosity" study cube.o
 check "a missing model" refuses 2 "cannot read" "$radiosity" study none.obj -o x
 echo "f 1 2 3" >bad.obj
 check "a bad model" refuses 2 "bad.obj" "$radiosity" study bad.obj -o x
-check "what is varied" refuses 2 "--hemicube is what a study varies" "$radiosity" study cube.obj -o x --hemicube 32
+check "what is varied" refuses 2 "cannot use '--hemicube'" "$radiosity" study cube.obj -o x --hemicube 32
 check "no time" refuses 2 "from 0.1 to" "$radiosity" study cube.obj -o x --minutes 0
 check "a model and the thesis's table" refuses 2 "--table41 takes no model" "$radiosity" study cube.obj -o x --table41
 check "a time for the thesis's table" refuses 2 "--table41 takes no --minutes" "$radiosity" study --table41 -o x --minutes 3

@@ -131,7 +131,7 @@ right glossy.png && right dull.png
 check "no model" refuses 2 "name a model" "$radiosity" transfer
 check "no file" refuses 2 "name a file for the room" "$radiosity" transfer room.obj
 check "too many bands" refuses 2 "--bands" "$radiosity" transfer room.obj -o x.prt --bands 7
-check "options of solve that it has not" refuses 2 "--patch is no option of transfer" "$radiosity" transfer room.obj -o x.prt --patch 1
+check "options of solve that it has not" refuses 2 "cannot use '--patch'" "$radiosity" transfer room.obj -o x.prt --patch 1
 check "a material that is not there" refuses 2 "no polygon has the material gold" "$radiosity" transfer room.obj -o x.prt "${fine[@]}" --glossy gold
 check "a sky without --check" refuses 2 "--sky belongs to --check" "$radiosity" transfer room.obj -o x.prt --sky east.hdr
 check "too little memory" refuses 1 "more than the 1 of --memory" "$radiosity" transfer room.obj -o x.prt --memory 1

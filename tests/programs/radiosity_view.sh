@@ -219,7 +219,7 @@ check "a solution that is none" refuses 1 "was not written by" "$radiosity" view
 check "a file that is not there" refuses 2 "cannot read none.rad" "$radiosity" view none.rad
 check "a model that is not there" refuses 2 "cannot read none.obj" "$radiosity" view none.obj
 check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe or hemicube, not all" "$radiosity" view cube.rad --layer all
-check "half a camera" refuses 2 "view needs --eye and --at, or neither" "$radiosity" view cube.rad --eye 0,1,2
+check "half a camera" refuses 2 "--eye and --at go together" "$radiosity" view cube.rad --eye 0,1,2
 check "options of solve for what is solved" refuses 2 "--patch is an option for models" "$radiosity" view cube.rad --patch 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" view cube.rad --fast
 check "no place for the screenshot" refuses 2 "cannot write" "$radiosity" view cube.rad --screenshot none/x.png

@@ -48,16 +48,22 @@ class Layout : public CLI::Formatter {
 
 struct CommandLine::Parser {
     std::string name, group = "Options";
-    std::vector<std::string> words, given;
+    std::vector<std::string> words, given, values; // `values` of all that are `given`
     CLI::App app;
-    std::vector<std::pair<CLI::Option *, Take>> takes;
+    struct Row {
+        CLI::Option *option;
+        Take take;
+        std::function<std::string()> now; // the value; empty: none. Null: it is not kept
+    };
+    std::vector<Row> rows;
 
     CLI::Option *add(const std::string &option, const std::string &value, const Take &take,
-                     const std::string &what) {
+                     const std::string &what, const std::function<std::string()> &now = nullptr) {
         CLI::Option *o =
             app.add_option(option, CLI::callback_t([](const CLI::results_t &) { return true; }), what);
         o->type_name(value)->group(group)->take_all()->expected(1)->allow_extra_args(false);
-        takes.emplace_back(o, take);
+        if (now) o->default_str(now());
+        rows.push_back({o, take, now});
         return o;
     }
 };
@@ -97,21 +103,21 @@ void CommandLine::arguments(const std::string &name, std::vector<std::string> &t
 
 void CommandLine::flag(const std::string &name, bool &to, const std::string &what) {
     CLI::Option *o = parser->app.add_flag(name, what)->group(parser->group)->disable_flag_override();
-    parser->takes.emplace_back(o, [&to](const std::string &) { to = true; });
+    parser->rows.push_back(
+        {o, [&to](const std::string &) { to = true; }, [&to] { return std::string(to ? "true" : ""); }});
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, std::string &to,
                          const std::string &what) {
-    parser
-        ->add(
-            name, value, [&to](const std::string &text) { to = text; }, what)
-        ->default_str(to);
+    parser->add(
+        name, value, [&to](const std::string &text) { to = text; }, what, [&to] { return to; });
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, std::vector<std::string> &to,
                          const std::string &what) {
+    auto now = [&to, between = " " + name + " "] { return CLI::detail::join(to, between); };
     parser->add(
-        name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable");
+        name, value, [&to](const std::string &text) { to.push_back(text); }, what + "; repeatable", now);
 }
 
 void CommandLine::option(const std::string &name, const std::string &value, Take take,
@@ -120,24 +126,26 @@ void CommandLine::option(const std::string &name, const std::string &value, Take
 }
 
 void CommandLine::number(const std::string &name, const std::string &value, Range range, bool whole,
-                         double initial, std::function<void(double)> to, const std::string &what) {
+                         std::function<void(double)> to, std::function<std::string()> now,
+                         const std::string &what) {
     auto take = [=](const std::string &text) {
         double x = numberOf(name, text, range);
         if (whole && x != std::floor(x)) throw Refused(name + " takes a whole number, not '" + text + "'");
         to(x);
     };
-    parser->add(name, value, take, what)->default_str(std::isfinite(initial) ? format("%.9g", initial) : "");
+    parser->add(name, value, take, what, now);
 }
 
-void CommandLine::choice(const std::string &name, const std::vector<std::string> &names, size_t initial,
-                         std::function<void(size_t)> to, const std::string &what) {
+void CommandLine::choice(const std::string &name, const std::vector<std::string> &names,
+                         std::function<void(size_t)> to, std::function<size_t()> now,
+                         const std::string &what) {
     auto join = [&](const char *between) { return CLI::detail::join(names, between); };
     auto take = [=, or_ = join(" or ")](const std::string &text) {
         auto found = std::find(names.begin(), names.end(), text);
         if (found == names.end()) throw Refused(name + " is " + or_ + ", not '" + text + "'");
         to((size_t)(found - names.begin()));
     };
-    parser->add(name, join("|"), take, what)->default_str(initial < names.size() ? names[initial] : "");
+    parser->add(name, join("|"), take, what, [=] { return now() < names.size() ? names[now()] : ""; });
 }
 
 void CommandLine::parse() {
@@ -156,12 +164,16 @@ void CommandLine::parse() {
     } catch (const CLI::ParseError &e) {
         refuse(e.what());
     }
-    std::vector<size_t> taken(parser->takes.size());
+    std::vector<size_t> taken(parser->rows.size());
     for (const CLI::Option *option : app.parse_order())
         for (size_t i = 0; i < taken.size(); ++i)
-            if (parser->takes[i].first == option) {
-                if (option->nonpositional()) parser->given.push_back(option->get_name());
-                parser->takes[i].second(option->results()[taken[i]++]);
+            if (parser->rows[i].option == option) {
+                const std::string &value = option->results()[taken[i]++];
+                if (option->nonpositional()) {
+                    parser->given.push_back(option->get_name());
+                    parser->values.push_back(option->get_items_expected_max() > 0 ? value : "");
+                }
+                parser->rows[i].take(value);
             }
 }
 
@@ -170,6 +182,29 @@ bool CommandLine::has(const std::string &option) const {
 }
 
 const std::vector<std::string> &CommandLine::given() const { return parser->given; }
+
+const std::vector<std::string> &CommandLine::words() const { return parser->words; }
+
+std::vector<CommandLine::Given> CommandLine::givenOf(const std::vector<std::string> &groups) const {
+    std::vector<Given> all;
+    for (size_t i = 0; i < parser->given.size(); ++i) {
+        const std::string &group = parser->app.get_option(parser->given[i])->get_group();
+        if (std::find(groups.begin(), groups.end(), group) != groups.end())
+            all.push_back({parser->given[i], parser->values[i]});
+    }
+    return all;
+}
+
+std::string CommandLine::withValue(const std::string &name) const {
+    const CLI::Option *option = parser->app.get_option(name);
+    for (const Parser::Row &row : parser->rows) {
+        if (row.option != option || !row.now) continue;
+        std::string value = row.now();
+        if (value.empty()) return "no " + name;
+        return option->get_items_expected_max() > 0 ? name + " " + value : name;
+    }
+    return name;
+}
 
 void CommandLine::refuse(const std::string &wrong) const {
     throw Refused(wrong + ": see " + parser->name + " --help");

@@ -5,6 +5,7 @@
 // wrongly; 1: it failed.
 #pragma once
 
+#include <charconv>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
@@ -47,7 +48,7 @@ public:
 
     // An option without a value, and options with one, which `value` names in --help: "N", "FILE". Where one
     // is given twice the last counts. What `to` holds before is the default, which --help prints unless it is
-    // empty, infinite or NaN.
+    // empty or out of range.
     void flag(const std::string &name, bool &to, const std::string &what);
     void option(const std::string &name, const std::string &value, std::string &to, const std::string &what);
     // Every value of an option that may be given again and again.
@@ -62,21 +63,23 @@ public:
     void option(const std::string &name, const std::string &value, Number &to, Range range,
                 const std::string &what) {
         number(
-            name, value, range, std::is_integral_v<Number>, (double)to, [&to](double x) { to = (Number)x; },
+            name, value, range, std::is_integral_v<Number>, [&to](double x) { to = (Number)x; },
+            [&to, range] { return (double)to >= range.least && (double)to <= range.most ? textOf(to) : ""; },
             what);
     }
     template <class Number>
     void option(const std::string &name, const std::string &value, std::optional<Number> &to, Range range,
                 const std::string &what) {
         number(
-            name, value, range, std::is_integral_v<Number>, NAN, [&to](double x) { to = (Number)x; }, what);
+            name, value, range, std::is_integral_v<Number>, [&to](double x) { to = (Number)x; },
+            [&to] { return to ? textOf(*to) : ""; }, what);
     }
     // One of several names. `to`, a bool, an integer or an enumeration, becomes its index.
     template <class Index>
     void option(const std::string &name, const std::vector<std::string> &names, Index &to,
                 const std::string &what) {
         choice(
-            name, names, (size_t)to, [&to](size_t index) { to = (Index)index; }, what);
+            name, names, [&to](size_t index) { to = (Index)index; }, [&to] { return (size_t)to; }, what);
     }
 
     // Reads the arguments. Throws Refused for the first that does not fit; with --help, prints that and
@@ -88,6 +91,15 @@ public:
     bool has(const std::string &option) const;
     // The options that were given, in order. After parse().
     const std::vector<std::string> &given() const;
+    // Those of these groups, in order, with their values. After parse().
+    struct Given {
+        std::string option, value; // a flag has no value
+    };
+    std::vector<Given> givenOf(const std::vector<std::string> &groups) const;
+    // An option with the value that it has, given or by default: "--size 3"; "no --size" if it has none.
+    std::string withValue(const std::string &option) const;
+    // The arguments as they were given.
+    const std::vector<std::string> &words() const;
     // An error for what only the program can check, with a hint to --help.
     [[noreturn]] void refuse(const std::string &wrong) const;
 
@@ -100,10 +112,15 @@ public:
     int run(const std::vector<Command> &commands);
 
 private:
-    void number(const std::string &name, const std::string &value, Range range, bool whole, double initial,
-                std::function<void(double)> to, const std::string &what);
-    void choice(const std::string &name, const std::vector<std::string> &names, size_t initial,
-                std::function<void(size_t)> to, const std::string &what);
+    void number(const std::string &name, const std::string &value, Range range, bool whole,
+                std::function<void(double)> to, std::function<std::string()> now, const std::string &what);
+    void choice(const std::string &name, const std::vector<std::string> &names,
+                std::function<void(size_t)> to, std::function<size_t()> now, const std::string &what);
+    // A number in as few digits as it needs
+    template <class Number> static std::string textOf(Number x) {
+        char text[64];
+        return {text, std::to_chars(text, text + sizeof text, x).ptr};
+    }
     struct Parser;
     std::unique_ptr<Parser> parser;
 };

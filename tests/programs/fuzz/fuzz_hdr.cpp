@@ -1,6 +1,6 @@
 // For libFuzzer: whatever a picture of the sky holds, `radiosity solve --sky` refuses it with a line or makes
 // a sky and suns from it. It writes into the current folder.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/radiosity/read/surroundings.h"
 
 #include <cmath>

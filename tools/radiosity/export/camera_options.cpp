@@ -9,13 +9,9 @@ namespace odraz::radiosity {
 
 namespace {
 
-Vec3 readPlace(const std::string &option, const std::string &text) {
-    Vec3 p;
-    char rest;
-    if (std::sscanf(text.c_str(), "%f,%f,%f%c", &p.x, &p.y, &p.z, &rest) == 3 &&
-        std::isfinite(p.x + p.y + p.z))
-        return p;
-    throw common::Refused(option + " takes three numbers like 1,2.5,-3, not " + text);
+Vec3 placeOf(const std::string &option, const std::string &text) {
+    std::vector<double> p = common::numbersOf(option, text, 3);
+    return {(float)p[0], (float)p[1], (float)p[2]};
 }
 
 void readSize(const std::string &text, int &width, int &height) {
@@ -29,35 +25,34 @@ void readSize(const std::string &text, int &width, int &height) {
 std::string pointOption(const char *option, Vec3 &p) {
     char text[96];
     std::snprintf(text, sizeof text, "%g,%g,%g", (double)p.x, (double)p.y, (double)p.z);
-    p = readPlace(option, text);
+    p = placeOf(option, text);
     return std::string(option) + " " + text;
 }
 
 } // namespace
 
-bool CameraOptions::take(const std::string &w, common::Arguments &words) {
+void CameraOptions::addTo(common::CommandLine &line) {
     RenderSettings &s = settings;
-    if (w == "--eye")
-        s.eye = readPlace(w, words.value(w)), eye = true;
-    else if (w == "--at")
-        s.target = readPlace(w, words.value(w)), at = true;
-    else if (w == "--size")
-        readSize(words.value(w), s.width, s.height);
-    else if (w == "--lens")
-        s.lens = (float)words.number(w, 1, 170);
-    else if (w == "--exposure")
-        s.stops = (float)words.number(w, -20, 20);
-    else if (w == "--up")
-        s.upIsZ = words.choice(w, "z", "y"), up = true;
-    else if (w == "--tone")
-        s.logarithmic = words.choice(w, "log", "film");
-    else
-        return false;
-    return true;
+    line.group("Camera");
+    auto place = [&](const std::string &option, Vec3 &to, const std::string &what) {
+        line.option(
+            option, "X,Y,Z", [&to, option](const std::string &text) { to = placeOf(option, text); }, what);
+    };
+    place("--eye", s.eye, "where the camera is. Without --eye and --at it shows the whole model");
+    place("--at", s.target, "where it looks");
+    line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
+    line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; of a room as it was solved");
+    line.option(
+        "--size", "WxH", [&s](const std::string &text) { readSize(text, s.width, s.height); },
+        "pixels (default " + std::to_string(s.width) + "x" + std::to_string(s.height) + ")");
+    line.option("--exposure", "STOPS", s.stops, {-20, 20}, "brighter by this many powers of two");
+    line.option("--tone", {"film", "log"}, s.logarithmic,
+                "use the film's curve, or show the logarithm of the light");
 }
 
-void CameraOptions::finish(const std::string &command) const {
-    if (eye != at) throw common::Refused(command + " needs --eye and --at, or neither");
+void CameraOptions::finish(const common::CommandLine &line) {
+    placed = line.has("--eye"), up = line.has("--up");
+    if (placed != line.has("--at")) line.refuse("--eye and --at go together: give both, or neither");
 }
 
 std::string placeOptions(RenderSettings &s) {

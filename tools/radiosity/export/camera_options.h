@@ -1,17 +1,16 @@
 // The options of `render` and `view` that set the camera and the brightness.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/radiosity/export/render.h"
 
 namespace odraz::radiosity {
 
 class CameraOptions {
 public:
-    // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, common::Arguments &words);
-    // Throws Refused if only half of a camera is given.
-    void finish(const std::string &command) const;
+    void addTo(common::CommandLine &line);
+    // Call it after parse(). Throws Refused if only half of a camera is given.
+    void finish(const common::CommandLine &line);
 
     // Of a room, which knows the axis that points up, unless an option gave it.
     void upOf(bool upIsZ) {
@@ -19,10 +18,10 @@ public:
     }
 
     RenderSettings settings;
-    bool placed() const { return eye; }
+    bool placed = false; // by options
 
 private:
-    bool eye = false, at = false, up = false;
+    bool up = false;
 };
 
 // The options that place a camera like this: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.

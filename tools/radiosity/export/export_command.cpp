@@ -9,37 +9,43 @@
 
 namespace odraz::radiosity {
 
-int runExport(common::Arguments &words) {
-    std::string in, kind, out, ofAtlas;
+static constexpr char kAtlas[] = "Lightmaps";
+
+int runExport(common::CommandLine &line) {
+    std::string in, kind, out;
     AtlasSettings s;
     RelightOptions relight;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--csv" || w == "--ply" || w == "--obj" || w == "--atlas") {
+    line.about("Writes a solution, or a room of transfer, for other programs.");
+    line.argument("SOLUTION", in, "what solve or transfer wrote", false);
+    auto writes = [&](const std::string &option, const std::string &value, const std::string &what) {
+        auto take = [&, option](const std::string &path) {
             if (!out.empty()) throw common::Refused("export writes one thing at a time");
-            kind = w, out = words.value(w);
-        } else if (word[0] != '-' && in.empty()) {
-            in = w;
-            continue;
-        } else if (relight.take(w, words))
-            continue;
-        else if (w == "--map")
-            s.radiosity = words.choice(w, "radiosity", "light");
-        else if (w == "--texels")
-            s.texels = words.number(w, 1e-9, 1e9);
-        else if (w == "--padding")
-            s.padding = words.whole(w, 1, 64);
-        else if (w == "--page")
-            s.page = words.whole(w, 256, 16384);
-        else
-            words.refuse(w);
-        if (w != kind) ofAtlas = w;
-    }
+            kind = option, out = path;
+        };
+        line.option(option, value, take, what);
+    };
+    writes("--csv", "FILE", "a line for every element");
+    writes("--ply", "FILE", "a mesh with colours at its points");
+    writes("--obj", "FILE", "the same as OBJ");
+    writes("--atlas", "DIR",
+           "a new folder with lightmaps (PNG, and linear HDR) and the model as OBJ and glTF with the "
+           "coordinates of the "
+           "lightmaps");
+    line.group(kAtlas);
+    line.option("--map", {"light", "radiosity"}, s.radiosity,
+                "irradiance over pi, to be multiplied by colours; or what is seen, emitted light included");
+    line.option("--texels", "N", s.texels, {1e-9, 1e9},
+                "texels along a unit of length; by default as the elements are, which is exact");
+    line.option("--padding", "N", s.padding, {1, 64}, "texels around every polygon's");
+    line.option("--page", "PX", s.page, {256, 16384}, "longest side of a page");
+    relight.addTo(line);
+    line.parse();
     if (in.empty() || out.empty())
         throw common::Refused("export needs a solution and a file: radiosity export OUT --csv FILE");
-    if (!ofAtlas.empty() && kind != "--atlas") throw common::Refused(ofAtlas + " belongs to --atlas DIR");
+    if (auto given = line.givenOf({kAtlas}); !given.empty() && kind != "--atlas")
+        throw common::Refused(given[0].option + " belongs to --atlas DIR");
     Workers workers = allProcessors();
-    Solution solution = readLit(in, relight, workers);
+    Solution solution = readLit(in, relight, line, workers);
     if (kind == "--atlas") {
         std::vector<std::string> notes;
         exportAtlas(solution, s, out, notes);

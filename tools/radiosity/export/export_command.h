@@ -1,10 +1,10 @@
 // radiosity export: a solution as a file or a folder for other programs.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 namespace odraz::radiosity {
 
-int runExport(common::Arguments &words);
+int runExport(common::CommandLine &line);
 
 } // namespace odraz::radiosity

@@ -1,12 +1,12 @@
 // `radiosity render`: a picture of a solution.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 namespace odraz::radiosity {
 
-// Runs `render` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit
+// Runs `render` with its command line. Throws Refused, or std::runtime_error. Returns the exit
 // status.
-int runRender(common::Arguments &words);
+int runRender(common::CommandLine &line);
 
 } // namespace odraz::radiosity

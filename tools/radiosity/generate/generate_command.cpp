@@ -8,23 +8,17 @@
 
 namespace odraz::radiosity {
 
-int runGenerate(common::Arguments &words) {
+int runGenerate(common::CommandLine &line) {
     std::string kind, out;
     double area = 0;
     std::vector<MaterialChange> changes;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "-o")
-            out = words.value(w);
-        else if (w == "--area")
-            area = words.number(w, 1e-4, 1e6);
-        else if (w == "--reflectance" || w == "--power")
-            changes.push_back(readMaterialChange(w, words.value(w)));
-        else if (word[0] != '-' && kind.empty())
-            kind = w;
-        else
-            words.refuse(w);
-    }
+    line.about("Writes an example model, and its materials beside it.");
+    line.argument("KIND", kind, "cube, columns, corner, vault or terrain", false);
+    line.option("-o", "MODEL.obj", out, "the model's file");
+    line.option("--area", "A", area, {1e-4, 1e6},
+                "divide polygons into triangles of at most this area; by default they stay whole");
+    addMaterialChanges(line, changes);
+    line.parse();
     static const char *const kinds[] = {"cube", "columns", "corner", "vault", "terrain"};
     if (std::find(std::begin(kinds), std::end(kinds), kind) == std::end(kinds))
         throw common::Refused(

@@ -1,6 +1,6 @@
 #include "tools/radiosity/read/hdr_reader.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 
 #include <algorithm>

@@ -82,6 +82,19 @@ MaterialChange readMaterialChange(const std::string &option, const std::string &
     return c;
 }
 
+void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &to) {
+    line.group(kMaterialGroup);
+    auto add = [&](const std::string &option, const std::string &what) {
+        line.option(
+            option, "[NAME=]R,G,B|FACTOR",
+            [&to, option](const std::string &text) { to.push_back(readMaterialChange(option, text)); },
+            what + "; repeatable");
+    };
+    add("--reflectance", "what the material NAME reflects, 0 to 1; without NAME all materials");
+    add("--power",
+        "the radiance that it emits; without NAME all materials that emit. No even sky is added then");
+}
+
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,
                      const std::vector<MaterialChange> &changes) {
     for (const MaterialChange &c : changes) {

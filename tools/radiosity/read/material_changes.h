@@ -1,6 +1,8 @@
 // Changes of materials by options: other reflectances, other power of lamps.
 #pragma once
 
+#include "tools/common/command_line.h"
+
 #include <array>
 #include <string>
 #include <vector>
@@ -21,6 +23,10 @@ struct MaterialChange {
 // Reads the option's value. NAME ends at the last "=". Throws Refused if there is no such colour or factor:
 // reflectances lie between 0 and 1, powers between 0 and 1e12, factors between 0 and 1e12.
 MaterialChange readMaterialChange(const std::string &option, const std::string &text);
+
+// Adds --reflectance and --power to a command line, in a group of this title.
+inline constexpr char kMaterialGroup[] = "Other materials than the model's; FACTOR multiplies what it has";
+void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &to);
 
 // Makes the changes, one after the other, in those materials that are `used`. A colour replaces a picture, a
 // factor multiplies it. Throws Refused if no used material has the name, if a reflectance comes out above 1

@@ -1,7 +1,7 @@
 // Models as triangles, read from Wavefront OBJ.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/engine/vec3d.h"
 #include "tools/radiosity/read/material_changes.h"
 

@@ -1,6 +1,6 @@
 #include "tools/radiosity/read/reflectance_picture.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/picture/psnr.h"
 

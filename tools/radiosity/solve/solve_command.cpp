@@ -30,13 +30,13 @@ bool staysDark(const Solution &b) {
 // Solves a job; if an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
-    SolveCommand(SolveJob job, SolveState state) : job(std::move(job)), state(std::move(state)) {}
+    SolveCommand(SolveJob &job, SolveState state) : job(job), state(std::move(state)) {}
 
-    void run(const std::string &resumed) {
+    void run() {
         if (!job.relight.empty()) return relight();
         readModel();
-        if (!resumed.empty() && modelSum != state.model)
-            throw common::Refused(resumed + ": belongs to another model than " + job.model +
+        if (!job.resume.empty() && modelSum != state.model)
+            throw common::Refused(job.resume + ": belongs to another model than " + job.model +
                                   " is now: solve it again");
         state.model = modelSum;
         prepare();
@@ -56,7 +56,7 @@ public:
     }
 
 private:
-    SolveJob job;
+    SolveJob &job;
     SolveState state;
     Mesh mesh;
     uint64_t modelSum = 0;
@@ -197,11 +197,10 @@ private:
 
 } // namespace
 
-int runSolve(common::Arguments &words) {
+int runSolve(common::CommandLine &line) {
     SolveState state;
-    std::string resumed;
-    SolveJob job = beginJob(words, state, resumed);
-    SolveCommand(std::move(job), std::move(state)).run(resumed);
+    std::unique_ptr<SolveJob> job = beginJob(line.words(), state);
+    SolveCommand(*job, std::move(state)).run();
     return 0;
 }
 

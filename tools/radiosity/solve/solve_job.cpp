@@ -4,58 +4,41 @@
 
 namespace odraz::radiosity {
 
-namespace {
-
-SolveJob readJob(common::Arguments &words) {
-    SolveJob job;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "-o")
-            job.out = words.value(w);
-        else if (w == "--progress")
-            job.progress = true;
-        else if (w == "--keep-every")
-            job.keepEvery = words.number(w, 0.01, 1e9);
-        else if (w == "--keep-rows")
-            job.keepRows = true;
-        else if (w == "--relight")
-            job.relight = words.value(w);
-        else if (job.options.take(w, words))
-            continue;
-        else if (word[0] != '-' && job.model.empty())
-            job.model = w;
-        else
-            words.refuse(w);
-    }
-    if (job.model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
-    if (job.out.empty()) throw common::Refused("name a file for the solution with -o OUT");
-    job.options.finish();
-    return job;
+SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std::move(words)) {
+    line.about("Computes the light in a model and writes it to OUT, a solution for the other commands.\n"
+               "Ctrl-C stops early: it writes the light found so far, and OUT.state.");
+    line.argument(
+        "MODEL", model,
+        "a Wavefront OBJ. Polygons may have any number of points and are lit on the side from which these "
+        "run counter-clockwise. Materials reflect light (Kd, map_Kd) and emit it (Ke)",
+        false);
+    line.option("-o", "OUT", out, "the file of the solution");
+    line.option("--resume", "OUT.state", resume,
+                "continue what was stopped, with its options and to the same bytes; takes no other option");
+    line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "write OUT.state every S seconds");
+    line.flag("--keep-rows", keepRows, "keep the form factors in OUT.rows, for --relight");
+    line.option("--relight", "SOLUTION", relight,
+                "solve for other materials with the form factors in SOLUTION.rows and with its options");
+    line.flag("--progress", progress, "report progress in lines on stderr where it is not a terminal");
+    options.addTo(line, SolveOptions::For::kSolve);
+    line.parse();
+    if (!resume.empty()) return;
+    if (model.empty()) throw common::Refused("name a model: radiosity solve MODEL.obj -o OUT");
+    if (out.empty()) throw common::Refused("name a file for the solution with -o OUT");
+    options.finish(line);
 }
 
-SolveJob readJob(std::vector<std::string> words) {
-    std::vector<char *> pointers = {nullptr};
-    for (std::string &word : words) pointers.push_back(word.data());
-    common::Arguments given((int)pointers.size(), pointers.data(), "radiosity --help");
-    return readJob(given);
-}
-
-} // namespace
-
-SolveJob beginJob(common::Arguments &words, SolveState &state, std::string &resumed) {
-    while (const char *word = words.next()) {
-        if (std::string(word) != "--resume") {
-            state.words.push_back(word);
-            continue;
-        }
-        resumed = words.value(word);
-        if (!state.words.empty() || words.next())
+std::unique_ptr<SolveJob> beginJob(const std::vector<std::string> &words, SolveState &state) {
+    auto job = std::make_unique<SolveJob>(words);
+    state.words = words;
+    if (std::string resumed = job->resume; !resumed.empty()) {
+        if (job->line.given().size() > 1 || !job->model.empty())
             throw common::Refused("--resume takes no other option: it continues with the original ones");
         state = SolveState::read(resumed);
-        break;
+        job = std::make_unique<SolveJob>(state.words);
+        job->resume = resumed;
     }
-    SolveJob job = readJob(state.words);
-    common::checkWritable(job.out);
+    common::checkWritable(job->out);
     return job;
 }
 
@@ -73,7 +56,8 @@ std::unique_ptr<KeptRows> findRows(SolveJob &job) {
     if (kept->model != sumOfFile(job.model))
         throw common::Refused(file + ": belongs to another model than " + job.model +
                               " is now: solve it again");
-    job.options.follow(readJob(kept->words).options, file);
+    SolveJob with(kept->words);
+    job.options.follow(job.line, with.options, with.line, file);
     if (kept->sky != sumOf(job.options.settings.surroundings.sky))
         throw common::Refused(
             file + ": belongs to another picture of the sky than there is now: solve the model again");

@@ -1,7 +1,7 @@
-// The options that say how to read, light and solve a model, for `solve` and for `view` of a model.
+// The options that say how to read, light and solve a model.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
@@ -12,26 +12,30 @@ namespace odraz::radiosity {
 
 class SolveOptions {
 public:
-    // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, common::Arguments &words);
-    // Call it after the last option: reads the sky, suns and lamps. Throws Refused.
-    void finish();
-    // For kept rows, in the file of that name: takes everything from the options that they were found with,
-    // except other materials and when to stop. Throws Refused if one that was given differs.
-    void follow(const SolveOptions &kept, const std::string &file);
+    // `solve` takes all of them; `view` has --sky and --up of its own. `transfer` solves by rays with all
+    // bounces, for any sky. `study` varies the method itself.
+    enum class For { kSolve, kView, kTransfer, kStudy };
+    void addTo(common::CommandLine &line, For command);
+    // The groups of these options in --help.
+    static const std::vector<std::string> &groups();
+
+    // Call it after parse(): chooses the method, reads the sky, suns and lamps. Throws Refused.
+    void finish(const common::CommandLine &line);
+    // For kept rows, in the file of that name, after finish(): takes everything from the options that they
+    // were found with, except other materials and when to stop. Throws Refused if one that was given differs.
+    void follow(const common::CommandLine &line, const SolveOptions &kept,
+                const common::CommandLine &keptLine, const std::string &file);
 
     bool stopsAlike = false; // after follow(): at the same residual or bounce as the kept solution
 
     ReadSettings read;
     SolveSettings settings;
     bool upIsZ = false;
+    std::string sky; // the value of --sky
 
 private:
-    std::vector<std::string> given; // the names of all options
-    bool has(const std::string &option) const;
-    std::string tell(const std::string &option) const; // with its value, which it has by default, too
-    std::string sky, byRays, byPatches;                // the last option for each way
     std::vector<std::string> suns, lamps;
+    double megabytes = 8192;
 };
 
 } // namespace odraz::radiosity

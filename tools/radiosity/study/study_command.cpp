@@ -26,50 +26,37 @@ struct Job {
     SolveOptions options;
 };
 
-// Keeps an option for the commands that the page advises; `last`: its value, or itself if it has none.
-void keep(const std::string &option, const std::string &last, Job &job) {
-    job.settings.words += " " + option;
-    if (last != option) job.settings.words += " " + common::shellWord(last);
-}
-
-Job readJob(common::Arguments &words) {
-    Job job;
-    bool limited = false;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        // What the study varies itself is not to be set
-        bool varied = w == "--rays" || w == "--final" || w == "--element" || w == "--hemicube" ||
-                      w == "--patch" || w == "--adaptive" || w == "--direct" || w == "--bounces" ||
-                      w == "--shots";
-        if (varied)
-            throw common::Refused(w + " is what a study varies: leave it out");
-        else if (w == "-o")
-            job.out = words.value(w);
-        else if (w == "--minutes")
-            job.settings.minutes = words.number(w, 0.1, 10000), limited = true;
-        else if (w == "--within")
-            job.settings.within = words.number(w, 0.01, 100);
-        else if (w == "--table41")
-            job.table41 = true;
-        else if (w == "--progress")
-            job.progress = true;
-        else if (job.options.take(w, words))
-            keep(w, words.last(), job);
-        else if (word[0] != '-' && job.settings.model.empty())
-            job.settings.model = w;
-        else
-            words.refuse(w);
-    }
+void readJob(common::CommandLine &line, Job &job) {
+    line.about("Measures the methods on a model: sizes and rasters, passes, gathering and shooting, "
+               "elements, display.\n"
+               "Writes a folder with a page, index.html, and tables as CSV, and advises what to choose. "
+               "Ctrl-C ends it\n"
+               "with the chapters that are done.");
+    line.argument("MODEL", job.settings.model, "a Wavefront OBJ", false);
+    line.option("-o", "FOLDER", job.out, "the new folder");
+    line.option("--minutes", "N", job.settings.minutes, {0.1, 10000},
+                "the time that it may take; it reports what it left out");
+    line.option("--within", "PERCENT", job.settings.within, {0.01, 100},
+                "the error within which it looks for the cheapest setting");
+    line.flag("--table41", job.table41,
+              "the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches; about five "
+              "minutes of two "
+              "processors");
+    line.flag("--progress", job.progress, "report progress in lines on stderr where it is not a terminal");
+    job.options.addTo(line, SolveOptions::For::kStudy);
+    line.parse();
+    // For the commands that the page advises
+    for (const auto &[option, value] : line.givenOf(SolveOptions::groups()))
+        job.settings.words += " " + option + (value.empty() ? "" : " " + common::shellWord(value));
     if (job.table41 != job.settings.model.empty())
         throw common::Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
                                           : "name a model: radiosity study MODEL.obj -o FOLDER");
-    if (job.table41 && limited)
+    if (job.table41 && line.has("--minutes"))
         throw common::Refused("--table41 takes no --minutes: it shoots 8,000 times in each of its cells");
     if (job.out.empty()) throw common::Refused("name a folder for the page with -o FOLDER");
-    job.options.finish();
+    job.options.finish(line);
     job.settings.solve = job.options.settings;
     job.settings.upIsZ = job.options.upIsZ;
-    return job;
 }
 
 Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
@@ -116,8 +103,9 @@ bool writeChapters(Study &study, std::span<const Chapter> chapters) {
 
 } // namespace
 
-int runStudy(common::Arguments &words) {
-    Job job = readJob(words);
+int runStudy(common::CommandLine &line) {
+    Job job;
+    readJob(line, job);
     common::NewFolder folder(job.out);
     Mesh mesh;
     std::vector<std::string> notes;

@@ -1,11 +1,11 @@
 // `radiosity study`: measures the methods on a model, and writes a page about it.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 
 namespace odraz::radiosity {
 
-// Runs `study` with the words that follow it. Throws Refused, or std::runtime_error. Returns the exit status.
-int runStudy(common::Arguments &words);
+// Runs `study` with its command line. Throws Refused, or std::runtime_error. Returns the exit status.
+int runStudy(common::CommandLine &line);
 
 } // namespace odraz::radiosity

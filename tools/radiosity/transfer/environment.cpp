@@ -1,6 +1,6 @@
 #include "tools/radiosity/transfer/environment.h"
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/read/upright.h"
 

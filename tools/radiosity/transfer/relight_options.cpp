@@ -10,6 +10,8 @@ namespace odraz::radiosity {
 
 namespace {
 
+constexpr char kGroup[] = "Light of a room of transfer";
+
 // Reads --lamps: all, none, or a list of lamps by number or name, each with =STRENGTH or without.
 std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
     size_t count = room.lamps.size();
@@ -48,25 +50,27 @@ std::vector<float> readLamps(const std::string &text, const TransferRoom &room) 
 
 } // namespace
 
-bool RelightOptions::take(const std::string &w, common::Arguments &words) {
-    if (w == "--sky" || w == "--relight")
-        sky = words.value(w);
-    else if (w == "--turn")
-        around = words.number(w, -36000, 36000);
-    else if (w == "--tilt")
-        up = words.number(w, -90, 90);
-    else if (w == "--lamps")
-        lamps = words.value(w);
-    else if (w == "--bands")
-        bands = words.whole(w, 1, kMostBands);
-    else if (w == "--clusters")
-        clusters = words.whole(w, 1, kMostClusters);
-    else if (w == "--rank")
-        rank = words.whole(w, 0, kMostRank);
-    else
-        return false;
-    if (given.empty()) given = w;
-    return true;
+void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
+    line.group(kGroup);
+    if (withSky)
+        line.option("--sky", "R,G,B|FILE.hdr", sky,
+                    "the light from outside; what the bands lose of a picture is printed");
+    line.option("--turn", "DEGREES", around, {-36000, 36000},
+                "turn it about the axis that points up, from -z (+y) towards +x");
+    line.option("--tilt", "DEGREES", up, {-90, 90}, "then tilt it about x; what lay ahead goes up");
+    line.option("--lamps", "LIST", lamps,
+                "all, none, or numbers or names with commas between, also NAME=STRENGTH; by default all");
+    line.option("--bands", "N", bands, {1, kMostBands}, "use only the first N bands");
+    line.option("--rank", "N", rank, {0, kMostRank},
+                "show the clusters with N axes each, instead of the exact rows");
+    line.option("--clusters", "K", clusters, {1, kMostClusters},
+                "show K clusters, which are found anew, with --rank axes each");
+}
+
+void RelightOptions::refuseFor(const std::string &path, const common::CommandLine &line) {
+    if (auto given = line.givenOf({kGroup}); !given.empty())
+        throw common::Refused(given[0].option + " is for a room that `radiosity transfer` wrote; " + path +
+                              " is none");
 }
 
 RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
@@ -98,12 +102,10 @@ void RelightOptions::changeClusters(TransferRoom &room, Workers &workers) const 
                                  blocksOf(room.model, clusters), clusters, room.clusters.rank, workers);
 }
 
-Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
-                 const EyeFor &eyeFor) {
+Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,
+                 Workers &workers, const EyeFor &eyeFor) {
     if (!TransferRoom::is(path)) {
-        if (!options.first().empty())
-            throw common::Refused(options.first() + " is for a room that `radiosity transfer` wrote; " +
-                                  path + " is none");
+        RelightOptions::refuseFor(path, line);
         Solution solution(path);
         if (eyeFor) eyeFor(solution, nullptr);
         return solution;

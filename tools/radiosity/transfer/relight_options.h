@@ -1,7 +1,7 @@
 // The options that light a room: for `render`, `export` and `view` of what `transfer` wrote.
 #pragma once
 
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/radiosity/transfer/environment.h"
 #include "tools/radiosity/transfer/relight.h"
 
@@ -9,10 +9,10 @@ namespace odraz::radiosity {
 
 class RelightOptions {
 public:
-    // Whether it is one of these options; if so, takes its value. Throws Refused.
-    bool take(const std::string &option, common::Arguments &words);
-    const std::string &first() const { return given; } // the first one that was taken; empty: none
-    const std::string &skyWord() const { return sky; }
+    // `view` has a --sky of its own, which may be that of a model.
+    void addTo(common::CommandLine &line, bool withSky = true);
+    // Throws Refused if one of them was given: what is at `path` is no room. Call it after parse().
+    static void refuseFor(const std::string &path, const common::CommandLine &line);
     // Finds other clusters for the room if the options ask for another number of them, as `view` does.
     void changeClusters(TransferRoom &room, Workers &workers) const;
     double turn() const { return around; } // degrees
@@ -26,8 +26,10 @@ public:
     // radiance 1 lights it. Prints what the bands lose of a picture. Throws Refused.
     Light of(const TransferRoom &room) const;
 
+    std::string sky; // the value of --sky
+
 private:
-    std::string given, sky, lamps;
+    std::string lamps;
     double around = 0, up = 0;
     int bands = 0, clusters = 0, rank = -1;
 };
@@ -37,7 +39,7 @@ using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 
 // Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
 // without gloss). Throws Refused if there are options for a room, but the file is none.
-Solution readLit(const std::string &path, const RelightOptions &options, Workers &workers,
-                 const EyeFor &eyeFor = nullptr);
+Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,
+                 Workers &workers, const EyeFor &eyeFor = nullptr);
 
 } // namespace odraz::radiosity

@@ -32,48 +32,38 @@ void readGloss(const std::string &text, TransferSettings &s) {
             "--gloss takes a reflectance, 0 to 1, and an exponent, 1 to 1000, like 0.06,16, not " + text);
 }
 
-Job readJob(common::Arguments &words) {
-    Job job;
+void readJob(common::CommandLine &line, Job &job) {
     TransferSettings &s = job.settings;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "-o")
-            job.out = words.value(w);
-        else if (w == "--progress")
-            job.progress = true;
-        else if (w == "--bands")
-            s.bands = words.whole(w, 1, kMostBands);
-        else if (w == "--clusters")
-            s.clusters = words.whole(w, 1, kMostClusters);
-        else if (w == "--rank")
-            s.rank = words.whole(w, 1, kMostRank);
-        else if (w == "--glossy")
-            s.glossy = words.value(w);
-        else if (w == "--gloss")
-            readGloss(words.value(w), s);
-        else if (w == "--check")
-            job.check = true;
-        else if (w == "--sky")
-            job.skies.push_back(words.value(w));
-        else if (w == "--bounces" || w == "--final" || w == "--hemicube" || w == "--patch" ||
-                 w == "--adaptive" || w == "--direct")
-            throw common::Refused(
-                w + " is no option of transfer: it solves by rays, with all bounces, for any sky");
-        else if (job.options.take(w, words))
-            continue;
-        else if (word[0] != '-' && job.model.empty())
-            job.model = w;
-        else
-            words.refuse(w);
-    }
+    line.about("Solves a model for any light from outside, and for each of its lamps: a material that emits, "
+               "a ball or\n"
+               "a sun. render, export and view show the room in any of these lights. The light goes by rays, "
+               "with all\n"
+               "bounces.");
+    line.argument("MODEL", job.model, "a Wavefront OBJ", false);
+    line.option("-o", "ROOM.prt", job.out, "the file of the room");
+    line.option("--bands", "N", s.bands, {1, kMostBands}, "bands of spherical harmonics of the light");
+    line.option("--clusters", "K", s.clusters, {1, kMostClusters},
+                "clusters of the compressed rows; by default 4 for each function of the bands");
+    line.option("--rank", "R", s.rank, {1, kMostRank},
+                "axes of each cluster; by default 8 to 32, as the bands need");
+    line.option("--glossy", "MATERIAL", s.glossy, "polish its planes, which then mirror the room, blurred");
+    line.option(
+        "--gloss", "R,E", [&s](const std::string &text) { readGloss(text, s); },
+        "the polish: what share it mirrors seen from above, and the exponent of its lobe, 1 to 1000 "
+        "(default 0.06,16)");
+    line.flag("--check", job.check,
+              "compare with solutions for several lights, and one subspace with clusters");
+    line.option("--sky", "FILE.hdr", job.skies, "with --check: for this light too");
+    line.flag("--progress", job.progress, "report progress in lines on stderr where it is not a terminal");
+    job.options.addTo(line, SolveOptions::For::kTransfer);
+    line.parse();
     if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
     if (job.out.empty()) throw common::Refused("name a file for the room with -o ROOM.prt");
     if (!job.skies.empty() && !job.check)
         throw common::Refused("--sky belongs to --check: a room is solved for any sky");
-    job.options.finish();
+    job.options.finish(line);
     s.solve = job.options.settings, s.upIsZ = job.options.upIsZ;
     common::checkWritable(job.out);
-    return job;
 }
 
 void printReport(const Mesh &mesh, const TransferRoom &room, const TransferReport &r) {
@@ -92,8 +82,9 @@ void printReport(const Mesh &mesh, const TransferRoom &room, const TransferRepor
 
 } // namespace
 
-int runTransfer(common::Arguments &words) {
-    Job job = readJob(words);
+int runTransfer(common::CommandLine &line) {
+    Job job;
+    readJob(line, job);
     std::vector<std::string> notes;
     Mesh mesh = readObj(job.model, job.options.read, notes);
     tell(notes);

@@ -1,5 +1,5 @@
 // A room as a file: a line that names its kind, a checksum, and arrays (solution/arrays.h).
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/transfer/clustered_pca.h"

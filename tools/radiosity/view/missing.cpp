@@ -3,7 +3,7 @@
 
 namespace odraz::radiosity {
 
-int runView(common::Arguments &) {
+int runView(common::CommandLine &) {
     throw std::runtime_error("view was left out of this build: install GLFW (libglfw3-dev) and build again");
 }
 

@@ -140,7 +140,7 @@ std::string RelitRoom::title() const {
 
 std::string RelitRoom::commandOptions() const {
     std::string all, lamps;
-    if (!options.skyWord().empty()) all += " --sky " + common::shellWord(options.skyWord());
+    if (!options.sky.empty()) all += " --sky " + common::shellWord(options.sky);
     common::append(all, " --turn %g --tilt %g --bands %d", around, tilt, lighting.bands);
     if (lighting.rank >= 0) common::append(all, " --clusters %d --rank %d", clusters.count, lighting.rank);
     for (size_t k = 0; k < lighting.lamps.size(); ++k)

@@ -22,7 +22,6 @@ struct Job {
     CameraOptions camera;
     SolveOptions solve;
     RelightOptions relight;
-    std::string solving; // the first option that only a model to be solved can have
 };
 
 void addLayer(ViewLayers &to, const std::string &name) {
@@ -42,62 +41,53 @@ bool isModel(const std::string &path) {
     return end == ".obj";
 }
 
-// Hands --sky to the options that it belongs to.
-void giveSky(Job &job) {
-    char option[] = "--sky";
-    char *pointers[] = {nullptr, job.sky.data()};
-    common::Arguments value(2, pointers, "radiosity --help");
-    if (job.room)
-        job.relight.take(option, value);
-    else
-        job.solve.take(option, value), job.solving = job.solving.empty() ? option : job.solving;
-}
-
-Job readJob(common::Arguments &words) {
-    Job job;
-    while (const char *word = words.next()) {
-        std::string w = word;
-        if (w == "--screenshot")
-            job.view.screenshot = words.value(w);
-        else if (w == "--layer")
-            addLayer(job.view.layers, words.value(w));
-        else if (job.camera.take(w, words)) // --up belongs to both
-            job.solve.upIsZ = job.camera.settings.upIsZ;
-        else if (w == "--spin")
-            job.view.spin = words.number(w, 0.1, 3600);
-        else if (w == "--sky") // of a room or of a model: known when the file is
-            job.sky = words.value(w);
-        else if (job.relight.take(w, words))
-            continue;
-        else if (job.solve.take(w, words))
-            job.solving = job.solving.empty() ? w : job.solving;
-        else if (word[0] != '-' && job.in.empty())
-            job.in = w;
-        else
-            words.refuse(w);
-    }
+void readJob(common::CommandLine &line, Job &job) {
+    line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints its "
+               "keys when it\n"
+               "starts. A room of transfer is relit while it is shown: the right mouse button turns the sky, "
+               "and the\n"
+               "keys 1 to 9 and 0 switch lamps, with Shift from the eleventh on.");
+    line.argument("FILE", job.in, "what solve or transfer wrote, or a Wavefront OBJ", false);
+    line.option("--screenshot", "FILE.png", job.view.screenshot,
+                "write the picture when all light is there, then exit");
+    line.option(
+        "--layer", "NAME", [&job](const std::string &name) { addLayer(job.view.layers, name); },
+        "a layer to show at the start: patches in a colour each, outlines of elements, wireframe, or what "
+        "the hemicube "
+        "under the pointer sees; repeatable");
+    line.option("--sky", "R,G,B|FILE.hdr", job.sky, "the light from outside, of a room or of a model");
+    job.camera.addTo(line);
+    job.relight.addTo(line, false);
+    line.option("--relight", "FILE.hdr", job.sky, "the same as --sky");
+    line.option("--spin", "S", job.view.spin, {0.1, 3600},
+                "turn the sky once in S seconds, print the pictures a second, then exit");
+    job.solve.addTo(line, SolveOptions::For::kView);
+    line.parse();
     if (job.in.empty()) throw common::Refused("name a solution or a model: radiosity view FILE|MODEL.obj");
     job.room = !isModel(job.in) && TransferRoom::is(job.in);
-    if (!job.sky.empty()) giveSky(job);
-    if (!isModel(job.in) && !job.solving.empty())
-        throw common::Refused(job.solving + " is an option for models: " + job.in + " is a " +
-                              (job.room ? "room" : "solution"));
-    if (!job.room && (!job.relight.first().empty() || job.view.spin > 0))
-        throw common::Refused((job.view.spin > 0 ? "--spin" : job.relight.first()) +
-                              " is for a room that `radiosity transfer` wrote; " + job.in + " is none");
-    job.camera.finish("view");
-    job.solve.finish();
+    if (!isModel(job.in)) {
+        auto solving = line.givenOf(SolveOptions::groups());
+        if (!job.room && line.has("--sky")) solving.push_back({"--sky", job.sky});
+        if (!solving.empty())
+            throw common::Refused(solving[0].option + " is an option for models: " + job.in + " is a " +
+                                  (job.room ? "room" : "solution"));
+    }
+    if (!job.room) RelightOptions::refuseFor(job.in, line);
+    (job.room ? job.relight.sky : job.solve.sky) = job.sky;
+    job.solve.upIsZ = job.camera.settings.upIsZ;
+    job.camera.finish(line);
+    job.solve.finish(line);
     if (!job.view.screenshot.empty()) common::checkWritable(job.view.screenshot);
     job.view.name = job.in.substr(job.in.rfind('/') + 1);
     job.view.camera = job.camera.settings;
-    job.view.placed = job.camera.placed();
-    return job;
+    job.view.placed = job.camera.placed;
 }
 
 } // namespace
 
-int runView(common::Arguments &words) {
-    Job job = readJob(words);
+int runView(common::CommandLine &line) {
+    Job job;
+    readJob(line, job);
     auto keys = [&] {
         if (job.view.screenshot.empty())
             std::printf("%s\n", viewKeysLine(viewKeys(job.room)).c_str()), std::fflush(stdout);

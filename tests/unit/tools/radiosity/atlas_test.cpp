@@ -1,7 +1,7 @@
 // Lightmaps: other programs show the solution from them, and no polygon shares texels with another.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"

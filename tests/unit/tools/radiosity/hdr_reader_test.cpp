@@ -1,6 +1,6 @@
 // Pictures in Radiance's format, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
 // pixels.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/hdr_reader.h"

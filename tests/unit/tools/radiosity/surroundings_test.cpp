@@ -1,5 +1,5 @@
 // Pictures of the sky: no light is lost, and pixels that are too bright become suns in their place.
-#include "tools/common/arguments.h"
+#include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/read/surroundings.h"
