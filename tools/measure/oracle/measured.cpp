@@ -13,7 +13,7 @@ Mesh generatedMesh(const std::string &kind, double area) {
     common::writeWhole(folder / "model.mtl", generateMtl());
     common::writeWhole(folder / "model.obj", "mtllib model.mtl\n" + generateObj(kind, area));
     std::vector<std::string> notes;
-    return readObj(folder / "model.obj", {}, notes);
+    return readModel(folder / "model.obj", {}, notes);
 }
 
 } // namespace odraz::measure

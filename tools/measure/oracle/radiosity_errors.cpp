@@ -22,7 +22,7 @@ static int run(common::CommandLine &line) {
     line.flag("--list", list, "also print each place, its normal, and its light, solved and traced");
     line.parse();
     std::vector<std::string> notes;
-    Mesh mesh = readObj(model, {}, notes);
+    Mesh mesh = readModel(model, {}, notes);
     Solution solution(file);
     Surroundings around;
     if (!shines(mesh)) around.sky = evenSky({1, 1, 1});

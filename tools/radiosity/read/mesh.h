@@ -1,4 +1,4 @@
-// Models as triangles, read from Wavefront OBJ.
+// Models as triangles, read from files.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -65,9 +65,13 @@ struct ReadSettings {
     std::vector<MaterialChange> changes;
 };
 
+// Whether a file's name ends as those of models do.
+bool isModel(const std::string &path);
+
+// Reads a model in the format that its name's ending says (formats.cpp); others are read as Wavefront OBJ.
 // Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
 // everything that it repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
-Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
+Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
 // The materials of a model again, as its Mesh has them; those that no triangle has are left empty. Throws
 // ModelError, also if a name that was known is not there now, or the reverse.

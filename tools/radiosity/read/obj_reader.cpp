@@ -1,6 +1,6 @@
 // Reads a Wavefront OBJ by tinyobjloader, after ObjText has prepared the text.
+#include "tools/radiosity/read/obj_reader.h"
 #include "tools/common/whole_file.h"
-#include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/read/mtl_reader.h"
 #include "tools/radiosity/read/obj_text.h"
 
@@ -234,9 +234,9 @@ Mesh readObj(const std::string &path, const ReadSettings &settings, std::vector<
     return ObjReader(path, settings, notes).read();
 }
 
-std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
-                                             const std::vector<MaterialChange> &changes,
-                                             std::vector<std::string> &notes) {
+std::vector<MeshMaterial> readObjMaterials(const std::string &path, const MaterialNames &names,
+                                           const std::vector<MaterialChange> &changes,
+                                           std::vector<std::string> &notes) {
     std::vector<MeshMaterial> given = readMaterials(path, names.libraries, notes);
     std::map<std::string, const MeshMaterial *> known;
     for (const MeshMaterial &m : given) known.try_emplace(m.name, &m);

@@ -34,7 +34,7 @@ public:
 
     void run() {
         if (!job.relight.empty()) return relight();
-        readModel();
+        read();
         if (!job.resume.empty() && modelSum != state.model)
             throw common::Refused(job.resume + ": belongs to another model than " + job.model +
                                   " is now: solve it again");
@@ -42,7 +42,7 @@ public:
         prepare();
         Solved solved = solve();
         if (mayLightBacks() && solved.report.whole && staysDark(solved.solution)) {
-            tell({"no light reaches the fronts of the polygons: both sides are lit (--two-sided)"});
+            printNotes({"no light reaches the fronts of the polygons: both sides are lit (--two-sided)"});
             lightBacks();
             solved = {};
             solved = solve();
@@ -70,10 +70,10 @@ private:
 
     std::string stateFile() const { return job.out + ".state"; }
 
-    void readModel() {
+    void read() {
         std::vector<std::string> notes;
-        mesh = readObj(job.model, job.options.read, notes);
-        tell(notes);
+        mesh = readModel(job.model, job.options.read, notes);
+        printNotes(notes);
         modelSum = sumOf(mesh, job.options.settings.surroundings.sky);
     }
 
@@ -120,7 +120,7 @@ private:
             throw ModelError(job.model + ": " + e.what());
         }
         bar->clear();
-        tell(solved.report.notes);
+        printNotes(solved.report.notes);
         return solved;
     }
 
@@ -132,7 +132,7 @@ private:
             refuseMemory(bytes, settings.memory, "raise it");
         settings.resumed = kept->rows;
         if (!prepare(*kept)) {
-            readModel();
+            read();
             bool dark = !shines(mesh) && !settings.surroundings.shine();
             if (dark && settings.evenSky && !kept->evenSky) refuseDark();
         }
@@ -164,7 +164,7 @@ private:
         }
         prepared = std::make_unique<PreparedSolve>(from.prepared, mesh.materials.size());
         if (!prepared->fits(emitters)) prepared = nullptr;
-        if (prepared) tell(notes);
+        if (prepared) printNotes(notes);
         return prepared != nullptr;
     }
 
@@ -188,7 +188,7 @@ private:
     void lightBacks() {
         job.options.read.twoSided = true;
         std::vector<std::string> known; // notes that were printed already
-        mesh = readObj(job.model, job.options.read, known);
+        mesh = readModel(job.model, job.options.read, known);
         state.words.push_back("--two-sided"); // for --resume
         state.model = sumOf(mesh, job.options.settings.surroundings.sky);
         job.options.settings.resumed = {};

@@ -14,7 +14,7 @@ void stopAt(int &stop, const std::vector<int> &signals) {
     for (int signal : signals) sigaction(signal, &action, nullptr);
 }
 
-void tell(const std::vector<std::string> &notes) {
+void printNotes(const std::vector<std::string> &notes) {
     for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
 }
 

@@ -11,6 +11,6 @@ namespace odraz::radiosity {
 void stopAt(int &stop, const std::vector<int> &signals);
 
 // Prints notes on stderr, a line each.
-void tell(const std::vector<std::string> &notes);
+void printNotes(const std::vector<std::string> &notes);
 
 } // namespace odraz::radiosity

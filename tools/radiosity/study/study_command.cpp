@@ -63,7 +63,7 @@ Mesh columns(const ReadSettings &settings, std::vector<std::string> &notes) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "columns.mtl", generateMtl());
     common::writeWhole(folder / "columns.obj", "mtllib columns.mtl\n" + generateObj("columns", 0));
-    return readObj(folder / "columns.obj", settings, notes);
+    return readModel(folder / "columns.obj", settings, notes);
 }
 
 struct Chapter {
@@ -114,7 +114,7 @@ int runStudy(common::CommandLine &line) {
         job.settings.model = "columns.obj"; // as `generate columns` writes it
         job.settings.minutes = 60;
     } else {
-        mesh = readObj(job.settings.model, job.options.read, notes);
+        mesh = readModel(job.settings.model, job.options.read, notes);
     }
     stopAt(stop, {SIGINT, SIGTERM});
     Gl gl = openGl();

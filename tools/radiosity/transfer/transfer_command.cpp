@@ -86,8 +86,8 @@ int runTransfer(common::CommandLine &line) {
     Job job;
     readJob(line, job);
     std::vector<std::string> notes;
-    Mesh mesh = readObj(job.model, job.options.read, notes);
-    tell(notes);
+    Mesh mesh = readModel(job.model, job.options.read, notes);
+    printNotes(notes);
     Workers workers = allProcessors();
     ProgressBar bar(job.progress);
     TransferReport report;
@@ -99,7 +99,7 @@ int runTransfer(common::CommandLine &line) {
         throw ModelError(job.model + ": " + e.what());
     }
     bar.clear();
-    tell(report.notes);
+    printNotes(report.notes);
     room.save(job.out);
     printReport(mesh, room, report);
     std::fflush(stdout);

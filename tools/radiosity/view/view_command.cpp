@@ -5,10 +5,10 @@
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
 #include "tools/radiosity/solve/solve_options.h"
+#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
 
-#include <algorithm>
 #include <cstdio>
 
 namespace odraz::radiosity {
@@ -33,12 +33,6 @@ void addLayer(ViewLayers &to, const std::string &name) {
             ? to.hemicube
             : throw common::Refused("--layer is patches, elements, wireframe or hemicube, not " + name);
     layer = true;
-}
-
-bool isModel(const std::string &path) {
-    std::string end = path.substr(path.size() - std::min<size_t>(path.size(), 4));
-    std::transform(end.begin(), end.end(), end.begin(), [](unsigned char c) { return std::tolower(c); });
-    return end == ".obj";
 }
 
 void readJob(common::CommandLine &line, Job &job) {
@@ -118,14 +112,11 @@ int runView(common::CommandLine &line) {
         window.run(nullptr);
         return 0;
     }
-    auto tell = [](const std::vector<std::string> &notes) {
-        for (const std::string &note : notes) std::fprintf(stderr, "radiosity: %s\n", note.c_str());
-    };
     std::vector<std::string> notes;
-    Mesh mesh = readObj(job.in, job.solve.read, notes);
+    Mesh mesh = readModel(job.in, job.solve.read, notes);
     ViewWindow window(job.view);
     keys();
-    tell(notes);
+    printNotes(notes);
     BackgroundSolve solver(std::move(mesh), job.solve.settings, job.view.camera, ViewWindow::wake);
     try {
         window.run(&solver);
@@ -135,7 +126,7 @@ int runView(common::CommandLine &line) {
     // The program ends without waiting for the solver
     if (std::fflush(stdout)) return 1;
     if (!solver.take().done) endProcess(0);
-    tell(solver.take().notes);
+    printNotes(solver.take().notes);
     return 0;
 }
 

@@ -34,7 +34,7 @@ Solution solved(const std::string &kind, bool adaptive = false) {
     common::writeWhole(folder / "m.obj", model);
     common::writeWhole(folder / "m.mtl", generateMtl());
     std::vector<std::string> notes;
-    Mesh mesh = readObj(folder / "m.obj", {}, notes);
+    Mesh mesh = readModel(folder / "m.obj", {}, notes);
     static Workers workers = allProcessors();
     SolveSettings settings;
     settings.adaptive = adaptive, settings.way = adaptive ? Way::kPatches : Way::kRays;

@@ -35,7 +35,7 @@ protected:
         std::vector<std::string> notes;
         common::writeWhole(folder / "m.obj", "mtllib m.mtl\n" + generateObj("cube", 0));
         common::writeWhole(folder / "m.mtl", generateMtl());
-        mesh = readObj(folder / "m.obj", {}, notes);
+        mesh = readModel(folder / "m.obj", {}, notes);
         settings.element = 9, settings.rays = 16, settings.hemicube = 8, settings.patch = 36;
         if (GetParam()) settings.way = Way::kPatches;
         settings.keepRows = [this](std::string r, std::string p) {
