@@ -1,6 +1,8 @@
 // Arrays in files, stored as they lie in memory, with a checksum against damage.
 #pragma once
 
+#include "tools/common/hash.h"
+
 #include <cstdint>
 #include <cstring>
 #include <span>
@@ -10,16 +12,16 @@
 
 namespace odraz::radiosity {
 
-inline uint64_t checksum(const char *p, size_t size) { // FNV-1a, by words
-    uint64_t sum = 0xcbf29ce484222325u;
+// FNV-1a by words, which is faster than by bytes; high bits are mixed into low ones.
+inline uint64_t checksum(const char *p, size_t size) {
+    uint64_t sum = common::kFnvStart;
     for (; size >= 8; p += 8, size -= 8) {
         uint64_t word;
         std::memcpy(&word, p, 8);
-        sum = (sum ^ word) * 0x100000001b3u;
+        sum = common::fnv1a(sum, word);
         sum ^= sum >> 29;
     }
-    for (; size; ++p, --size) sum = (sum ^ (unsigned char)*p) * 0x100000001b3u;
-    return sum;
+    return common::fnv1a({p, size}, sum);
 }
 
 // The content of a file: a line that names its kind, the checksum of the rest, and the rest.
@@ -28,7 +30,7 @@ inline std::string withChecksum(const std::string &magic, const std::string &bod
     return magic + std::string((const char *)&sum, sizeof sum) + body;
 }
 // Where the part after the checksum begins; npos if that is damaged, 0 if it is another kind of file.
-inline size_t bodyOf(const std::string &file, const std::string &magic) {
+inline size_t bodyOf(std::string_view file, const std::string &magic) {
     size_t at = magic.size() + sizeof(uint64_t);
     if (file.size() < at || file.compare(0, magic.size(), magic) != 0) return 0;
     uint64_t sum;
@@ -37,10 +39,13 @@ inline size_t bodyOf(const std::string &file, const std::string &magic) {
 }
 
 // Writes an array as its count, the size of an item, and its bytes.
-template <class T> void put(std::string &to, const std::vector<T> &from) {
+template <class T> void put(std::string &to, std::span<const T> from) {
     const uint64_t head[2] = {from.size(), sizeof(T)};
     to.append((const char *)head, sizeof head);
-    if (!from.empty()) to.append((const char *)from.data(), from.size() * sizeof(T));
+    if (!from.empty()) to.append((const char *)from.data(), from.size_bytes());
+}
+template <class T> void put(std::string &to, const std::vector<T> &from) {
+    put(to, std::span<const T>(from));
 }
 template <class T> bool get(std::string_view from, size_t &at, std::vector<T> &to) {
     uint64_t head[2];

@@ -62,7 +62,7 @@ struct SolveSettings {
         wantsLight; // whether the watcher wants light now, because making it takes time; null: always
     // By rays: reports how many bytes are needed before they are allocated
     std::function<void(size_t bytes)> needs;
-    // Saves the rows found so far (solve_state.h), every `keepEvery` seconds and after a stop
+    // Saves the rows found so far (kept.h), every `keepEvery` seconds and after a stop
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60;
     std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none

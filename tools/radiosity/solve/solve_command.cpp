@@ -30,15 +30,17 @@ bool staysDark(const Solution &b) {
 // Solves a job; if an even sky lights no front, solves it again with both sides lit.
 class SolveCommand {
 public:
-    SolveCommand(SolveJob &job, SolveState state) : job(job), state(std::move(state)) {}
+    explicit SolveCommand(SolveJob &job) : job(job) {
+        keeps.words = job.kept && job.relight.empty() ? job.kept->words : job.line.words();
+    }
 
     void run() {
         if (!job.relight.empty()) return relight();
         read();
-        if (!job.resume.empty() && modelSum != state.model)
+        keeps.model = modelSum();
+        if (job.kept && job.kept->model != keeps.model)
             throw common::Refused(job.resume + ": belongs to another model than " + job.model +
                                   " is now: solve it again");
-        state.model = modelSum;
         prepare();
         Solved solved = solve();
         if (mayLightBacks() && solved.report.whole && staysDark(solved.solution)) {
@@ -57,13 +59,10 @@ public:
 
 private:
     SolveJob &job;
-    SolveState state;
+    Kept keeps; // what is written beside the solution
     Mesh mesh;
-    uint64_t modelSum = 0;
-    std::unique_ptr<KeptRows> kept;          // to be used
-    std::unique_ptr<PreparedSolve> prepared; // from these; null: the model is divided
-    std::string rows, preparation;           // to be kept
-    std::string resumedRows;
+    std::unique_ptr<PreparedSolve> prepared; // from kept rows; null: the model is divided
+    std::string rows, preparation;           // of the whole solution, to be kept
     Workers workers = allProcessors();
     Gl gl = {};
     std::unique_ptr<ProgressBar> bar;
@@ -74,21 +73,20 @@ private:
         std::vector<std::string> notes;
         mesh = readModel(job.model, job.options.read, notes);
         printNotes(notes);
-        modelSum = sumOf(mesh, job.options.settings.surroundings.sky);
     }
+    uint64_t modelSum() const { return sumOf(mesh, job.options.settings.surroundings.sky); }
 
     void prepare() {
         SolveSettings &settings = job.options.settings;
-        settings.resumed = resumedRows = std::move(state.rows);
+        if (job.kept) settings.resumed = job.kept->rows;
         if (job.keepRows)
             settings.keepRows = [this](std::string found, std::string prepared) {
                 rows = std::move(found), preparation = std::move(prepared);
             };
         settings.keepEvery = job.keepEvery;
         settings.keep = [this](const std::string &rows) {
-            state.rows = rows;
-            state.save(stateFile());
-            state.rows.clear();
+            keeps.rows = rows;
+            keeps.save(stateFile(), Kept::Kind::kState);
         };
         settings.needs = [](size_t bytes) {
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
@@ -108,11 +106,11 @@ private:
         SolveSettings &settings = job.options.settings;
         Solved solved;
         try {
-            if (prepared)
-                solved = relightModel(mesh, *prepared, kept->evenSky,
-                                      {kept->away[0], kept->away[1], kept->away[2]}, settings, workers, &stop,
-                                      progress);
-            else {
+            if (prepared) {
+                const std::vector<double> &away = job.kept->away;
+                solved = relightModel(mesh, *prepared, job.kept->evenSky, {away[0], away[1], away[2]},
+                                      settings, workers, &stop, progress);
+            } else {
                 if (settings.way == Way::kPatches) gl = openGl();
                 solved = solveModel(mesh, settings, gl, workers, &stop, progress);
             }
@@ -126,17 +124,17 @@ private:
 
     // Solves with kept rows. If direct light is kept too, polygons are not read.
     void relight() {
-        kept = findRows(job);
+        const Kept &kept = *job.kept;
         SolveSettings &settings = job.options.settings;
-        if (size_t bytes = 2 * (kept->rows.size() + kept->prepared.size()); bytes > settings.memory)
+        if (size_t bytes = 2 * (kept.rows.size() + kept.prepared.size()); bytes > settings.memory)
             refuseMemory(bytes, settings.memory, "raise it");
-        settings.resumed = kept->rows;
-        if (!prepare(*kept)) {
+        settings.resumed = kept.rows;
+        if (!prepare(kept)) {
             read();
             bool dark = !shines(mesh) && !settings.surroundings.shine();
-            if (dark && settings.evenSky && !kept->evenSky) refuseDark();
+            if (dark && settings.evenSky && !kept.evenSky) refuseDark();
         }
-        if (prepared && job.options.stopsAlike && !kept->evenSky) {
+        if (prepared && job.options.stopsAlike && !kept.evenSky) {
             Solution scaled(job.relight);
             if (scaleLight(scaled, mesh, *prepared, settings)) {
                 scaled.save(job.out);
@@ -152,7 +150,7 @@ private:
     }
 
     // Whether kept direct light fits the materials: then only these are read.
-    bool prepare(const KeptRows &from) {
+    bool prepare(const Kept &from) {
         if (from.prepared.empty()) return false;
         std::vector<std::string> notes;
         mesh.materials = readMaterialsAgain(job.model, from.names, job.options.read.changes, notes);
@@ -170,15 +168,13 @@ private:
 
     // Keeps the rows beside the solution, whose file is there.
     void saveRows(const Solved &solved) {
-        KeptRows to;
-        to.words = state.words;
-        to.model = sumOfFile(job.model), to.sky = sumOf(job.options.settings.surroundings.sky);
-        to.solution = sumOfSolution(job.out);
-        to.evenSky = solved.evenSky;
-        to.names = mesh.names;
-        to.away = {solved.away[0], solved.away[1], solved.away[2]};
-        to.rows = rows, to.prepared = preparation;
-        to.save(rowsFile(job.out));
+        keeps.model = sumOfFile(job.model), keeps.sky = sumOf(job.options.settings.surroundings.sky);
+        keeps.solution = sumOfSolution(job.out);
+        keeps.evenSky = solved.evenSky;
+        keeps.names = mesh.names;
+        keeps.away = {solved.away[0], solved.away[1], solved.away[2]};
+        keeps.rows = rows, keeps.prepared = preparation;
+        keeps.save(rowsFile(job.out), Kept::Kind::kRows);
     }
 
     bool mayLightBacks() const {
@@ -189,8 +185,8 @@ private:
         job.options.read.twoSided = true;
         std::vector<std::string> known; // notes that were printed already
         mesh = readModel(job.model, job.options.read, known);
-        state.words.push_back("--two-sided"); // for --resume
-        state.model = sumOf(mesh, job.options.settings.surroundings.sky);
+        keeps.words.push_back("--two-sided"); // for --resume
+        keeps.model = modelSum();
         job.options.settings.resumed = {};
     }
 };
@@ -198,9 +194,8 @@ private:
 } // namespace
 
 int runSolve(common::CommandLine &line) {
-    SolveState state;
-    std::unique_ptr<SolveJob> job = beginJob(line.words(), state);
-    SolveCommand(*job, std::move(state)).run();
+    std::unique_ptr<SolveJob> job = readJob(line.words());
+    SolveCommand(*job).run();
     return 0;
 }
 

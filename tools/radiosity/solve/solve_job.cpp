@@ -28,40 +28,40 @@ SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std
     options.finish(line);
 }
 
-std::unique_ptr<SolveJob> beginJob(const std::vector<std::string> &words, SolveState &state) {
-    auto job = std::make_unique<SolveJob>(words);
-    state.words = words;
-    if (std::string resumed = job->resume; !resumed.empty()) {
-        if (job->line.given().size() > 1 || !job->model.empty())
-            throw common::Refused("--resume takes no other option: it continues with the original ones");
-        state = SolveState::read(resumed);
-        job = std::make_unique<SolveJob>(state.words);
-        job->resume = resumed;
-    }
-    common::checkWritable(job->out);
-    return job;
-}
-
-std::unique_ptr<KeptRows> findRows(SolveJob &job) {
+static void findRows(SolveJob &job) {
     if (job.keepRows)
         throw common::Refused("--keep-rows and --relight do not go together: the rows are kept already");
     if (job.out == job.relight)
         throw common::Refused("-o names the solution whose rows are used: give the new one another name");
     std::string file = rowsFile(job.relight);
     uint64_t solution = sumOfSolution(job.relight);
-    auto kept = std::make_unique<KeptRows>(file);
-    if (kept->solution != solution)
+    job.kept = std::make_unique<Kept>(file, Kept::Kind::kRows);
+    const Kept &kept = *job.kept;
+    if (kept.solution != solution)
         throw common::Refused(file + ": belongs to another solution than " + job.relight +
                               " is now: solve with --keep-rows again");
-    if (kept->model != sumOfFile(job.model))
+    if (kept.model != sumOfFile(job.model))
         throw common::Refused(file + ": belongs to another model than " + job.model +
                               " is now: solve it again");
-    SolveJob with(kept->words);
+    SolveJob with(kept.words);
     job.options.follow(job.line, with.options, with.line, file);
-    if (kept->sky != sumOf(job.options.settings.surroundings.sky))
+    if (kept.sky != sumOf(job.options.settings.surroundings.sky))
         throw common::Refused(
             file + ": belongs to another picture of the sky than there is now: solve the model again");
-    return kept;
+}
+
+std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words) {
+    auto job = std::make_unique<SolveJob>(words);
+    if (std::string state = job->resume; !state.empty()) {
+        if (job->line.given().size() > 1 || !job->model.empty())
+            throw common::Refused("--resume takes no other option: it continues with the original ones");
+        auto kept = std::make_unique<Kept>(state, Kept::Kind::kState);
+        job = std::make_unique<SolveJob>(kept->words);
+        job->resume = state, job->kept = std::move(kept);
+    }
+    common::checkWritable(job->out);
+    if (!job->relight.empty()) findRows(*job);
+    return job;
 }
 
 } // namespace odraz::radiosity

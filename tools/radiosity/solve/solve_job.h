@@ -1,8 +1,7 @@
 // What `radiosity solve` was asked to do.
 #pragma once
 
-#include "tools/radiosity/solution/kept_rows.h"
-#include "tools/radiosity/solution/solve_state.h"
+#include "tools/radiosity/solution/kept.h"
 #include "tools/radiosity/solve/solve_options.h"
 
 #include <memory>
@@ -22,16 +21,15 @@ struct SolveJob {
     bool keepRows = false;
     bool progress = false; // in lines, where stderr is no terminal
     SolveOptions options;
+    std::unique_ptr<Kept> kept; // rows to start from: of `resume` or `relight`; null: there are none
 };
 
 // The file of a solution's rows.
 inline std::string rowsFile(const std::string &solution) { return solution + ".rows"; }
 
-// Reads a new command, or the one of the state that it resumes. Throws Refused.
-std::unique_ptr<SolveJob> beginJob(const std::vector<std::string> &words, SolveState &state);
-
-// Finds the rows that a job uses, and takes its options from theirs. Throws Refused, or std::runtime_error,
-// if they do not belong to its model or solution.
-std::unique_ptr<KeptRows> findRows(SolveJob &job);
+// Reads a new command, or the one of the state that it resumes, and the rows that it uses. A job that
+// relights takes its options from those of the rows. Throws Refused, or std::runtime_error, also if the rows
+// belong to another model or solution.
+std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words);
 
 } // namespace odraz::radiosity

@@ -5,7 +5,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
-#include "tools/radiosity/solution/kept_rows.h"
+#include "tools/radiosity/solution/kept.h"
 #include "tools/radiosity/solve/scaled.h"
 #include "tools/radiosity/solve/solve.h"
 
@@ -185,16 +185,16 @@ TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
 INSTANTIATE_TEST_SUITE_P(Ways, Relight, testing::Bool(),
                          [](const auto &info) { return info.param ? "Patches" : "Rays"; });
 
-TEST(KeptRows, AreReadAsTheyWereWritten) {
+TEST(Kept, RowsAreReadAsTheyWereWritten) {
     common::TemporaryFolder folder;
-    KeptRows a;
+    Kept a;
     a.words = {"m.obj", "-o", "", "a\nb"};
     a.model = 1, a.sky = 2, a.solution = 3, a.evenSky = true;
     a.names = {{"a.mtl"}, {"x", "y"}, {1, 0}, {"x", "(none)"}, {1, 1}};
     a.away = {1, 2, 3};
     a.rows = "rows", a.prepared = "the rest";
-    a.save(folder / "a.rows");
-    KeptRows b(folder / "a.rows");
+    a.save(folder / "a.rows", Kept::Kind::kRows);
+    Kept b(folder / "a.rows", Kept::Kind::kRows);
     EXPECT_EQ(b.words, a.words);
     EXPECT_EQ(b.model + 10 * b.sky + 100 * b.solution, 321u);
     EXPECT_TRUE(b.evenSky);
@@ -207,16 +207,17 @@ TEST(KeptRows, AreReadAsTheyWereWritten) {
     EXPECT_EQ(b.rows, a.rows);
     EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
     EXPECT_EQ(b.prepared, a.prepared);
+    EXPECT_THROW(Kept(folder / "a.rows", Kept::Kind::kState), common::Refused);
     // Any wrong byte and any missing end is found
     std::string all = common::readWhole(folder / "a.rows");
     for (size_t i = 0; i < all.size(); ++i) {
         std::string wrong = all;
         wrong[i] = (char)(wrong[i] ^ 4);
         common::writeWhole(folder / "b.rows", wrong);
-        EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused) << i;
+        EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused) << i;
         common::writeWhole(folder / "b.rows", all.substr(0, i));
-        EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused) << i;
+        EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused) << i;
     }
     common::writeWhole(folder / "b.rows", all + "x");
-    EXPECT_THROW(KeptRows(folder / "b.rows"), common::Refused);
+    EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused);
 }

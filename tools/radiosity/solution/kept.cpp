@@ -1,0 +1,122 @@
+#include "tools/radiosity/solution/kept.h"
+
+#include "tools/radiosity/solution/arrays.h"
+
+#include <map>
+
+namespace odraz::radiosity {
+
+namespace {
+
+// How the files of each kind begin, and what is said of another file and of a damaged one.
+constexpr struct {
+    const char *magic, *other, *again;
+} kKinds[] = {{"odraz radiosity state 2\n", "is not a state of 'radiosity solve' of this version",
+               "solve the model again"},
+              {"odraz radiosity rows 2\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
+               "solve with --keep-rows again"}};
+
+void put(std::string &to, const std::vector<std::string> &words) {
+    radiosity::put(to, std::vector<uint64_t>{words.size()});
+    for (const std::string &word : words) radiosity::put(to, std::span<const char>(word));
+}
+
+bool get(std::string_view from, size_t &at, std::string_view &bytes) {
+    std::span<const char> lie;
+    if (!getWhereItLies(from, at, lie)) return false;
+    bytes = {lie.data(), lie.size()};
+    return true;
+}
+
+bool get(std::string_view from, size_t &at, std::vector<std::string> &words) {
+    std::vector<uint64_t> count;
+    if (!radiosity::get(from, at, count) || count.size() != 1) return false;
+    for (uint64_t k = 0; k < count[0]; ++k) {
+        std::string_view word;
+        if (!get(from, at, word)) return false;
+        words.emplace_back(word);
+    }
+    return true;
+}
+
+} // namespace
+
+void Kept::save(const std::string &path, Kind kind) const {
+    std::string all = kKinds[(int)kind].magic;
+    const size_t sumAt = all.size(), body = sumAt + sizeof(uint64_t);
+    all.reserve(rows.size() + prepared.size() + 65536);
+    all.resize(body);
+    radiosity::put(all, std::vector<uint64_t>{model, sky, solution, evenSky});
+    radiosity::put(all, away);
+    put(all, words), put(all, names.libraries), put(all, names.asked), put(all, names.all);
+    radiosity::put(all, names.known), radiosity::put(all, names.used);
+    radiosity::put(all, std::span<const char>(prepared));
+    // Rows are used where they lie: place them as their items need it
+    radiosity::put(all, std::vector<char>(8 - all.size() % 8));
+    radiosity::put(all, std::span<const char>(rows));
+    uint64_t sum = checksum(all.data() + body, all.size() - body);
+    std::memcpy(&all[sumAt], &sum, sizeof sum);
+    common::writeWhole(path, all);
+}
+
+Kept::Kept(const std::string &path, Kind kind) : file(common::readWholeFile(path)) {
+    std::string_view all = file.view();
+    size_t at = bodyOf(all, kKinds[(int)kind].magic);
+    if (!at) throw common::Refused(path + ": " + kKinds[(int)kind].other);
+    std::vector<uint64_t> head;
+    std::vector<char> padding;
+    bool good = at != std::string::npos && radiosity::get(all, at, head) && head.size() == 4 &&
+                radiosity::get(all, at, away) && (kind == Kind::kState || away.size() == 3) &&
+                get(all, at, words) && get(all, at, names.libraries) && get(all, at, names.asked) &&
+                get(all, at, names.all) && radiosity::get(all, at, names.known) &&
+                radiosity::get(all, at, names.used) && names.known.size() == names.asked.size() &&
+                names.used.size() == names.all.size() && get(all, at, prepared) &&
+                radiosity::get(all, at, padding) && get(all, at, rows) && at == all.size();
+    if (!good)
+        throw common::Refused(path + ": is damaged, or from another version: " + kKinds[(int)kind].again);
+    model = head[0], sky = head[1], solution = head[2], evenSky = head[3] != 0;
+}
+
+uint64_t sumOfFile(const std::string &path) {
+    std::string all = common::readWhole(path);
+    return checksum(all.data(), all.size());
+}
+
+uint64_t sumOf(const SkyPicture &sky) {
+    return checksum((const char *)sky.pixels.data(), sky.pixels.size() * sizeof(Rgb));
+}
+
+// The checksum of a picture's file; 0 if it cannot be read.
+static uint64_t sumOfPicture(const std::string &path) {
+    try {
+        return sumOfFile(path);
+    } catch (const common::Refused &) {
+        return 0;
+    }
+}
+
+uint64_t sumOf(const Mesh &mesh, const SkyPicture &sky) {
+    std::string all;
+    std::map<std::string, uint64_t> pictures;
+    put(all, mesh.points);
+    for (const Triangle &t : mesh.triangles) {
+        const int words[4] = {t.corners[0], t.corners[1], t.corners[2], t.material};
+        all.append((const char *)words, sizeof words);
+    }
+    for (const MeshMaterial &m : mesh.materials) {
+        all.append((const char *)m.reflects.data(), sizeof m.reflects);
+        all.append((const char *)m.emits.data(), sizeof m.emits);
+        const MeshPicture &p = m.picture;
+        if (p.path.empty()) continue;
+        auto [known, fresh] = pictures.try_emplace(p.path, 0);
+        if (fresh) known->second = sumOfPicture(p.path);
+        put(all, std::vector<float>{p.tint[0], p.tint[1], p.tint[2], p.scale[0], p.scale[1], p.offset[0],
+                                    p.offset[1], (float)p.clamp});
+        put(all, std::vector<uint64_t>{known->second});
+    }
+    put(all, mesh.coordinates);
+    put(all, sky.pixels);
+    return checksum(all.data(), all.size());
+}
+
+} // namespace odraz::radiosity
