@@ -10,8 +10,11 @@ namespace {
 struct Hash {
     uint64_t value = common::kFnvStart;
     template <class T> void add(const T *data, int count = 1) {
-        for (size_t i = 0; i < sizeof(T) * (size_t)count; ++i)
-            value = common::fnv1a(value, ((const uint8_t *)data)[i]);
+        for (int i = 0; i < count; ++i) {
+            T copy = data[i];
+            __builtin_clear_padding(&copy); // which is what the stack had there
+            for (size_t k = 0; k < sizeof copy; ++k) value = common::fnv1a(value, ((uint8_t *)&copy)[k]);
+        }
     }
 };
 

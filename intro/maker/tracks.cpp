@@ -13,10 +13,8 @@ namespace odraz::maker {
 
 namespace {
 
-constexpr const char *kChannels[] = {"eye.x",    "eye.y",    "eye.z", "target.x",
-                                     "target.y", "target.z", "roll",  "lens"};
-constexpr size_t kChannelCount = std::size(kChannels),
-                 kView = 6; // eye and target: the first numbers of a camera
+constexpr const char *kChannelNames[kChannels] = {"eye.x",    "eye.y",    "eye.z", "target.x",
+                                                  "target.y", "target.z", "roll",  "lens"};
 
 // "./intro/show/scenes/hall.keys" as "scenes/hall.keys"
 std::string fileOf(const KeyTable &table) {
@@ -33,8 +31,6 @@ std::string plainName(std::string name) {
     return name;
 }
 
-double filmRow(double shift, float row) { return std::round((double)row + shift); }
-
 Interpolation fromRocket(rocket::Interpolation i) {
     constexpr Interpolation kOurs[] = {kStep, Interpolation::Linear, Interpolation::Smooth, kRamp};
     return kOurs[(int)i];
@@ -44,16 +40,12 @@ rocket::Interpolation toRocket(Interpolation i) {
     return i == kStep ? Step : i == kRamp ? Ramp : i == Interpolation::Smooth ? Smooth : Linear;
 }
 
-CameraKey posed(const std::vector<CameraKey> &path, float row) {
-    return pose({path.data(), (int)path.size()}, row);
-}
-
 // In an editor, each number of a camera may have keys on rows of its own. The film's table has all numbers on
 // every row: a number without a key there gets the value of its own curve.
 std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
     std::set<float> rows;
-    std::vector<CameraKey> paths[kChannelCount]; // of each only one number is used
-    for (size_t c = 0; c < kChannelCount; ++c)
+    std::vector<CameraKey> paths[kChannels]; // of each only one number is used
+    for (size_t c = 0; c < kChannels; ++c)
         for (const Key &k : channels[c]) {
             rows.insert(k.row);
             CameraKey &key = paths[c].emplace_back(CameraKey{k.row, {}, {}, 0, 0});
@@ -62,8 +54,8 @@ std::vector<KeyNumbers> merged(const std::vector<std::vector<Key>> &channels) {
     std::vector<KeyNumbers> result;
     for (float row : rows) {
         KeyNumbers &key = result.emplace_back(KeyNumbers{row});
-        for (size_t c = 0; c < kChannelCount; ++c) {
-            CameraKey at = posed(paths[c], row);
+        for (size_t c = 0; c < kChannels; ++c) {
+            CameraKey at = pose({paths[c].data(), (int)paths[c].size()}, row);
             key.push_back((&at.eye.x)[c]);
         }
     }
@@ -104,8 +96,8 @@ void Tracks::find(const Live &from) {
         Table &t = tables[i];
         t.firstTrack = allNames.size();
         if (!t.live->camera) allNames.push_back(t.name);
-        for (size_t c = 0; t.live->camera && c < kChannelCount; ++c)
-            allNames.push_back(t.name + ":" + kChannels[c]);
+        for (size_t c = 0; t.live->camera && c < kChannels; ++c)
+            allNames.push_back(t.name + ":" + kChannelNames[c]);
         tableOf.resize(allNames.size(), i);
     }
     show();
@@ -128,14 +120,14 @@ std::vector<Key> Tracks::edited(const Table &t, size_t channel) const {
     if (edit == edits.end()) return result;
     const auto &[editor, byHand] = edit->second;
     std::erase_if(result, [&](const Key &k) {
-        double row = filmRow(t.shift, k.row);
+        double row = t.filmRow(k.row);
         return row >= 0 && !byHand.count((uint32_t)row);
     });
     for (auto &[row, key] : editor) {
         if (byHand.count(row)) continue;
         // The exact row of the film's own key, if there is one
         auto there = std::find_if(mine.begin(), mine.end(),
-                                  [&](const Key &k) { return filmRow(t.shift, k.row) == (double)row; });
+                                  [&](const Key &k) { return t.filmRow(k.row) == (double)row; });
         float at = there == mine.end() ? (float)((double)row - t.shift) : there->row;
         result.push_back({at, key.value, fromRocket(key.interpolation)});
     }
@@ -147,7 +139,7 @@ rocket::Track Tracks::track(size_t i) const {
     rocket::Track result;
     const Table &t = tables[tableOf[i]];
     for (const Key &k : edited(t, i - t.firstTrack))
-        if (double row = filmRow(t.shift, k.row); row >= 0)
+        if (double row = t.filmRow(k.row); row >= 0)
             result[(uint32_t)row] = {k.value, toRocket(k.interpolation)};
     return result;
 }
@@ -162,7 +154,7 @@ int Tracks::offRows() const {
             off += row < 0 || row != std::round(row) || row == last;
             last = row;
         }
-        count += off * (t.live->camera ? (int)kChannelCount : 1);
+        count += off * (t.live->camera ? (int)kChannels : 1);
     }
     return count;
 }
@@ -179,69 +171,8 @@ void Tracks::takeFromEditor(size_t i, const rocket::Track &now) {
     if (now.empty()) edits.erase(allNames[i]);
 }
 
-int Tracks::tableAt(double row) const {
-    const CameraKey *path = Content{0, shots, {}}.shotAt(row / kRowsPerSecond).path->keys;
-    for (size_t i = 0; i < tables.size(); ++i)
-        if (tables[i].live->poses == path) return (int)i;
-    return -1;
-}
-
-uint32_t Tracks::rowOfView(double row) const {
-    double nearest = std::fmax(std::round(row), 0);
-    return (uint32_t)(tableAt(nearest) == tableAt(row) ? nearest : std::fmax(std::floor(row), 0));
-}
-
-std::string Tracks::setView(uint32_t row, const CameraKey *camera) {
-    int at = tableAt(row);
-    if (at < 0) return files.problems().empty() ? "its path is in no file of keys" : files.problems();
-    const Table &t = tables[(size_t)at];
-    std::vector<KeyNumbers> now = own(t);
-    auto here =
-        std::find_if(now.begin(), now.end(), [&](auto &k) { return filmRow(t.shift, k[0]) == (double)row; });
-    if (!camera) {
-        if (here == now.end()) return "there is no key";
-        if (now.size() == 1) return "it is the path's only key";
-        now.erase(here);
-    } else {
-        if (here == now.end()) {
-            std::vector<CameraKey> path;
-            for (const KeyNumbers &k : now) path.push_back(cameraKeyOf(k));
-            here = now.insert(here, numbersOf(posed(path, (float)((double)row - t.shift))));
-        }
-        KeyNumbers view = numbersOf(*camera);
-        std::copy_n(view.begin() + 1, kView, here->begin() + 1);
-        // To the millimetre, and to a thousandth of a degree: more cannot be seen, and fewer digits read well
-        for (size_t n = 1; n < here->size(); ++n) (*here)[n] = std::round((*here)[n] * 1000) / 1000;
-    }
-    for (size_t c = 0; c < kChannelCount; ++c) {
-        auto edit = edits.find(allNames[t.firstTrack + c]);
-        if (edit != edits.end()) edit->second.byHand.insert(row);
-    }
-    files.change(t.file, std::move(now));
-    show();
-    return "";
-}
-
-std::string Tracks::rowInWords(uint32_t row) const {
-    constexpr double kNear = 4; // rows, a beat
-    int at = tableAt(row);
-    if (at < 0) return "row " + std::to_string(row);
-    const Table &t = tables[(size_t)at];
-    double own = (double)row - t.shift, nearest = kNear;
-    for (const KeyNumbers &k : contents(t))
-        if (double away = std::fabs((double)k[0] - own); away > 0.5) nearest = std::min(nearest, away);
-    char words[160];
-    int length = std::snprintf(words, sizeof words, "row %g of %s", own, live->sceneName(t.scene));
-    if (t.shift != 0)
-        length += std::snprintf(words + length, sizeof words - (size_t)length, ", %u of the film", row);
-    if (nearest < kNear)
-        std::snprintf(words + length, sizeof words - (size_t)length,
-                      ". another key is %g rows away: the camera may swing", nearest);
-    return words;
-}
-
 std::vector<KeyNumbers> Tracks::contents(const Table &t) const {
-    size_t count = t.live->camera ? kChannelCount : 1;
+    size_t count = t.live->camera ? kChannels : 1;
     bool untouched = true; // by an editor
     for (size_t c = 0; c < count; ++c) untouched &= !edits.count(allNames[t.firstTrack + c]);
     if (untouched) return own(t);

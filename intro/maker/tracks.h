@@ -13,12 +13,15 @@
 #include "maker/live.h"
 #include "maker/rocket/track.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace odraz::maker {
+
+inline constexpr size_t kChannels = 8; // the numbers of a camera: eye, target, roll, field of view
 
 class Tracks {
 public:
@@ -66,6 +69,8 @@ private:
         int file;          // its index in `files`
         std::string name;  // of its track, or of all of them up to the colon
         size_t firstTrack; // of 1, or of kChannels
+
+        double filmRow(float row) const { return std::round((double)row + shift); } // the nearest one
     };
     struct Edit {
         rocket::Track editor;

@@ -15,8 +15,6 @@ static constexpr struct {
                               {"development", {110, 160, 220}},
                               {"enlarging", {120, 190, 140}}};
 
-const char *nameOf(Cost part) { return kParts[(int)part].name; }
-
 Rect drawCosts(Canvas &canvas, int x, int y, const Costs &costs) {
     float size = textSize(canvas.height());
     int step = (int)(size * 1.75f), wide = (int)(size * 20),

@@ -8,8 +8,6 @@
 
 namespace odraz::maker {
 
-const char *nameOf(Cost part);
-
 struct Costs {
     double milliseconds[(int)Cost::Count] = {};
     double whole = 0; // from the call to its return: more than the sum of the parts
