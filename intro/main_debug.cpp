@@ -279,7 +279,7 @@ int main(int argc, char **argv) {
     DebugOptions own;
     Message wrong;
     Stage stage(build + "/live/live.so");
-    if (!stage.problem().empty()) return fail((stage.problem() + ": build it anew").c_str());
+    if (!stage.problem().empty()) return fail((stage.problem() + ": build it again").c_str());
     if (std::string line = takeOptions(argc, argv, own); !line.empty()) return fail(line.c_str()), 2;
     if (!parseOptions(argc, argv, duration(), o, wrong)) return fail(wrong.data), 2;
     if (o.help) return help(), 0;

@@ -24,7 +24,7 @@ bool Follower::follow(Screen &screen, int block) {
     bool fresh = stage.poll(block) || (built && stage.state().empty());
     if (fresh) {
         char line[80];
-        std::snprintf(line, sizeof line, "new since %.1f s after it was saved",
+        std::snprintf(line, sizeof line, "shown %.1f s after it was saved",
                       glfwGetTime() - rebuilder.saved());
         report(line, line);
     }

@@ -109,7 +109,7 @@ std::string Stage::state() const {
     if (!wrong.empty() || !loads()) return wrong;
     char line[80];
     bool same = next.hall == now.hall && next.solvers == now.solvers;
-    std::snprintf(line, sizeof line, "the %s anew: %.0f of 100", same ? "film is loaded" : "hall is solved",
+    std::snprintf(line, sizeof line, "%s again: %.0f of 100", same ? "loading the film" : "solving the hall",
                   (double)progress * 100);
     return line;
 }

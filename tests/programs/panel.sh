@@ -11,14 +11,14 @@ WIDTH=640 HEIGHT=360
 
 debug_seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 title() { xdotool getwindowname "$window"; }
-# told: seconds of the film, of the title "odraz-debug  table  0:25.00  row ..."
-told() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
-tells() { title | grep -q -- "$1"; }
-at() { [ "$(told)" = "$1" ]; } # at SECONDS, as the title writes them
-near() { awk "BEGIN { off = $1 - $(told); exit !(off < $2 && off > -$2) }"; } # near SECONDS HOW
+# shown_at: seconds of the film, of the title "odraz-debug  table  0:25.00  row ..."
+shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
+titled() { title | grep -q -- "$1"; }
+at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, as the title writes them
+near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS HOW
 key() { xdotool key --window "$window" "$@"; }
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
-# Two pictures later everything that was asked for is shown: the title tells the time that the last one took
+# Two pictures later everything that was asked for is shown: the title has the time that the last one took
 drawn() {
     local before now i
     for i in 1 2; do
@@ -47,9 +47,9 @@ PIDS+=($pid)
 await eval "debug_seen || gone $pid"
 check "it opens a window" debug_seen
 xdotool windowfocus "$window"
-await tells 'row'
+await titled 'row'
 key space
-check "space pauses" await tells paused
+check "space pauses" await titled paused
 look hidden
 
 # --- The time line ---
@@ -66,7 +66,7 @@ xdotool mousemove_relative -- 0 -200
 drawn
 check "... even beside it, without turning the camera" near "$(seconds_at 360)" 0.3
 xdotool mouseup 1
-check "... still paused" tells paused
+check "... still paused" titled paused
 look scrubbed
 
 key space # play
@@ -74,12 +74,12 @@ pointer 120 340
 xdotool mousedown 3
 xdotool mousemove_relative 3 0
 xdotool mouseup 3
-inside() { less 29.9 "$(told)" && less "$(told)" 31.6; }
+inside() { less 29.9 "$(shown_at)" && less "$(shown_at)" 31.6; }
 check "the right button marks a loop, which is played" await inside
 stays() { # it is seen to go back, and never to leave
     local now before=0 back=0 end=$((SECONDS + 40))
     while [ $SECONDS -lt $end ] && [ $back -lt 2 ]; do
-        now=$(told)
+        now=$(shown_at)
         less 29.9 "$now" && less "$now" 33 || { echo "at $now" >&2; return 1; }
         less "$now" "$before" && back=$((back + 1))
         before=$now
@@ -89,7 +89,7 @@ stays() { # it is seen to go back, and never to leave
 }
 check "... again and again" stays
 key space
-await tells paused
+await titled paused
 look looped
 key l
 check "L ends the loop" eval 'look unlooped; less 0.02 "$(differ looped unlooped 5x45+119+315)"'
@@ -138,7 +138,7 @@ if [ -n "$all" ]; then
     check "F shows the difference: dark where there is none" less "$(mean_of flip $REST)" 0.3
     key f v h
     look help
-    check "H tells the keys" less 0.3 "$(differ costs help 300x200+170+60)"
+    check "H lists the keys" less 0.3 "$(differ costs help 300x200+170+60)"
     key h Tab
     look hidden_again
     check "TAB hides it all" less "$(differ hidden_again costs $REST)" 0.001
@@ -146,5 +146,5 @@ fi
 
 key Escape
 check "ESC leaves" eval 'ended $pid'
-check "... and says nothing" test ! -s "$WORK/err"
+check "... and prints nothing" test ! -s "$WORK/err"
 finish

@@ -1,4 +1,4 @@
-# odraz-debug and an editor of GNU Rocket that does as it is told (rocket/editor.cpp).
+# odraz-debug and an editor of GNU Rocket that takes orders (rocket/editor.cpp).
 . "$(dirname "$0")/display.sh"
 needs_built "$FILM-debug"
 editor=$BUILD/tests/rocket_editor
@@ -27,22 +27,22 @@ check "--rocket and --shown" refuses 2 "one at a time" "$debug" --rocket --shown
 
 # --- An editor ---
 mkfifo "$WORK/orders"
-"$editor" <"$WORK/orders" >"$WORK/heard" &
+"$editor" <"$WORK/orders" >"$WORK/received" &
 PIDS+=($!)
 exec 7>"$WORK/orders"
 order() { echo "$*" >&7; }
-await grep -q port "$WORK/heard"
-port=$(sed -n 's/port //p' "$WORK/heard")
+await grep -q port "$WORK/received"
+port=$(sed -n 's/port //p' "$WORK/received")
 seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug " 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 begin "$debug" --mute --size 160x90 --from 20 --quality draft --rocket "127.0.0.1:$port"
 [ -n "$window" ] && xdotool windowfocus --sync "$window"
 comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
-heard() { grep -qxF "$1" "$WORK/heard"; }
+received() { grep -qxF "$1" "$WORK/received"; }
 titled() { xdotool getwindowname "$window" | grep -qF "$1"; }
-check "the film comes, and greets" comes 'heard film'
-check "... offers its tracks" comes "heard 'track credits:page'"
-check "... as many as are in the document" test "$(grep -c '^track ' "$WORK/heard")" = "$(grep -c '<track ' "$document")"
-check "... and tells its row while it plays" comes '[ "$(grep -c "^row " "$WORK/heard")" -ge 3 ]'
+check "the film comes, and greets" comes 'received film'
+check "... offers its tracks" comes "received 'track credits:page'"
+check "... as many as are in the document" test "$(grep -c '^track ' "$WORK/received")" = "$(grep -c '<track ' "$document")"
+check "... and sends its row while it plays" comes '[ "$(grep -c "^row " "$WORK/received")" -ge 3 ]'
 order pause 1
 check "the editor pauses" comes 'titled paused'
 order row 160
@@ -81,7 +81,7 @@ check "it seeks again" comes 'titled "row 168.0 "'
 press() { xdotool key --window "$window" "$@"; }
 press Right
 check "the film seeks, too" comes 'titled "row 172.0 "'
-check "... and tells the editor" comes "heard 'row 172'"
+check "... and sends it to the editor" comes "received 'row 172'"
 sleep 0.5
 kept film
 xdotool keydown --window "$window" w
@@ -107,7 +107,7 @@ press r
 check "... of the script" comes '! is film && less "$(error)" 0.1'
 echo "somebody's work" >"$FILM.rocket"
 press x
-check "what others wrote is not written over" comes 'titled "$FILM.rocket is there already"'
+check "a file of others is not written over" comes 'titled "$FILM.rocket is there already"'
 check "... and is as it was" grep -qx "somebody's work" "$FILM.rocket"
 rm "$FILM.rocket"
 press x
@@ -118,17 +118,17 @@ check "the key is removed" comes 'is film'
 
 rm "$FILM.rocket"
 order save
-check "writes it when the editor says so, too" comes '[ -s "$FILM.rocket" ]'
+check "writes it on the order of the editor, too" comes '[ -s "$FILM.rocket" ]'
 
 # --- Editors come and go ---
 order hang-up
-check "an editor that goes is told" comes 'grep -q "closed the connection" "$WORK/err"'
-check "the film comes again" comes '[ "$(grep -cx film "$WORK/heard")" = 2 ]'
+check "an editor that goes is reported" comes 'grep -q "closed the connection" "$WORK/err"'
+check "the film comes again" comes '[ "$(grep -cx film "$WORK/received")" = 2 ]'
 order garbage
-check "an editor that talks nonsense is left" comes 'grep -q "not in the protocol" "$WORK/err"'
-check "... and tried again" comes '[ "$(grep -cx film "$WORK/heard")" = 3 ]'
+check "an editor that sends nonsense is left" comes 'grep -q "not in the protocol" "$WORK/err"'
+check "... and tried again" comes '[ "$(grep -cx film "$WORK/received")" = 3 ]'
 check "the picture is the film's own" comes 'is film'
-check "nothing it heard was nonsense" eval '! grep -q "nonsense\|stranger" "$WORK/heard"'
+check "nothing that the editor received was nonsense" eval '! grep -q "nonsense\|stranger" "$WORK/received"'
 xdotool key --window "$window" Escape 2>/dev/null
 check "it leaves" ended "$pid"
 finish

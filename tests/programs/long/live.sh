@@ -17,7 +17,7 @@ pcm.!default { type file slave.pcm "nothing" file "$WORK/played" format "raw" }
 pcm.nothing { type null }
 END
 
-# --- The program, and what it tells ---
+# --- The program, and what it reports ---
 seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug " 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 starts() { # starts SECONDS OPTION...
     begin "$house/build/$FILM-debug" --size 320x180 --from "$@"
@@ -29,13 +29,12 @@ leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone b
 leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
 # comes WHAT...: waits for it, unless the program is gone
 comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
-news() { grep -c 'new since' "$WORK/err"; }
-told() { grep -q "$1" <(tail -n +$((heard + 1)) "$WORK/err"); }
-listen() { heard=$(wc -l <"$WORK/err"); }
+reported() { grep -q "$1" <(tail -n +$((marked + 1)) "$WORK/err"); }
+mark() { marked=$(wc -l <"$WORK/err"); }
 edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
 restore() { cp "$WORK/kept/$1" "$house/intro/$1"; }
 # shows COMMAND...: does it, and waits until the picture is that of the new sources
-shows() { listen && "$@" && comes 'told "new since"' && sleep 1; }
+shows() { mark && "$@" && comes 'reported "shown"' && sleep 1; }
 changes() { # changes NAME FILE SED: another picture comes
     shows edit "$2" "$3" && comes '! same before' && sleep 1 && kept "$1"
 }
@@ -60,9 +59,9 @@ check "it leaves" leaves
 check "it plays again" starts 17 # the shot that is changed ends at 24 s
 check "it pauses" pauses
 check "a scene that is changed is shown" changes red "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
-listen
+mark
 echo "this is no C++" >>"$house/intro/$table"
-check "what does not compile is told" comes 'told "intro/$table:[0-9:]* error: "'
+check "what does not compile is reported" comes 'reported "intro/$table:[0-9:]* error: "'
 sleep 1
 kept wrong
 upper() { convert "$WORK/$1.png" -crop 320x60+0+0 +repage "rgb:$WORK/$1.rgb"; }
@@ -73,9 +72,9 @@ twice() { edit "$table" 's/0.8f, kSilver)/0.8f, kClear)/' && sleep 0.3 && restor
 check "a file saved twice" shows twice
 check "... is shown as saved last" comes 'same red'
 check "... and back" goes_back "$table"
-listen
+mark
 rm "$house/intro/$table"
-check "a file that is deleted is told" comes "told '$(basename "$table"): No such file'"
+check "a file that is deleted is reported" comes "reported '$(basename "$table"): No such file'"
 check "... and restored" goes_back "$table"
 check "a material" changes material show/materials.cpp 's/kCloud, .diffuse = 0.35f/kCloud, .diffuse = 0.9f/'
 check "... and back" goes_back show/materials.cpp
@@ -105,23 +104,23 @@ sleep 1
 xdotool keyup --window "$window" d
 press k
 check "a key is set" comes 'titled "key set on row"'
-sleep 5 # until it is no longer told over the picture
+sleep 5 # until it is no longer reported over the picture
 check "... which is another view" eval '! same before'
 kept before
 check "a changed scene is shown from there" changes viewed "$table" 's/0.8f, kSilver)/0.8f, kRed)/'
 check "... and back" goes_back "$table"
 check "it leaves" leaves_unsaved
-check "... and says nothing else" eval '! grep -v " new since \| error: " "$WORK/err"'
+check "... and reports nothing else" eval '! grep -v " shown \| error: " "$WORK/err"'
 
 # --- What was edited becomes source ---
 film=$house/intro/show/film.keys
-says() { comes "told '$1'"; }
+reports() { comes "reported '$1'"; }
 flies() { # and sets a key there
     xdotool keydown --window "$window" d
     sleep "$1"
     xdotool keyup --window "$window" d
     press k
-    comes 'titled "key set on row"' && sleep 5 && kept edited # it is told over the picture
+    comes 'titled "key set on row"' && sleep 5 && kept edited # it is reported over the picture
 }
 check "it plays again" starts 20 --mute
 check "it pauses" pauses
@@ -133,14 +132,14 @@ check "a key is set by hand" flies 1
 row=$(xdotool getwindowname "$window" | sed -n 's/.* row \([0-9]*\)\.0 .*/\1/p')
 # S without Ctrl flies backwards, and Ctrl may be up first
 saves() {
-    listen
+    mark
     xdotool keydown --window "$window" ctrl keydown --window "$window" s keyup --window "$window" ctrl
     sleep 0.5
     xdotool keyup --window "$window" s
-    says "saved film.keys"
+    reports "saved film.keys"
 }
 check "it is saved" saves
-check "... built and shown" comes 'told "new since"'
+check "... built and shown" comes 'reported "shown"'
 sleep 1
 check "... the same picture" comes 'same edited'
 changed_lines() { diff "$WORK/kept/show/film.keys" "$film" | grep -c '^[<>]'; }
@@ -154,23 +153,23 @@ check "the step is undone, and saved" undoes
 check "... the source is as it was" cmp "$WORK/kept/show/film.keys" "$film"
 check "... and the picture" comes 'same before'
 check "another key" flies 1
-listen
+mark
 echo "// mine" >>"$film"
-check "somebody writes the file meanwhile" says "new since"
+check "somebody writes the file meanwhile" reports "shown"
 sleep 1
 check "... the edit is still seen" comes 'same edited'
 check "... and is saved beside it" saves
 check "... both stand there" test "$(changed_lines)" = 2
 check "the next" flies 1
 echo "this is no C++" >>"$film"
-check "what does not compile" says "intro/show/film.keys:[0-9:]* error: "
-listen
+check "what does not compile" reports "intro/show/film.keys:[0-9:]* error: "
+mark
 press ctrl+s
-check "... is not saved over" says "film.keys was changed meanwhile"
+check "... is not saved over" reports "film.keys was changed meanwhile"
 check "... and stays theirs" test "$(changed_lines)" = 3
-listen
+mark
 restore show/film.keys
-check "... until it is mended" says "new since"
+check "... until it is mended" reports "shown"
 wmctrl -i -c "$window"
 check "edits are not lost by closing the window" comes 'titled "not saved"'
 check "... but by ESC after it" leaves
@@ -178,28 +177,28 @@ check "... but by ESC after it" leaves
 # --- The hall ---
 check "it plays in the hall" starts 95 --mute
 check "it pauses" pauses
-listen
+mark
 edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
-check "another hall is solved" comes 'told "the hall is solved anew"'
+check "another hall is solved" comes 'reported "solving the hall again"'
 sleep 0.5
 kept solving
 check "... over the picture, with a bar" eval '! cmp -s "$WORK/before.png" "$WORK/solving.png"'
-check "... shown when it is done" comes 'told "new since"'
+check "... shown when it is done" comes 'reported "shown"'
 check "a material of the hall" changes plaster show/materials.cpp 's/kPlaster = {.texture = plain({[^}]*}/kPlaster = {.texture = plain({0.7f, 0.1f, 0.1f}/'
-check "... is solved, too" told "the hall is solved anew"
+check "... is solved, too" reported "solving the hall again"
 again() {
-    restore show/materials.cpp && comes 'told "the hall is solved anew"' && listen &&
-        restore show/hall_model.cpp && comes 'told "the hall is solved anew"'
+    restore show/materials.cpp && comes 'reported "solving the hall again"' && mark &&
+        restore show/hall_model.cpp && comes 'reported "solving the hall again"'
 }
 check "a hall that is changed again while it is solved" shows again
 check "... is the same picture as at first" comes 'same before'
 check "what changes only its picture" changes dust show/hall.cpp 's/kDust = 0.017f/kDust = 0.17f/'
-check "... needs no solving" eval '! told "solved anew"'
-sed -n 's/.*: new since/    shown:/p' "$WORK/err"
+check "... needs no solving" eval '! reported "solving the hall"'
+sed -n 's/.*: shown/    shown:/p' "$WORK/err"
 check "... and back" goes_back show/hall.cpp
-listen
+mark
 edit show/hall_model.cpp 's/kShaft, 0\.46f/kShaft, 0.4f/'
-check "it is solved" comes 'told "the hall is solved anew"'
+check "it is solved" comes 'reported "solving the hall again"'
 check "it leaves while it solves" leaves
 check "it plays again" starts 95 --mute
 restore show/hall_model.cpp

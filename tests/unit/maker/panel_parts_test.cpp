@@ -89,7 +89,7 @@ TEST(Strip, LiesAlongTheLowerEdge) {
     EXPECT_FALSE(stripOf(64, 36, 162).area.holds(10, 36));
 }
 
-TEST(Strip, TellsTheTimeOfEveryPixel) {
+TEST(Strip, HasATimeForEveryPixel) {
     Strip s = stripOf(1280, 720, 162);
     EXPECT_EQ(s.timeAt(0), 0);
     EXPECT_NEAR(s.timeAt(640), 81, 1e-9);
@@ -244,7 +244,7 @@ TEST(Keys, HaveOneMeaningEachAndEveryActionHasOne) {
 }
 
 // The font has few signs, and would leave the others out
-TEST(Keys, AreToldInLettersThatTheFontHas) {
+TEST(Keys, AreListedInLettersThatTheFontHas) {
     for (const KeyRow &row : kKeys)
         for (const char *text : {row.shown, row.what})
             for (const char *c = text; *c; ++c)

@@ -14,7 +14,7 @@ using Event = Rebuilder::Event;
 
 namespace {
 
-// A project whose target "live" copies a source to the shared object, unless it says what is wrong.
+// A project whose target "live" copies a source to the shared object, unless the source is wrong.
 class Project {
 public:
     Project() {
@@ -80,7 +80,7 @@ TEST(Rebuilder, BuildsWhatIsSaved) {
     EXPECT_EQ(p.read("build/live/live.so"), "three");
 }
 
-TEST(Rebuilder, TellsTheFirstError) {
+TEST(Rebuilder, ReportsTheFirstError) {
     Project p;
     Rebuilder r(p.build());
     double now = 0;
@@ -118,7 +118,7 @@ TEST(Rebuilder, WatchesNewFolders) {
     EXPECT_EQ(next(r, now), Event::Built);
 }
 
-TEST(Rebuilder, SaysWhatItCannotWatch) {
+TEST(Rebuilder, ReportsWhatItCannotWatch) {
     common::TemporaryFolder empty;
     Rebuilder r(empty / "");
     double now = 0;

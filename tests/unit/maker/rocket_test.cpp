@@ -19,7 +19,7 @@ std::string setKey(uint32_t track, uint32_t row, float value, uint8_t interpolat
 std::string deleteKey(uint32_t track, uint32_t row) { return "\x01" + number(track) + number(row); }
 std::string setRow(uint32_t row) { return "\x03" + number(row); }
 
-// An editor that says what a test tells it to.
+// An editor that sends what a test gives it.
 class Editor {
 public:
     Editor() {
@@ -41,11 +41,11 @@ public:
         return poll(&p, 1, 0) > 0;
     }
     void answer() { talking = accept(listening, nullptr, nullptr); }
-    void say(const std::string &bytes) {
-        EXPECT_EQ(send(talking, bytes.data(), bytes.size(), MSG_NOSIGNAL), (ssize_t)bytes.size());
+    void send(const std::string &bytes) {
+        EXPECT_EQ(::send(talking, bytes.data(), bytes.size(), MSG_NOSIGNAL), (ssize_t)bytes.size());
     }
-    // Exactly so many bytes, waiting for them
-    std::string hear(size_t size) {
+    // Waits for exactly `size` bytes
+    std::string receive(size_t size) {
         std::string all(size, 0);
         EXPECT_EQ(recv(talking, all.data(), size, MSG_WAITALL), (ssize_t)size);
         return all;
@@ -76,16 +76,16 @@ template <class Done> bool until(Client &client, double now, Done done) {
 
 const std::vector<std::string> kNames = {"hall.camera:eye.x", "light"};
 
-// Greets, and hears that both tracks are asked for.
+// Greets, and receives the requests for both tracks.
 void meet(Editor &editor, Client &client, double now = 0) {
     ASSERT_TRUE(until(client, now, [&] { return editor.called(); }));
     editor.answer();
     client.update(now);
     ASSERT_TRUE(until(client, now, [&] { return !editor.silent(); }));
-    ASSERT_EQ(editor.hear(19), "hello, synctracker!");
-    editor.say("hello, demo!");
+    ASSERT_EQ(editor.receive(19), "hello, synctracker!");
+    editor.send("hello, demo!");
     ASSERT_TRUE(until(client, now, [&] { return client.connected(); }));
-    ASSERT_EQ(editor.hear(1 + 4 + 17 + 1 + 4 + 5),
+    ASSERT_EQ(editor.receive(1 + 4 + 17 + 1 + 4 + 5),
               "\x02" + number(17) + "hall.camera:eye.x" + "\x02" + number(5) + "light");
 }
 
@@ -103,7 +103,7 @@ TEST(RocketClient, UnderstandsEveryMessage) {
                       "\x05";
     // Cut at every byte
     for (char c : all) {
-        editor.say(std::string(1, c));
+        editor.send(std::string(1, c));
         client.update(0);
     }
     ASSERT_TRUE(until(client, 0, [&] { return client.takeSave(); }));
@@ -114,30 +114,30 @@ TEST(RocketClient, UnderstandsEveryMessage) {
     EXPECT_FALSE(client.takeRow() || client.takePause() || client.takeSave());
     EXPECT_EQ(client.version(), before + 6);
     // All at once; the last row counts
-    editor.say(setRow(1) + std::string("\x04\0", 2) + setRow(2));
+    editor.send(setRow(1) + std::string("\x04\0", 2) + setRow(2));
     ASSERT_TRUE(until(client, 0, [&, row = 0u]() mutable {
-        if (auto told = client.takeRow()) row = *told;
+        if (auto sent = client.takeRow()) row = *sent;
         return row == 2;
     }));
     EXPECT_EQ(client.takePause(), false);
 }
 
-TEST(RocketClient, TellsItsRowOnce) {
+TEST(RocketClient, SendsItsRowOnce) {
     Editor editor;
     Client client("127.0.0.1", editor.port(), kNames);
     client.sendRow(5); // to nobody
     meet(editor, client);
     client.sendRow(7);
-    EXPECT_EQ(editor.hear(5), setRow(7));
+    EXPECT_EQ(editor.receive(5), setRow(7));
     client.sendRow(7);
     EXPECT_TRUE(editor.silent());
     // What the editor said is not said back
-    editor.say(setRow(9));
+    editor.send(setRow(9));
     ASSERT_TRUE(until(client, 0, [&] { return client.takeRow() == 9u; }));
     client.sendRow(9);
     EXPECT_TRUE(editor.silent());
     client.sendRow(10);
-    EXPECT_EQ(editor.hear(5), setRow(10));
+    EXPECT_EQ(editor.receive(5), setRow(10));
 }
 
 TEST(RocketClient, LeavesWhenItHearsGarbage) {
@@ -159,7 +159,7 @@ TEST(RocketClient, LeavesWhenItHearsGarbage) {
         Editor editor;
         Client client("127.0.0.1", editor.port(), kNames);
         meet(editor, client);
-        editor.say(setKey(1, 4, 1, 1) + bytes);
+        editor.send(setKey(1, 4, 1, 1) + bytes);
         ASSERT_TRUE(until(client, 0, [&] { return !client.connected(); }));
         EXPECT_NE(client.problem().find("not in the protocol"), std::string::npos);
         EXPECT_EQ(client.track(1).size(), 1u); // what came before is kept
@@ -170,7 +170,7 @@ TEST(RocketClient, ComesBack) {
     Editor editor;
     Client client("127.0.0.1", editor.port(), kNames);
     meet(editor, client, 0);
-    editor.say(setKey(1, 4, 1, 1));
+    editor.send(setKey(1, 4, 1, 1));
     ASSERT_TRUE(until(client, 0, [&] { return !client.track(1).empty(); }));
     editor.hangUp();
     ASSERT_TRUE(until(client, 0.1, [&] { return !client.connected(); }));
@@ -183,7 +183,7 @@ TEST(RocketClient, ComesBack) {
     EXPECT_EQ(client.problem(), "");
 }
 
-TEST(RocketClient, SaysWhoIsNotThere) {
+TEST(RocketClient, ReportsWhoIsNotThere) {
     int port;
     {
         Editor nobody;
@@ -200,17 +200,17 @@ TEST(RocketClient, SaysWhoIsNotThere) {
 }
 
 TEST(RocketClient, WantsAnEditor) {
-    // One that says something else, in pieces; and one that says nothing
+    // One with another greeting, in pieces; and a silent one
     for (bool silent : {false, true}) {
         Editor editor;
         Client client("127.0.0.1", editor.port(), kNames);
         ASSERT_TRUE(until(client, 0, [&] { return editor.called(); }));
         editor.answer();
         ASSERT_TRUE(until(client, 0, [&] { return !editor.silent(); }));
-        if (!silent) editor.say("hello, d");
+        if (!silent) editor.send("hello, d");
         for (int i = 0; i < 100; ++i) client.update(0);
         EXPECT_EQ(client.problem(), "");
-        if (!silent) editor.say("ata");
+        if (!silent) editor.send("ata");
         ASSERT_TRUE(until(client, silent ? 6 : 0, [&] { return !client.problem().empty(); }));
         EXPECT_NE(client.problem().find("no editor of GNU Rocket"), std::string::npos);
         EXPECT_FALSE(client.connected());
