@@ -1,6 +1,6 @@
 #include "maker/panel/level.h"
 
-#include "maker/mapped_arena.h"
+#include "maker/panel/mapped_arena.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "maker/panel/swatches.h"
 
-#include "maker/mapped_arena.h"
+#include "maker/panel/mapped_arena.h"
 
 #include <algorithm>
 
