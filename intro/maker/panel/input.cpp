@@ -10,13 +10,13 @@ namespace {
 // GLFW's callbacks reach them
 Panel *thePanel;
 GLFWkeyfun theKeys;
-int theWidth, theHeight; // of the picture
 double theX, theY; // of the last motion event: when a button's event is handled the mouse may be elsewhere
 
 void place(GLFWwindow *window, double &x, double &y) {
     int w, h;
     glfwGetWindowSize(window, &w, &h);
-    x *= (double)theWidth / (w > 0 ? w : 1), y *= (double)theHeight / (h > 0 ? h : 1);
+    x *= (double)thePanel->pictureWidth() / (w > 0 ? w : 1);
+    y *= (double)thePanel->pictureHeight() / (h > 0 ? h : 1);
 }
 
 int keyOf(int key) {
@@ -60,7 +60,6 @@ void onWheel(GLFWwindow *, double, double turns) { thePanel->wheel(theX, theY, t
 
 void listen(Panel &panel, GLFWwindow *window) {
     thePanel = &panel;
-    theWidth = panel.pictureWidth(), theHeight = panel.pictureHeight();
     glfwGetCursorPos(window, &theX, &theY);
     place(window, theX, theY);
     theKeys = glfwSetKeyCallback(window, onKey);

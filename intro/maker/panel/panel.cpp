@@ -25,13 +25,10 @@ void Panel::learn() {
 
 // --- The picture ---
 
-bool Panel::Key::operator==(const Key &k) const {
-    return time == k.time && quality == k.quality && other == k.other && flown == k.flown &&
-           (!flown || !std::memcmp(&camera, &k.camera, sizeof camera));
-}
-
 Panel::Key Panel::keyOf(const PictureRequest &m) const {
-    return {m.time, m.quality.id, other, m.camera != nullptr, m.camera ? *m.camera : CameraKey{}};
+    Key key = {m.time, (double)m.quality.id, (double)other};
+    if (m.camera) key.insert(key.end(), &m.camera->row, &m.camera->row + sizeof(CameraKey) / sizeof(float));
+    return key;
 }
 
 Picture Panel::picture(Intro &intro, const PictureRequest &m) {
@@ -101,7 +98,7 @@ void Panel::makeGhost(Intro &intro, const PictureRequest &m) {
 bool Panel::makeOther(Intro &intro, const PictureRequest &m) {
     Key key = keyOf(m), before = lastKey;
     lastKey = key;
-    key.quality = other; // it does not depend on the first one
+    key[1] = (double)other; // it does not depend on the first one
     if (otherKey == key) return true;
     if (other == QualityName::Reference && !(before == lastKey)) return false;
     otherKey = key;

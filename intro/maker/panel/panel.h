@@ -92,14 +92,8 @@ private:
     float scale = 0; // of its map, until another comparison is asked for
     std::vector<uint32_t> heat;
 
-    // What identifies a kept picture
-    struct Key {
-        double time = -1;
-        QualityName quality = QualityName::Count, other = QualityName::Count;
-        bool flown = false;
-        CameraKey camera = {};
-        bool operator==(const Key &) const;
-    };
+    // What identifies a kept picture: its time, quality, the other quality, and the flown camera's numbers
+    using Key = std::vector<double>;
     Key keyOf(const PictureRequest &request) const;
     Key otherKey, differenceKey, lastKey, lastPictureKey;
 
