@@ -2,9 +2,9 @@
 //
 //   space        pause and go on            left, right   seek a beat (with shift: a bar)
 //   W A S D      fly; Q and E down and up   mouse         look around, with the left button held
-//   R            back to the scripted camera   C          print the camera as a line for the show's tables
+//   R            back to the scripted camera   C          print the camera as a line of a file of keys
 //   K            set a key of the camera's path here (with shift: remove it)
-//   Ctrl Z       undo (with shift: do again)  Ctrl S      save what was edited to the sources
+//   Ctrl Z       undo (with shift: do again)  Ctrl S      save what was edited to the files of keys
 //   X            write the tracks for an editor of GNU Rocket
 //   1 2 3        draft, play, film          ESC           leave
 //   TAB          the panel, H: its keys (maker/panel/keys.h)
@@ -45,10 +45,10 @@ namespace {
 struct Maker {
     double time = 0;
     bool paused = false, flying = false, sought = false;
-    // Asked for: keys of the camera, the tracks, steps back and on, the sources
+    // Requested: keys of the camera, the tracks, steps back and on, saving
     bool sets = false, removes = false, writes = false, undoes = false, redoes = false, saves = false,
          leaves = false;
-    std::string message; // what came of it, over the picture for a while
+    std::string message; // the result, drawn over the picture for a while
     double messageUntil = 0;
     bool warned = false, closes = false;
     CameraKey camera = {};
@@ -263,8 +263,8 @@ void help() {
         "       " FILM_NAME "-debug --tracks FILE\n"
         "keys: space, arrows, W A S D Q E, mouse, R, C, K, X, Ctrl Z, Ctrl S, 1 2 3, ESC\n"
         "TAB shows the panel, H all keys.\n"
-        "A source in intro/ that is saved is compiled, and shown as soon as it is; what is wrong\n"
-        "with it stands in the picture.\n"
+        "A source in intro/ that is saved is compiled, and the new film is shown. The compiler's first\n"
+        "error is drawn over the picture.\n"
         "--rocket offers the film's tracks to an editor of GNU Rocket, on localhost if none is named.\n"
         "--tracks writes them as a document that such an editor opens, and ends.\n"
         "--shown plays the film as " FILM_NAME " does, and writes which pictures were shown, and when, for\n"

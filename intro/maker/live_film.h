@@ -1,4 +1,4 @@
-// The film of the shared object. Programs that link this call the functions of intro.h as ever, and get those
+// The film of the shared object. Programs that link this call the functions of intro.h, and get those
 // of the object that was loaded last.
 #pragma once
 

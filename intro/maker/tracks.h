@@ -44,8 +44,8 @@ public:
     // as it is), or removes the key where `camera` is null. It is in force until an editor changes that key.
     // Returns why not, or nothing. The row must be one that rowOfView() gave.
     std::string setView(uint32_t row, const CameraKey *camera);
-    // That row in words, as the keys of its camera's path count and as the film does; and whether another key
-    // stands so near that the path may swing.
+    // That row as a text, in rows of its scene and of the film; with a warning if another key is within a
+    // beat: the path may swing.
     std::string rowInWords(uint32_t row) const;
     // The row next to one of the film on which the same path is shown: beside a cut not always the nearest.
     uint32_t rowOfView(double row) const;

@@ -11,7 +11,7 @@
 //
 // A line is empty or holds a head, a key or END; a comment may end it, or stand alone. A row is a number, or
 // that of an event, plus or minus a number. Rows count from the start of the scene that the file is named
-// after; TRACK(kLamp, rowOf(kLampLights)) says that those of this table count from an event. PATH(kSink, 12)
+// after; those of TRACK(kLamp, rowOf(kLampLights)) count from an event. PATH(kSink, 12)
 // rounds the numbers of its keys to 12 significant bits (key_bits.h); 24 are all. odraz-debug reads and
 // writes these files (maker/keys/key_file.h).
 #pragma once

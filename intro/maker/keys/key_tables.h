@@ -36,7 +36,7 @@ public:
     bool redo();
     int edited() const; // tables that are not as the files have them
 
-    // Writes what was edited. Returns an empty string, or a line that says what was not written, and why.
+    // Writes what was edited. Returns an empty string, or what was not written, and why, as a line.
     // `files`: those that were written. Steps can be undone after it as before, and saved again.
     std::string save(std::set<std::string> &files);
 

@@ -43,7 +43,7 @@ inline constexpr KeyRow kKeys[] = {
     {Action::Count, 0, false, "R", "back to the scripted camera"},
     {Action::Count, 0, false, "K", "set a key of the camera, shift: none"},
     {Action::Count, 0, false, "ctrl Z", "undo, with shift: redo"},
-    {Action::Count, 0, false, "ctrl S", "save to the sources"},
+    {Action::Count, 0, false, "ctrl S", "save the keys to their files"},
     {Action::Count, 0, false, "C", "print the camera as a key"},
     {Action::Count, 0, false, "X", "write the tracks for gnu rocket"},
     {Action::Count, 0, false, "", "to look closer"},

@@ -15,7 +15,7 @@
 
 namespace odraz::maker {
 
-// What is to be shown. `camera`: null: the film's own.
+// The picture of a time. `camera`: null for the film's own.
 struct PictureRequest {
     double time; // seconds
     const Quality &quality;

@@ -36,7 +36,7 @@ public:
     Client(const Client &) = delete;
 
     // Does what can be done without waiting (but for looking up the name of a host): connects, again each
-    // second if that fails; takes messages, and sends what is to be sent. `now`: seconds of any clock that
+    // second if that fails; takes messages, and sends its own. `now`: seconds of any clock that
     // does not go back. Call it once a picture.
     void update(double now);
 
