@@ -28,10 +28,10 @@ quick() { grep -q '^kept ' told; }
 scaled() { grep -q '^kept light, scaled' told; }
 slow() { grep -q '^processor seconds: dividing' told; }
 light="--sky .2,.3,.5 --sun 30,60,5,5,5 --lamp 0,5,0,1,9,9,9"
-rays="--rays 32 --element 1"
+rays="--rays 32 --element 2"
 
-for method in "$rays" "$rays $light --scale 2 --two-sided" "--hemicube 16 --element 1" "--hemicube 32 --patch 4 --element 1 $light" \
-    "--direct hemicube --element 1" "--adaptive --element 0.5" "--rays 64 --bounces 2 --element 2" "$rays --final 32"; do
+for method in "$rays" "$rays $light --scale 2 --two-sided" "--hemicube 16 --element 2" "--hemicube 32 --patch 8 --element 2 $light" \
+    "--direct hemicube --element 2" "--adaptive --element 1" "--rays 64 --bounces 2 --element 2" "$rays --final 32"; do
     # shellcheck disable=SC2086
     check "solve $method" solve columns.obj -o base.rad --keep-rows $method
     check "... keeps rows" test -s base.rad.rows
@@ -43,7 +43,7 @@ for method in "$rays" "$rays $light --scale 2 --two-sided" "--hemicube 16 --elem
 done
 
 # Extremes
-for method in "$rays" "--hemicube 16 --element 1"; do
+for method in "$rays" "--hemicube 16 --element 2"; do
     # shellcheck disable=SC2086
     solve cube.obj -o base.rad --keep-rows --residual 1e-6 $method
     for changes in "--power 0" "--reflectance 0" "--power 1e-20" "--power 1e10" "--power lamp=1e-9,1e9,0" \
@@ -54,9 +54,9 @@ for method in "$rays" "--hemicube 16 --element 1"; do
 done
 check "what was solved last is dark" table b.csv 's += $9 + $10 + $11' 's == 0'
 # What the kept light does not have: rows are used, direct light is found anew
-like_fresh "another lamp" cube.obj "--hemicube 16 --element 1 --residual 1e-6" "--power white=1,2,3"
+like_fresh "another lamp" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power white=1,2,3"
 check "... with dividing" slow
-like_fresh "a lamp that went out, and another" cube.obj "--hemicube 16 --element 1 --residual 1e-6" "--power 0 --power red=1,2,3"
+like_fresh "a lamp that went out, and another" cube.obj "--hemicube 16 --element 2 --residual 1e-6" "--power 0 --power red=1,2,3"
 # shellcheck disable=SC2086
 solve cube.obj -o base.rad --keep-rows $rays
 like_fresh "another lamp, by rays" cube.obj "$rays" "--power white=1,2,3"
@@ -64,7 +64,7 @@ check "... with dividing" slow
 # Several lamps; their rays are distributed as their power was, which a common factor does not change
 sed 's/^usemtl red/usemtl lamp2/' cube.obj >two.obj
 printf 'newmtl lamp2\nKd .3 .3 .3\nKe .1 .2 .3\n' >>cube.mtl
-for method in "$rays" "--hemicube 16 --element 1"; do
+for method in "$rays" "--hemicube 16 --element 2"; do
     # shellcheck disable=SC2086
     solve two.obj -o base.rad --keep-rows $method
     like_fresh "two lamps ($method)" two.obj "$method" "--power 2 --reflectance lamp2=2"
@@ -78,7 +78,7 @@ done
 # An even sky, which goes where power is given
 sed 's/^Ke .*/Ke 0 0 0/' columns.mtl >dark.mtl
 sed 's/^mtllib .*/mtllib dark.mtl/; /^usemtl/,$!b; 0,/^f/{/^f/d}' columns.obj >dark.obj # with a hole in its floor
-for method in "$rays" "--hemicube 16 --element 1"; do
+for method in "$rays" "--hemicube 16 --element 2"; do
     # shellcheck disable=SC2086
     solve dark.obj -o base.rad --keep-rows $method
     check "an even sky is told" grep -q 'an even sky lights it' err

@@ -54,7 +54,7 @@ for how in "INT 1" "KILL 2" "INT solving" "KILL solving"; do
     # shellcheck disable=SC2086
     goes_on $how "${rays[@]}"
 done
-gather=(columns.obj --element 0.5 --final 256)
+gather=(columns.obj --element 1 --final 256)
 check "with a final gather" "$radiosity" solve -o whole.rad "${gather[@]}"
 for how in "INT final" "KILL final"; do
     # shellcheck disable=SC2086
