@@ -218,7 +218,7 @@ check "no name" refuses 2 "name a solution or a model" "$radiosity" view
 check "a solution that is none" refuses 1 "was not written by" "$radiosity" view cube.mtl
 check "a file that is not there" refuses 2 "cannot read none.rad" "$radiosity" view none.rad
 check "a model that is not there" refuses 2 "cannot read none.obj" "$radiosity" view none.obj
-check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe or hemicube, not all" "$radiosity" view cube.rad --layer all
+check "an unknown layer" refuses 2 "--layer is patches, elements, wireframe, hemicube or backs, not all" "$radiosity" view cube.rad --layer all
 check "half a camera" refuses 2 "--eye and --at go together" "$radiosity" view cube.rad --eye 0,1,2
 check "options of solve for what is solved" refuses 2 "--patch is an option for models" "$radiosity" view cube.rad --patch 1
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" view cube.rad --fast

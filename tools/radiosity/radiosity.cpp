@@ -1,12 +1,18 @@
 // radiosity: computes the light in any model, and shows it.
 #include "tools/common/command_line.h"
-#include "tools/radiosity/export/export_command.h"
-#include "tools/radiosity/export/render_command.h"
-#include "tools/radiosity/generate/generate_command.h"
-#include "tools/radiosity/solve/solve_command.h"
-#include "tools/radiosity/study/study_command.h"
-#include "tools/radiosity/transfer/transfer_command.h"
-#include "tools/radiosity/view/view_command.h"
+
+namespace odraz::radiosity {
+
+// Each command reads its line, runs, and returns the exit status. They are in the rooms' *_command.cpp.
+int runGenerate(common::CommandLine &line);
+int runSolve(common::CommandLine &line);
+int runTransfer(common::CommandLine &line);
+int runExport(common::CommandLine &line);
+int runRender(common::CommandLine &line);
+int runStudy(common::CommandLine &line);
+int runView(common::CommandLine &line);
+
+} // namespace odraz::radiosity
 
 using namespace odraz::radiosity;
 

@@ -1,5 +1,3 @@
-#include "tools/radiosity/export/export_command.h"
-
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/atlas.h"
 #include "tools/radiosity/export/points_export.h"

@@ -1,5 +1,3 @@
-#include "tools/radiosity/export/render_command.h"
-
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"

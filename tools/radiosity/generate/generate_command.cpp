@@ -1,5 +1,4 @@
-#include "tools/radiosity/generate/generate_command.h"
-
+#include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/generate/generate.h"
 

@@ -9,7 +9,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-struct Kept {
+struct KeptPatches {
     std::vector<Cell> cells;
     std::vector<Texel> texels;
     std::vector<Patch> patches;
@@ -22,14 +22,9 @@ struct Kept {
     }
     // Whether every index lies within its list: a checksum does not help against forgers.
     bool fits(const Regions &regions) const {
-        Solution geometry;
-        geometry.charts = regions.charts, geometry.facets = regions.facets;
-        geometry.cells = cells, geometry.texels = texels;
-        geometry.light.resize(texels.size());
-        geometry.reflects.resize(regions.charts.size()), geometry.emits.resize(regions.charts.size());
         auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
         auto within = [](int i, size_t count) { return i >= 0 && (size_t)i < count; };
-        return valid(geometry) &&
+        return validGeometry(regions.charts, regions.facets, cells, texels) &&
                all(regions.charts,
                    [&](const Chart &c) {
                        return c.patchesAcross > 0 && c.patchesDown > 0 && c.patchesAcross <= c.across &&
@@ -60,7 +55,7 @@ void savePatches(const Model &m, std::string &to) {
 }
 
 void restorePatches(const PreparedSolve &prepared, const Regions &regions, PatchSystem &p) {
-    Kept kept;
+    KeptPatches kept;
     if (!kept.get(prepared.rest) || !kept.fits(regions) || !prepared.direct.fits(kept.texels.size()))
         refuseResumed();
     Model &m = *p.model;

@@ -50,7 +50,7 @@ void PatchSolver::shootLight() {
         int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
         if (shot == 0) break;
         report.shots += shot;
-        task.tell(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());
+        task.show(SolveStep::kSolving, (float)report.shots / (float)s.shots, (float)shooting.left());
     }
     report.residual = (float)shooting.left();
     Rgb ambient = shooting.ambient();
@@ -79,7 +79,7 @@ const float *PatchSolver::lightOfSeenLamps() {
 }
 
 void PatchSolver::countBounces() {
-    for (Progress progress = tell(SolveStep::kSolving); report.sweeps < s.bounces;
+    for (Progress progress = progressOf(SolveStep::kSolving); report.sweeps < s.bounces;
          progress((float)report.sweeps / (float)s.bounces)) {
         bounce(r.system, task.workers);
         ++report.sweeps;
@@ -101,7 +101,7 @@ void PatchSolver::solveToResidual() {
 
 void PatchSolver::afterSweep(float residual) {
     report.residual = residual;
-    task.tell(SolveStep::kSolving, task.solvedShare(residual), residual);
+    task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
     // There is one block, whose radiosities solve() keeps there
     watch(r.system.indirect);
 }

@@ -31,7 +31,7 @@ void PatchSolver::findDirectLight() {
     settings.levels = s.adaptive ? kDivided : 0;
     settings.contrast = s.contrast;
     takePlanes();
-    findDirect(r, m, *p.scene, settings, task.workers, tell(SolveStep::kDirectLight));
+    findDirect(r, m, *p.scene, settings, task.workers, progressOf(SolveStep::kDirectLight));
     std::vector<std::string> known; // notes by divide()
     if (s.adaptive) findPictured(known);
     bool keeps = s.keepRows && task.preparable();

@@ -69,7 +69,7 @@ struct Watch {
         return {[](float done, void *own) { ((Watch *)own)->hear(done); }, this};
     }
     void hear(float done) {
-        task.tell(SolveStep::kFormFactors, done);
+        task.show(SolveStep::kFormFactors, done);
         if (common::wallSeconds() - kept < task.settings.keepEvery) return;
         keepPatchRows(task, patches);
         kept = common::wallSeconds();

@@ -35,7 +35,7 @@ private:
     DirectShares shares; // for keepRows()
 
     void keepRows();
-    Progress tell(SolveStep which);
+    Progress progressOf(SolveStep which);
 
     // --- Patches and elements ---
     void divide();

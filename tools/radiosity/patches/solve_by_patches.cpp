@@ -63,17 +63,17 @@ void PatchSolver::keepRows() {
     s.keepRows(savedPatchRows(p), std::move(prepared));
 }
 
-Progress PatchSolver::tell(SolveStep which) {
+Progress PatchSolver::progressOf(SolveStep which) {
     step = which;
     return {[](float done, void *own) {
                 auto &solver = *(PatchSolver *)own;
-                solver.task.tell(solver.step, done);
+                solver.task.show(solver.step, done);
             },
             this};
 }
 
 void PatchSolver::divide() {
-    Progress progress = tell(SolveStep::kDividing);
+    Progress progress = progressOf(SolveStep::kDividing);
     progress(0);
     fillModel(m, task.regions);
     findLights();

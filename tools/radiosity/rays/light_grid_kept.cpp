@@ -20,17 +20,13 @@ LightGrid::LightGrid(Regions &regions, std::string_view from, size_t &at) : char
 
 // Whether every index lies within its list: a checksum does not help against forgers.
 bool LightGrid::fits(const Regions &regions) const {
-    Solution geometry;
-    geometry.charts = charts, geometry.facets = regions.facets, geometry.cells = cells,
-    geometry.texels = texels;
-    geometry.light.resize(texels.size());
-    geometry.reflects.resize(charts.size()), geometry.emits.resize(charts.size());
     auto texelOf = [&](int chart, int t) {
         const Chart &c = charts[(size_t)chart];
         return t >= c.firstTexel && t < c.firstTexel + c.texels();
     };
     auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
-    return valid(geometry) && siteOf.size() == texels.size() && ring.size() == texels.size() &&
+    return validGeometry(charts, regions.facets, cells, texels) && siteOf.size() == texels.size() &&
+           ring.size() == texels.size() &&
            all(charts,
                [&](const Chart &c) {
                    return c.firstTexel >= 0 && (size_t)c.firstTexel + (size_t)c.texels() <= texels.size();

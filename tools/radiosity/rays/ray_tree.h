@@ -33,7 +33,7 @@ public:
     // Whether anything lies before `end`, whichever side it shows.
     bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
 
-    // The bytes that a tree of so many triangles needs, also while it is built.
+    // The bytes that a tree of N triangles needs, building included.
     static size_t bytesFor(size_t triangles) { return triangles * 270; }
 
 private:

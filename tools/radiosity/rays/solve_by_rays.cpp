@@ -133,7 +133,7 @@ private:
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
         for (size_t first = 0; first < count; first += piece) {
             size_t end = std::min(first + piece, count);
-            task.tell(SolveStep::kFormFactors,
+            task.show(SolveStep::kFormFactors,
                       from + (to - from) * (float)done / (float)std::max(missing, (size_t)1));
             bool stopped = task.stopped();
             if (stopped) report.whole = false;
@@ -143,7 +143,7 @@ private:
             system.findRows(first, end, task.workers);
             report.rows = (int)end;
         }
-        task.tell(SolveStep::kFormFactors, to);
+        task.show(SolveStep::kFormFactors, to);
     }
 
     void findFirstRows() {
@@ -155,7 +155,7 @@ private:
     }
 
     void findDirectLight() {
-        task.tell(SolveStep::kDirectLight, 0);
+        task.show(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
         if (lamps.share() > kLargeLamps) { // then rays find it better than samples
             system.emits = task.solution.emits;
@@ -169,7 +169,7 @@ private:
             direct = directLight(lamps, s.surroundings, grid, system.behind, tree, task.workers);
         describeSites();
         task.lap(SolveStep::kDirectLight);
-        task.tell(SolveStep::kDirectLight, 1);
+        task.show(SolveStep::kDirectLight, 1);
     }
 
     void describeSites() {
@@ -201,7 +201,7 @@ private:
         auto afterSweep = [&](float residual) {
             report.residual = residual;
             if (report.whole && keepIsDue()) keep(s.rays == 0);
-            task.tell(SolveStep::kSolving, task.solvedShare(residual), residual);
+            task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
             if (task.watched()) {
                 task.solution.light = lightOfTexels(kShared);
                 s.watcher(task.solution, true);
@@ -221,15 +221,15 @@ private:
     }
 
     void finalGather() {
-        task.tell(SolveStep::kFinalRays, 0);
+        task.show(SolveStep::kFinalRays, 0);
         auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
-        // In parts, to be told how far it is, and to be stopped
+        // In parts, after each of which progress is shown and it may be stopped
         constexpr int kParts = 64;
         auto sites = (int64_t)grid.sites.size();
         for (int k = 0; k < kParts && !task.stopped(); ++k) {
             system.finalGather((int)(sites * k / kParts), (int)(sites * (k + 1) / kParts), s.finalRays,
                                task.solution.light, reflectsAt, task.workers);
-            task.tell(SolveStep::kFinalRays, (float)(k + 1) / kParts);
+            task.show(SolveStep::kFinalRays, (float)(k + 1) / kParts);
         }
         if (task.stopped()) { // the light of all sweeps stays
             report.whole = false;
@@ -284,9 +284,9 @@ void solveByRays(SolveTask &task) {
         if (task.progress) task.progress(nullptr, 1, report.residual);
         return;
     }
-    task.tell(SolveStep::kDividing, 0);
+    task.show(SolveStep::kDividing, 0);
     RayTree tree(cornersOf(task.mesh));
-    task.tell(SolveStep::kDividing, 0.4f);
+    task.show(SolveStep::kDividing, 0.4f);
     size_t bytes = memoryFor(task);
     if (bytes > task.settings.memory)
         refuseMemory(bytes, task.settings.memory, "larger elements or fewer rays need less");
@@ -294,7 +294,7 @@ void solveByRays(SolveTask &task) {
     LightGrid grid(task.regions, tree, task.workers);
     report.sites = (int)grid.sites.size();
     task.findPictured(task.regions.charts, grid.cells, report.notes);
-    task.tell(SolveStep::kDividing, 1);
+    task.show(SolveStep::kDividing, 1);
     task.lap(SolveStep::kDividing);
     RaySolver(task, tree, grid).run();
     if (task.progress) task.progress(nullptr, 1, report.residual);

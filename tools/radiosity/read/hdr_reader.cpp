@@ -30,7 +30,7 @@ public:
         readHead();
         readOrder();
         line.resize((size_t)perLine * 4);
-        for (int i = 0; i < lines; ++i) { // memory grows with what the file has, not with what its head says
+        for (int i = 0; i < lines; ++i) { // memory grows with the data, not with the size in the head
             readLine();
             for (int j = 0; j < perLine; ++j) addPixel(&line[(size_t)j * 4]);
         }
@@ -90,7 +90,7 @@ private:
         }
     }
 
-    // The line with the size tells the order of the pixels, too: usually -Y HEIGHT +X WIDTH, lines from above
+    // The line with the size also has the order of the pixels: usually -Y HEIGHT +X WIDTH, lines from above
     // to below, each from left to right.
     void readOrder() {
         char signs[2];

@@ -68,8 +68,8 @@ struct ReadSettings {
 // Whether a file's name ends as those of models do.
 bool isModel(const std::string &path);
 
-// Reads a model in the format that its name's ending says (formats.cpp); others are read as Wavefront OBJ.
-// Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
+// Reads a model in the format that belongs to its name's ending (formats.cpp); others are read as Wavefront
+// OBJ. Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
 // everything that it repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 

@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// What has less than this share of the mean light counts as dark: its relative error tells nothing
+// What has less than this share of the mean light counts as dark: its relative error has no meaning
 constexpr double kDark = 1e-3;
 
 Vec3d colour(const std::array<float, 3> &c) { return {(double)c[0], (double)c[1], (double)c[2]}; }
@@ -45,8 +45,7 @@ public:
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
                     pictures.try_emplace(m.picture.path, m.picture.path);
-                } catch (
-                    const common::Refused &) { // then the material's Kd counts, as the solver's note says
+                } catch (const common::Refused &) { // then the material's Kd counts, as in the solver
                 }
         double sum = 0;
         for (size_t i = 0; i < triangles.size(); ++i) {
@@ -237,7 +236,7 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
         Sampler sampler((uint64_t)i);
         Vec3d place = toDouble(probe.p), normal = toDouble(probe.n);
         int backs = 0;
-        // Two independent sets of paths: their difference tells the noise
+        // Two independent sets of paths: their difference is the noise
         Vec3d means[2] = {};
         for (Vec3d &mean : means) {
             for (int k = 0; k < paths; ++k)

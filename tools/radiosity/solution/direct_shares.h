@@ -11,7 +11,7 @@
 namespace odraz::radiosity {
 
 struct DirectShares {
-    // For more materials that emit it is not worth while: direct light is then gathered again.
+    // With more materials that emit, direct light is gathered again, which costs less than keeping it.
     static constexpr size_t kMost = 16;
 
     std::vector<int> emitters;              // the materials, ascending
@@ -23,7 +23,7 @@ struct DirectShares {
     std::vector<Rgb> light(const std::vector<Rgb> &emits, size_t texels) const;
 
     void save(std::string &to) const;
-    // False if it does not fit so many materials.
+    // False if a material is not below `materials`, or the file ends.
     bool restore(std::string_view from, size_t &at, size_t materials);
     bool fits(size_t texels) const;
 };

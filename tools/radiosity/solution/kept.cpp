@@ -8,7 +8,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// How the files of each kind begin, and what is said of another file and of a damaged one.
+// How the files of each kind begin, and the errors for another file and for a damaged one.
 constexpr struct {
     const char *magic, *other, *again;
 } kKinds[] = {{"odraz radiosity state 2\n", "is not a state of 'radiosity solve' of this version",

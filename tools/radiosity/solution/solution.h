@@ -71,6 +71,9 @@ private:
 // Whether a solution can be worked with: every index lies within its list, every number is finite and below
 // 1e18, no cell is its own descendant. Files need this besides their checksum, which a forger can compute.
 bool valid(const Solution &solution);
+// The same for a model that is divided but has no light yet.
+bool validGeometry(const std::vector<Chart> &charts, const std::vector<Facet> &facets,
+                   const std::vector<Cell> &cells, const std::vector<Texel> &texels);
 
 // The checksum that a solution's file has in its head. Throws std::runtime_error if it is none.
 uint64_t sumOfSolution(const std::string &path);

@@ -1,4 +1,4 @@
-// How to solve a model and who hears about the progress: the options of `solve` and `view`. Areas are in
+// How to solve a model, and what is called on the way: the options of `solve` and `view`. Areas are in
 // squared units of the model.
 #pragma once
 
@@ -54,12 +54,13 @@ struct SolveSettings {
     float contrast = 0.05f; // see RadiositySettings
     uint32_t turn = 0;      // seed of the hemicubes' rotations
     int turns = 1;          // hemicubes for each patch, each rotated differently: anti-aliasing
-    int shots = 0; // above 0: light is shot (shooting.h), by so many hemicubes at most; no rows are found
+    int shots =
+        0; // above 0: light is shot (shooting.h), by this number of hemicubes at most; no rows are found
     RowFinder findRows; // null: by hemicubes
 
-    LightWatcher watcher; // null: nobody watches
+    LightWatcher watcher; // may be null
     std::function<bool()>
-        wantsLight; // whether the watcher wants light now, because making it takes time; null: always
+        lightIsDue; // whether to make light for the watcher now, which takes time; null: always
     // By rays: reports how many bytes are needed before they are allocated
     std::function<void(size_t bytes)> needs;
     // Saves the rows found so far (kept.h), every `keepEvery` seconds and after a stop
@@ -67,7 +68,7 @@ struct SolveSettings {
     double keepEvery = 60;
     std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none
     // Receives the rows of a whole solution for others with other materials, and what else these may use
-    // (PreparedSolve); null: nobody wants them
+    // (PreparedSolve); may be null
     std::function<void(std::string rows, std::string prepared)> keepRows;
 };
 

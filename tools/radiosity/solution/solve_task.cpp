@@ -68,7 +68,7 @@ void SolveTask::takeMaterials() {
     lastLap = common::processorSeconds();
 }
 
-void SolveTask::tell(SolveStep step, float done, float residual) const {
+void SolveTask::show(SolveStep step, float done, float residual) const {
     if (progress) progress(nameOf(step), done, residual);
 }
 

@@ -37,9 +37,9 @@ struct PreparedSolve {
     Regions regions; // divided charts; without chartOf
     std::string_view rest;
 
-    // Throws std::runtime_error if it is not what SolveTask::prepare() made for so many materials.
+    // Throws std::runtime_error if it is not what SolveTask::prepare() made for this number of materials.
     PreparedSolve(std::string_view from, size_t materials);
-    // Whether it does for lamps of these materials; else direct light must be found again.
+    // Whether its direct light covers lamps of these materials; else that must be found again.
     bool fits(const std::vector<int> &emitters) const;
 };
 
@@ -54,7 +54,7 @@ struct SolveTask {
     Pictured pictured; // the reflectance of materials with pictures
     Solution solution; // either way fills its cells, texels and light
     SolveReport report;
-    const PreparedSolve *prepared = nullptr; // null: dividing and direct light are to be done
+    const PreparedSolve *prepared = nullptr; // null: the model must be divided and direct light found
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
@@ -71,7 +71,7 @@ struct SolveTask {
     std::vector<Rgb> emitted() const;  // by each material
     std::vector<int> emitters() const; // the materials of charts that emit, ascending
 
-    void tell(SolveStep step, float done, float residual = -1) const;
+    void show(SolveStep step, float done, float residual = -1) const;
     // Adds the processor time since the last lap to a step.
     void lap(SolveStep step);
     bool stopped() const { return __atomic_load_n(stop, __ATOMIC_RELAXED) != 0; }
@@ -81,8 +81,8 @@ struct SolveTask {
     // The share of solving that is done, 0 .. 1: by the logarithm of the residual, from the first one to the
     // one asked for.
     float solvedShare(float residual);
-    // Whether the watcher wants light now.
-    bool watched() const { return settings.watcher && (!settings.wantsLight || settings.wantsLight()); }
+    // Whether the watcher gets light now.
+    bool watched() const { return settings.watcher && (!settings.lightIsDue || settings.lightIsDue()); }
 
 private:
     void takeMaterials();

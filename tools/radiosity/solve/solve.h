@@ -21,7 +21,7 @@ Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl,
                   const int *stop, const SolveProgress &progress);
 
 // The same with kept rows and direct light, for other materials: `materials` has those, and no polygons.
-// `evenSky` tells whether the kept light has one, `away` where the model lies.
+// `evenSky`: whether the kept light has one, `away` where the model lies.
 Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress);

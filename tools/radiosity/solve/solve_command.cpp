@@ -1,5 +1,4 @@
-#include "tools/radiosity/solve/solve_command.h"
-
+#include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/progress_bar.h"
@@ -96,7 +95,7 @@ private:
     }
     void begin() {
         stopAt(stop, {SIGINT});
-        bar = std::make_unique<ProgressBar>(job.progress);
+        bar = std::make_unique<ProgressBar>(job.options.progress);
     }
 
     Solved solve() {

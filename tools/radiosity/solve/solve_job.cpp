@@ -19,7 +19,6 @@ SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std
     line.flag("--keep-rows", keepRows, "keep the form factors in OUT.rows, for --relight");
     line.option("--relight", "SOLUTION", relight,
                 "solve for other materials with the form factors in SOLUTION.rows and with its options");
-    line.flag("--progress", progress, "report progress in lines on stderr where it is not a terminal");
     options.addTo(line, SolveOptions::For::kSolve);
     line.parse();
     if (!resume.empty()) return;

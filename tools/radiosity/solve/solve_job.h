@@ -19,7 +19,6 @@ struct SolveJob {
     std::string resume;    // a state to continue from
     double keepEvery = 60; // seconds
     bool keepRows = false;
-    bool progress = false; // in lines, where stderr is no terminal
     SolveOptions options;
     std::unique_ptr<Kept> kept; // rows to start from: of `resume` or `relight`; null: there are none
 };

@@ -34,6 +34,8 @@ const std::vector<std::string> &SolveOptions::groups() {
 
 void SolveOptions::addTo(common::CommandLine &line, For command) {
     SolveSettings &s = settings;
+    if (command != For::kView)
+        line.flag("--progress", progress, "report progress in lines on stderr where it is not a terminal");
     const bool anyMethod = command == For::kSolve || command == For::kView;
     if (command != For::kStudy) {
         line.group(kByRays);

@@ -1,4 +1,4 @@
-// The options that say how to read, light and solve a model.
+// The options for reading, lighting and solving a model.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -31,7 +31,8 @@ public:
     ReadSettings read;
     SolveSettings settings;
     bool upIsZ = false;
-    std::string sky; // the value of --sky
+    std::string sky;       // the value of --sky
+    bool progress = false; // is reported in lines where stderr is no terminal
 
 private:
     std::vector<std::string> suns, lamps;

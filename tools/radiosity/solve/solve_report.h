@@ -1,4 +1,4 @@
-// What `radiosity solve` tells in the end.
+// What `radiosity solve` prints at its end.
 #pragma once
 
 #include "tools/radiosity/solve/solve.h"

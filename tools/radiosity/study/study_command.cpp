@@ -1,5 +1,3 @@
-#include "tools/radiosity/study/study_command.h"
-
 #include "tools/common/clock.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/text.h"
@@ -22,7 +20,7 @@ int stop = 0; // becomes 1 with Ctrl-C
 struct Job {
     StudySettings settings;
     std::string out;
-    bool table41 = false, progress = false;
+    bool table41 = false;
     SolveOptions options;
 };
 
@@ -42,7 +40,6 @@ void readJob(common::CommandLine &line, Job &job) {
               "the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches; about five "
               "minutes of two "
               "processors");
-    line.flag("--progress", job.progress, "report progress in lines on stderr where it is not a terminal");
     job.options.addTo(line, SolveOptions::For::kStudy);
     line.parse();
     // For the commands that the page advises
@@ -119,7 +116,7 @@ int runStudy(common::CommandLine &line) {
     stopAt(stop, {SIGINT, SIGTERM});
     Gl gl = openGl();
     Workers workers = allProcessors();
-    ProgressBar bar(job.progress);
+    ProgressBar bar(job.options.progress);
     std::string name = job.settings.model.substr(job.settings.model.rfind('/') + 1);
     Page page(folder, "A study of radiosity: " + name);
     double began = common::wallSeconds();

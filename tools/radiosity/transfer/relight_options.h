@@ -37,7 +37,7 @@ private:
 // Places the camera for what was read, which is a room or null; returns the eye.
 using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 
-// Reads a solution; or a room, lit as the options say, with gloss towards the eye that `eyeFor` places (null:
+// Reads a solution; or a room, lit by the options, with gloss towards the eye that `eyeFor` places (null:
 // without gloss). Throws Refused if there are options for a room, but the file is none.
 Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,
                  Workers &workers, const EyeFor &eyeFor = nullptr);

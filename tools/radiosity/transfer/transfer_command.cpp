@@ -1,5 +1,3 @@
-#include "tools/radiosity/transfer/transfer_command.h"
-
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solve/progress_bar.h"
@@ -18,7 +16,7 @@ int stop = 0; // becomes 1 with Ctrl-C
 
 struct Job {
     std::string model, out;
-    bool progress = false, check = false;
+    bool check = false;
     std::vector<std::string> skies; // to be checked too
     SolveOptions options;
     TransferSettings settings;
@@ -54,7 +52,6 @@ void readJob(common::CommandLine &line, Job &job) {
     line.flag("--check", job.check,
               "compare with solutions for several lights, and one subspace with clusters");
     line.option("--sky", "FILE.hdr", job.skies, "with --check: for this light too");
-    line.flag("--progress", job.progress, "report progress in lines on stderr where it is not a terminal");
     job.options.addTo(line, SolveOptions::For::kTransfer);
     line.parse();
     if (job.model.empty()) throw common::Refused("name a model: radiosity transfer MODEL.obj -o ROOM.prt");
@@ -89,7 +86,7 @@ int runTransfer(common::CommandLine &line) {
     Mesh mesh = readModel(job.model, job.options.read, notes);
     printNotes(notes);
     Workers workers = allProcessors();
-    ProgressBar bar(job.progress);
+    ProgressBar bar(job.options.progress);
     TransferReport report;
     auto progress = [&](const char *step, float done) { bar.show(step, done, -1); };
     TransferRoom room;

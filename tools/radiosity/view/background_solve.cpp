@@ -10,7 +10,7 @@ namespace odraz::radiosity {
 BackgroundSolve::BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera,
                                  void (*wake)())
     : mesh(std::move(mesh)), settings(std::move(settings)), camera(camera), wake(wake) {
-    this->settings.wantsLight = [this] { return wantsLight(); };
+    this->settings.lightIsDue = [this] { return lightIsDue(); };
     this->settings.watcher = [this](const Solution &soFar, bool) { look(soFar); };
     std::unique_lock held(lock);
     thread = std::thread([this] { run(); });
@@ -54,7 +54,7 @@ void BackgroundSolve::run() {
 }
 
 // The time to make light counts as looking.
-bool BackgroundSolve::wantsLight() {
+bool BackgroundSolve::lightIsDue() {
     if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
     if (!looking) began = common::wallSeconds();
     return looking = true;

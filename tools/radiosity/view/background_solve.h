@@ -39,7 +39,7 @@ public:
 
 private:
     void run();
-    bool wantsLight();
+    bool lightIsDue();
     void look(const Solution &soFar);
     void publish(bool geometry, bool done);
 

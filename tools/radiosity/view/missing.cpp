@@ -1,5 +1,5 @@
 // `radiosity view` in a build without GLFW.
-#include "tools/radiosity/view/view_command.h"
+#include "tools/common/command_line.h"
 
 namespace odraz::radiosity {
 

@@ -1,5 +1,3 @@
-#include "tools/radiosity/view/view_command.h"
-
 #include "host/process.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
@@ -25,30 +23,26 @@ struct Job {
 };
 
 void addLayer(ViewLayers &to, const std::string &name) {
-    bool &layer =
-        name == "patches"     ? to.patches
-        : name == "elements"  ? to.elements
-        : name == "wireframe" ? to.wireframe
-        : name == "hemicube"
-            ? to.hemicube
-            : throw common::Refused("--layer is patches, elements, wireframe or hemicube, not " + name);
-    layer = true;
+    for (const ViewLayer &layer : kViewLayers)
+        if (name == layer.name) {
+            to.*layer.shown = true;
+            return;
+        }
+    throw common::Refused("--layer is patches, elements, wireframe, hemicube or backs, not " + name);
 }
 
 void readJob(common::CommandLine &line, Job &job) {
-    line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints its "
-               "keys when it\n"
-               "starts. A room of transfer is relit while it is shown: the right mouse button turns the sky, "
-               "and the\n"
-               "keys 1 to 9 and 0 switch lamps, with Shift from the eleventh on.");
+    line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints\n"
+               "its keys when it starts. A room of transfer is relit while it is shown: the right mouse\n"
+               "button turns the sky, and the keys 1 to 9 and 0 switch lamps, with Shift from the\n"
+               "eleventh on.");
     line.argument("FILE", job.in, "what solve or transfer wrote, or a Wavefront OBJ", false);
     line.option("--screenshot", "FILE.png", job.view.screenshot,
                 "write the picture when all light is there, then exit");
     line.option(
         "--layer", "NAME", [&job](const std::string &name) { addLayer(job.view.layers, name); },
-        "a layer to show at the start: patches in a colour each, outlines of elements, wireframe, or what "
-        "the hemicube "
-        "under the pointer sees; repeatable");
+        "a layer to show at the start: patches in a colour each, outlines of elements, wireframe, what the "
+        "hemicube under the pointer sees, or backs; repeatable");
     line.option("--sky", "R,G,B|FILE.hdr", job.sky, "the light from outside, of a room or of a model");
     job.camera.addTo(line);
     job.relight.addTo(line, false);
