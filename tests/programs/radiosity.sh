@@ -12,7 +12,7 @@ done
 check "triangles of at most the area asked" prints 'fine.obj: [0-9]* triangles' "$radiosity" generate cube -o fine.obj --area 0.5
 check "... a hundred times as many as there were squares" test "$(grep -c '^f' fine.obj)" -ge 1200
 check "solve" bash -c "'$radiosity' solve cube.obj -o cube.rad >out 2>err && [ ! -s err ]"
-check "... tells elements, sites and times" bash -c "grep -q 'elements, [0-9]* sites with [0-9]* rays' out && grep -q '^processor seconds' out && grep -q 'sweeps, residual' out"
+check "... prints elements, sites and times" bash -c "grep -q 'elements, [0-9]* sites with [0-9]* rays' out && grep -q '^processor seconds' out && grep -q 'sweeps, residual' out"
 check "export as a table" "$radiosity" export cube.rad --csv cube.csv
 check "... with its head" test "$(head -n 1 cube.csv)" = "polygon,x,y,z,nx,ny,nz,area,r,g,b"
 check "... a line for every element" test "$(($(wc -l <cube.csv) - 1))" = "$(sed -n 's/.* \([0-9]*\) elements.*/\1/p' out)"
@@ -75,7 +75,7 @@ done
 sed 's/^v .*/&/; s/^v \([^ ]*\) \([^ ]*\) \([^ ]*\)/v \1e-15 \2e-15 \3e-15/' furnace.obj >tiny.obj
 check "a model too small for floats" refuses 2 "is smaller than 1e-10: give --scale" "$radiosity" solve tiny.obj -o x.rad
 printf 'newmtl all\nKd 1 1 1\nKe 1 1 1\n' >furnace.mtl
-check "light without an end is told" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
+check "light without an end is reported" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
 
 # Light given by options, against closed forms
 printf 'newmtl grey\nKd 0.5 0.25 0.8\nnewmtl black\nKd 0 0 0\nnewmtl old\nKd 0 0 0\nKa 3 2 1\n' >out.mtl
@@ -92,9 +92,9 @@ check "a sky over a box without a lid" lit "$box" --sky 1,2,3
 # The form factor of two equal squares at the distance of their side is 0.19982; the rms error over the corners
 floor='if ($6 == 1) { F = 0; for (i = 0; i < 4; ++i) { X = i % 2 ? $2 : 1 - $2; Y = i < 2 ? $4 : 1 - $4; p = sqrt(1 + X * X); q = sqrt(1 + Y * Y)
     F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } ++n; a += $9 / 0.5; b += $10 / 0.5; c += $11 / 2.4; d = $9 / (0.5 * F) - 1; off += d * d }'
-check "... lights its floor as the form factor says, in three colours" table out.csv "$floor" 'a / n > 0.1988 && a / n < 0.2008 && b / a > 0.999 && b / a < 1.001 && c / a > 0.999 && c / a < 1.001'
+check "... lights its floor by the form factor, in three colours" table out.csv "$floor" 'a / n > 0.1988 && a / n < 0.2008 && b / a > 0.999 && b / a < 1.001 && c / a > 0.999 && c / a < 1.001'
 check "... everywhere, within 2 % (rms)" table out.csv "$floor" 'sqrt(off / n) < 0.02'
-check "... and says of black walls that they stay so" grep -q 'material black stays black: its Kd is 0' err
+check "... and notes that black walls stay black" grep -q 'material black stays black: its Kd is 0' err
 even() { table out.csv "if (\$9 < 0.999 * $1 || \$9 > 1.001 * $1) ++off" 'off + 0 == 0'; }
 check "a sun, 30 degrees high, from +x" lit "$plate" --sun 30,90,10,10,10
 check "... gives the half of what it gives straight on" even 2.5
@@ -116,7 +116,7 @@ below() { # below HALF HEIGHT PERCENT [COLUMN KD]: what the panel gives, everywh
         F += (X / p * atan2(Y / p, 1) + Y / q * atan2(X / q, 1)) / 6.2831853 } d = $'"${4-9}"' / ('"${5-0.5}"' * 1000 * F) - 1; ++n; if (d < -0.01 * '"$3"' || d > 0.01 * '"$3"') ++off }' 'n > 1000 && off + 0 == 0'
 }
 check "a square that shines" panel 0.5 1
-check "... everywhere as its form factor says" below 0.5 1 0.5
+check "... everywhere by its form factor" below 0.5 1 0.5
 check "... one that is near" panel 0.5 0.125
 check "... near it" below 0.5 0.125 1
 # A small blue lamp beneath a board, which blocks a lamp ten thousand times as bright
@@ -132,7 +132,7 @@ check "... but as bright as fronts" table out.csv '$6 < 0 ? back += $8 * $9 : fr
 check "--scale" lit "$plate" --scale 100
 check "... makes it a hundred times as long" table out.csv 'a += $8' 'a > 39999 && a < 40001'
 check "an ambient colour above 1 shines" lit "${plate/grey/old}"
-check "... and says so" grep -q 'Ka above 1 is taken for Ke' err
+check "... and is reported" grep -q 'Ka above 1 is taken for Ke' err
 check "... as bright as it is" even 3
 # An even picture of 8 x 4 pixels is an even sky
 { printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n'; for _ in $(seq 32); do printf '\200\200\200\201'; done; } >even.hdr
@@ -154,7 +154,7 @@ if command -v convert >/dev/null; then
     check "... by a wide lens" sees_all --lens 120
     check "... by a long one" sees_all --lens 5
     # shellcheck disable=SC2046
-    check "... and the same by the place that it tells" eval '"$radiosity" render out.rad -o told.png --size 160x90 --lens 5 $(cat out) && cmp all.png told.png'
+    check "... and the same by the place that it prints" eval '"$radiosity" render out.rad -o again.png --size 160x90 --lens 5 $(cat out) && cmp all.png again.png'
     bright() { "$radiosity" render out.rad -o all.png --size 160x90 "$@" >/dev/null && convert all.png -format '%[fx:maxima]' info:; }
     check "... brighter by two stops" less "$(bright --exposure -2)" "$(bright)"
     check "a plate where z is up" lit 'v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nusemtl grey\nf 1 2 3 4\n'
@@ -167,7 +167,7 @@ fi
 for knob in "--rays 64" "--final 64" "--hemicube 32" "--patch 2" "--element 0.05" "--bounces 3" "--residual 1e-6" "--lamp-samples 64" "--direct hemicube --hemicube 64" --adaptive "--memory 500"; do
     rm -f k.rad k.csv
     # shellcheck disable=SC2086 # a knob is several words
-    check "solve $knob" prints '^processor seconds' "$radiosity" solve cube.obj -o k.rad $knob
+    check "solve $knob" prints '^processor seconds' "$radiosity" solve cube.obj -o k.rad --element 0.1 $knob
     check "... exported" "$radiosity" export k.rad --csv k.csv
     check "... alike" ratio k.csv cube.csv '$8 * $10' 0.93 1.02
 done
@@ -184,7 +184,7 @@ check "... and cover what uniform ones do" table a.csv 'a += $8' 'a > 4745.5 && 
 plain='usemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nv 0 1 1\n'
 printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
 model() { printf "mtllib ${2:-m.mtl}\n$plain$1" >m.obj; }
-solves() { # solves [TEXT]: and says it on standard error
+solves() { # solves [TEXT]: and prints it on standard error
     rm -f m.rad m.csv
     "$radiosity" solve m.obj -o m.rad >out 2>err && "$radiosity" export m.rad --csv m.csv && table m.csv 'a += $8' 'a > 0' &&
         { [ $# = 0 ] || grep -q -- "$1" err; }
@@ -203,7 +203,7 @@ model 'f 1 4 3 2\n'
 check "a model where nothing shines gets a sky" solves 'nothing in the model shines: an even sky lights it'
 check "... of 1, so that what reflects a half shows a half" table m.csv 'if ($9 < 0.4999 || $9 > 0.5001) ++off' 'off + 0 == 0'
 model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' none.mtl
-check "materials that are missing are told" solves 'materials cannot be read'
+check "materials that are missing are reported" solves 'materials cannot be read'
 check "... with what follows" grep -q 'nothing in the model shines' err
 model 'v 1 nan 0\nf 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
 check "a coordinate that is NaN, with its line" refuses 2 "m.obj:11: a coordinate is not a number" "$radiosity" solve m.obj -o x.rad
@@ -238,7 +238,7 @@ check "none of them left a file" test ! -e x.rad
 
 # What else users may do
 check "a missing model" refuses 2 "cannot read" "$radiosity" solve none.obj -o x.rad
-check "it tells how much memory it takes" prints 'needs about [1-9][0-9]* MB' "$radiosity" solve cube.obj -o k.rad
+check "it prints how much memory it needs" prints 'needs about [1-9][0-9]* MB' "$radiosity" solve cube.obj -o k.rad
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3
 check "no place to write" refuses 2 "cannot write" "$radiosity" solve cube.obj -o none/x.rad
 check "two methods at once" refuses 2 "--rays and --patch do not go together" "$radiosity" solve cube.obj -o x.rad --rays 64 --patch 2
@@ -248,7 +248,7 @@ check "... which are followed to the residual" refuses 2 "--shots and --bounces 
 check "a number out of range" refuses 2 "from 4 to 1024" "$radiosity" solve cube.obj -o x.rad --hemicube 2
 check "an option's value that is no number" refuses 2 "takes a number" "$radiosity" solve cube.obj -o x.rad --patch big
 check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" solve cube.obj -o x.rad --fast
-check "... of two lines, told in one" refuses 2 "cannot use '--fa?st'" "$radiosity" solve cube.obj -o x.rad $'--fa\nst'
+check "... of two lines, reported in one" refuses 2 "cannot use '--fa?st'" "$radiosity" solve cube.obj -o x.rad $'--fa\nst'
 check "an unknown model" refuses 2 "name one of them" "$radiosity" generate sphere -o x.obj
 check "no command" refuses 2 "a command is missing" "$radiosity"
 check "a solution that is none" refuses 1 "was not written by" "$radiosity" export cube.obj --csv x.csv
@@ -267,10 +267,10 @@ check "a closed pipe" grep -q "Computes the light" help
 "$radiosity" generate columns -o big.obj --area 0.5 >/dev/null
 script -qefc "echo \$\$ >pid; exec '$radiosity' solve big.obj -o big.rad --hemicube 512" terminal >/dev/null </dev/null &
 PIDS+=($!)
-check "it tells how far it is" await grep -sqaE 'form factors +\[.*\] +[1-9][0-9]? %' terminal
+check "it shows its progress" await grep -sqaE 'form factors +\[.*\] +[1-9][0-9]? %' terminal
 kill -INT "$(cat pid)"
 check "Ctrl-C ends it well" ended ${PIDS[-1]}
-check "... and says so" grep -q "stopped: direct light, and the rows of [1-9]" terminal
+check "... and is reported" grep -q "stopped: direct light, and the rows of [1-9]" terminal
 check "... and writes what is there" "$radiosity" export big.rad --csv big.csv
 check "... all of it" table big.csv 'a += $8' 'lines > 1000 && a > 0'
 finish

@@ -65,15 +65,15 @@ foreign_room() {
 }
 
 foreign_room foreign
-check "transfer" eval '"$radiosity" transfer foreign.obj -o foreign.prt --element 300 --rays 64 --check >told 2>err'
-check "... names its lamp" grep -q '^5 bands, 25 functions; lamps 1 Lamp.Ceiling$' told
+check "transfer" eval '"$radiosity" transfer foreign.obj -o foreign.prt --element 300 --rays 64 --check >printed 2>err'
+check "... names its lamp" grep -q '^5 bands, 25 functions; lamps 1 Lamp.Ceiling$' printed
 cat >notes <<'END'
 radiosity: foreign.obj: material Lamp.Ceiling: its Ka above 1 is taken for Ke
 radiosity: foreign.obj: 97 triangles without area left out
 radiosity: foreign.obj: 10 triangles given twice left out
 END
-check "... tells what was odd, and nothing else" cmp notes err # three balls have two poles of 16 triangles
-errors() { awk '/^    (even|gradient|glow|two lights|random|all lamps) / { sub(/(two|all) /, ""); if ($2 > rows) rows = $2; if ($3 > most) most = $3; ++n } END { print n, rows + 0, most + 0 }' told; }
+check "... reports what was odd, and nothing else" cmp notes err # three balls have two poles of 16 triangles
+errors() { awk '/^    (even|gradient|glow|two lights|random|all lamps) / { sub(/(two|all) /, ""); if ($2 > rows) rows = $2; if ($3 > most) most = $3; ++n } END { print n, rows + 0, most + 0 }' printed; }
 echo "    lights, worst by rows, by clusters, %: $(errors)"
 check "... six lights: rows within .01 %, clusters within 1 %" eval '[ "$(errors | awk "{ print (\$1 == 6 && \$2 <= 0.01 && \$3 <= 1) }")" = 1 ]'
 

@@ -8,8 +8,8 @@ cd "$WORK" || exit 1
 printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl red\nKd 0.8 0.1 0.1\n' >m.mtl
 square='v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n'
 
-# lit NAME TEXT [NOTE]: it is solved, all light is finite, some is above 0, and the picture is not black. It says one
-# line for each note; without a note it says at most that the sky shines
+# lit NAME TEXT [NOTE]: it is solved, all light is finite, some is above 0, and the picture is not black. It prints one
+# line for each note; without a note it prints at most that the sky shines
 lit() {
     printf "$2" >model.obj
     rm -f m.rad m.csv m.png

@@ -21,7 +21,7 @@ even() { # even FILE COLUMN VALUE: the mean over the area, within 0.8 %
     table "$1" "a += \$8; s += \$8 * \$$2" "s / a > 0.992 * $3 && s / a < 1.008 * $3"
 }
 check "a furnace of checks" room 'Kd 1 1 1\nKe 1 1 1\nmap_Kd checks.png\n'
-check "... has what their mean says" even room.csv 9 1.3359
+check "... has their mean" even room.csv 9 1.3359
 check "... without a word" test ! -s err
 for kind in jpg tga bmp; do
     convert checks.png -quality 100 -compress None -type TrueColor ${kind/bmp/bmp3}:checks.$kind

@@ -7,12 +7,12 @@ cd "$WORK" || exit 1
 
 "$radiosity" generate columns -o m.obj >/dev/null
 check "without --progress" bash -c "'$radiosity' solve m.obj -o m.rad --hemicube 64 >out 2>quiet"
-check "... nothing is said" test ! -s quiet
-check "with --progress" bash -c "'$radiosity' solve m.obj -o told.rad --hemicube 64 --progress >out 2>lines"
-check "... the same comes out" cmp m.rad told.rad
-check "... all that is said are lines of one kind" bash -c "! grep -vE '^progress: (dividing|form factors|direct light|solving) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?\$' lines"
+check "... nothing is printed" test ! -s quiet
+check "with --progress" bash -c "'$radiosity' solve m.obj -o again.rad --hemicube 64 --progress >out 2>lines"
+check "... the same comes out" cmp m.rad again.rad
+check "... all that is printed are lines of one kind" bash -c "! grep -vE '^progress: (dividing|form factors|direct light|solving) [0-9]+ %(, residual [-+0-9.e]+)?(, [0-9]+ s left)?\$' lines"
 for step in dividing "form factors" "direct light" solving; do
-    check "... it tells when $step begins" grep -q "^progress: $step " lines
+    check "... it reports when $step begins" grep -q "^progress: $step " lines
 done
 for step in dividing "form factors" solving; do
     check "... and when $step ends, once" test "$(grep -c "^progress: $step 100 %" lines)" = 1
@@ -21,16 +21,16 @@ check "... in their order, and never back" awk '{ n = $0; sub(/ %.*/, "", n); su
     if (s == last && n + 0 < was) exit 1; if (s != last && seen[s]++) exit 1; last = s; was = n + 0 }' lines
 check "... and not one for every patch" test "$(wc -l <lines)" -lt 200
 # There are first rays, and when direct light is known, the further ones that are needed
-check "with final gathering" bash -c "'$radiosity' solve m.obj -o told.rad --final 8 --progress >out 2>lines"
+check "with final gathering" bash -c "'$radiosity' solve m.obj -o again.rad --final 8 --progress >out 2>lines"
 for step in dividing "form factors" "direct light" solving "final rays"; do
     check "... $step ends, once" test "$(grep -c "^progress: $step 100 %" lines)" = 1
 done
 check "... and no line goes back" awk '{ n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s)
     if (n + 0 < was[s]) exit 1; was[s] = n + 0 }' lines
-# Longer work tells how much time is left
+# Longer work reports the time left
 "$radiosity" solve m.obj -o long.rad --hemicube 256 --progress >out 2>long &
 PIDS+=($!)
-check "time left is told" await grep -qE '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' long
+check "time left is reported" await grep -qE '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' long
 kill -INT ${PIDS[-1]}
 check "... until it is stopped" ended ${PIDS[-1]}
 script -qefc "'$radiosity' solve m.obj -o m.rad --progress --hemicube 64" terminal >/dev/null </dev/null

@@ -19,14 +19,14 @@ like_fresh() {
     rm -f fresh.rad relit.rad
     # shellcheck disable=SC2086 # options are several words
     check "$what" solve $model --relight base.rad -o relit.rad $changes
-    cp out told
+    cp out printed
     # shellcheck disable=SC2086
     solve $model -o fresh.rad $method $changes
     check "... is like a fresh one" same fresh.rad relit.rad $share
 }
-quick() { grep -q '^kept ' told; }
-scaled() { grep -q '^kept light, scaled' told; }
-slow() { grep -q '^processor seconds: dividing' told; }
+quick() { grep -q '^kept ' printed; }
+scaled() { grep -q '^kept light, scaled' printed; }
+slow() { grep -q '^processor seconds: dividing' printed; }
 light="--sky .2,.3,.5 --sun 30,60,5,5,5 --lamp 0,5,0,1,9,9,9"
 rays="--rays 32 --element 2"
 
@@ -81,7 +81,7 @@ sed 's/^mtllib .*/mtllib dark.mtl/; /^usemtl/,$!b; 0,/^f/{/^f/d}' columns.obj >d
 for method in "$rays" "--hemicube 16 --element 2"; do
     # shellcheck disable=SC2086
     solve dark.obj -o base.rad --keep-rows $method
-    check "an even sky is told" grep -q 'an even sky lights it' err
+    check "an even sky is reported" grep -q 'an even sky lights it' err
     like_fresh "... with other reflectances" dark.obj "$method" "--reflectance white=0.9"
     like_fresh "... and not with power" dark.obj "$method" "--power lamp=1,2,3"
 done
@@ -180,10 +180,10 @@ check "a closed pipe leaves it whole or not at all" bash -c "[ ! -e x.rad ] || '
 # Ctrl-C while it solves: the light so far is written
 "${relight[@]}" --reflectance 1,1,1 --residual 1e-7 --progress >out 2>err &
 PIDS+=($!)
-check "it tells that it solves" await grep -qs '^progress: solving' err
+check "it reports that it solves" await grep -qs '^progress: solving' err
 kill -INT ${PIDS[-1]}
 check "Ctrl-C ends it well" ended ${PIDS[-1]}
-check "... and says so" grep -q '^stopped: ' out
+check "... and is reported" grep -q '^stopped: ' out
 check "... and what to do" grep -qx 'for all of its light run it again: the rows are kept' out
 check "... and writes what is there" "$radiosity" export x.rad --csv x.csv
 check "... all of it" table x.csv 'a += $8' 'lines > 1000 && a > 0'

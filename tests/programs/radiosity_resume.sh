@@ -6,7 +6,7 @@ cd "$WORK" || exit 1
 
 for kind in terrain columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
 sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps
-# stopped SIGNAL STATES MODEL WORDS...: sends the signal after so many states were kept or, where STATES is the name of
+# stopped SIGNAL STATES MODEL WORDS...: sends the signal after STATES states were kept or, where STATES is the name of
 # a step, when that has begun and a state was kept. Tries again when the program ended before it was stopped
 every=0.05
 stopped() {
@@ -36,7 +36,7 @@ stopped_once() {
 }
 goes_on() { # SIGNAL STATES WORDS...
     check "$*" stopped "$@"
-    [ "$1" = KILL ] || check "... it tells how to go on" grep -q '^to continue: radiosity solve --resume part.rad.state' out
+    [ "$1" = KILL ] || check "... it prints how to go on" grep -q '^to continue: radiosity solve --resume part.rad.state' out
     check "... goes on" prints 'sweeps, residual' "$radiosity" solve --resume part.rad.state
     check "... to the same bytes" cmp whole.rad part.rad
     check "... and leaves no state" test ! -e part.rad.state
