@@ -1,5 +1,5 @@
-// One gather by hemicubes at some patches of a model, from light that is known: what rasters, anti-aliasing
-// and hemicubes at corners are worth, apart from all else.
+// One gather by hemicubes at some patches of a model, from known light: it measures rasters, anti-aliasing
+// and hemicubes at corners alone.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -30,8 +30,8 @@ public:
     };
     Result measure(const Way &way);
 
-    // What a patch's hemicube sees, unfolded: the top face and the half faces around it; brighter where more
-    // light comes from, by the logarithm.
+    // The picture in a patch's hemicube, unfolded: the top face and the half faces around it, in the tone of
+    // logarithmicTone().
     pictures::Image unfolded(int patch, int px);
     // The patch that sees most different patches of those that gather.
     int curious();

@@ -1,5 +1,5 @@
 // A page of a study: HTML with tables, plots and pictures, and a CSV for every table. All files lie in one
-// folder; the page asks for nothing else.
+// folder; the page needs nothing else.
 #pragma once
 
 #include "tools/common/new_folder.h"
@@ -45,16 +45,16 @@ public:
     void plot(const std::string &file, pictures::Plot plot);
     void pictures(const std::vector<PagePicture> &pictures);
     void list(const std::vector<std::string> &items);
-    // Where a picture's file is to be written.
+    // The path for a picture's file.
     std::string path(const std::string &file) {
         fresh.push_back(folder / file);
         return fresh.back();
     }
-    // A chapter ends: drop() takes back what is written after this, files too.
+    // A chapter ends: drop() removes all that is added after this, files too.
     void keep() { kept = body.size(), fresh.clear(); }
     void drop();
     bool empty() const { return body.empty(); }
-    // What is written from here on stands before all that was written so far; call it once.
+    // Text that is added from here on stands before all earlier text; call it once.
     void toFront() { rest = std::move(body), body.clear(); }
     // Writes index.html.
     void finish();

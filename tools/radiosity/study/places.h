@@ -29,7 +29,7 @@ private:
     std::vector<Place> places;
 };
 
-// The same of values, one for each place; `reference` has them as they should be.
+// The same for values, one for each place, against those of the reference.
 LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference);
 
 } // namespace odraz::radiosity

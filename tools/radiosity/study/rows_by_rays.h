@@ -1,5 +1,4 @@
-// Rows by rays instead of hemicubes, for models whose hemicubes take too long: what happens after the rows
-// are found does not depend on how.
+// Rows by rays instead of hemicubes, for models whose hemicubes take too long. The later steps are the same.
 #pragma once
 
 #include "tools/radiosity/solution/solve_settings.h"

@@ -66,7 +66,9 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
     // The time of a few paths shows how many can be traced
     constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
     const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);
-    std::vector<MeshProbe> probes = placeMeshProbes(reference, kPlaces), first = probes;
+    std::vector<MeshProbe> &probes = traced;
+    probes = placeMeshProbes(reference, kPlaces);
+    std::vector<MeshProbe> first = probes;
     Stopwatch watch;
     tracePaths(mesh, around, first, kFewest, workers, stop);
     double share = seconds / std::max(watch.wall(), 1e-6);

@@ -24,7 +24,7 @@ struct StudySettings {
 
 // A whole solution that was measured.
 struct MeasuredSolution {
-    std::string name, command; // of `radiosity solve` that gives it; empty: only a study does
+    std::string name, command; // of `radiosity solve` that gives it; empty: none does
     double seconds;            // of the processor
     double wall;
     LightErrors errors;
@@ -38,7 +38,7 @@ struct Gathered {
     int patches = 0;
 };
 
-// How far the reference is from path tracing, which knows nothing of its rays and elements.
+// How far the reference is from path tracing, which shares neither its rays nor its elements.
 struct ReferenceErrors {
     std::string unknown;       // why it is not known; empty: it is
     size_t places = 0;         // at which paths were traced
@@ -54,7 +54,7 @@ struct Interrupted : std::runtime_error {
 
 class Study {
 public:
-    // Takes what is prepared; solves the reference. Throws as solveModel() does.
+    // Solves the reference. Throws as solveModel() does.
     Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Workers &workers, const int *stop,
           Page &page, ProgressBar &bar);
 
@@ -67,6 +67,7 @@ public:
     Solution reference;
     int finalRays = 0; // of its final gather; 0: it has none
     ReferenceErrors referenceErrors;
+    std::vector<MeshProbe> traced; // places with their light by path tracing; empty where that is not known
     std::optional<Places> places;
     std::vector<MeasuredSolution> measured;
     Gathered gathered;                // of the first chapter, if it had time for one
@@ -78,7 +79,7 @@ public:
     // --- Time ---
     // A chapter begins: it may take until this share of the time after the reference has passed.
     void chapter(const char *name, double until);
-    // How many seconds the chapter has left, and whether some work fits in there.
+    // The seconds that the chapter has left, and whether work of this length fits in.
     double left() const;
     bool fits(double seconds) const { return seconds < left(); }
     // Throws Interrupted.
@@ -86,7 +87,7 @@ public:
     // Shows how far the study has come: by its time. Throws Interrupted.
     void tick();
     void print(const std::string &line);
-    // Where pictures of the model are taken from, and their size.
+    // The camera for pictures of the model, with their size.
     RenderSettings camera() const;
     // Work without a limit of time: the next solution is this part, 0 .. 1, of all.
     void nextPart(double from, double to) { partFrom = from, partTo = to; }
@@ -143,6 +144,7 @@ void studyRasters(Study &study);  // pixels, anti-aliasing, corners
 void studyMethods(Study &study);  // gathering, shooting, Gauss-Seidel; passes
 void studyDisplay(Study &study);  // flat and interpolated; mappings
 void studyElements(Study &study); // uniform and adaptive
+void studyRays(Study &study);     // the settings of the way by rays
 void writeSummary(Study &study);  // what to choose
 
 } // namespace odraz::radiosity

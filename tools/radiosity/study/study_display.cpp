@@ -162,7 +162,7 @@ private:
         return {flat, one(b.solution, "interpolated")};
     }
 
-    // Whether errors, in percent, are more than rounding.
+    // Whether errors, in percent, are larger than rounding.
     static bool isMeasurable(double a, double b) {
         return std::isfinite(a) && std::isfinite(b) && std::max(a, b) > 0.01;
     }

@@ -38,7 +38,7 @@ std::vector<Tried> tryAll(Study &study, Gathering &gathering, double patches, do
             }
             tried.push_back({of, way, gathering.measure({of, way == 1 ? 4 : 1, way == 2})});
         }
-    // What hangs on pixels alone: from the middle, against most pixels
+    // The effect of pixels alone: from the middle, against most pixels
     const Tried *finest = nullptr;
     for (const Tried &t : tried)
         if (t.way == 0 && (!finest || t.px > finest->px)) finest = &t;
@@ -48,7 +48,7 @@ std::vector<Tried> tryAll(Study &study, Gathering &gathering, double patches, do
     return tried;
 }
 
-// The cheapest that is so near to the finest raster. Costs that differ by less than a tenth count as equal:
+// The cheapest within `percent` of the finest raster. Costs that differ by less than a tenth count as equal:
 // then it is the one with fewer pixels, which stands first.
 const Tried *cheapest(const std::vector<Tried> &tried, double percent) {
     const Tried *best = nullptr;
@@ -166,7 +166,7 @@ void studyRasters(Study &study) {
     page.heading("Rasters from 25 to 800 pixels");
     double ofOne = 0; // a hemicube of each raster
     for (int px : kRasters) ofOne += study.hemicubeSeconds(px);
-    // As many patches as let all rasters fit into half of the time
+    // The number of patches for which all rasters fit into half of the time
     int asked = 3000;
     while (asked > 375 && study.patchesFor(asked / 2) < study.patchesFor(asked) &&
            1.3 * ofOne * study.patchesFor(asked) + 6 * study.divideSeconds() > all / 2)

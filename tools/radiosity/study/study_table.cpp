@@ -101,8 +101,8 @@ private:
         return next;
     }
 
-    // How often the rasters of a row may shoot, all as often: else what is not shot would hide what the
-    // raster does. Where that is too seldom, the finest ones are left out.
+    // The number of shots for each raster of a row. It is the same for all: else the light that is not shot
+    // would hide the effect of the raster. Where it is too small, the finest rasters are left out.
     int shotsOf(int row, int asked, int &columns) const {
         double fixed = study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst),
                allowed = study.left() / (3 - row);
