@@ -22,7 +22,7 @@ struct Clusters {
     std::vector<float> axes;              // [count][1 + rank][columns]: the mean, then the axes
     std::vector<float> weights;           // [texels][rank]
 
-    size_t floats(int used) const { // that are kept for so many axes
+    size_t floats(int used) const { // that are kept if `used` axes are
         return (size_t)count * (size_t)(1 + used) * (size_t)columns + of.size() * (size_t)used;
     }
     const float *axesOf(int cluster) const {

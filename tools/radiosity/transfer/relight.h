@@ -16,7 +16,7 @@ struct Lighting {
     int rank = -1;            // axes of each cluster in use; -1: the exact rows
 };
 
-// The sky's light turned by so many degrees about the axis that points up, from -z (+y where z is up) towards
+// The sky's light turned by `turn` degrees about the axis that points up, from -z (+y where z is up) towards
 // +x; then tilted about x, the middle of the picture upwards.
 BandLight turnedSky(const BandLight &sky, const TransferRoom &room, double turn, double tilt);
 

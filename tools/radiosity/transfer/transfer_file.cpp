@@ -136,7 +136,7 @@ bool TransferRoom::is(const std::string &path) {
     try {
         return common::readStart(path, sizeof kMagic - 1) == kMagic;
     } catch (const common::Refused &) {
-        return false; // who reads it will tell why
+        return false; // read() reports why
     }
 }
 

@@ -67,7 +67,7 @@ void BackgroundSolve::look(const Solution &soFar) {
     else
         solution->light = soFar.light;
     publish(first, false);
-    // Making light may take a fifth of the time at most; small models show every sweep
+    // At most a fifth of the time is spent on making light; small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
     looking = false;

@@ -15,7 +15,7 @@
     F(glfwTerminate) F(glfwWaitEventsTimeout) F(glfwWindowHint) F(glfwWindowShouldClose)
 // clang-format on
 
-// Each jumps, with whatever parameters, to where the library has it.
+// Each jumps to the library's function; parameters stay where they are.
 #define ODRAZ_JUMP(name)                                                                                     \
     extern "C" {                                                                                             \
     void *odraz_##name;                                                                                      \

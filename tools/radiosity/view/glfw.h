@@ -1,4 +1,4 @@
-// GLFW, opened by name when a window is wanted, so that all other commands run where it is not installed.
+// GLFW, opened by name for a window, so that all other commands run where it is not installed.
 #pragma once
 
 namespace odraz::radiosity {

@@ -48,7 +48,7 @@ void ViewWindow::pickPatch() {
 
 float ViewWindow::exposure() const { return wanted.exposure * std::exp2(s.camera.stops); }
 
-// Adapts the exposure gradually, as eyes do; at once for a screenshot. Returns whether it must continue.
+// Adapts the exposure gradually; at once for a screenshot. Returns whether it must continue.
 bool ViewWindow::glide(float seconds) {
     float stops = std::log(exposure() / tone.exposure), low = wanted.low - tone.low,
           high = wanted.high - tone.high, off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});

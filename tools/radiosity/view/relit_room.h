@@ -1,6 +1,6 @@
-// A room that `view` relights while it is looked at: what keys and the mouse set, and the light that follows.
+// A room that `view` relights: the settings of keys and mouse, and the light that they give.
 //
-// Other numbers of clusters are found on a thread of their own; until they are there, the old ones are shown.
+// Other numbers of clusters are found on a thread of their own; until then the old ones are shown.
 #pragma once
 
 #include "tools/radiosity/transfer/relight_options.h"
@@ -27,7 +27,7 @@ public:
     bool key(int key, bool shift);
     // Turns and tilts the sky by degrees.
     void turn(double around, double up);
-    // Makes the light that an eye sees at each point of the mesh; null if it is as it was.
+    // The light that an eye sees at each point of the mesh; null if it has not changed.
     const std::vector<Rgb> *light(const Vec3 &eye);
 
     std::string title() const;          // its settings, in short

@@ -46,7 +46,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         if (action != GLFW_RELEASE) of(w).key(key, with & GLFW_MOD_SHIFT);
     });
     glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
-    // Handle events in order: if pictures take long, a whole gesture may happen between two of them
+    // Events are handled in order: a whole gesture may happen between two slow pictures
     glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_RIGHT) of(w).turning = action == GLFW_PRESS;
