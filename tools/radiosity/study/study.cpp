@@ -152,7 +152,7 @@ Solved Study::solve(const SolveSettings &s) {
 }
 
 std::string Study::command(const std::string &options) const {
-    return "radiosity solve " + common::shellWord(settings.model) + " -o OUT.rad" + settings.words +
+    return "radiosity solve " + common::shellWord(settings.model) + " -o OUT.rad" + settings.options +
            (options.empty() ? "" : " ") + options;
 }
 

@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 
 struct StudySettings {
     std::string model;
-    std::string words;   // the options given that `radiosity solve` has too, each after a blank
+    std::string options; // given ones that `radiosity solve` has too, each after a blank
     SolveSettings solve; // light from outside and memory, as given; the chapters set the rest
     double minutes = 8;  // that the study may take
     double within = 5;   // percent: the error (rms) within which the cheapest setting is looked for

@@ -44,7 +44,7 @@ void readJob(common::CommandLine &line, Job &job) {
     line.parse();
     // For the commands that the page advises
     for (const auto &[option, value] : line.givenOf(SolveOptions::groups()))
-        job.settings.words += " " + option + (value.empty() ? "" : " " + common::shellWord(value));
+        job.settings.options += " " + option + (value.empty() ? "" : " " + common::shellWord(value));
     if (job.table41 != job.settings.model.empty())
         throw common::Refused(job.table41 ? "--table41 takes no model: it generates the hall of columns"
                                           : "name a model: radiosity study MODEL.obj -o FOLDER");
@@ -70,7 +70,7 @@ struct Chapter {
 };
 // The methods first: they need all rows, which take longest in a model of many polygons
 constexpr Chapter kChapters[] = {
-    {"methods", 0.38, studyMethods},    {"table", 0.62, [](Study &s) { studyTable(s, false); }},
+    {"methods", 0.38, studyMethods},   {"table", 0.62, [](Study &s) { studyTable(s, false); }},
     {"rasters", 0.82, studyRasters},   {"display", 0.88, studyDisplay},
     {"elements", 0.95, studyElements}, {"rays", 1, studyRays}};
 constexpr Chapter kTable41[] = {{"table", 1, [](Study &s) { studyTable(s, true); }}};
