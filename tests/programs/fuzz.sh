@@ -1,32 +1,33 @@
 # Attacks a reader of files, with real files as seeds.
-#   fuzz.sh BUILD pack|rad|obj|hdr|prt replay    damages the seeds, in every run the same way; for tests under
-#                                                sanitizers
-#   fuzz.sh BUILD pack|rad|obj|hdr|prt SECONDS   runs libFuzzer that long. What it finds differs from run to run, so
-#                                                it prints each finding: keep it as a test
+#   fuzz.sh BUILD pack|rad|obj|hdr|prt replay PROGRAMS   damages the seeds, in every run the same way; for tests under
+#                                                        sanitizers. PROGRAMS: a build whose programs make the seeds
+#   fuzz.sh BUILD pack|rad|obj|hdr|prt SECONDS           runs libFuzzer that long. What it finds differs from run to
+#                                                        run, so it prints each finding: keep it as a test
 [ ! -w /dev/shm ] || export TMPDIR=/dev/shm # for files by the thousand
 . "$(dirname "$0")/common.sh"
-target=${2:-pack} seconds=${3:-30}
+target=${2:-pack} seconds=${3:-30} programs=${4:-$BUILD}
 case $seconds in replay) needs_built "tests/replay_$target" ;; *) needs_built "tests/fuzz_$target" ;; esac # by clang
+[ -x "$programs/pack" ] || { echo "SKIPPED: $programs has no pack: its programs make the seeds"; exit 77; }
 mkdir -p "$WORK/seeds"
 cd "$WORK" || exit 1
 
 seeds_for_pack() {
     seed() { { printf "\\x0$1"; cat "$2"; } >"seeds/$3"; } # seed READER FILE NAME
-    bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" . >/dev/null || return
+    bash "$SOURCE/packer/example/build.sh" "$programs/pack" . >/dev/null || return
     seed 0 hello.elf elf
     seed 1 hello packed
     tail -c +$((528 + $(stat -c %s "$BUILD/generated/stub.bin") + 1)) hello >parameters
     seed 2 parameters parameters
     { printf '\xfa'; cat parameters; } >seeds/decoded # 250: reader 2, which decodes
-    bash "$SOURCE/packer/example/build.sh" "$BUILD/pack" . --pe >/dev/null || return
+    bash "$SOURCE/packer/example/build.sh" "$programs/pack" . --pe >/dev/null || return
     seed 5 hello_windows.elf windows
     seed 4 hello.exe packed_windows
     tail -c +$((512 + 264 + $(stat -c %s "$BUILD/generated/stub_windows.bin") + 1)) hello.exe >parameters
     { printf '\xfc'; cat parameters; } >seeds/parameters_windows # 252: reader 4, of parts alone
-    "$BUILD/pack" hello.elf -o again --save-model model >/dev/null || return
+    "$programs/pack" hello.elf -o again --save-model model >/dev/null || return
     seed 3 model model
     seed 6 hello.elf any
-    "$BUILD/pack" hello.elf -o any --loader >/dev/null || return
+    "$programs/pack" hello.elf -o any --loader >/dev/null || return
     seed 7 any packed_any
     options=(-max_len=8192)
 }
@@ -34,7 +35,7 @@ seeds_for_pack() {
 seeds_for_obj() {
     local kind
     for kind in cube columns corner; do
-        "$BUILD/radiosity" generate $kind -o $kind.obj >/dev/null || return
+        "$programs/radiosity" generate $kind -o $kind.obj >/dev/null || return
         { head -c 6000 $kind.obj | sed 's/^mtllib .*/mtllib m.mtl/'; printf '\xff'; cat $kind.mtl; } >seeds/$kind
     done
     printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 0 1 0 1 1 1\nv -1 -1 .5e0\nf 1 2/1 3/2/3 -1//4\ng a\ns 1\nf -4 -3 -2\nl 1 2\np 1\xffnewmtl m\nKd .5 1 0\nKe 1 2 3\nd .5\nmap_Kd -o 1 -s 2 2 2 -bm 1 a.png\nillum 2\n' >seeds/all
@@ -49,7 +50,7 @@ seeds_for_rad() {
     printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
     for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01 --adaptive"; do
         # shellcheck disable=SC2086 # options are several words
-        "$BUILD/radiosity" solve m.obj -o m.rad $option >/dev/null || return
+        "$programs/radiosity" solve m.obj -o m.rad $option >/dev/null || return
         tail -c +27 m.rad >"seeds/${option//[^0-9a-z]/}"
     done
     # An earlier finding: the floor's blue, the fourth number from the end, is negative
@@ -64,7 +65,7 @@ seeds_for_prt() {
     printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
     for option in "--bands 1 --rank 1" "--bands 2 --rank 2 --clusters 2" "--bands 1 --rank 1 --glossy m" "--bands 2 --rank 1 --up z"; do
         # shellcheck disable=SC2086 # options are several words
-        "$BUILD/radiosity" transfer m.obj -o m.prt --rays 8 --element 1 $option >/dev/null 2>&1 || return
+        "$programs/radiosity" transfer m.obj -o m.prt --rays 8 --element 1 $option >/dev/null 2>&1 || return
         tail -c +26 m.prt >"seeds/${option//[^0-9a-z]/}"
     done
     options=(-max_len=65536)

@@ -1,6 +1,6 @@
 // replay SEED...: gives a reader each file, then damaged copies of it, which are the same in every run: cut
 // short, with bytes changed, removed, repeated or taken from another seed. Whatever the reader does wrong,
-// the sanitizers tell; the input is then in the file `input`.
+// the sanitizers report; the input is then in the file `input`.
 
 #include <algorithm>
 #include <cstdio>
