@@ -42,6 +42,7 @@ TEST(AdaptiveFaults, DoesNotFlicker) {
 
 // Where squares meet, the picture must be as smooth as inside them.
 TEST(AdaptiveFaults, ShowsNoSquares) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     TracedPicture p = traced(kTable, 100, kTableView, named(QualityName::Play), 640, 360),
                   truth = traced(kTable, 100, kTableView, named(QualityName::Reference), 640, 360);
     auto bends = [](const TracedPicture &q, int phase) {
@@ -109,6 +110,7 @@ TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
 // The share of a pixel beyond an edge shows at every slope of the edge, even near the axes, where stairs are
 // long.
 TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto s = shining({1, 1, 1}, Shape{.kind = ShapeKind::Rect,
                                       .centre = {0, -100, -10},
                                       .half = {200, 0, 100},
@@ -173,6 +175,7 @@ TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
 // A lamp mirrored in a small ball, less than a pixel wide, is found wherever it lies. (Where it lies in one
 // pixel alone, this is taken for a spark, and dimmed.)
 TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (QualityName name : {QualityName::Draft, QualityName::Play})
         EXPECT_LE(blinks(named(name),
                          [](Scene &s) {
@@ -188,6 +191,7 @@ TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
 // A ball of two pixels is found wherever it lies, beside an edge too, where the corners that split a square
 // do so for the edge alone. (In one pixel alone it is dimmed, as above.)
 TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
+    if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     for (QualityName name : {QualityName::Draft, QualityName::Play})
         EXPECT_LE(blinks(named(name),
                          [](Scene &s) {
