@@ -7,11 +7,11 @@ dump() { # dump NAME OPTION...
     shift
     "$odraz" --dump "$to" --size 203x117 "$@"
 }
-interval=(--fps 30000/1001 --from 39.2 --to 40.4 --quality play) # across a cut
+interval=(--fps 30000/1001 --from 39.7 --to 40.3 --quality play) # across a cut
 
 check "dump with one thread" dump one "${interval[@]}" --threads 1
-check "... 36 pictures" test "$(ls "$WORK/one" | wc -l)" = 36
-check "... that are not all the same" test "$(sums "$WORK/one" | cut -d' ' -f1 | sort -u | wc -l)" -gt 30
+check "... 18 pictures" test "$(ls "$WORK/one" | wc -l)" = 18
+check "... that are not all the same" test "$(sums "$WORK/one" | cut -d' ' -f1 | sort -u | wc -l)" -gt 15
 for threads in 2 5 64; do
     check "dump with $threads threads" dump many "${interval[@]}" --threads $threads
     check "$threads threads make the same pictures" cmp <(sums "$WORK/one") <(sums "$WORK/many")
@@ -26,7 +26,7 @@ check "dump the hall with one thread, its own and OpenGL's" hall hall1 LP_NUM_TH
 check "... with many" hall hall7 LP_NUM_THREADS=7 --threads 5
 check "... the same" cmp "$WORK/hall1" "$WORK/hall7"
 
-for cut in "39.2 39.6" "39.6 39.612345" "39.612345 40.4"; do
+for cut in "39.7 39.9" "39.9 39.912345" "39.912345 40.3"; do
     check "dump a shard" dump shards --fps 30000/1001 --from ${cut% *} --to ${cut#* } --quality play --threads 2
 done
 check "shards join to the same pictures" cmp <(sums "$WORK/one") <(sums "$WORK/shards")
@@ -82,8 +82,8 @@ fi
 printf 'P6\n2 1\n255\nabcdef' >"$WORK/a.ppm"
 printf 'P6\n2 1\n255\nabcdez' >"$WORK/b.ppm"
 check "compare finds equal pictures equal" prints 'largest difference 0,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/a.ppm"
-"$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" >"$WORK/said"
-check "compare finds a difference" grep -q 'largest difference 20,' "$WORK/said"
+"$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" >"$WORK/printed"
+check "compare finds a difference" grep -q 'largest difference 20,' "$WORK/printed"
 check "compare exits 1 over the threshold" bash -c "'$BUILD/compare' '$WORK/a.ppm' '$WORK/b.ppm' --max 19 >/dev/null; [ \$? = 1 ]"
 check "compare exits 0 within it" prints 'largest difference 20,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" --max 20
 check "compare refuses what is no picture" refuses 2 "cannot read a picture" "$BUILD/compare" "$WORK/a.ppm" "$BUILD/CMakeCache.txt"
@@ -130,7 +130,7 @@ END
         check "... every value" prints 'largest difference 0,' "$BUILD/compare" "$WORK/is.png" "$WORK/shall.ppm"
     done
     check "... not by what does not divide it" refuses 2 "that 5 divides" "$BUILD/compare" --linear "$WORK/linear.png" "$WORK/is.png" --by 5
-    check "what is seen of a difference is told" prints '^mean flip 0\.[0-9]{4}, psnr in linear light [0-9.]+ dB, in sRGB [0-9.]+ dB$' \
+    check "what is seen of a difference is printed" prints '^mean flip 0\.[0-9]{4}, psnr in linear light [0-9.]+ dB, in sRGB [0-9.]+ dB$' \
         "$BUILD/compare" "$WORK/a.ppm" "$WORK/b.ppm" --seen --max 255
 else
     echo "skipped: python3 is not installed"

@@ -17,7 +17,7 @@ hall=(--dump - --from 120 --to 120.04 --size 64x36)
 "$odraz" "${plain[@]}" >plain.ppm || exit 1
 "$odraz" "${hall[@]}" >hall.ppm || exit 1
 
-# same plain|hall COMMAND...: runs the film with its last words; the picture is the same, and it says nothing
+# same plain|hall COMMAND...: runs the command, which ends in the film; the picture is the same, and nothing is printed
 same() {
     local kind=$1
     shift
@@ -32,35 +32,35 @@ export -f limited
 under() { local limit="ulimit $1 $2"; shift 2; UNDER=(bash -c "$limit"' && exec "$@"' under); }
 
 # --- Limits ---
-for kind in plain hall; do
-    under -n 4; check "$kind, with 4 descriptors" same $kind "${UNDER[@]}"
-    under -s 256; check "... with a stack of 256 KB" same $kind "${UNDER[@]}"
-    under -s unlimited; check "... with a stack without limit" same $kind "${UNDER[@]}"
-    under -c 0; check "... without core files" same $kind "${UNDER[@]}"
-    under -l 0; check "... without locked memory" same $kind "${UNDER[@]}"
-done
+under -n 4; check "with 4 descriptors" same plain "${UNDER[@]}"
+under -s 256; check "with a stack of 256 KB" same plain "${UNDER[@]}"
+under -s unlimited; check "with a stack without limit" same plain "${UNDER[@]}"
+under -c 0; check "without core files" same plain "${UNDER[@]}"
+under -l 0; check "without locked memory" same plain "${UNDER[@]}"
+check "the hall, with all of these" same hall bash -c 'ulimit -n 4 -s 256 -c 0 -l 0 && exec "$@"' under
+under -s unlimited; check "... with a stack without limit" same hall "${UNDER[@]}"
 under -s 64; check "with a stack of 64 KB" same plain "${UNDER[@]}"
 # Whatever the limit on address space: the picture, or one line
 any_room() {
-    local kb status told=0 drawn=0
+    local kb status refused=0 drawn=0
     for kb in $(seq 6000 11000 250000); do
         limited -v "$kb" timeout "$PATIENCE" "$odraz" "${plain[@]}" >got.ppm 2>err </dev/null
         status=$?
         if [ $status = 0 ] && cmp -s plain.ppm got.ppm && [ ! -s err ]; then drawn=$((drawn + 1))
-        elif [ $status = 1 ] && [ "$(wc -l <err)" = 1 ] && [ ! -s got.ppm ]; then told=$((told + 1))
+        elif [ $status = 1 ] && [ "$(wc -l <err)" = 1 ] && [ ! -s got.ppm ]; then refused=$((refused + 1))
         else echo "of $kb KB: exit status $status, $(head -c 300 err)" >&2; return 1; fi
     done
-    echo "    too little $told times, enough $drawn times"
-    [ $told -gt 0 ] && [ $drawn -gt 0 ]
+    echo "    too little $refused times, enough $drawn times"
+    [ $refused -gt 0 ] && [ $drawn -gt 0 ]
 }
 check "with any limit of memory: the frame, or one line" any_room
 for blocks in 0 1 4; do # of 1024 bytes; a frame has 6,925. The limit is for files, and standard error is one here
     no_room() {
-        local said
+        local line
         rm -rf limit
-        said=$(limited -f $blocks "$odraz" --dump limit --from 20 --to 20.2 --size 64x36 2>&1 >/dev/null | cat)
-        [[ $said = "odraz: cannot write limit/frame-000500.ppm: the limit on a file's size is reached (ulimit -f)" ]] && [ -z "$(ls limit)" ] && return
-        echo "$said" >&2
+        line=$(limited -f $blocks "$odraz" --dump limit --from 20 --to 20.2 --size 64x36 2>&1 >/dev/null | cat)
+        [[ $line = "odraz: cannot write limit/frame-000500.ppm: the limit on a file's size is reached (ulimit -f)" ]] && [ -z "$(ls limit)" ] && return
+        echo "$line" >&2
         return 1
     }
     check "with a limit of $blocks KB for a file" no_room
@@ -95,19 +95,21 @@ if [ "$(id -u)" != 0 ] || ! unshare --mount true 2>/dev/null; then
     echo "not checked, for want of root: no /proc, full and read-only disks, setuid, another user"
     finish
 fi
-for place in /proc /dev /sys /run /var; do
-    hidden=(unshare --mount bash -c "mount -t tmpfs none $place && "'exec "$@"' hidden)
-    check "without $place" same plain "${hidden[@]}"
-    check "... for the hall" same hall "${hidden[@]}"
-done
-# on_disk OPTIONS DUMP'S END: dumps onto a disk of its own; prints what is said, then what is there
+hide() { # hide FOLDER...: sets HIDDEN, which runs a command where these are empty
+    local mounts
+    mounts=$(printf 'mount -t tmpfs none %s && ' "$@")
+    HIDDEN=(unshare --mount bash -c "$mounts"'exec "$@"' hidden)
+}
+for place in /dev /sys /run /var /proc; do hide $place; check "without $place" same plain "${HIDDEN[@]}"; done
+hide /dev /sys /run /var /proc; check "the hall, without all of these" same hall "${HIDDEN[@]}"
+# on_disk OPTIONS DUMP'S END: dumps onto a disk of its own; writes to \`report\` what is printed, then what is there
 on_disk() {
     unshare --mount bash -c "mkdir -p disk && mount -t tmpfs -o $1 none disk && $2"' && { "$@" 2>err; echo "exit $?"; cat err; ls -R disk | grep -c ppm$; ls -R disk | grep -c part$; true; }' disk \
-        "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >said
+        "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >report
 }
-full() { on_disk size=64k true && [ "$(sed -n 1p said)" = "exit 1" ] && grep -qE '^odraz: cannot write disk/d/frame-0005[0-9]{2}.ppm: no space left on the device$' said && [ "$(sed -n 3p said)" -ge 3 ] && [ "$(sed -n 4p said)" = 0 ]; }
+full() { on_disk size=64k true && [ "$(sed -n 1p report)" = "exit 1" ] && grep -qE '^odraz: cannot write disk/d/frame-0005[0-9]{2}.ppm: no space left on the device$' report && [ "$(sed -n 3p report)" -ge 3 ] && [ "$(sed -n 4p report)" = 0 ]; }
 check "a full disk: one line, no half-written frame" full
-read_only() { on_disk size=64k "mount -o remount,ro disk" && [ "$(sed -n '1,2p' said)" = $'exit 1\nodraz: cannot write disk/d: the file system is read-only' ]; }
+read_only() { on_disk size=64k "mount -o remount,ro disk" && [ "$(sed -n '1,2p' report)" = $'exit 1\nodraz: cannot write disk/d: the file system is read-only' ]; }
 check "a read-only disk" read_only
 check "the film runs from a read-only disk, too" same plain unshare --mount bash -c 'mkdir -p disk && mount -t tmpfs none disk && cp "$1" disk/odraz && mount -o remount,ro disk && shift && exec disk/odraz "$@"' disk
 
