@@ -50,6 +50,11 @@ lacking() {
     echo "not a library" >"$WORK/$1.d/$1"
     echo "$WORK/$1.d"
 }
+# copy_sources FOLDER: the files that git tracks; one may have been removed and that not committed
+copy_sources() {
+    mkdir -p "$1"
+    (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$1") 2>"$WORK/copied" || true
+}
 # flip FILE OFFSET [BITS]: inverts bits of one byte; all eight if BITS is not given
 flip() {
     printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
@@ -62,9 +67,9 @@ can_be_unwritten() {
 }
 needs_built() { [ -x "$BUILD/$1" ] || { echo "SKIPPED: $1 is not built"; exit 77; }; }
 
-# --- What programs say ---
+# --- What programs print ---
 
-# refuses STATUS TEXT COMMAND...: exits with the status and says one line with the text on stderr, nothing on stdout
+# refuses STATUS TEXT COMMAND...: exits with the status; prints one line with the text on stderr, nothing on stdout
 refuses() {
     local status=$1 text=$2 got
     shift 2
@@ -79,7 +84,7 @@ transcript() {
     {
         timeout "$PATIENCE" "$@" 2>&1
         echo "status $?"
-    } 2>/dev/null # where the shell tells of signals
+    } 2>/dev/null # where the shell reports signals
 }
 # prints PATTERN COMMAND...: succeeds, and a line of its output matches
 prints() {

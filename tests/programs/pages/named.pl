@@ -1,6 +1,6 @@
-# named.pl PAGE FILES TARGETS WORDS HELPS: tells what the page names, by `...` or as a link, that is not there: a file, a
+# named.pl PAGE FILES TARGETS WORDS HELPS: prints what the page names, by `...` or as a link, that is not there: a file, a
 # target or program, an option, a function. FILES: what git tracks; TARGETS: what can be built; WORDS: all words of the
-# sources; HELPS: a folder of what programs say by --help.
+# sources; HELPS: a folder of what programs print for --help.
 use strict;
 use warnings;
 my ($page, $files, $targets, $words, $helps) = @ARGV;
@@ -14,7 +14,7 @@ for my $name (grep { !/^\./ } readdir $folder) {
     (my $program = $name) =~ s/.*://;
     $help{$program} .= join("\n", lines("$helps/$name"));
 }
-my $told = join("\n", values %help); # by which programs name what they make
+my $helps_text = join("\n", values %help); # in which programs name what they make
 my %folder;
 for my $name (keys %file) { $folder{$name} = 1 while $name =~ s/\/[^\/]*$// }
 my ($here) = $page =~ /^(.*\/)/;
@@ -24,7 +24,7 @@ sub is_there { # a file or folder, named from the top, from this page, or by the
     my ($name) = @_;
     $name =~ s/\/$//;
     return 1 if $name eq 'build' || $file{$name} || $folder{$name} || $file{"$here$name"} || $folder{"$here$name"};
-    return scalar($target{$1} || $help{$1} || $told =~ /(?<![\w\/])\Q$name\E(?![\w\/])/) if $name =~ /^build\/(?:tests\/)?([^\/]+)$/;
+    return scalar($target{$1} || $help{$1} || $helps_text =~ /(?<![\w\/])\Q$name\E(?![\w\/])/) if $name =~ /^build\/(?:tests\/)?([^\/]+)$/;
     return scalar grep { /(?:^|\/)\Q$name\E(?:\.\w+)?$/ } keys %file, keys %folder;
 }
 sub has_option {
@@ -41,6 +41,7 @@ while ($text =~ /\]\((?!https?:)([^)#]+)[^)]*\)/g) {
     1 while $path =~ s/[^\/]+\/\.\.\///;
     want(scalar($file{$path} || $folder{$path =~ s/\/$//r}), "a link to $link");
 }
+want($target{$_}, "--target $_") for map { split ' ' } $text =~ /--target ((?:[\w.-]+ ?)+)/g;
 $text =~ s/a new file, `[^`]*`//g; # which is to be made
 while ($text =~ /`([^`\n]+(?:\n\s*[^`\n]+)?)`/g) {
     (my $span = $1) =~ s/\s+/ /g;
