@@ -27,21 +27,21 @@ block 2 | sed -n '/script:/,/artifacts:/ s/^ *- //p' >"$WORK/script"
 check "the page has a step of five lines" test "$(wc -l <"$project/check.sh")" = 5
 check "... and two commands for it" test "$(wc -l <"$WORK/script")" = 2
 check "the archive of these is that of this version" grep -qF "$tools.tar.gz" "$WORK/script"
-step() { (cd "$project" && env -u BUILD bash -e "$WORK/script") >"$WORK/said" 2>&1; }
-said() { grep -qE -- "$1" "$WORK/said" || { cat "$WORK/said" >&2; return 1; }; }
+step() { (cd "$project" && env -u BUILD bash -e "$WORK/script") >"$WORK/printed" 2>&1; }
+printed() { grep -qE -- "$1" "$WORK/printed" || { cat "$WORK/printed" >&2; return 1; }; }
 
 check "the program is built" built 99
 check "its picture is kept, by the page's command" eval '"$project/build/game" --screenshot "$project/build/frame.ppm" && cd "$project" && PATH=$WORK/tools/$tools:$PATH && eval "$(sed -n "s/.*\`\(compare --png .*\)\`.*/\1/p" "$page")"'
 check "... and what it costs" bash -c '"$0/pack" "$1/build/game" -o "$2" --report "$1/golden/game.json" >/dev/null' "$BUILD/portable" "$project" "$WORK/packed"
 check "the step passes" step
-check "... and tells what is left of the budget" said ' bytes left of 30000'
+check "... and prints what is left of the budget" printed ' bytes left of 30000'
 check "... with a report" test -s "$project/build/game.json"
 check "... and a comment" grep -q 'bytes\*\*, +0' "$project/build/game.md"
 check "it passes a picture that hardly differs" eval 'built 100 && step'
 check "another picture fails it" eval 'built 160 && ! step'
-check "... and is told" said 'largest difference 61, '
+check "... and is reported" printed 'largest difference 61, '
 check "... and shown" test -s "$project/build/difference.png"
 sed -i 's/--budget 30000/--budget 3000/' "$project/check.sh"
 check "a budget that is too small fails it" eval 'built 99 && ! step'
-check "... and is told" said 'over budget by [0-9]+ bytes'
+check "... and is reported" printed 'over budget by [0-9]+ bytes'
 finish

@@ -28,8 +28,8 @@ start_window_manager() {
 seen() { window=$(xdotool search --onlyvisible --name "^$FILM\$" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
 focused() { [ "$(xdotool getwindowfocus -f)" = "$window" ]; }
 measures() { # measures WIDTH HEIGHT
-    local told
-    told=$(xwininfo -id "$window") && grep -q "Width: $1\$" <<<"$told" && grep -q "Height: $2\$" <<<"$told"
+    local info
+    info=$(xwininfo -id "$window") && grep -q "Width: $1\$" <<<"$info" && grep -q "Height: $2\$" <<<"$info"
 }
 shot() { import -window "$window" "$@" "$WORK/shot.png"; }
 measured() { identify -format "%[fx:$1]" "$WORK/shot.png"; }
@@ -45,6 +45,10 @@ begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
     seen && echo "    seen after $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) ms"
 }
 
+# play OPTION...: loads by load(), and waits for a picture: first the film is unpacked, and the hall is solved
+play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
+managed() { wmctrl -l | grep -q ' odraz$'; }
+
 # The film on the full screen of a display of 1000x700, which is taller than 16:9: 68 or 69 black rows above and below
 differs() { shot && [ -s "$WORK/first.png" ] && ! cmp -s "$WORK/first.png" "$WORK/shot.png"; }
 check_full_screen() {
@@ -56,7 +60,7 @@ check_full_screen() {
     check "... below too" is_black 1000x67+0+633
     check "... and the picture is not black" await is_bright
 }
-# grows TIMES [PID]: the copper share of the middle row grows so many times, until the film begins, which is black at
+# grows TIMES [PID]: the copper share of the middle row grows TIMES times until the film begins, which is black at
 # first. PID is stopped while we look, so that a busy machine does not make us miss steps
 grows() {
     local before=0 now=0 steps=0 end=$((SECONDS + PATIENCE))

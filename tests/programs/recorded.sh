@@ -38,3 +38,15 @@ record() { # record FILE: sets recorder
     PIDS+=($recorder)
     await test -s "$1"
 }
+# into_server TO SECONDS MOST [LOST]: the film, played until TO by play(), is its music at the server, in one of ten tries
+into_server() {
+    local to=$1
+    shift
+    for _ in {1..10}; do
+        record "$WORK/recorded"
+        play --to "$to" || return 1
+        kill $recorder
+        is_music "$WORK/recorded" "$@" && return 0
+    done
+    return 1
+}

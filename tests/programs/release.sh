@@ -86,7 +86,7 @@ if command -v ffmpeg >/dev/null; then
     check "... is one, with sound" test "$(ffprobe -v error -show_entries stream=codec_name,width,height,r_frame_rate,nb_frames -of csv=p=0 "$WORK/capture/odraz-1080p60.mp4" | tr '\n' ' ' | grep -cE '^h264,1920,1080,60/1,6 aac,')" = 1
     check "... with its manifest, and nothing more" test "$(ls -A "$WORK/capture" | wc -l)" = 5
 fi
-refuses_unclean() { # a program whose version says that its tree differed
+refuses_unclean() { # a program whose version is marked: its tree differed
     mkdir "$WORK/other"
     printf '#!/bin/sh\necho odraz 1.2.3 0123456789ab+\n' >"$WORK/other/odraz"
     chmod +x "$WORK/other/odraz"

@@ -8,7 +8,7 @@ list=$WORK/shown.csv
 record() { timeout "$PATIENCE" "$BUILD/odraz-debug" --shown "$@" --size 160x90 --mute >"$WORK/out" 2>"$WORK/err"; }
 
 check "plays three seconds and writes what was shown" record "$list" --from 50.5 --to 53.5
-check "... and says nothing" test ! -s "$WORK/err" -a ! -s "$WORK/out"
+check "... and prints nothing" test ! -s "$WORK/err" -a ! -s "$WORK/out"
 check "... and leaves nothing beside it" test "$(ls "$WORK" | grep -c shown)" = 1
 check "... which shows the film in order, nothing before its time" table "$list" \
     'if ($2 < last || ($1 >= 0 && $1 < $2)) wrong = 1; last = $2; shown += $1 >= 0; if ($4 > 2 || $5 != 160 || $6 != 90) wrong = 1' \

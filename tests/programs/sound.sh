@@ -12,13 +12,13 @@ check "... 162 seconds of it" test "$(stat -c %s "$wav")" = $((162 * 48000 * 4 +
 check "... and nothing else" test "$(ls "$WORK"/*.part 2>/dev/null | wc -l)" = 0
 check "it is the golden one" "$SOURCE/tools/golden" hear "$BUILD"
 check "odraz-safe writes the same, whatever the number of threads" cmp "$wav" <("$odraz" --wav - --threads 5)
-said() { ffprobe -v error -show_entries stream=codec_name,sample_rate,channels,duration -of csv=p=0 "$1"; }
-check "it is a WAV of 48 kHz, 16 bits, stereo" test "$(said "$wav")" = pcm_s16le,48000,2,162.000000
+format() { ffprobe -v error -show_entries stream=codec_name,sample_rate,channels,duration -of csv=p=0 "$1"; }
+check "it is a WAV of 48 kHz, 16 bits, stereo" test "$(format "$wav")" = pcm_s16le,48000,2,162.000000
 
 # A part is a slice of the whole: samples at or after a time belong to it
 body() { tail -c +45 "$1"; }
 slice() { tail -c +$((45 + 4 * $1)) "$wav" | head -c $((4 * ($2 - $1))); }
-shard() { "$odraz" --wav "$WORK/shard.wav" --from "$1" --to "$2" && [ "$(said "$WORK/shard.wav")" = "pcm_s16le,48000,2,$5" ] && cmp <(body "$WORK/shard.wav") <(slice "$3" "$4"); }
+shard() { "$odraz" --wav "$WORK/shard.wav" --from "$1" --to "$2" && [ "$(format "$WORK/shard.wav")" = "pcm_s16le,48000,2,$5" ] && cmp <(body "$WORK/shard.wav") <(slice "$3" "$4"); }
 check "a part is its slice" shard 60 61.5 2880000 2952000 1.500000
 check "... to the sample" shard 71.123456 71.2 3413926 3417600 0.076542
 check "... at the end" shard 161.5 162 7752000 7776000 0.500000
@@ -46,11 +46,11 @@ check "... and --window" refuses 2 "--window is for playing" "$odraz" --wav "$WO
 
 # Loudness, after EBU R 128 and ITU-R BS.1770
 ffmpeg -hide_banner -nostats -i "$wav" -af ebur128=peak=true:framelog=verbose -f null - 2>"$WORK/ebu"
-told() { sed -n "/Summary/,\$ s/^ *$1: *\(-*[0-9.]*\) .*/\1/p" "$WORK/ebu" | head -n 1; }
-echo "loudness $(told I) LUFS, range $(told LRA) LU, true peak $(told Peak) dBTP"
-check "its loudness is -16 LUFS" eval 'less -17 "$(told I)" && less "$(told I)" -15'
-check "... with a range of 8 to 18 LU" eval 'less 8 "$(told LRA)" && less "$(told LRA)" 18'
-check "... and a true peak below -1 dB" less "$(told Peak)" -1
+loudness() { sed -n "/Summary/,\$ s/^ *$1: *\(-*[0-9.]*\) .*/\1/p" "$WORK/ebu" | head -n 1; }
+echo "loudness $(loudness I) LUFS, range $(loudness LRA) LU, true peak $(loudness Peak) dBTP"
+check "its loudness is -16 LUFS" eval 'less -17 "$(loudness I)" && less "$(loudness I)" -15'
+check "... with a range of 8 to 18 LU" eval 'less 8 "$(loudness LRA)" && less "$(loudness LRA)" 18'
+check "... and a true peak below -1 dB" less "$(loudness Peak)" -1
 
 "$BUILD/listen" "$wav" >"$WORK/heard"
 grep -v '^onset' "$WORK/heard"

@@ -6,10 +6,7 @@ packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which need not b
 LIMIT=20000
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
-managed() { wmctrl -l | grep -q ' odraz$'; }
 load() { begin "$@" && await focused; } # load PROGRAM OPTION...
-# First it is unpacked and the hall is solved
-play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
 leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
     local end=$((SECONDS + PATIENCE)) began=${EPOCHREALTIME/[.,]/} took status
     "$@" >/dev/null 2>&1
@@ -58,13 +55,13 @@ xdotool windowsize "$window" 700 500
 check "... to be seen again" await is_black 700x52+0+0
 check "... with a picture" await is_bright
 check "Alt-F4 leaves" leaves xdotool key alt+F4
-check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
-check "nothing is said on standard error" test ! -s "$WORK/err"
+check "--stats names the scene" grep -qE '^flake +[1-9]' "$WORK/out"
+check "nothing is printed on standard error" test ! -s "$WORK/err"
 
 check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$packed" --window --size 320x180 --from 161 --stats
 check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$odraz" --window --size 320x180 --from 161 --stats
 
-# What is missing is also told in a small window
+# What is missing is also reported in a small window
 clicked_away() { xdotool mousemove 60 60 click 1; sleep 0.1; gone $pid; }
 leaves_by_click() {
     await clicked_away
@@ -73,14 +70,14 @@ leaves_by_click() {
 }
 check "a missing library opens a small window" begin env LD_LIBRARY_PATH="$(lacking libGL.so.1)" "$packed"
 check "... which a click ends with status 1" leaves_by_click
-check "... and says it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
+check "... and reports it on standard error too" grep -q 'libGL.so.1 is missing' "$WORK/err"
 check "an OpenGL that is too old opens one too" begin env MESA_GL_VERSION_OVERRIDE=2.1 "$odraz"
 check "... which a click ends with status 1" leaves_by_click
-check "... and says what to do" grep -q 'no OpenGL 3.3 on this display: install' "$WORK/err"
+check "... and reports what to do" grep -q 'no OpenGL 3.3 on this display: install' "$WORK/err"
 check "a driver that is missing opens one too" begin env LIBGL_DRIVERS_PATH=/none "$odraz"
 check "... which a click ends with status 1" leaves_by_click
-check "... and Mesa's own lines about it are not told" test "$(wc -l <"$WORK/err")" = 1
-check "a dump tells its script, without a window" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
+check "... and Mesa's own lines about it are not printed" test "$(wc -l <"$WORK/err")" = 1
+check "a dump reports it to its script, without a window" refuses 1 "not enough memory" bash -c "ulimit -v 300000; exec '$odraz' --dump - --size 7680x4320"
 
 # Under a window manager
 start_window_manager
@@ -112,5 +109,5 @@ check "... without a word" test ! -s "$WORK/err"
 start_display 640x360x16
 check "a screen of 16 bits opens a small window" begin "$odraz" --window --mute --from 4
 check "... which a click ends with status 1" leaves_by_click
-check "... and says what to do" grep -q 'too few colours: set it to 24 bits' "$WORK/err"
+check "... and reports what to do" grep -q 'too few colours: set it to 24 bits' "$WORK/err"
 finish

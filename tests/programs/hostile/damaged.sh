@@ -1,4 +1,4 @@
-# The packed film, cut short, with wrong bytes, with holes: it says that it is damaged, or the system refuses it. It
+# The packed film, cut short, with wrong bytes, with holes: it reports that it is damaged, or the system refuses it. It
 # never runs, never hangs, and leaves nothing behind.
 #   damaged.sh BUILD [TRIES] [SEED]
 # The first 656 bytes cannot be guarded: the header that the system and its loader read, and the code of the check
@@ -19,14 +19,14 @@ check "the film, whole, runs" prints '^odraz' "$film" --version
 
 from() { local span=$(($2 - $1)); at=$(($1 + (RANDOM * 32768 + RANDOM) % span)); } # from A B: sets at, A <= at < B
 write() { dd of="$broken" bs=1 seek="$1" conv=notrunc status=none; }             # write OFFSET: from standard input
-says_so() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
-each() { # each COMMAND: damages $broken by the command, so many times
+reports_it() { refuses 1 "damaged: get it afresh" "$broken" --dump - --from 20 --to 20.04 --size 16x9; }
+each() { # each COMMAND: damages $broken by the command, $tries times
     local n
     for ((n = 1; n <= tries; ++n)); do
         cp "$film" "$broken"
         "$@"
         cmp -s "$film" "$broken" && continue # a hole where there were zeros
-        says_so || { echo "try $n of seed $seed: $*, at $at of $size" >&2; return 1; }
+        reports_it || { echo "try $n of seed $seed: $*, at $at of $size" >&2; return 1; }
     done
 }
 wrong_bit() {
@@ -77,7 +77,7 @@ borders() {
     for length in 1 4 63 64 65 120 400 527 528 529 600 655 656 657 658 659; do refused_somehow $length || return 1; done
     for length in 660 661 700 2666 4095 4096 4097 8192 32768 $((size / 4096 * 4096)) $((size - 5)) $((size - 4)) $((size - 3)) $((size - 2)) $((size - 1)); do
         head -c "$length" "$film" >"$broken"
-        says_so || { echo "of $length bytes" >&2; return 1; }
+        reports_it || { echo "of $length bytes" >&2; return 1; }
     done
 }
 check "cut at borders" borders

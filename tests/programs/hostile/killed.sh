@@ -76,5 +76,5 @@ together() { # together DUMPS
     cat err.*
     [ $good = "$1" ] && [ -z "$(cat err.*)" ] && diff -r reference dump
 }
-for dumps in 2 2 4 4; do check "$dumps dumps at once into one folder: none says a word, all the same frames" together $dumps; done
+for dumps in 2 2 4 4; do check "$dumps dumps at once into one folder: none prints anything, all the same frames" together $dumps; done
 finish

@@ -1,6 +1,6 @@
 # Command lines of words that are good, bad, extreme, missing, repeated, empty, endless or not even text. Whatever is
-# given, the program ends with status 0, 1 or 2, and leaves no half-written file. When it fails it says one line on
-# standard error and nothing on standard output; when it succeeds it says nothing.
+# given, the program ends with status 0, 1 or 2, and leaves no half-written file. When it fails it prints one line on
+# standard error and nothing on standard output; when it succeeds it prints nothing.
 #   words.sh BUILD odraz|odraz-safe|pack|radiosity [RUNS] [SEED]
 . "$(dirname "$0")/../common.sh"
 name=${2:-odraz-safe} runs=${3:-100} seed=${4:-$((EPOCHSECONDS % 30000))}
@@ -75,7 +75,7 @@ values() { # values OPTION: sets good to what it may be given
     esac
 }
 mapfile -t options < <("$program" --help | grep -oE '(^|[ |])--?[a-z][a-z-]*' | grep -oE -- '-.*' | sort -u)
-check "--help tells options" test ${#options[@]} -ge 6
+check "--help lists options" test ${#options[@]} -ge 6
 
 # Sets words to a random command line. `bounds`, before or after it, keeps the run short
 make_words() {
@@ -132,14 +132,14 @@ complaint() { # prints what is wrong with the run that ended with the status
     lines=$(wc -l <err)
     case $status in
     0)
-        # (radiosity tells what it left out of a model, pack how far its search is)
+        # (radiosity lists what it left out of a model, pack how far its search is)
         case $name in radiosity) grep -v '^radiosity: ' err ;; pack) grep -v '^searching: ' err ;; *) cat err ;; esac |
             sed 's/^/although it succeeded: /' ;;
     1 | 2)
-        # (--doctor tells what is missing where it is asked)
+        # (--doctor lists what is missing, where it is given)
         [ $status = 1 ] && grep -q '^processor: ' out && return
         [ "$lines" = 1 ] && [ -z "$(tail -c 1 err)" ] || echo "$lines lines on standard error"
-        # (pack tells what it found before a file cannot be written)
+        # (pack prints what it found before a file cannot be written)
         [ ! -s out ] || [ $name = pack ] || echo "standard output although it failed" ;;
     124 | 137) echo "it did not end" ;;
     *) echo "exit status $status" ;;

@@ -14,7 +14,7 @@ browse() { # browse OPTION... ADDRESS, without a network
 silent() { ! grep -i ':CONSOLE' "$WORK/console" >&2; }
 check "it opens" eval 'browse --dump-dom "file://$page" >"$WORK/dom"'
 check "... complete" grep -q 'data-ready="yes"' "$WORK/dom"
-check "... and says nothing on the console" silent
+check "... and prints nothing on the console" silent
 check "it is used" eval 'browse --dump-dom "file://$WORK/poked.html" >"$WORK/dom"'
 grep -o 'data-failed="[^"]*"' "$WORK/dom"
 check "... as it should be" grep -q 'data-failed=""' "$WORK/dom"
@@ -25,16 +25,16 @@ objdump -d -w -z -M intel --no-show-raw-insn "$BUILD/odraz.elf" |
     sed -nE 's/^ *([0-9a-f]+):\t/\1 /; t found; d; :found; s/ *[#<].*//; s/  +/ /g; s/ $//; p' |
     perl -pe 's/rip\+0x(f{8}[0-9a-f]{8})/sprintf "rip-0x%x", ~hex($1) + 1/e' | sort >"$WORK/by_objdump"
 perl -0ne 'if (/<pre class="instructions">(.*?)<\/pre>/s) { print "$1\n" }' "$WORK/dom" | sed 's/ $//' | sort >"$WORK/by_page"
-check "objdump says something" test "$(wc -l <"$WORK/by_objdump")" -gt 20000
+check "objdump prints something" test "$(wc -l <"$WORK/by_objdump")" -gt 20000
 check "... and the page the same" eval 'diff "$WORK/by_objdump" "$WORK/by_page" | head -5 >&2; cmp "$WORK/by_objdump" "$WORK/by_page"'
 check "a picture of it" browse --hide-scrollbars --screenshot="$WORK/page.png" "file://$page"
 check "... has many colours" test "$(convert "$WORK/page.png" -format %k info:)" -gt 500
 check "a narrow window" browse --hide-scrollbars --window-size=500,900 --screenshot="$WORK/narrow.png" "file://$page"
 check "... silently" silent
-# Damaged, it says so
+# Damaged, it shows an error
 perl -pe 's{(id="tables">.{5000}).}{$1!}' "$page" >"$WORK/damaged.html"
 check "a damaged page" eval 'browse --dump-dom "file://$WORK/damaged.html" >"$WORK/dom"'
-check "... says so" grep -q 'This page cannot be shown' "$WORK/dom"
+check "... shows that" grep -q 'This page cannot be shown' "$WORK/dom"
 
 # The comment on a change, of the film with itself
 check "a comment on the film" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+0 .* left of 65,536$' env BUILD="$BUILD" "$SOURCE/tools/ledger" text --than "$BUILD/odraz.json"

@@ -34,11 +34,11 @@ sub change { # ... FILE PLACE TEXT LINES
     return $content;
 }
 
-my ($said, $block, $steps) = ('', '', 0);
+my ($sentence, $block, $steps) = ('', '', 0);
 my $finish = sub {
-    if ($block ne '' && $said =~ /:$/) {
-        $said =~ /\bMake a new file, `([^`]+)`:$/ or $said =~ /\bIn `([^`]+)`, (before|below|above|last in|instead of) `([^`]+)`:$/
-            or die "which file, and where in it? '$said'\n";
+    if ($block ne '' && $sentence =~ /:$/) {
+        $sentence =~ /\bMake a new file, `([^`]+)`:$/ or $sentence =~ /\bIn `([^`]+)`, (before|below|above|last in|instead of) `([^`]+)`:$/
+            or die "which file, and where in it? '$sentence'\n";
         my ($file, $place, $text) = ($1, $2, $3);
         my $content = change($file, $place, $text, $block);
         open(my $out, '>', "$folder/$file") or die "$folder/$file cannot be written\n";
@@ -55,9 +55,9 @@ for my $line (split /^/, slurp($page)) {
     if ($line =~ /^ {7}(.*\n)/ && ($blank || $block ne '')) { $block .= $1; $blank = 0; next }
     $block =~ s/\n+$/\n/;
     $finish->();
-    $said = '' if $blank;
+    $sentence = '' if $blank;
     $line =~ s/^\s+|\s+$//g;
-    $said .= ($said eq '' ? '' : ' ') . $line;
+    $sentence .= ($sentence eq '' ? '' : ' ') . $line;
     $blank = 0;
 }
 die "$page has no steps\n" if !$steps;

@@ -1,12 +1,11 @@
-# The scene of intro/show/README.md, made as the page tells, word for word, in a copy of the sources. What the change
+# The scene of intro/show/README.md, made by its steps, word for word, in a copy of the sources. What the change
 # touches is compiled and linked with the objects of BUILD. With `long`, the copy is built from nothing instead, by the
 # page's commands: bash tests/programs/pages/scene.sh BUILD [long]
 . "$(dirname "$0")/../common.sh"
 PAGE=intro/show/README.md
 HOUSE=$WORK/house
 
-mkdir "$HOUSE"
-(cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$HOUSE") 2>"$WORK/copied" || true # a file may be removed, uncommitted
+copy_sources "$HOUSE"
 follow() { perl "$SOURCE/tests/programs/pages/apply.pl" "$HOUSE/$PAGE" "$HOUSE" | sort -u >"$WORK/changed"; return "${PIPESTATUS[0]}"; }
 check "the page's steps name files and places that are there" follow
 [ $FAILED = 0 ] || finish
@@ -20,7 +19,7 @@ if [ "${2-}" = long ]; then
     while read -r command; do
         case $command in
         *new-film*) ;; # a long test of its own
-        *show_test*) eval "$command" >"$WORK/told" 2>&1 ;; # it complains, see below
+        *show_test*) eval "$command" >"$WORK/printed" 2>&1 ;; # it complains, see below
         *odraz-debug*)
             check "$command" opens "$command" ;;
         *) check "$command" eval "$command >/dev/null </dev/null" ;;
@@ -55,7 +54,7 @@ else
             echo "$engine/show/$source.o" >>"$WORK/objects"
         }
     done
-    compile() { xargs -P "$(nproc)" -d '\n' -I COMMAND sh -c COMMAND <"$WORK/compile" 2>"$WORK/said"; cat "$WORK/said" >&2; [ ! -s "$WORK/said" ]; }
+    compile() { xargs -P "$(nproc)" -d '\n' -I COMMAND sh -c COMMAND <"$WORK/compile" 2>"$WORK/printed"; cat "$WORK/printed" >&2; [ ! -s "$WORK/printed" ]; }
     check "it compiles, without a warning" compile
     [ $FAILED = 0 ] || finish
     check "... with the new scene" grep -qx $engine/show/scenes/dawn.cpp.o "$WORK/objects"
@@ -67,14 +66,14 @@ else
     mkdir -p tests
     check "it is linked" link
     ./odraz.elf --dump "$HOUSE/frames" --fps 1 --from 164 --to 165 --size 160x90
-    tests/show_test >"$WORK/told" 2>&1
+    tests/show_test >"$WORK/printed" 2>&1
 fi
 
 # A picture that is not black: the mean of its bytes
 mean() { tail -c +16 "$1" | od -An -v -tu1 | awk '{ for (i = 1; i <= NF; ++i) sum += $i; n += NF } END { print sum / n }'; }
 check "the scene is seen" less 20 "$(mean "$HOUSE"/frames/frame-000164.ppm)"
 # The film is a second too long, and nothing else
-check "show_test complains of the length" grep -q 'duration()' "$WORK/told"
-check "... and of nothing else" [ "$(sed -n 's/^\[  FAILED  \] \([A-Za-z.]*\)$/\1/p' "$WORK/told")" = Film.HasTheCutsAndTheLengthOfItsTreatment ]
-check "... of which one line" [ "$(grep -c ': Failure' "$WORK/told")" = 1 ]
+check "show_test complains of the length" grep -q 'duration()' "$WORK/printed"
+check "... and of nothing else" [ "$(sed -n 's/^\[  FAILED  \] \([A-Za-z.]*\)$/\1/p' "$WORK/printed")" = Film.HasTheCutsAndTheLengthOfItsTreatment ]
+check "... of which one line" [ "$(grep -c ': Failure' "$WORK/printed")" = 1 ]
 finish

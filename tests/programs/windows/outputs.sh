@@ -111,26 +111,26 @@ fi
 # --- A console ---
 
 # in_console CLOSED STATUS OPTION...: starts the film from a console, without the CLOSED handles; writes the console's
-# rows, each after a '|', to `told`
+# rows, each after a '|', to `shown`
 in_console() {
     local closed=$1 wanted=$2
     shift 2
-    run "$wine" "$probe" console "$closed" "\"Z:${windows//\//\\}\" $*" </dev/null >told 2>err
-    [ $? = "$wanted" ] || { echo "not $wanted: $(head -c 300 told err)" >&2; return 1; }
+    run "$wine" "$probe" console "$closed" "\"Z:${windows//\//\\}\" $*" </dev/null >shown 2>err
+    [ $? = "$wanted" ] || { echo "not $wanted: $(head -c 300 shown err)" >&2; return 1; }
 }
-says() { diff <("$linux" "$@" 2>&1 | sed 's/^/|/') told; } # the console shows this and nothing else
+shows() { diff <("$linux" "$@" 2>&1 | sed 's/^/|/') shown; } # the console shows this and nothing else
 check "from a console, --version" in_console 012 0 --version
-check "... gets there" says --version
+check "... gets there" shows --version
 check "an unknown option" in_console 12 2 --nope
-check "... is told there" says --nope
+check "... is shown there" shows --nope
 check "with a file for standard output, --version" in_console 2 0 --version
-check "... gets into that" cmp told <("$linux" --version)
+check "... gets into that" cmp shown <("$linux" --version)
 check "... an error goes to the console" in_console 2 2 --nope
-check "... in its line" says --nope
+check "... in its line" shows --nope
 check "with both, --version" in_console "" 0 --version
-check "... gets into the file" cmp told <("$linux" --version)
+check "... gets into the file" cmp shown <("$linux" --version)
 check "... an unknown option" in_console "" 2 --nope
-check "... into the other" test ! -s told -a "$(cat err)" = "$("$linux" --nope 2>&1)"
+check "... into the other" test ! -s shown -a "$(cat err)" = "$("$linux" --nope 2>&1)"
 check "pictures do not get into a console" in_console 12 2 --dump - "${small[@]}"
-check "... which is told" grep -q 'what goes to - is not text' told
+check "... which is reported" grep -q 'what goes to - is not text' shown
 finish

@@ -6,15 +6,15 @@ start_display 640x400
 needs_built tests/probe.exe
 needs_built tests/probe-safe.exe
 
-# probe PART LEAST ARGUMENT...: prints its lines; at least LEAST say ok, and none says anything else
+# probe PART LEAST ARGUMENT...: prints its lines; at least LEAST begin with ok, and none with anything else
 probe() {
     local part=$1 least=$2 status
     shift 2
-    timeout "$PATIENCE" "$wine" "$program" "$part" "$@" >"$WORK/told" 2>"$WORK/err" </dev/null
+    timeout "$PATIENCE" "$wine" "$program" "$part" "$@" >"$WORK/printed" 2>"$WORK/err" </dev/null
     status=$?
-    grep -v '^ok: ' "$WORK/told" | sed 's/^/    /' >&2
+    grep -v '^ok: ' "$WORK/printed" | sed 's/^/    /' >&2
     head -c 300 "$WORK/err" >&2
-    [ $status = 0 ] && [ ! -s "$WORK/err" ] && [ "$(grep -c '^ok: ' "$WORK/told")" -ge "$least" ]
+    [ $status = 0 ] && [ ! -s "$WORK/err" ] && [ "$(grep -c '^ok: ' "$WORK/printed")" -ge "$least" ]
 }
 whole() { # what `names` leaves in its folder
     [ "$(cat "$folder/a")" = three ] && [ "$(cat "$folder/b")" = ours ] && [ "$(cat "$folder"/b.*.part)" = "somebody's" ] &&
@@ -32,5 +32,5 @@ for program in "$BUILD/tests/probe-safe.exe" "$BUILD/tests/probe.exe"; do
     check "$name: clocks" probe times 13
     check "$name: our functions keep the registers of Windows, which calls them" probe shown 28
 done
-check "the packed probe's early function is called before all is decoded" grep -q '^ok: the stub has called what is early' "$WORK/told"
+check "the packed probe's early function is called before all is decoded" grep -q '^ok: the stub has called what is early' "$WORK/printed"
 finish

@@ -4,7 +4,6 @@
 film=$BUILD/odraz.exe
 
 load() { begin "$wine" "$film" "$@"; }
-play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
 leaves() { # leaves COMMAND...: the command asks the film to end; it ends with status 0
     "$@" >/dev/null 2>&1
     ended $pid
@@ -30,7 +29,7 @@ check "draws at another size" await is_black 180x300+0+0
 check "with bars at both sides" await is_black 180x300+720+0
 check "... and the picture between" await is_bright
 check "Alt-F4 leaves" leaves to_window alt+F4
-check "--stats tells of the scene" grep -qE '^flake +[1-9]' "$WORK/out"
+check "--stats names the scene" grep -qE '^flake +[1-9]' "$WORK/out"
 check "plays to its end by itself" prints ^credits timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --mute --stats
 film=$BUILD/odraz-safe.exe
 check "without winmm.dll it plays in silence" prints ^credits env WINEDLLOVERRIDES="winmm=;$WINEDLLOVERRIDES" timeout "$PATIENCE" "$wine" "$film" --window --size 320x180 --from 161 --stats
@@ -39,7 +38,6 @@ check "odraz-safe plays too" prints ^credits timeout "$PATIENCE" "$wine" "$film"
 # Under a window manager
 skip_unless openbox wmctrl
 start_window_manager
-managed() { wmctrl -l | grep -q ' odraz$'; }
 check "plays in a window there" play --window --size 640x360 --from 30
 check "... managed by the window manager" await managed
 check "the close button leaves" leaves wmctrl -i -c "$window"
