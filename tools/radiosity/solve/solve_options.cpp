@@ -143,6 +143,7 @@ void SolveOptions::follow(const common::CommandLine &line, const SolveOptions &k
     }
     const SolveOptions own = *this;
     *this = kept;
+    progress = own.progress;
     read.changes = own.read.changes;
     settings.evenSky = own.settings.evenSky;
     if (line.has("--bounces")) settings.bounces = own.settings.bounces;
