@@ -7,19 +7,19 @@
 
 namespace odraz::radiosity {
 
-// A place on a chart, in world units along its axes.
+// A point on a chart, in world units along its axes.
 struct PlanePoint {
     float u, v;
 };
 using Outline = std::vector<PlanePoint>; // convex, counter-clockwise about the chart's normal
 
-Outline outlineOf(const Facet &facet); // three points or four
+Outline outlineOf(const Facet &facet); // three or four points
 double areaOf(const Outline &outline);
 // The part of the outline that lies to the left of the line from a to b.
 Outline cut(const Outline &outline, PlanePoint a, PlanePoint b);
 bool onFacet(const Facet &facet, PlanePoint p);
 
-// The index in `cells` of the smallest cell at a place of a chart.
+// The index in `cells` of the smallest cell at a point of a chart.
 int cellAt(const Cell *cells, const Chart &chart, PlanePoint p);
 inline const Cell &cellAt(const Model &model, const Chart &chart, PlanePoint p) {
     return model.cells[cellAt(model.cells, chart, p)];

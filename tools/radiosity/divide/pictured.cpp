@@ -68,7 +68,7 @@ struct Sum {
     }
 };
 
-// Adds what a triangle shows inside a cell to the undivided cells within it.
+// Adds a triangle's part inside a cell to the undivided cells within it.
 void addTo(std::vector<Sum> &sums, std::span<const Cell> cells, int number, float u0, float v0, float u1,
            float v1, const Placed &t, const ReflectancePicture &texture, bool clamp) {
     const Cell &cell = cells[(size_t)number];
@@ -89,7 +89,7 @@ void addTo(std::vector<Sum> &sums, std::span<const Cell> cells, int number, floa
     sums[(size_t)number].add(area, texture.mean(shown, clamp));
 }
 
-// Adds what a triangle shows to the cells that it touches.
+// Adds a triangle to the cells that it touches.
 void addTriangle(std::vector<Sum> &sums, std::span<const Cell> cells, const Chart &c, const Placed &t,
                  const ReflectancePicture &texture, bool clamp) {
     if (t.flat()) return;
@@ -103,10 +103,10 @@ void addTriangle(std::vector<Sum> &sums, std::span<const Cell> cells, const Char
                   (float)(x + 1) * wide, (float)(y + 1) * tall, t, texture, clamp);
 }
 
-// What pictures show in each undivided cell; empty if no picture can be read.
+// The pictures' colour in each undivided cell; empty if no picture can be read.
 std::vector<Sum> sumPictures(const Mesh &mesh, const std::vector<int> &chartOf, std::span<const Chart> charts,
                              std::span<const Cell> cells, std::vector<std::string> &notes) {
-    // Read the pictures one by one, so that memory holds one at a time
+    // Read one picture at a time, to save memory
     std::map<std::string, std::vector<size_t>> shown;
     for (size_t i = 0; i < mesh.triangles.size() && !mesh.coordinates.empty(); ++i) {
         const std::string &path = mesh.materials[(size_t)mesh.triangles[i].material].picture.path;

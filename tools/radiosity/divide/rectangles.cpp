@@ -16,7 +16,7 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
         else if (std::fabs(a[1] - b[1]) > tiny)
             return {};
     }
-    // Join the pieces of one line
+    // Join adjacent pieces of a line
     std::sort(uprights.begin(), uprights.end(), [&](const Upright &a, const Upright &b) {
         return std::fabs(a.u - b.u) > tiny ? a.u < b.u : a.v0 < b.v0;
     });
@@ -45,7 +45,7 @@ std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &bor
         std::vector<Rectangle> now;
         for (size_t k = 0; k < crossed.size(); k += 2)
             now.push_back({crossed[k], heights[i], crossed[k + 1], heights[i + 1]});
-        // A rectangle that continues upwards stays one
+        // Extend a rectangle that continues upwards
         for (const Rectangle &was : open) {
             auto same = std::find_if(now.begin(), now.end(), [&](const Rectangle &r) {
                 return std::fabs(r.u0 - was.u0) <= tiny && std::fabs(r.u1 - was.u1) <= tiny;

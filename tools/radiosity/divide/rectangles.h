@@ -12,9 +12,8 @@ struct Rectangle {
     double u0, v0, u1, v1;
 };
 
-// Divides the area between upright borders into rectangles, if all borders of the region run along u or v. It
-// goes slab by slab, from one height at which a border ends to the next. Lengths below `tiny` count as zero.
-// Empty if the region is not made of rectangles.
+// The rectangles of a region whose borders all run along u or v; empty if some do not. Divides it into slabs
+// at each v where a border along v ends. Lengths below `tiny` count as zero.
 std::vector<Rectangle> rectanglesOf(const std::vector<std::array<Vec2d, 2>> &borders, double tiny);
 
 } // namespace odraz::radiosity

@@ -43,12 +43,12 @@ struct Union {
     }
 };
 
-// Things sorted by the set that they belong to.
+// Items sorted by the set that they belong to.
 template <class T> struct Sorted {
     std::vector<size_t> first; // of each set, and the end of the last
     std::vector<T> things;
 
-    // root(i): the set of the i-th of `count` things, or -1; thing(i): the thing itself.
+    // root(i): the set of the i-th of `count` items, or -1; thing(i): the item itself.
     template <class Root, class Thing> Sorted(size_t sets, size_t count, Root &&root, Thing &&thing) {
         first.resize(sets + 2);
         for (size_t i = 0; i < count; ++i) ++first[(size_t)(root(i) + 2)];
@@ -107,7 +107,7 @@ private:
         const auto &points = mesh.points;
         for (const Edge &e : borders) {
             Vec3d side = points[(size_t)e.high] - points[(size_t)e.low];
-            // Of borders of about equal length take the first, so that copies of a model are divided alike
+            // Among borders of about equal length take the first, so that copies of a model are divided alike
             if (dot(side, side) > dot(along, along) * 1.0001) along = side;
         }
         along = along - n * dot(along, n);
@@ -138,7 +138,7 @@ private:
             return (int16_t)std::clamp((float)side / (float)cell + 0.5f, 1.f, (float)kMaxAcross);
         };
         Chart c = {};
-        // Compute in double, so that the corners of neighbours are as close as floats allow
+        // Compute in double, so that the corners of neighbours agree as closely as floats allow
         c.corner = toFloat(frame.origin + (frame.u * box.lo[0] + frame.v * box.lo[1]));
         c.u = toFloat(frame.u), c.v = toFloat(frame.v), c.n = toFloat(frame.n);
         c.width = (float)box.width(), c.height = (float)box.height();
@@ -167,7 +167,7 @@ private:
     }
 };
 
-// Grows regions: sets of triangles of one material and one plane, joined across shared edges.
+// Grows regions: sets of triangles of one material and in one plane, joined across shared edges.
 class RegionGrower {
 public:
     explicit RegionGrower(const Mesh &mesh, double tiny)
@@ -203,8 +203,8 @@ private:
 
     static bool sameEnds(const Edge &a, const Edge &b) { return a.low == b.low && a.high == b.high; }
 
-    // Whether an edge's triangles form one sheet. Four do if the sheet is lit from both sides: two fronts and
-    // two backs.
+    // Whether an edge's triangles form one sheet. In a sheet that is lit from both sides there are four: two
+    // fronts and two backs.
     bool oneSheet(std::span<const Edge> all) const {
         if (all.size() == 2) return true;
         if (all.size() != kBothSides) return false;
@@ -241,7 +241,7 @@ private:
             }
     }
 
-    // The region whose border the edge is, or -1.
+    // The region that has this edge as its border, or -1.
     int borderOf(size_t i) const {
         int root = roots[(size_t)edges[i].triangle];
         for (size_t k = i - std::min(i, kBothSides - 1); k < std::min(i + kBothSides, edges.size()); ++k)
@@ -266,7 +266,7 @@ Regions joinRegions(const Mesh &mesh, double cell) {
     ChartBuilder builder = {mesh, regions, regions.off, cell};
     for (size_t i = 0; i < count; ++i) {
         if (members.of(i).empty() || builder.add(members.of(i), borders.of(i))) continue;
-        // The region fills too little of its rectangle: each triangle becomes a chart
+        // The region fills too little of its rectangle: make each triangle a chart
         for (int t : members.of(i)) {
             const auto &c = mesh.triangles[(size_t)t].corners;
             const Edge sides[] = {{c[0], c[1], t, true}, {c[1], c[2], t, true}, {c[2], c[0], t, true}};

@@ -1,5 +1,6 @@
-// Turns triangles into charts. Neighbours in one plane with one material are joined into regions, and each
-// region is a chart. If a region consists of rectangles, these are its facets; otherwise its triangles are.
+// Turns triangles into charts. Neighbours in one plane and of one material are joined into regions, and each
+// region becomes a chart. If a region consists of rectangles, these are its facets; otherwise its triangles
+// are.
 #pragma once
 
 #include "radiosity/model.h"
@@ -13,13 +14,13 @@ struct Regions {
     std::vector<Facet> facets;
     std::vector<int> material; // of each chart, index into Mesh::materials
     std::vector<int> chartOf;  // of each triangle
-    double off = 0;            // the largest distance of a corner from the plane of its chart
+    double off = 0;            // the largest distance between a corner and the plane of its chart
 };
 
 // Cells have sides of about `cell`. Throws ModelError if there are too many materials.
 Regions joinRegions(const Mesh &mesh, double cell);
 
-// Copies them into an empty model. Throws ModelError if they do not fit.
+// Copies the regions into an empty model. Throws ModelError if they do not fit.
 void fillModel(Model &model, const Regions &regions);
 
 // Adds all facets of a model to a scene, as its material 0.

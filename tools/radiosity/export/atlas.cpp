@@ -22,7 +22,7 @@ int roundedUp(double x) { return ((int)std::ceil(x) + 3) / 4 * 4; } // for compr
 // Finds the number of texels of each chart.
 void measure(const Solution &b, Atlas &atlas) {
     const AtlasSettings &s = atlas.settings;
-    std::vector<int> level(b.charts.size()); // level of the smallest cell
+    std::vector<int> level(b.charts.size()); // of its smallest cell
     std::vector<uint8_t> pictured(b.charts.size());
     for (size_t i = 0; i < b.cells.size(); ++i) {
         const Cell &c = b.cells[i];
@@ -52,10 +52,10 @@ void measure(const Solution &b, Atlas &atlas) {
     }
 }
 
-// Charts of one size, packed side by side with padding. A model may have a million charts, and the packer
-// looks at every rectangle for each one that it places.
+// Charts of one size, packed side by side with padding. A model may have a million charts, and the packer's
+// time grows with the square of the number of rectangles.
 struct Bundle {
-    int width, height, side; // of each; how many along a side
+    int width, height, side; // of each chart; the number of charts along a side
     std::vector<size_t> charts;
 };
 
@@ -97,7 +97,7 @@ Atlas packAtlas(const Solution &b, const AtlasSettings &s) {
         left.push_back(
             {(int)i, bundles[i].width * bundles[i].side, bundles[i].height * bundles[i].side, 0, 0, 0});
     while (!left.empty()) {
-        // Aim at a square page, if everything fits on one; the height follows
+        // If everything fits on one page, choose the width for a square page; the height follows
         double area = 0;
         int widest = 1;
         for (const stbrp_rect &r : left) area += (double)r.w * r.h, widest = std::max(widest, r.w);
@@ -136,7 +136,7 @@ public:
     const std::vector<Rgb> &paint() {
         for (int j = 0; j < place.down; ++j)
             for (int i = 0; i < place.across; ++i) known[at(i, j)] = find(i, j, texels[at(i, j)]);
-        // Fill texels outside facets from the nearest ones, because smaller copies of a page mix them in
+        // Fill texels outside facets from the nearest ones, because mipmaps of a page mix them in
         for (int ring = 0; ring < 2 * atlas.settings.padding; ++ring)
             if (!spread()) break;
         return texels;
@@ -166,8 +166,8 @@ private:
         return {};
     }
 
-    // The mean of the light around a texel, from the cells next to it that exist. If texels are as fine as
-    // elements, all these cells have the same value at the texel's place, and this is it.
+    // The mean of the light around a texel, over the adjacent cells that exist. If texels are as fine as
+    // elements, all of these have the same value there.
     bool find(int i, int j, Rgb &to) const {
         float u = place.uOf(c, (float)i + 0.5f), v = place.vOf(c, (float)j + 0.5f);
         float wide = place.uOf(c, 1) - place.uOf(c, 0), tall = place.vOf(c, 1) - place.vOf(c, 0);

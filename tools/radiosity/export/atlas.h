@@ -1,21 +1,20 @@
 // Lightmaps: pages on which every chart of a solution has its own rectangle of texels.
 //
-// If texels are as fine as elements, they stand at the corners of elements, where solutions keep light: a
-// page sampled bilinearly shows exactly the solution. If a chart's reflectance comes from a picture, its
-// texels stand inside the elements instead, two by two, because reflectance jumps from one element to the
-// next.
+// If texels are as fine as elements, they lie at the corners of elements, where solutions keep light: a page
+// sampled bilinearly is exactly the solution. If a chart's reflectance comes from a picture, its texels lie
+// inside the elements instead, two by two, because reflectance is discontinuous between elements.
 #pragma once
 
 #include "tools/radiosity/solution/solution.h"
 
 namespace odraz::radiosity {
 
-// What a page holds. Light is irradiance / pi; times reflectance, plus what is emitted, it is Radiosity.
-// Reflectance gets pages only if it comes from pictures.
+// The content of a page. Light is irradiance / pi; Radiosity is Light times reflectance plus emission.
+// Reflectance has pages only if it comes from pictures.
 enum class Held { Light, Radiosity, Reflectance };
 
 struct AtlasSettings {
-    bool radiosity = false; // the pages hold Radiosity; else Light
+    bool radiosity = false; // pages hold Radiosity; otherwise Light
     double texels = 0;      // texels for a unit of length; 0: as fine as elements
     int padding = 2;        // texels around each chart that repeat its outermost ones, 1 ..
     int page = 8192;        // texels along a page's longest side
@@ -24,11 +23,11 @@ struct AtlasSettings {
 // The texels of a chart, without padding.
 struct AtlasPlace {
     int page, x, y, across, down;
-    bool pictured; // its reflectance differs from element to element
-    bool within;   // texels stand within elements; else at their corners
+    bool pictured; // its reflectance comes from a picture
+    bool within;   // texels lie inside elements; otherwise at their corners
     bool exact;    // they are as fine as elements
 
-    // Convert a place of a chart (world units along its axes) to texels, counted from the corner of the first
+    // Convert a point of a chart (world units along its axes) to texels, counted from the corner of the first
     // one; and back
     float column(const Chart &c, float u) const { return place(u / c.width, across); }
     float row(const Chart &c, float v) const { return place(v / c.height, down); }
@@ -52,7 +51,7 @@ struct Atlas {
     AtlasSettings settings;
     std::vector<AtlasPlace> places; // of each chart
     std::vector<AtlasPage> pages;
-    std::vector<uint8_t> there; // for each cell: part of a facet lies in it
+    std::vector<uint8_t> there; // for each cell: whether part of a facet lies in it
     int coarse = 0;             // charts with fewer texels than elements, because pages are not large enough
     int64_t used = 0;           // texels, with padding
 };
@@ -62,8 +61,8 @@ Atlas packAtlas(const Solution &solution, const AtlasSettings &settings);
 // The rows from top to bottom, three floats a texel; texels of no chart are black.
 std::vector<float> paintPage(const Solution &solution, const Atlas &atlas, int page, Held held);
 
-// Makes a folder, which must be new or empty, with model.obj, model.mtl, model.gltf, model.bin and the pages
-// as PNG and HDR: all of it or nothing. Reports what it did in `notes`. Throws Refused, std::runtime_error.
+// Writes model.obj, model.mtl, model.gltf, model.bin and the pages as PNG and HDR into a folder that must be
+// new or empty: all of them or none. Adds a summary to `notes`. Throws Refused, std::runtime_error.
 void exportAtlas(const Solution &solution, const AtlasSettings &settings, const std::string &folder,
                  std::vector<std::string> &notes);
 

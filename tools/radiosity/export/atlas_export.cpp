@@ -20,7 +20,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The light that a PNG shows as 1: a ninth above what 99 of 100 texels do not exceed.
+// The light that is 1 in a PNG: the 99th percentile of the texels, and a ninth more.
 float standsForOne(const Solution &b, bool radiosity) {
     std::vector<float> all;
     for (size_t i = 0; i < b.texels.size(); ++i) {
@@ -43,7 +43,7 @@ void writePng(const common::NewFolder &folder, const std::string &name, const At
 
 void writeHdr(const common::NewFolder &folder, const std::string &name, const AtlasPage &size,
               std::vector<float> &&texels) {
-    // Add half a step of the eight bits: the writer truncates instead of rounding
+    // Add half a step of the eight bits, because the writer truncates
     for (size_t i = 0; i < texels.size(); i += 3) {
         float most = std::max({texels[i], texels[i + 1], texels[i + 2]});
         int exponent;

@@ -53,11 +53,11 @@ AtlasModel::AtlasModel(const Solution &b, const Atlas &atlas, float one)
 
 namespace {
 
-// Its floats are written as short as they are exact
+// JSON writes floats in the shortest exact form
 using Json =
     nlohmann::basic_json<std::map, std::vector, std::string, bool, std::int64_t, std::uint64_t, float>;
 
-// OpenGL's numbers, as glTF has them
+// OpenGL's constants, which glTF uses
 enum {
     kFloats = 5126,
     kNumbers = 5125,

@@ -21,7 +21,7 @@ void readSize(const std::string &text, int &width, int &height) {
         throw common::Refused("--size takes pixels like 1280x720, up to 7680x4320, not " + text);
 }
 
-// Writes a place as an option, and sets it to the value that reading the option gives.
+// Writes a point as an option, and sets it to the rounded value that was written.
 std::string pointOption(const char *option, Vec3 &p) {
     char text[96];
     std::snprintf(text, sizeof text, "%g,%g,%g", (double)p.x, (double)p.y, (double)p.z);

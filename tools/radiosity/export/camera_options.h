@@ -12,7 +12,7 @@ public:
     // Call it after parse(). Throws Refused if only half of a camera is given.
     void finish(const common::CommandLine &line);
 
-    // Of a room, which knows the axis that points up, unless an option gave it.
+    // Sets the axis that points up to a room's, unless an option set it.
     void upOf(bool upIsZ) {
         if (!up) settings.upIsZ = upIsZ;
     }
@@ -24,7 +24,7 @@ private:
     bool up = false;
 };
 
-// The options that place a camera like this: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.
+// The options that place this camera: --eye X,Y,Z --at X,Y,Z. Moves the camera to the rounded numbers.
 std::string placeOptions(RenderSettings &settings);
 // The same with all other options of the picture.
 std::string cameraLine(RenderSettings settings);

@@ -14,8 +14,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Converts radiosity to a colour of 0 .. 1 in sRGB; the value that 99 of 100 points do not exceed becomes
-// 0.9.
+// Converts radiosity to sRGB, 0 .. 1; the 99th percentile of the points becomes 0.9.
 struct Shown {
     float scale = 1;
     explicit Shown(const Solution &solution) {
@@ -46,7 +45,7 @@ struct Corners {
         weld();
     }
     void weld() {
-        // Points of equal place and equal light become one
+        // Merge points of equal place and light
         std::vector<size_t> order(points.size()), to(points.size());
         for (size_t i = 0; i < order.size(); ++i) order[i] = i;
         auto less = [&](size_t a, size_t b) {
@@ -71,7 +70,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
     struct Sum {
         double area, p[3], light[3];
     };
-    // The pieces of an element follow each other
+    // The pieces of an element are consecutive
     int chart = -1, cell = -1;
     Sum sum = {};
     auto put = [&] {
@@ -85,7 +84,7 @@ void exportCsv(const Solution &solution, const std::string &path) {
     };
     solution.forPieces([&](int c, int e, const std::vector<SolutionPoint> &piece) {
         if (e != cell) put(), chart = c, cell = e;
-        // Write it as a fan of triangles
+        // Add it as a fan of triangles
         for (size_t i = 2; i < piece.size(); ++i) {
             const SolutionPoint *t[3] = {&piece[0], &piece[i - 1], &piece[i]};
             double area = (double)length(cross(t[1]->p - t[0]->p, t[2]->p - t[0]->p)) / 2;

@@ -1,5 +1,5 @@
-// Exports a solution for spreadsheets, and for viewers of points and polygons. Each function writes one file,
-// beside `path` and then renamed, and throws std::runtime_error.
+// Exports a solution for spreadsheets, and for viewers of points and polygons. Each function writes one file
+// whole or not at all, and throws std::runtime_error.
 #pragma once
 
 #include "tools/radiosity/solution/solution.h"

@@ -26,7 +26,7 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
     for (const Vec3 &p : corners)
         for (float Vec3::*k : {&Vec3::x, &Vec3::y, &Vec3::z})
             lo.*k = std::min(lo.*k, p.*k), hi.*k = std::max(hi.*k, p.*k);
-    // Look from the first octant; if hardly any lit front is seen from there, from where most are
+    // Look from the first octant; if hardly any lit front is visible from there, from the one with most
     auto from = [&](int octant) {
         return normalize(
             Vec3{octant & 1 ? -0.5f : 0.5f, octant & 2 ? -0.55f : 0.55f, octant & 4 ? -0.8f : 0.8f});
@@ -55,7 +55,7 @@ void placeCamera(const Solution &solution, RenderSettings &s) {
 
 namespace {
 
-// The radiosity of a solution as a camera sees it.
+// A solution's radiosity as seen by a camera.
 class Seen {
 public:
     Seen(const Solution &solution, const RenderSettings &s)
@@ -132,7 +132,7 @@ void look(const Seen &seen, Workers &workers, Frame &frame) {
     });
 }
 
-// A frame of a picture's size, with what is seen in it.
+// A frame with the radiance that reaches its pixels.
 struct Looked {
     HeapArena memory;
     Frame frame = {};
@@ -143,7 +143,7 @@ struct Looked {
             throw std::runtime_error("there is not enough memory: try a smaller --size");
         look(Seen(solution, s), workers, frame);
     }
-    std::vector<Rgb> pixels() const { // in rows from above to below
+    std::vector<Rgb> pixels() const { // in rows from top to bottom
         std::vector<Rgb> all;
         for (int y = 0; y < frame.height; ++y)
             for (int x = 0; x < frame.width; ++x) {
@@ -163,7 +163,7 @@ std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Worke
 Rgb logarithmicTone(const Rgb &c, float low, float high) {
     float light = maxComponent(c);
     if (!(light > 0)) return {};
-    // Even the darkest value is not black, so that it can be seen
+    // The darkest value is not black, so that it is visible
     float rank = (std::log(light) - low) / std::max(high - low, 1e-3f),
           bright = 0.1f + 0.9f * std::clamp(rank, 0.f, 1.f);
     auto channel = [&](float x) { return bright * std::pow(std::max(x, 0.f) / light, 1 / 2.2f); };
@@ -180,7 +180,7 @@ void render(const Solution &solution, const RenderSettings &s, Workers &workers,
     auto part = [&](double share) { return std::max(common::quantile(all, share), 1e-30f); };
     float low = std::log(part(0.01)), high = std::log(part(0.998));
     bool film = !(s.constant > 0) && !s.logarithmic;
-    if (film) { // the exposure is chosen by what the camera sees
+    if (film) { // the exposure adapts to the picture
         ToneCurve curve;
         makeToneCurve(curve);
         develop(curve, looked.frame, workers, std::exp2(s.stops) * 0.5f / part(0.6), 0);

@@ -11,18 +11,19 @@ struct RenderSettings {
     bool upIsZ = false;
     float lens = 60; // vertical field of view, degrees
     int width = 1280, height = 720;
-    bool logarithmic = false; // show the logarithm of radiosity; else use the film's curve
+    bool logarithmic = false; // shows the logarithm of radiosity; otherwise uses the film's curve
     float stops = 0;          // powers of two added to the automatic exposure
-    float constant = 0; // above 0: radiosity times this is shown as it is, 1 is white; no curve, no exposure
+    float constant = 0; // above 0: shows radiosity times this linearly, 1 is white, without curve or exposure
 };
 
 // Places the camera above and to one side, so that the picture holds all facets.
 void placeCamera(const Solution &solution, RenderSettings &settings);
 
-// The radiance that reaches each pixel, in rows from above to below: what render() shows. Throws likewise.
+// The radiance that reaches each pixel, before render()'s tone, in rows from top to bottom. Throws likewise.
 std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &settings, Workers &workers);
 
-// A colour, 0 .. 1 and no longer linear, as bright as its logarithm's place between `low` and `high`.
+// A colour, 0 .. 1 and no longer linear, whose brightness is the position of its logarithm between `low` and
+// `high`.
 Rgb logarithmicTone(const Rgb &light, float low, float high);
 
 // Writes a PNG. Throws std::runtime_error.

@@ -20,7 +20,7 @@ struct KeptPatches {
         return radiosity::get(from, at, cells) && radiosity::get(from, at, texels) &&
                radiosity::get(from, at, patches) && radiosity::get(from, at, ties) && at == from.size();
     }
-    // Whether every index lies within its list: a checksum does not help against forgers.
+    // Whether every index lies within its list. A checksum is not enough, because a forger can compute it.
     bool fits(const Regions &regions) const {
         auto all = [](const auto &list, auto good) { return std::all_of(list.begin(), list.end(), good); };
         auto within = [](int i, size_t count) { return i >= 0 && (size_t)i < count; };

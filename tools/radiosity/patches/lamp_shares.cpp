@@ -11,7 +11,7 @@ DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
     if (kept.seen) return kept;
     Model &m = *p.model;
     auto texels = (size_t)m.texelCount;
-    if (kept.emitters.size() == 1) { // all light is that material's
+    if (kept.emitters.size() == 1) { // all light comes from that material
         Rgb e = task.emitted()[(size_t)kept.emitters[0]];
         int k = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
         kept.shares.emplace_back(p.radiosity.direct[k], p.radiosity.direct[k] + texels);
@@ -23,7 +23,7 @@ DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
         materialOf.push_back(task.regions.material[(size_t)m.facets[g.facet].chart]);
     std::vector<float> planes[3];
     float *to[3];
-    // Three materials at a time, as red, green and blue
+    // Do three materials at a time, as red, green and blue
     for (size_t first = 0; first < kept.emitters.size(); first += 3) {
         size_t end = std::min(first + 3, kept.emitters.size());
         std::vector<Glow> glows;

@@ -1,4 +1,4 @@
-// Direct light between patches as shares, for solutions with other power of the lamps.
+// Direct light between patches, separated by material, for solutions with other power of the lamps.
 #pragma once
 
 #include "tools/radiosity/patches/patch_system.h"
@@ -6,11 +6,11 @@
 
 namespace odraz::radiosity {
 
-// From a system's direct light, to which nothing else was added yet. Lamps of several materials are looked at
-// again, from the final texels.
+// The shares of a system's direct light, to which nothing was added yet. If several materials emit, the light
+// of each is found again for the final texels.
 DirectShares lampShares(const SolveTask &task, PatchSystem &patches);
 
-// Adds what direct light has besides that of lamps: of the sky, suns and balls.
+// Adds the direct light from outside: of the sky, suns and balls.
 void addOutside(DirectShares &shares, const SolveTask &task, const PatchSystem &patches);
 
 } // namespace odraz::radiosity

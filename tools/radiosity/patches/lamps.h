@@ -7,11 +7,11 @@
 
 namespace odraz::radiosity {
 
-// If lamps have more facets than this, hemicubes find their light better.
+// If lamps have more facets than this, hemicubes are the better way to find their light.
 inline constexpr size_t kManyLamps = 256;
 
-// The facets that emit, for direct light. The largest has the full number of parts, others fewer by their
-// area.
+// The facets that emit, for direct light. The largest has `samples` parts, others fewer in proportion to
+// their area.
 std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples);
 
 } // namespace odraz::radiosity

@@ -10,8 +10,8 @@ std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const f
     std::vector<float> planes[3], unused(room);
     for (auto &plane : planes) plane.resize(room);
     if (radiosity) {
-        // Do what the solver's last steps do, in separate memory. Use one thread: the workers may be busy
-        // calling us
+        // Do what the solver's last steps do, in separate memory and on one thread: the workers may be
+        // running the caller
         Workers alone = serialWorkers();
         Radiosity r = p.radiosity;
         size_t columns = (size_t)r.system.columns, all = (size_t)m.patchCount * columns;

@@ -1,4 +1,4 @@
-// The light of a solution between patches that is still being solved.
+// The light of a solution between patches while it is being solved.
 #pragma once
 
 #include "tools/radiosity/patches/patch_system.h"
@@ -6,8 +6,8 @@
 
 namespace odraz::radiosity {
 
-// The light of each texel: direct light and, if the patches' radiosities are given (as in System), what they
-// reflect. Call it on the thread that solves.
+// The light of each texel: direct light and, if `radiosity` (of patches, as in System) is not null, reflected
+// light. Call it on the thread that solves.
 std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &patches, const float *radiosity);
 
 } // namespace odraz::radiosity

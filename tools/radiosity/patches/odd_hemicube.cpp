@@ -3,7 +3,7 @@
 namespace odraz::radiosity {
 
 bool openAnyHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
-    // What holds an even one has room enough
+    // The memory for the next even number is enough
     bool opened = openHemicubes(h, gl, arena, px + px % 2);
     h.px = px;
     return opened;
@@ -20,7 +20,7 @@ std::vector<float> formFactorSums(int px) {
         accumulateFormFactors(px, delta.data(), all.data());
         return all;
     }
-    // Four pixels of half the size make one
+    // A pixel is four pixels of half its size
     float *sums = all.data();
     int h = px / 2;
     for (int y = 0; y < 3 * px; ++y) {

@@ -42,7 +42,7 @@ void PatchSolver::shootLight() {
         direct[i] = {arrives[0], arrives[4], arrives[8]};
         if (!s.analytic) emits[i] = task.solution.emits[(size_t)m.patches[i].chart];
     }
-    // A quarter of the shots for the lamps; the others let every block of patches shoot about three times
+    // A quarter of the shots is for the lamps; with the others each block of patches shoots about three times
     Shooting shooting(m, blocksOfPatches(m, emits, std::max(s.shots / 4, 1)), emits, std::move(direct));
     HemicubeShooter shooter(gl, m, s.hemicube, s.turn);
     for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
@@ -88,7 +88,7 @@ void PatchSolver::countBounces() {
 }
 
 void PatchSolver::solveToResidual() {
-    report.residual = kInfinity; // it may be stopped before the first sweep
+    report.residual = kInfinity; // in case it is stopped before the first sweep
     task.workers.abort = task.stop;
     report.sweeps =
         odraz::solve(r.system, task.workers, s.residual, kMostSweeps,
@@ -102,7 +102,7 @@ void PatchSolver::solveToResidual() {
 void PatchSolver::afterSweep(float residual) {
     report.residual = residual;
     task.show(SolveStep::kSolving, task.solvedShare(residual), residual);
-    // There is one block, whose radiosities solve() keeps there
+    // There is one block, whose radiosities solve() stores there
     watch(r.system.indirect);
 }
 

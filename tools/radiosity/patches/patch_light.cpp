@@ -15,7 +15,7 @@ void PatchSolver::findLights() {
     const Surroundings &around = s.surroundings;
     if (p.glows.size() > kManyLamps) s.analytic = false;
     r.bases.skyCount = 3;
-    // Suns and lamps are separate bases until their light has arrived
+    // Suns and lamps are separate bases until their direct light is found
     Vec3 middle = toFloat(task.mesh.middle());
     float far = (float)(1000 * task.mesh.size());
     for (const Sun &sun : around.suns) r.bases.suns[r.bases.sunCount++] = middle + sun.towards * far;

@@ -11,9 +11,9 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kMissing = -1; // as a row's count: the row is unknown
+constexpr int kMissing = -1; // a row's count if the row is unknown
 
-// Loads the rows that were saved; links are used where they lie, if they can. Throws std::runtime_error.
+// Loads saved rows. Links are used in place if they are aligned. Throws std::runtime_error.
 void restore(SolveTask &task, PatchSystem &p) {
     std::string_view resumed = task.settings.resumed;
     task.settings.resumed = {};
@@ -46,20 +46,20 @@ void restore(SolveTask &task, PatchSystem &p) {
         }
 }
 
-// Says for each patch what its row is for: patches reflect, and lamps emit if hemicubes find their light.
+// Marks each patch whose row is needed: it reflects, or emits light that hemicubes find.
 const uint8_t *findLit(const SolveTask &task, PatchSystem &p) {
     const Model &m = *p.model;
     auto *lit = takeOrRefuse<uint8_t>(p.arena, (size_t)m.patchCount);
     for (int i = 0; i < m.patchCount; ++i) {
         const Patch &patch = m.patches[i];
         bool seen = !task.settings.analytic && maxComponent(task.solution.emits[(size_t)patch.chart]) > 0;
-        // Other materials may reflect everywhere
+        // With other materials, any patch may reflect
         lit[i] = maxComponent(patch.reflects) > 0 || seen || task.settings.keepRows ? kReflects : kUnlit;
     }
     return lit;
 }
 
-// Reports progress, and saves rows now and then.
+// Reports progress, and saves rows at intervals.
 struct Watch {
     const SolveTask &task;
     const PatchSystem &patches;

@@ -1,4 +1,4 @@
-// Rows of patches while a model is solved: finds them, saves them now and then, and resumes from saved ones.
+// Finds the rows of patches, saves them at intervals, and resumes from saved ones.
 #pragma once
 
 #include "tools/radiosity/patches/patch_system.h"
@@ -10,9 +10,9 @@ namespace odraz::radiosity {
 // rows were found before a stop, and report.rows to their number. Sets workers.abort and restores it.
 void findPatchRows(SolveTask &task, PatchSystem &patches, const Gl &gl);
 
-// The rows found so far, as resumed ones are given.
+// The rows found so far, in the form of settings.resumed.
 std::string savedPatchRows(const PatchSystem &patches);
-// Hands them to settings.keep.
+// Calls settings.keep with them.
 void keepPatchRows(const SolveTask &task, const PatchSystem &patches);
 
 } // namespace odraz::radiosity

@@ -7,7 +7,7 @@
 
 namespace odraz::radiosity {
 
-// Finding form factors and solving may be cut short; the other stages always run to their end.
+// Finding form factors and solving may be stopped early; the other stages always run to their end.
 class PatchSolver {
 public:
     PatchSolver(SolveTask &task, PatchSystem &p, const Gl &gl)
@@ -30,7 +30,7 @@ private:
     Model &m;
     Radiosity &r;
     const Gl &gl;
-    const int *abort; // what the workers watched before
+    const int *abort; // the workers' former abort flag
     SolveStep step = SolveStep::kDividing;
     DirectShares shares; // for keepRows()
 
@@ -45,23 +45,22 @@ private:
     static size_t texelBytes(size_t texels);
     void refuseTooMany(int levels);
 
-    // --- Direct light ---
-    // Prepares direct light: by shadow rays from the texels or, where that takes too long, by hemicubes.
+    // --- Direct light --- Prepares direct light: by shadow rays from the texels or, if that takes too long,
+    // by hemicubes.
     void findLights();
     void findDirectLight();
     void takePlanes();
     // Adds the light of suns, lamps and sky to that of the model's own lamps.
     void addOutsideLight();
 
-    // --- Bounces ---
-    // The reflectance of patches, and the direct light that arrives there. The right-hand sides are separate
-    // colours: red light has no green.
+    // --- Bounces --- Sets the reflectance of patches and the direct light that arrives there. Each
+    // right-hand side is a pure red, green or blue.
     void makeSystem();
     // Solves for the light that patches receive and reflect, and from it the texels' reflected light.
     void solveBounces();
     // Shoots light instead of solving with rows.
     void shootLight();
-    // The light of lamps that hemicubes find, for each patch and column.
+    // The lamps' light found by hemicubes, for each patch and column.
     const float *lightOfSeenLamps();
     void countBounces();
     void solveToResidual();
@@ -70,7 +69,7 @@ private:
     // --- The solution ---
     void fillGeometry();
     void fillSolution();
-    // Shows the light so far; without radiosities only direct light.
+    // Shows the light so far to the watcher; only direct light if `radiosity` is null.
     void watch(const float *radiosity);
 };
 

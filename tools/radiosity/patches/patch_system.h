@@ -1,6 +1,6 @@
-// The system that solves light between patches: the model and its radiosity as in the film's stages
-// (radiosity/radiosity.h), with its own memory. The bases are red, green and blue; each is reflected only in
-// its own channel.
+// The system for solving between patches: the model and its radiosity as in the film's stages
+// (radiosity/radiosity.h), with the memory that they need. The bases are red, green and blue; each is
+// reflected only in its own channel.
 #pragma once
 
 #include "radiosity/radiosity.h"

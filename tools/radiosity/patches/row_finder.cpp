@@ -34,7 +34,7 @@ uint32_t patchAt(const Model &m, int chart, Vec3 at) {
 
 namespace {
 
-// Estimates the number of links in all rows, from those of 64 patches or more, spread over the model, with a
+// Estimates the number of links in all rows from those of at least 64 patches spread over the model, with a
 // reserve.
 size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
     std::vector<float> sums = formFactorSums(h.px);
@@ -60,7 +60,7 @@ size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
     return links * rows / eyes.size() * (size_t)h.turns * 5 / 4 + 1000;
 }
 
-// Adds the known rows to those drawn so far, then passes progress on.
+// Adds the known rows to those drawn so far, and passes progress on.
 struct Merging {
     const Model &m;
     FormFactors &factors;
@@ -80,7 +80,7 @@ struct Merging {
     }
 };
 
-// Hemicubes that are closed when this leaves its scope.
+// Hemicubes that are closed at the end of the scope.
 struct Opened {
     Hemicubes h;
 
@@ -102,13 +102,13 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf 
         if (turns > h.batch)
             throw std::runtime_error("the hemicubes of one patch do not fit into one picture");
         h.turns = turns;
-        // Known rows need not be drawn again, but others still have links to their patches
+        // Known rows are not drawn again, but the others have links to their patches
         const Row *before = factors.rows;
         std::vector<uint8_t> missing(lit, lit + m.patchCount);
         size_t had = 0;
         for (int i = 0; before && i < m.patchCount; ++i)
             if (before[i].known) missing[(size_t)i] = kShines, had += (size_t)before[i].count;
-        // Include the memory of later stages
+        // Allow for the memory of later stages
         size_t all = estimateLinks(h, m, lit), links = all - std::min(all, had),
                rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40,
                needed = links * sizeof(Link) + rest;

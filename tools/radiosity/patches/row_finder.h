@@ -1,4 +1,4 @@
-// A RowFinder that uses hemicubes, and helpers for finders that work row by row.
+// A RowFinder that uses hemicubes, and helpers for those that find one row at a time.
 #pragma once
 
 #include "tools/radiosity/patches/odd_hemicube.h"
@@ -8,18 +8,18 @@
 
 namespace odraz::radiosity {
 
-// Finds rows by hemicubes that OpenGL draws, of `px` pixels, `turns` for each patch. Another `turn` rotates
-// all of them differently. Refuses at once if the estimate does not fit the arena.
-// With `eyeOf` they do not stand in the patches' middles.
+// Finds rows by hemicubes that OpenGL draws, of `px` pixels, `turns` for each patch, at `eyeOf` or in the
+// patch's middle. `turn` is the seed of their rotations. Refuses at once if the estimate does not fit the
+// arena.
 RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf eyeOf = {});
 
-// The result of finders that find one row at a time.
+// A row of those finders.
 struct FoundRow {
     std::vector<Link> links;
     bool known;
 };
 void keepRows(const std::vector<FoundRow> &rows, Arena &arena, FormFactors &factors);
-// The patch at a place of a chart.
+// The patch at a point of a chart.
 uint32_t patchAt(const Model &model, int chart, Vec3 at);
 
 } // namespace odraz::radiosity

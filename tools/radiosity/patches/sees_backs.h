@@ -6,8 +6,8 @@
 
 namespace odraz::radiosity {
 
-// Whether some patch sees the back of a surface. If none does, hemicubes need not draw backs. Checks about
-// 500 patches.
+// Whether any patch sees the back of a surface; about 500 patches are checked. If none does, hemicubes need
+// not draw backs.
 bool seesBacks(const Model &model, const Mesh &mesh);
 
 } // namespace odraz::radiosity

@@ -35,7 +35,7 @@ Shooters patchesAlone(const Model &m) {
 }
 
 Shooters blocksOfPatches(const Model &m, std::span<const Rgb> emits, int count) {
-    double areas[2] = {}; // of what reflects alone, and of what emits
+    double areas[2] = {}; // of patches that only reflect, and of those that emit
     for (int i = 0; i < m.patchCount; ++i) areas[sum(emits[(size_t)i]) > 0] += (double)m.patches[i].area;
     Shooters s = {{}, {0}};
     for (int i = 0; i < m.chartCount; ++i) {
@@ -130,8 +130,8 @@ void Shooting::handOut(Rgb radiance, std::span<const Link> column) {
     }
 }
 
-// Unshot light, spread over all of the model, arrives everywhere; then what is reflected of that on average,
-// and so on: a geometric series.
+// Unshot light is spread evenly over the model; then the reflected share of it, and so on: a geometric
+// series.
 Rgb Shooting::ambient() const {
     Rgb light = {}, reflects = {};
     float area = 0;

@@ -95,7 +95,7 @@ void PatchSolver::divide() {
 }
 
 int PatchSolver::cellsOfPatch() const {
-    // A hemicube of many polygons takes longer, so then there are fewer
+    // Hemicubes take longer in models of many polygons, so these get fewer
     double patch =
         s.patch > 0 ? s.patch : areaOf(task.mesh) / std::clamp(6000. * 2000 / m.facetCount, 400., 6000.);
     return (int)std::clamp(std::sqrt(patch) / cellSide(task.mesh, s) + 0.5, 1., (double)kMaxAcross);

@@ -8,8 +8,8 @@
 
 namespace odraz::radiosity {
 
-// Spreads the bits of a number to every third place. Three of these make a Morton code: numbers of close
-// places are close.
+// Spreads the bits of a number to every third position. Three of these make a Morton code, in which places
+// close to each other have close numbers.
 static uint64_t spread(uint32_t x) {
     uint64_t v = x & 0x1fffff;
     v = (v | v << 32) & 0x1f00000000ffff;
@@ -25,7 +25,7 @@ static Rgb emittedBy(const Mesh &mesh, const Triangle &t) {
 }
 
 LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
-    // The area that emits, of each chart and in all
+    // The area that emits, of each chart and in total
     std::vector<double> areas(regions.charts.size());
     for (size_t i = 0; i < mesh.triangles.size(); ++i)
         if (maxComponent(emittedBy(mesh, mesh.triangles[i])) > 0)
@@ -47,7 +47,7 @@ void LampRays::paint(const std::vector<Rgb> &ofMaterial) {
     for (Part &p : wholes) p.radiance = ofMaterial[(size_t)p.material];
 }
 
-// Divides a triangle into rows of smaller ones of its shape: about `samples` if its area is the largest.
+// Divides a triangle into rows of smaller ones of the same shape: about `samples` if its area is the largest.
 void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double largest) {
     Rgb radiance = emittedBy(mesh, t);
     float power = brightest > 0 ? luminance(radiance) / brightest : 1;
@@ -75,7 +75,7 @@ void LampRays::divide(const Mesh &mesh, const Triangle &t, int samples, double l
         }
 }
 
-// Sorts parts by place, so that taking every n-th spreads over space.
+// Sorts parts by place, so that every n-th one is a selection spread over space.
 void LampRays::sortParts(const Mesh &mesh) {
     Vec3d middle = mesh.middle();
     double size = std::max(mesh.size(), 1e-300);

@@ -11,10 +11,10 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Nearer than this (distance^2 / area), a disc is too coarse for a part, and for a whole lamp
+// If distance^2 / area is less, a disc is too coarse for a part, and for a whole lamp
 constexpr float kNear = 16, kNearWhole = 400;
 
-// Lambert's formula, a sum over the edges of a polygon.
+// Lambert's formula: a sum over the edges of a polygon.
 float polygonFormFactor(const Vec3 &p, const Vec3 &n, const Vec3 *corner, int corners) {
     float sum = 0;
     for (int k = 0; k < corners; ++k) {
@@ -48,7 +48,7 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
         float factor = ballFormFactor(broadcast(dot(to, n) / far),
                                       broadcast(lamp.radius * lamp.radius / (far * far)))[0];
         if (!(factor > 0)) continue;
-        // Four points of the disc that the ball shows
+        // Four points of the disc as which the ball is seen
         Vec3 side = normalize(cross(to, std::fabs(to.x) < std::fabs(to.y) ? Vec3{1, 0, 0} : Vec3{0, 1, 0})),
              up = cross(to, side) * (1 / far);
         float turn = random() * 6.2831853f, open = 0;
@@ -66,13 +66,13 @@ Rgb fromOutside(const Surroundings &around, const RayTree &tree, const Vec3 &p, 
 
 } // namespace
 
-// The form factor of a part, without shadows; from farther than sqrt(near * area) the part counts as a disc.
+// The form factor of a part, without shadows. Beyond sqrt(near * area) the part counts as a disc.
 float LampRays::formFactor(const Part &part, const Vec3 &p, const Vec3 &n, float near) {
     if (dot(p - part.corner[0], part.n) <= 0) return 0;
     Vec3 to = part.middle() - p;
     float square = dot(to, to);
     if (square > part.area * near) {
-        // In the part's plane, or in the place's, only rounding errors remain
+        // In the plane of the part, or of the place, only rounding errors remain
         float here = dot(to, n), there = -dot(to, part.n), least = 1e-6f * std::sqrt(square);
         return here > least && there > least ? here * there / square * part.area / (kPi * square + part.area)
                                              : 0;
@@ -103,8 +103,8 @@ Rgb LampRays::fromAll(const RayTree &tree, const Vec3 *p, int places, const Vec3
     for (size_t i = 0; i < wholes.size(); ++i) {
         Rgb light = wholes[i].radiance * factors[i];
         if (!(maxComponent(light) > 0)) continue;
-        // Divide the rays by light. Their targets are spread over the lamp (Roberts, 2018: the R2 sequence);
-        // their origins take turns among the places
+        // Distribute the rays by light. Their targets are spread over the lamp (Roberts, 2018: the R2
+        // sequence); their origins alternate between the places
         int own = std::max(1, (int)std::lround((float)rays * power[i] / sum));
         uint32_t state = pcg(seed + (uint32_t)i * 64);
         float a = unitFloat(state), b = unitFloat(pcg(state));
@@ -144,7 +144,7 @@ Rgb LampRays::at(const RayTree &tree, const Surroundings &around, const Vec3 *p,
                  uint32_t seed, float shift, int sharers) const {
     Rgb sum = {};
     int some = (std::min((int)parts.size(), kMost) + sharers - 1) / sharers;
-    // Each lamp needs a ray at least: take all lamps only if that is not many more rays
+    // Each lamp needs at least one ray: take all lamps only if that does not need many more rays
     bool all = !wholes.empty() && (int)wholes.size() <= std::max(kFew, 2 * some * places);
     for (int k = 0; k < places; ++k) {
         uint32_t own = seed * 4 + (uint32_t)k;
@@ -182,7 +182,7 @@ std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, 
                     lamps.at(tree, around, at, count, n, (uint32_t)texelOf(k), shift, sharers);
                 all += light[texelOf(k)] * (float)count, places += count;
             }
-            // Texels without a place that counts get the mean of the site
+            // Texels none of whose places count get the mean of the site
             for (uint32_t k = 0, next; k < s.places; k = next) {
                 int count = 0;
                 for (next = k; next < s.places && texelOf(next) == texelOf(k); ++next) count += counts(next);
@@ -199,7 +199,7 @@ DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, cons
     DirectShares kept;
     kept.emitters = emitters;
     kept.seen = lamps.none();
-    // Three materials at a time, as red, green and blue
+    // Do three materials at a time, as red, green and blue
     float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
     for (size_t first = 0; first < emitters.size() && !kept.seen; first += 3) {
         std::vector<Rgb> colours((size_t)emitters.back() + 1);

@@ -1,12 +1,11 @@
 // Direct light on a mesh by shadow rays: from triangles that emit, from balls and from suns. The sky's light
 // is found by the rays for indirect light (ray_system.h).
 //
-// If at most 256 triangles emit, the unshadowed light from each is its form factor, by Lambert's formula or,
-// from afar, as a disc. Shadow rays to points on it, at least one for each triangle, give the visible share.
+// If at most 256 triangles emit, the unshadowed light from each is its form factor: by Lambert's formula or,
+// from afar, a disc's. Shadow rays to points on it, at least one for each triangle, give the visible share.
 //
-// If more emit, they are divided into parts. A place samples some of these, chosen by their power and spread
-// over space, at a different point each time. The places of one texel, or of a small polygon, share the
-// samples.
+// If more emit, they are divided into parts. Each place samples some of the parts, chosen by power and spread
+// over space, at different points. The places of one texel, or of a small polygon, share the samples.
 #pragma once
 
 #include "tools/radiosity/rays/light_grid.h"
@@ -19,16 +18,16 @@ class LampRays {
 public:
     static constexpr int kMost = 128, kFew = 32, kMostWhole = 256;
 
-    // The largest emitting polygon has about `samples` parts.
+    // Divides the largest emitting polygon into about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
     double share() const { return shining; } // of the model's area
     void clear() { parts.clear(), until.clear(), wholes.clear(); }
-    // Gives lamps another radiance, that of their material in this list. Rays are still distributed as the
-    // mesh's power demands.
+    // Sets the lamps' radiance to that of their material in this list. Rays are still distributed by the
+    // mesh's power.
     void paint(const std::vector<Rgb> &ofMaterial);
 
-    // The mean light at the places of one texel, 1 to 4, as irradiance / pi. `seed` is different for every
+    // The mean light at the 1 to 4 places of one texel, as irradiance / pi. `seed` differs from texel to
     // texel. `sharers` is the number of places that share the rays (one for each part), and `shift`, 0 .. 1,
     // selects this texel's share of them.
     Rgb at(const RayTree &tree, const Surroundings &around, const Vec3 *p, int places, const Vec3 &n,
@@ -39,10 +38,10 @@ private:
         Vec3 corner[3], n;
         float area;
         Rgb radiance;
-        float power; // its brightness, as a share of the brightest part's
+        float power; // brightness, as a share of the brightest part's
         int material;
         Vec3 middle() const { return (corner[0] + corner[1] + corner[2]) * (1 / 3.f); }
-        // A point of the triangle, evenly distributed for two numbers 0 .. 1.
+        // Maps the unit square evenly to the triangle.
         Vec3 point(float a, float b) const {
             if (a + b > 1) a = 1 - a, b = 1 - b;
             return corner[0] + (corner[1] - corner[0]) * a + (corner[2] - corner[0]) * b;
@@ -61,12 +60,12 @@ private:
                  int some) const;
 };
 
-// The direct light of all visible texels: the mean over their places. A bit of `behind` is set for each of a
+// The direct light of all visible texels: the mean over their places. `behind` has a set bit for each of a
 // site's places that does not count (ray_system.h).
 std::vector<Rgb> directLight(const LampRays &lamps, const Surroundings &around, const LightGrid &grid,
                              const std::vector<uint16_t> &behind, const RayTree &tree, Workers &workers);
 
-// The same for lamps of radiance 1, for each of the materials that emit; and the light of suns and balls.
+// The same for each of the materials that emit, with lamps of radiance 1; and the light of suns and balls.
 DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, const Surroundings &around,
                           const LightGrid &grid, const std::vector<uint16_t> &behind, const RayTree &tree,
                           Workers &workers);

@@ -7,8 +7,6 @@
 
 namespace odraz::radiosity {
 
-namespace {} // namespace
-
 std::vector<RayTree::Corners> cornersOf(const Mesh &mesh) {
     std::vector<RayTree::Corners> all(mesh.triangles.size());
     for (size_t i = 0; i < all.size(); ++i)
@@ -62,7 +60,7 @@ LightGrid::Spot LightGrid::spotAt(int chart, const Vec3 &p) const {
     return {&cells[(size_t)(c.firstCell + j * c.across + i)], x - (float)i, y - (float)j};
 }
 
-// --- What can be seen ---
+// --- Visible texels ---
 
 // A texel's place in the plane of its chart.
 static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
@@ -72,7 +70,7 @@ static Vec3 placeAt(const Chart &c, const Texel &t, int number) {
     return c.at(x * c.width / (float)(c.across * kSteps), y * c.height / (float)(c.down * kSteps));
 }
 
-// The height above a chart's plane from which a ray looks for its triangles.
+// The height above a chart's plane at which the rays that look for its triangles start.
 static float above(const Regions &regions, const Chart &c) { return c.off() * 4 + (float)regions.off * 2; }
 
 // The place just above the triangle that the ray hit after `drop`.
@@ -91,7 +89,8 @@ static float land(const Regions &regions, const RayTree &tree, int chart, const 
     return there ? below.t : kNowhere;
 }
 
-// Inside a closed body rays to all sides see only backs. None goes straight up, because tubes have no lids.
+// Inside a closed body, rays to all sides see only backs. None goes straight up, because tubes are open
+// there.
 static bool inside(const RayTree &tree, const Chart &c, const Vec3 &p) {
     for (int i = 0; i < 8; ++i) {
         float slant = i & 2 ? 0.5f : 2.f, a = (i & 1 ? -slant : slant) * 0.8f,
@@ -151,7 +150,7 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
         }
         if (small) end();
     }
-    // For watchers: the patch of a cell is the site that sends out its rays
+    // For the viewer, the patch of a cell is the site that sends out its rays
     for (Cell &cell : cells)
         for (int t : cell.corner)
             if (siteOf[(size_t)t] != kNone) {
@@ -160,7 +159,7 @@ void LightGrid::makeSites(const Regions &regions, const std::vector<float> &drop
             }
 }
 
-// --- What cannot ---
+// --- Hidden texels ---
 
 // Visits all texels of the chart that are next to one.
 template <class Visit> static void around(const Chart &c, int texel, const Visit &visit) {

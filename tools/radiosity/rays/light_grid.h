@@ -1,8 +1,8 @@
-// The grid that holds light: cells over the charts with texels at their corners (trace/scene/lightmap.h), and
-// the sites that send out rays.
+// The grid on which light is kept: cells over the charts with texels at their corners
+// (trace/scene/lightmap.h), and the sites that send out rays.
 //
-// A texel has up to four places around it, each a quarter of a cell's side away, as in radiosity/visible.h.
-// Places on no triangle, or inside a closed body, do not count. A chart of one cell is one site with all its
+// A texel has up to four places around it, a quarter of a cell's side away, as in radiosity/visible.h. Places
+// off the triangles or inside a closed body do not count. A chart of one cell is one site with all its
 // places; in larger charts every texel is a site.
 #pragma once
 
@@ -24,7 +24,7 @@ std::vector<RayTree::Corners> cornersOf(const Mesh &mesh);
 struct LightGrid {
     static constexpr uint32_t kNone = 0xffffffff;
     struct Place {
-        Vec3 p; // just off the surface
+        Vec3 p; // just above the surface
         int texel;
     };
     struct Site {
@@ -44,26 +44,26 @@ struct LightGrid {
 
     // Numbers the cells and texels of the charts, which the caller keeps.
     LightGrid(Regions &regions, const RayTree &tree, Workers &workers);
-    // One that save() kept, for the charts that it had made; throws std::runtime_error if it does not fit
-    // them. Then `at` is where it ended.
+    // Reads a grid that save() wrote, for the charts from that solution, and moves `at` behind it. Throws
+    // std::runtime_error if it does not fit the charts.
     LightGrid(Regions &regions, std::string_view from, size_t &at);
     void save(std::string &to) const;
 
     Vec3 at(const Texel &t) const;
-    // The cell at a place of a chart, and the position in it, 0 .. 1.
+    // The cell at a point of a chart, and the position in it, 0 .. 1.
     struct Spot {
         const Cell *cell;
         float x, y;
     };
     Spot spotAt(int chart, const Vec3 &p) const;
-    // Gives each hidden texel the mean of the known texels around it; `light` has all texels.
+    // Sets each hidden texel to the mean of the known texels around it. `light` has an item for every texel.
     void fill(std::vector<Rgb> &light) const;
 
 private:
     std::vector<uint16_t> ring; // of a hidden texel: its distance from known ones, 1 ..; else 0
     void divide();
-    // Finds the visible places of the texels. Returns how far below the start of its ray each of the four
-    // places is.
+    // Finds the visible places of the texels. Returns, for each of a texel's four places, how far below the
+    // start of its ray it lies.
     std::vector<float> see(const Regions &regions, const RayTree &tree, Workers &workers);
     void makeSites(const Regions &regions, const std::vector<float> &drops);
     void orderHidden();

@@ -18,7 +18,7 @@ LightGrid::LightGrid(Regions &regions, std::string_view from, size_t &at) : char
         refuseResumed();
 }
 
-// Whether every index lies within its list: a checksum does not help against forgers.
+// Whether every index lies within its list. A checksum is not enough, because a forger can compute it.
 bool LightGrid::fits(const Regions &regions) const {
     auto texelOf = [&](int chart, int t) {
         const Chart &c = charts[(size_t)chart];

@@ -7,7 +7,7 @@
 
 namespace odraz::radiosity {
 
-// A k-d tree: the node of a range is its middle item.
+// A k-d tree over the sites; the node of a range is its middle item.
 class NearSites {
 public:
     NearSites() = default; // without sites

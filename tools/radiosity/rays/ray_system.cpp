@@ -77,7 +77,7 @@ bool RaySystem::restore(std::string_view from, size_t &at) {
         return false;
     for (size_t i = 0; i < count; ++i)
         if (firstOf[i] >= firstOf[i + 1] || behind[i] + 1 >= 1 << grid.sites[i].places) return false;
-    // It was another sky's if there is none now
+    // Without a sky, clear the light of the former one
     if (!around.sky.width)
         std::fill(sky.begin(), sky.end(), Rgb{}), std::fill(skySquare.begin(), skySquare.end(), 0.f);
     bool good = true;
@@ -176,7 +176,7 @@ void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &v
     parallelRanges(workers, (int)found.size(), 32, [&](int first, int end, int) {
         for (auto site = (size_t)first; site < (size_t)end; ++site) {
             auto row = rows.begin() + (ptrdiff_t)firstOf[site], last = row + (ptrdiff_t)rays(site);
-            if (std::find(row, last, kDark) == last) continue; // nothing is open
+            if (std::find(row, last, kDark) == last) continue; // no ray is open
             cast(site, (int)rays(site), spirals.at(rays(site)),
                  [&](int, uint32_t, const Vec3 &d, const RayHit &hit) {
                      if (hit.triangle < 0) visit(site, d);
@@ -196,7 +196,7 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
     shines[count] = {_mm_setzero_ps()};
     auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
     double sources = 0;
-    // Add the light of the sky and of what emits
+    // Add the light of the sky and of surfaces that emit
     std::vector<Rgb> source = sky;
     for (size_t i = 0; i < count && !emits.empty(); ++i) {
         Rgb sum = {};

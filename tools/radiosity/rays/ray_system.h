@@ -3,13 +3,13 @@
 //
 // A site sends out rays by the cosine law. The sites that they hit are its row, each hit with an equal share,
 // like a hemicube whose pixels count the same; rays that hit nothing see the sky. The system is E = S + F rho
-// (D + E), where E is what arrives, D direct light and S the sky's. Directions form a spiral (Vogel, 1979:
-// the golden angle on a disc), rotated differently at each site. Where a chart has several sites around the
-// point that a ray hits, one of them is chosen at random, near ones more often.
+// (D + E), where E is the light that arrives, D direct light and S the sky's. Directions form a spiral
+// (Vogel, 1979: the golden angle on a disc), rotated differently at each site. If a chart has several sites
+// around the point that a ray hits, one of them is chosen at random, near ones more often.
 //
 // In the end neighbouring sites share light where the split-sphere model (Ward, Rubinstein and Clear, "A Ray
-// Tracing Solution for Diffuse Interreflection", 1988) says that light changes little: much where everything
-// is far away, nothing where things touch.
+// Tracing Solution for Diffuse Interreflection", 1988) predicts little change: over large distances where
+// visible surfaces are far away, not at all where surfaces touch.
 #pragma once
 
 #include "tools/radiosity/rays/light_grid.h"
@@ -27,14 +27,14 @@ public:
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
     static constexpr double kAllRays = 24e6;
 
-    // Which sites share their light with each texel, and how much: kept for other solutions.
+    // The sites that share their light with each texel, and their weights: kept for other solutions.
     struct Sharing {
         std::vector<uint32_t> firstOf; // start of each texel's part, and the end of the last
         std::vector<uint32_t> sites;
         std::vector<float> weights;
     };
 
-    // With `shared`, which is kept from another solution, the system finds no neighbours of its own.
+    // With `shared`, kept from another solution, the system does not search for neighbours.
     RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
               Sharing shared = {});
 
@@ -45,13 +45,13 @@ public:
     // Finds the missing rows of sites first .. end.
     void findRows(size_t first, size_t end, Workers &workers);
 
-    // The number of rays that each site needs, estimated from the light of its present ones, for a relative
-    // error of `error` after sharing: powers of two, kLeastRays to kMostRays, kAllRays in total.
+    // The number of rays that each site needs for a relative error of `error` after sharing, estimated from
+    // the light along its present rays: powers of two, kLeastRays to kMostRays, kAllRays in total.
     std::vector<uint16_t> raysFor(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects,
                                   float error, float share, Workers &workers) const;
 
-    // Solves for what arrives, from direct light at the sites and what they reflect, in `sweeps` sweeps at
-    // most. afterSweep(residual) is called after each one, and stops it by returning false. With `bounces` a
+    // Solves for `arrives`, from the direct light and the reflectance of the sites, in at most `sweeps`
+    // sweeps. Calls afterSweep(residual) after each one, and stops if it returns false. With `bounces` a
     // sweep is one bounce; without, new values are used at once. Returns the number of sweeps.
     int solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &reflects, bool bounces, float residual,
               int sweeps, Workers &workers, const std::function<bool(float residual)> &afterSweep);
@@ -60,26 +60,26 @@ public:
     void finalGather(int first, int end, int rays, const std::vector<Rgb> &texels,
                      const std::function<Rgb(int cell)> &reflects, Workers &workers);
 
-    // What arrives at all visible texels, without direct light: the light of sites, shared between neighbours
-    // where that changes it by less than `share`.
+    // The light that arrives at all visible texels, without direct light: that of the sites, shared between
+    // neighbours where it changes by less than `share`.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
     Sharing sharing(float share, Workers &workers) const;
 
-    // The same for `columns` values of every site, a multiple of 8: values[site][columns] to
+    // The same for `columns` values of every site, a multiple of 8: adds values[site][columns] to
     // texels[texel][columns], which must be zero.
     void atTexels(float share, const float *values, int columns, float *texels, Workers &workers) const;
 
-    // Calls visit(site, direction) for every ray of a row that meets nothing, so that light comes along it.
-    // Sites are visited by several threads, each by one.
+    // Calls visit(site, direction) for every ray that hits nothing, along which light from outside arrives.
+    // Several threads visit sites; a site is visited by one of them.
     void alongOpenRays(const std::function<void(size_t site, const Vec3 &direction)> &visit,
                        Workers &workers) const;
 
-    // The rows found so far, as arrays of a file; false if they do not fit the grid.
+    // Writes and reads the rows found so far, as arrays of a file; false if they do not fit the grid.
     void save(std::string &to) const;
     bool restore(std::string_view from, size_t &at);
 
-    std::vector<Rgb> arrives; // at every site
-    // What charts emit that these rays must find; empty if lamps count as direct light
+    std::vector<Rgb> arrives; // light at every site
+    // The emission of charts, if these rays find it; empty if lamps count as direct light
     std::vector<Rgb> emits;
     std::vector<uint64_t> firstOf; // start of each site's row in `rows`, and the end of the last
     std::vector<uint32_t> rows;    // the sites that were hit
@@ -87,9 +87,9 @@ public:
     bool judges = true;            // findRows() also finds which places lie behind something
     std::vector<Rgb> sky;          // of every site
     std::vector<float> skySquare;  // mean of its squared brightness
-    std::vector<float> reach;      // harmonic mean of the distances of what it sees
-    // A bit is set for each of a site's places that does not count: it sees many backs while others of the
-    // site see none. Such a place lies behind or under something thin that cuts through the surface.
+    std::vector<float> reach;      // harmonic mean of the distances that its rays travel
+    // A bit is set for each of a site's places that does not count: it sees many backs while other places of
+    // the site see none. It lies behind or under something thin that cuts through the surface.
     std::vector<uint16_t> behind;
 
 private:
@@ -103,7 +103,7 @@ private:
     template <class Met>
     void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
     void findRow(size_t site, const std::vector<Vec3> &spiral);
-    // Calls visit(other, weight) for all sites whose light counts at a place of a site
+    // Calls visit(other, weight) for all sites that share their light with a place of a site
     template <class Visit>
     void neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
                     const Visit &visit) const;

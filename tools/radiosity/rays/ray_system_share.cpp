@@ -1,4 +1,4 @@
-// How sites share light, and how many rays this requires.
+// How sites share light, and the number of rays that they need for it.
 #include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/ray_system.h"
 
@@ -19,7 +19,7 @@ void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const NearS
         const Vec3 &m = grid.charts[(size_t)other.chart].n;
         float bend = std::sqrt(2 * std::max(0.f, 1 - dot(n, m)));
         float off = (far / std::sqrt(std::min(reach[own], 1e15f) * std::min(reach[i], 1e15f)) + bend) / share;
-        // A site behind the middle plane sees things that this one does not
+        // A site behind the middle plane sees surfaces that this one does not
         if (off >= 1 || std::fabs(dot(near.at(i) - p, n + m)) > 0.2f * radius) return;
         visit(i, (1 - off) * (1 - far / radius) * other.size * other.size);
     });

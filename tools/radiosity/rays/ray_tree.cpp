@@ -21,8 +21,8 @@ struct RayTree::Ray {
         if (d[kz] < 0) std::swap(kx, ky); // keeps the handedness
         sx = broadcast(d[kx] / d[kz]), sy = broadcast(d[ky] / d[kz]), sz = broadcast(1 / d[kz]);
     }
-    // Distances at which the ray enters eight boxes, or kInfinity if not before the limit. Far sides are
-    // moved out by the possible rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2013).
+    // The distances at which the ray enters eight boxes; kInfinity if beyond the limit. Far sides are moved
+    // out by the possible rounding error (Ize, "Robust BVH Ray Traversal", JCGT 2013).
     Float8 enter(const Node &n, float limit) const {
         Float8 ax = (load(n.lo[0]) - o.x) * inverse.x, bx = (load(n.hi[0]) - o.x) * inverse.x;
         Float8 ay = (load(n.lo[1]) - o.y) * inverse.y, by = (load(n.hi[1]) - o.y) * inverse.y;
@@ -31,9 +31,9 @@ struct RayTree::Ray {
         Float8 out = min(min(max(ax, bx), max(ay, by)), max(az, bz)) * 1.0000005f;
         return select((in <= out) & (in <= broadcast(limit)), in, kInfinity);
     }
-    // Distances to a leaf's triangles, kInfinity for a miss; `back` is set where the back was hit. Corners
-    // are sheared so that the ray becomes an axis. Neighbours then compute the same values for a shared edge,
-    // and rounding cannot let the ray pass between them.
+    // The distances to a leaf's triangles; kInfinity for a miss. Sets `back` where a back is hit. Corners are
+    // sheared so that the ray becomes an axis. Neighbours then compute the same values for a shared edge, so
+    // rounding cannot let the ray pass between them.
     Float8 meet(const Leaf &l, Int8 &back) const {
         struct Sheared {
             Float8 x, y, z;
@@ -68,7 +68,7 @@ struct Waiting {
     float enter;
 };
 constexpr int kWaiting = 512;
-// Distances to backs count this much more: of a back and a front in one plane, the front is hit
+// Factor for distances to backs, so that of a back and a front in one plane the front is hit
 constexpr float kBehind = 1.0001f;
 
 } // namespace
@@ -90,8 +90,7 @@ template <bool kFronts> RayHit RayTree::find(const Vec3 &origin, const Vec3 &dir
             for (int lanes = laneBits((far <= broadcast(limit)) & (far < kInfinity)); lanes;
                  lanes &= lanes - 1) {
                 int i = __builtin_ctz((unsigned)lanes);
-                // Of equal distances take the first triangle: the result does not depend on how the tree was
-                // built
+                // At equal distances take the first triangle, so that the result does not depend on the tree
                 if (l.number[i] < 0 || far[i] > limit || (far[i] == limit && l.number[i] > hit.triangle))
                     continue;
                 limit = far[i];

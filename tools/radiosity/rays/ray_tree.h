@@ -1,9 +1,9 @@
 // Rays against any number of triangles: a tree of boxes with eight children and leaves of eight triangles. A
 // ray is tested against eight boxes or triangles at once, so rays need not be coherent.
 //
-// Triangles are hit from both sides. Where neighbours share corners, no ray passes between them (Woop,
-// Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). The time of a ray grows with the
-// logarithm of the number of triangles.
+// Triangles are hit from both sides. No ray passes between neighbours that share corners (Woop, Benthin and
+// Wald, "Watertight Ray/Triangle Intersection", JCGT 2013). The time of a ray grows with the logarithm of the
+// number of triangles.
 #pragma once
 
 #include "base/vec3.h"
@@ -25,15 +25,15 @@ public:
     using Corners = std::array<Vec3, 3>;
     explicit RayTree(const std::vector<Corners> &triangles);
 
-    // The first hit in front of the origin. Where a front and a back lie in one plane, as in a sheet given
-    // from both sides, it is the front.
+    // The first hit in front of the origin. If a front and a back lie in one plane, as in a two-sided sheet,
+    // it is the front.
     RayHit nearest(const Vec3 &origin, const Vec3 &direction) const;
     // The first front that is hit; backs are transparent.
     RayHit nearestFront(const Vec3 &origin, const Vec3 &direction) const;
-    // Whether anything lies before `end`, whichever side it shows.
+    // Whether a triangle, front or back, lies before `end`.
     bool blocked(const Vec3 &origin, const Vec3 &direction, float end) const;
 
-    // The bytes that a tree of N triangles needs, building included.
+    // The bytes that a tree of this number of triangles needs, including those for building it.
     static size_t bytesFor(size_t triangles) { return triangles * 270; }
 
 private:

@@ -21,7 +21,7 @@ struct RayTree::Builder {
         Bounds box;
     };
     static constexpr size_t kLeaf = 8;
-    static constexpr int kSplit = 40; // depth down to which halves are chosen by surface; deeper, by number
+    static constexpr int kSplit = 40; // down to this depth groups are halved by surface, below it by number
 
     static float halfArea(const Bounds &b) {
         Vec3 e = b.hi - b.lo;
@@ -34,8 +34,8 @@ struct RayTree::Builder {
         return b;
     }
 
-    // Sorts a group and returns how many of its items are the best first half, by the surface area heuristic
-    // over bins (Wald, 2007).
+    // Sorts a group and returns the number of items in its first half. The division is the best by the
+    // surface area heuristic over bins (Wald, 2007).
     size_t split(const Group &g, int deep) {
         constexpr int kBins = 16;
         auto middle = [&](const Item &i) { return i.box.lo + i.box.hi; };
@@ -94,7 +94,7 @@ struct RayTree::Builder {
         return ~(int)(leaves.size() - 1);
     }
 
-    // Makes a node of a group: splits its largest part until there are eight.
+    // Makes a node of a group: splits its largest part until there are eight parts.
     int build(const Group &all, int deep) {
         auto index = (int)nodes.size();
         nodes.emplace_back();

@@ -1,4 +1,4 @@
-// What sites have: means over their places.
+// Values of sites: means over their places.
 #pragma once
 
 #include "tools/radiosity/rays/light_grid.h"
@@ -6,7 +6,7 @@
 
 namespace odraz::radiosity {
 
-// If more than this share of a model's area emits, rays find that light, and it counts as no lamp.
+// If more than this share of a model's area emits, rays find that light, and no shadow rays are sent to it.
 inline constexpr double kLargeLamps = 0.25;
 // The change of light up to which sites share it.
 inline constexpr float kShared = 0.2f;
@@ -16,7 +16,7 @@ inline constexpr float kShared = 0.2f;
 std::vector<Rgb> meansOfSites(const LightGrid &grid, const std::vector<uint16_t> &behind,
                               const std::vector<Rgb> &texels);
 
-// What the sites reflect.
+// The reflectance of the sites.
 std::vector<Rgb> reflectanceOfSites(const LightGrid &grid, const Solution &solution);
 
 } // namespace odraz::radiosity

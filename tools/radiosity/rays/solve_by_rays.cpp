@@ -15,13 +15,13 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr float kFirst = 0.25f; // share of the rays' time for the first ones, about
-// The relative error of a site's light that its rays, with those of its neighbours, may leave
+constexpr float kFirst = 0.25f; // the first rays' share of the time of all rays, about
+// The relative error allowed for a site's light from its own and its neighbours' rays
 constexpr float kError = 0.014f;
 constexpr float kFinalShared = 0.1f; // as kShared, after the final gather
 constexpr int kMostSweeps = 10000;
 
-// The bytes that a solution needs, known before any are allocated.
+// The bytes that a solution needs, computed before any are allocated.
 size_t memoryFor(const SolveTask &task) {
     const SolveSettings &s = task.settings;
     size_t charts = task.regions.charts.size(), texels = 0, cells = 0, sites = 0;
@@ -65,7 +65,7 @@ public:
         if (s.keepRows && report.whole) keepRows();
     }
 
-    // Solves with kept rows and direct light, in a grid without its scene.
+    // Solves with kept rows and direct light, without the mesh.
     void relight(const DirectShares &shares) {
         resume();
         report.rows = report.sites;
@@ -127,7 +127,7 @@ private:
     }
     bool keepIsDue() const { return common::wallSeconds() - kept > s.keepEvery; }
 
-    // Finds the missing rows for these numbers of rays. For progress it is the part from .. to of the step.
+    // Finds the missing rows for these numbers of rays. Progress goes from `from` to `to` meanwhile.
     void findRows(const std::vector<uint16_t> &rays, bool refinedRows, float from, float to) {
         size_t missing = system.setRays(rays), count = rays.size(), done = 0;
         size_t piece = std::clamp(count / 100, (size_t)256, (size_t)8192);
@@ -157,7 +157,7 @@ private:
     void findDirectLight() {
         task.show(SolveStep::kDirectLight, 0);
         LampRays lamps(task.mesh, task.regions, s.lampSamples);
-        if (lamps.share() > kLargeLamps) { // then rays find it better than samples
+        if (lamps.share() > kLargeLamps) { // rays find it better than shadow rays
             system.emits = task.solution.emits;
             lamps.clear();
         }
@@ -182,7 +182,7 @@ private:
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
     }
 
-    // Uses a first solution to decide which sites need more rays.
+    // Finds out from a first solution which sites need more rays.
     void refineRows() {
         std::vector<uint16_t> rays(grid.sites.size());
         for (size_t i = 0; i < rays.size(); ++i) rays[i] = (uint16_t)system.rays(i);
@@ -223,7 +223,7 @@ private:
     void finalGather() {
         task.show(SolveStep::kFinalRays, 0);
         auto reflectsAt = [&](int cell) { return task.solution.reflectsOf(cell); };
-        // In parts, after each of which progress is shown and it may be stopped
+        // In parts, so that progress can be shown and the gather stopped between them
         constexpr int kParts = 64;
         auto sites = (int64_t)grid.sites.size();
         for (int k = 0; k < kParts && !task.stopped(); ++k) {
@@ -239,7 +239,7 @@ private:
         task.solution.light = lightOfTexels(kFinalShared);
     }
 
-    // Direct and reflected light of all texels; hidden ones are filled from those around them.
+    // Direct and reflected light of all texels. Hidden ones are filled from those around them.
     std::vector<Rgb> lightOfTexels(float share) {
         std::vector<Rgb> light = system.atTexels(share, task.workers);
         for (size_t t = 0; t < light.size(); ++t) light[t] += direct[t];

@@ -16,7 +16,7 @@ namespace {
 
 // Radiance keeps CIE XYZ in lumens, and red, green and blue in watts.
 constexpr double kLumensOfWatt = 179;
-constexpr double kMostLight = 1.7e38; // what pixels can hold that were not multiplied
+constexpr double kMostLight = 1.7e38; // the largest value that a pixel can hold
 
 // From CIE XYZ to linear red, green and blue with sRGB's primaries and white (IEC 61966-2-1).
 constexpr double kRgbOfXyz[3][3] = {
@@ -30,7 +30,8 @@ public:
         readHead();
         readOrder();
         line.resize((size_t)perLine * 4);
-        for (int i = 0; i < lines; ++i) { // memory grows with the data, not with the size in the head
+        for (int i = 0; i < lines;
+             ++i) { // memory grows with the data read, not with the size that the head claims
             readLine();
             for (int j = 0; j < perLine; ++j) addPixel(&line[(size_t)j * 4]);
         }
@@ -43,8 +44,8 @@ private:
     HdrPicture picture = {};
     size_t at = 0;
     bool xyz = false;
-    std::array<double, 3> multiplied = {1, 1, 1}; // what the pixels were multiplied with
-    // The axis along which lines follow each other, the axis along them, and whether these go down and right
+    std::array<double, 3> multiplied = {1, 1, 1}; // the factors by which pixels were multiplied
+    // The axis from line to line, the axis along a line, and whether these go down and right
     char first = 0, second = 0;
     bool firstForward = true, secondForward = true;
     int lines = 0, perLine = 0;
@@ -78,7 +79,7 @@ private:
                    "; only 32-bit_rle_rgbe and 32-bit_rle_xyze are read");
     }
 
-    // A line may come several times; then all of its factors count.
+    // A line may be repeated; then all of its factors count.
     void readFactors(const std::string &text, int count) {
         double f[3];
         int got = std::sscanf(text.c_str() + text.find('=') + 1, "%lf %lf %lf", f, f + 1, f + 2);
@@ -90,8 +91,8 @@ private:
         }
     }
 
-    // The line with the size also has the order of the pixels: usually -Y HEIGHT +X WIDTH, lines from above
-    // to below, each from left to right.
+    // The line with the size also has the order of the pixels: usually -Y HEIGHT +X WIDTH, lines from top to
+    // bottom, each from left to right.
     void readOrder() {
         char signs[2];
         int read = 0;
@@ -134,8 +135,8 @@ private:
             }
     }
 
-    // Plain pixels, and the older runs: 1, 1, 1, N repeats the pixel before it N times; another such pixel
-    // right behind it gives the next higher byte of N.
+    // Plain pixels, and runs of the older kind: 1, 1, 1, N repeats the pixel before it N times; another such
+    // pixel directly after it gives the next higher byte of N.
     void readPixels() {
         int shift = 0;
         for (int i = 0; i < perLine;) {
@@ -163,12 +164,12 @@ private:
                 light = 0;
                 for (size_t i = 0; i < 3; ++i) light += kRgbOfXyz[k][i] * c[i] / kLumensOfWatt;
             }
-            // Below 0 are colours that these primaries cannot mix
+            // Colours below 0 are outside the gamut of these primaries
             picture.pixels.push_back((float)std::clamp(light, 0., kMostLight));
         }
     }
 
-    // The pixels in rows from above to below, each from left to right.
+    // The pixels in rows from top to bottom, each from left to right.
     std::vector<float> inOrder() const {
         std::vector<float> to(picture.pixels.size());
         const float *from = picture.pixels.data();

@@ -1,10 +1,11 @@
 // Reads pictures in Radiance's HDR format (Ward, "Real Pixels", Graphics Gems II, 1991): lines of text up to
-// an empty line, a line with height and width, and rows of pixels. A row is run-length coded in four planes,
-// or pixel by pixel, with or without the older runs. All eight orders of rows and pixels are read.
+// an empty line, a line with height and width, then rows of pixels. A row is run-length coded in four planes,
+// or stored pixel by pixel, with or without runs of the older kind. All eight orders of rows and pixels are
+// read.
 //
-// A pixel is what it was before the picture was edited: it is divided by all EXPOSURE and COLORCORR that the
-// text names. CIE XYZ becomes red, green and blue with sRGB's primaries, in watts: Radiance keeps XYZ in
-// lumens, 179 to a watt.
+// Pixels are divided by every EXPOSURE and COLORCORR in the text, which restores the values before the
+// picture was edited. CIE XYZ becomes red, green and blue with sRGB's primaries, in watts: Radiance keeps XYZ
+// in lumens, 179 to the watt.
 #pragma once
 
 #include <string>
@@ -14,7 +15,7 @@ namespace odraz::radiosity {
 
 struct HdrPicture {
     int width, height;
-    std::vector<float> pixels; // rows from above to below; linear red, green, blue
+    std::vector<float> pixels; // rows from top to bottom; linear red, green, blue
 };
 
 // Reads up to 2^27 pixels. Throws Refused.

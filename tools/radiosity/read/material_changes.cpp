@@ -11,7 +11,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr double kMostPower = 1e12; // as material files may have
+constexpr double kMostPower = 1e12; // the limit for material files, too
 
 bool emits(const MeshMaterial &m) { return m.emits[0] + m.emits[1] + m.emits[2] > 0; }
 
@@ -38,7 +38,7 @@ void apply(MeshMaterial &m, const MaterialChange &c) {
         auto change = [&](float &x) {
             double value = c.factor ? (double)x * c.value[k] : c.value[k];
             largest = std::max(largest, value);
-            // Within rounding of 1 is 1: a factor may ask for exactly that
+            // Accept 1 within rounding: a factor may give exactly that
             x = (float)(value > most && value < most * (1 + 1e-6) ? most : value);
         };
         if (pictured) change(m.picture.tint[k]);
@@ -103,7 +103,7 @@ void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<boo
             MeshMaterial &m = materials[i];
             if (!used[i] || (!c.name.empty() && m.name != c.name)) continue;
             named = true;
-            // Nothing would come of a factor for what is dark; and not everything is a lamp
+            // A factor has no effect on a material that does not emit
             if (c.power && (c.factor || c.name.empty()) && !emits(m)) continue;
             apply(m, c);
             changed = true;

@@ -1,4 +1,4 @@
-// Changes of materials by options: other reflectances, other power of lamps.
+// Changes to the model's materials by options: reflectance and the power of lamps.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -11,26 +11,26 @@ namespace odraz::radiosity {
 
 struct MeshMaterial;
 
-// What `--reflectance` or `--power` asks, as [NAME=]R,G,B or [NAME=]FACTOR.
+// The value of `--reflectance` or `--power`: [NAME=]R,G,B or [NAME=]FACTOR.
 struct MaterialChange {
     std::string option, text; // as they were given
-    bool power;               // --power: what the material emits; else what it reflects
-    std::string name;         // of a material; empty: all of them, or for power all that emit
-    bool factor;              // multiplies the three values; else replaces them
+    bool power;               // true: emission (--power); false: reflectance
+    std::string name;         // the material's; empty: all materials, or with --power all that emit
+    bool factor;              // true: multiplies the three values; false: replaces them
     std::array<double, 3> value;
 };
 
-// Reads the option's value. NAME ends at the last "=". Throws Refused if there is no such colour or factor:
-// reflectances lie between 0 and 1, powers between 0 and 1e12, factors between 0 and 1e12.
+// Reads the option's value. NAME ends at the last "=". Throws Refused if a number is missing or out of range:
+// 0 to 1 for reflectance, 0 to 1e12 for power and factors.
 MaterialChange readMaterialChange(const std::string &option, const std::string &text);
 
-// Adds --reflectance and --power to a command line, in a group of this title.
+// Adds --reflectance and --power to a command line, in the group kMaterialGroup.
 inline constexpr char kMaterialGroup[] = "Other materials than the model's; FACTOR multiplies what it has";
 void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &to);
 
-// Makes the changes, one after the other, in those materials that are `used`. A colour replaces a picture, a
-// factor multiplies it. Throws Refused if no used material has the name, if a reflectance comes out above 1
-// or a power above 1e12, and for a factor where nothing emits.
+// Applies the changes in order to the materials that are `used`. A colour replaces a picture, a factor
+// multiplies it. Throws Refused if no used material has the name, if a reflectance exceeds 1 or a power 1e12,
+// or if a factor is given for power and nothing emits.
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,
                      const std::vector<MaterialChange> &changes);
 

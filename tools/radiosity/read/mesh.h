@@ -22,7 +22,7 @@ struct MeshPicture {
     std::string path; // empty: no picture
     std::array<float, 3> tint = {1, 1, 1};
     std::array<float, 2> scale = {1, 1}, offset = {};
-    bool clamp = false; // outside 0 .. 1 the border is repeated, not the picture
+    bool clamp = false; // outside 0 .. 1: true repeats the border, false the picture
 };
 
 struct MeshMaterial {
@@ -36,13 +36,13 @@ struct Triangle {
     int material;
 };
 
-// What the materials of a model are called, to read them again without the polygons.
+// The names of a model's materials, kept so that materials can be read again without the polygons.
 struct MaterialNames {
     std::vector<std::string> libraries; // the text after each mtllib
-    std::vector<std::string> asked;     // by usemtl, each once
-    std::vector<uint8_t> known;         // of each of these: whether a library has it
-    std::vector<std::string> all;       // of Mesh::materials
-    std::vector<uint8_t> used;          // of each of these: whether a triangle has it
+    std::vector<std::string> asked;     // named by usemtl, each once
+    std::vector<uint8_t> known;         // for each of `asked`: whether a library has it
+    std::vector<std::string> all;       // the names of Mesh::materials
+    std::vector<uint8_t> used;          // for each of `all`: whether a triangle has it
 };
 
 struct Mesh {
@@ -53,7 +53,7 @@ struct Mesh {
     std::vector<std::array<float, 6>> coordinates;
     std::vector<MeshMaterial> materials;
     MaterialNames names;
-    int flat = 0, twice = 0; // triangles left out: without area; duplicates
+    int flat = 0, twice = 0; // triangles left out: those without area; duplicates
 
     double size() const; // the diagonal of its bounding box
     Vec3d middle() const;
@@ -65,16 +65,17 @@ struct ReadSettings {
     std::vector<MaterialChange> changes;
 };
 
-// Whether a file's name ends as those of models do.
+// Whether a file's name has the ending of a model format.
 bool isModel(const std::string &path);
 
-// Reads a model in the format that belongs to its name's ending (formats.cpp); others are read as Wavefront
-// OBJ. Divides polygons into triangles; those without a material reflect 0.7. Adds a line to `notes` for
-// everything that it repaired or ignored. Throws ModelError, or Refused for changes that do not fit.
+// Reads a model. The ending of its name selects the format (formats.cpp); files with another ending are read
+// as Wavefront OBJ. Divides polygons into triangles; those without a material reflect 0.7. Adds a line to
+// `notes` for each thing that was repaired or ignored. Throws ModelError, or Refused for changes that do not
+// fit.
 Mesh readModel(const std::string &path, const ReadSettings &settings, std::vector<std::string> &notes);
 
-// The materials of a model again, as its Mesh has them; those that no triangle has are left empty. Throws
-// ModelError, also if a name that was known is not there now, or the reverse.
+// Reads a model's materials again, in the order of Mesh::materials; unused ones are left empty. Throws
+// ModelError, also if a name that was known is missing now, or the reverse.
 std::vector<MeshMaterial> readMaterialsAgain(const std::string &path, const MaterialNames &names,
                                              const std::vector<MaterialChange> &changes,
                                              std::vector<std::string> &notes);
@@ -85,7 +86,7 @@ Vec3d normalOf(const Mesh &mesh, const Triangle &t);
 // The least and greatest coordinates of the points; there must be at least one.
 std::pair<Vec3d, Vec3d> boxOf(const std::vector<Vec3d> &points);
 
-// Whether some triangle emits light.
+// Whether any triangle emits light.
 bool shines(const Mesh &mesh);
 
 // The area of all triangles.

@@ -34,7 +34,7 @@ bool readColour(const std::string &words, Colour &c) {
     auto [x, y, z] = c;
     c = {3.2406 * x - 1.5372 * y - 0.4986 * z, -0.9689 * x + 1.8758 * y + 0.0415 * z,
          0.0557 * x - 0.2040 * y + 1.0570 * z};
-    for (double &v : c) v = std::max(v, 0.); // no screen shows negative values
+    for (double &v : c) v = std::max(v, 0.); // negative values are outside the gamut
     return true;
 }
 
@@ -47,7 +47,7 @@ struct Reader {
         notes.push_back(model + ": material " + name + ": " + what);
     }
 
-    // The material that the file is defining.
+    // The material that is being read.
     MeshMaterial m;
     Colour kd, ke, ka;
     bool open = false, hasKd, spectral;
@@ -62,13 +62,13 @@ struct Reader {
     void finish() {
         if (!open) return;
         open = false;
-        // Old files have no Ke: they describe lamps with an ambient colour above 1
+        // Old files have no Ke; an ambient colour above 1 marks a lamp
         if (*std::max_element(ka.begin(), ka.end()) > 1 && ke == Colour{}) {
             ke = ka;
             note(m.name, "its Ka above 1 is taken for Ke");
         }
         bool pictured = !m.picture.path.empty();
-        // A picture is multiplied by Kd; if Kd is 0, the writer meant the picture alone
+        // A picture is multiplied by Kd, unless Kd is 0: then the picture alone is meant
         if (pictured)
             for (size_t k = 0; k < 3; ++k)
                 m.picture.tint[k] = hasKd && kd != Colour{} ? (float)std::min(kd[k], 1.) : 1;
@@ -90,7 +90,7 @@ struct Reader {
         materials.push_back(m);
     }
 
-    // Reads options, each with its own words, and the file's name, which may have blanks.
+    // Reads options with their values, and the file's name, which may have blanks.
     void picture(const std::string &folder, const std::string &words) {
         static const std::map<std::string, int> numbers = {{"-o", 3}, {"-s", 3}, {"-t", 3}, {"-mm", 2}};
         static const std::set<std::string> others = {"-blendu", "-blendv",  "-boost",  "-bm",  "-cc",
@@ -111,7 +111,7 @@ struct Reader {
                 std::streampos before = in.tellg();
                 char *end = nullptr;
                 float number = in >> value ? std::strtof(value.c_str(), &end) : 0;
-                if (!end || *end) { // no number: it is the next word
+                if (!end || *end) { // not a number: it is the next word
                     in.clear();
                     in.seekg(before);
                     break;

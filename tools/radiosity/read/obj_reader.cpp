@@ -18,7 +18,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Gives the parser the material for a name that ObjText made.
+// Returns to the parser the material for a name from ObjText.
 struct Numbers : tinyobj::MaterialReader {
     std::map<std::string, int> all;
 
@@ -37,11 +37,10 @@ struct Numbers : tinyobj::MaterialReader {
     }
 };
 
-constexpr char kNone[] = "(none)"; // the material of polygons that have none
+constexpr char kNone[] = "(none)"; // the material of polygons without one
 MeshMaterial noMaterial() { return {kNone, {0.7f, 0.7f, 0.7f}, {}}; }
 
-// Adds notes about materials that can only be black. If all are black, nothing would be visible, so they
-// become grey.
+// Adds notes about materials that are black. If all are, they become grey, because nothing would be visible.
 void noteBlack(std::vector<MeshMaterial> &materials, const std::vector<bool> &used, const std::string &path,
                std::vector<std::string> &notes) {
     std::vector<MeshMaterial *> black;
@@ -95,9 +94,9 @@ private:
     Mesh mesh;
     tinyobj::attrib_t attributes;
     std::vector<tinyobj::shape_t> shapes;
-    double grid = 0;         // points closer than this become one
+    double grid = 0;         // points closer than this are merged
     std::vector<int> number; // for each point of the file: its point in the mesh
-    bool pictured = false;   // some material has a picture, so texture coordinates are kept
+    bool pictured = false;   // a material has a picture, so texture coordinates are kept
 
     void parse() {
         std::vector<tinyobj::material_t> unused;
@@ -145,7 +144,7 @@ private:
 
     void collectTriangles() {
         int materials = (int)mesh.materials.size();
-        bool plain = false; // some triangle has no material
+        bool plain = false; // a triangle has no material
         for (const auto &shape : shapes)
             for (size_t i = 0; i < shape.mesh.indices.size() / 3; ++i) {
                 Triangle t = {};
@@ -192,7 +191,7 @@ private:
         if (pictured) mesh.coordinates.push_back({at[0], at[1], at[4], at[5], at[2], at[3]});
     }
 
-    // Of triangles with the same corners in the same direction, keeps only the first.
+    // Keeps only the first of triangles with the same corners in the same direction.
     void dropTwice() {
         auto key = [&](size_t i) { // rotated so that the least corner is first
             auto c = mesh.triangles[i].corners;

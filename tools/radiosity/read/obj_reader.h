@@ -1,4 +1,5 @@
-// Reads Wavefront OBJ and its materials: a format of readModel() (mesh.h), which describes the functions.
+// Reads Wavefront OBJ and its materials. mesh.h describes the functions under readModel() and
+// readMaterialsAgain().
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"

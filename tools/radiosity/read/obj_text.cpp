@@ -12,7 +12,7 @@ static bool blank(char c) { return c == ' ' || c == '\t'; }
 
 std::string plainText(std::string text) {
     if (!text.compare(0, 3, "\xef\xbb\xbf")) text.erase(0, 3);
-    size_t to = 0, joined = 0; // lines that were joined to the one before
+    size_t to = 0, joined = 0; // the number of lines joined to the current one
     bool comment = false, begun = false;
     for (size_t i = 0; i < text.size(); ++i) {
         char c = text[i];
@@ -26,7 +26,7 @@ std::string plainText(std::string text) {
         }
         if (!begun && !blank(c)) begun = true, comment = c == '#';
         if (c == '\n') {
-            // (There is room: a backslash and a line end were replaced by one blank.)
+            // There is room: one blank replaced a backslash and a line end
             for (; joined; --joined) text[to++] = '\n';
             begun = comment = false;
         }
@@ -77,7 +77,7 @@ ObjText::ObjText(const std::string &path, std::string given) {
                 p = stop;
             }
         } else if (p[0] == 'f' && (!p[1] || blank(p[1]) || (p[1] == 'o' && blank(p[2])))) {
-            if (p[1] == 'o') line[(size_t)(p - line.c_str()) + 1] = ' '; // how they were once called
+            if (p[1] == 'o') line[(size_t)(p - line.c_str()) + 1] = ' '; // the older keyword for a polygon
             int corners = 0;
             for (p = line.c_str() + line.find('f') + 1;; ++corners) {
                 char *stop;

@@ -26,7 +26,7 @@ double areaOf(const Polygon &p) {
     return twice / 2;
 }
 
-// The part of a polygon beyond a line across one axis: above it, or below if `sign` is -1.
+// The part of a polygon on one side of a line across an axis: above it, or below if `sign` is -1.
 void cut(const Polygon &in, size_t axis, double at, double sign, Polygon &out) {
     out.clear();
     for (size_t i = 0; i < in.size(); ++i) {
@@ -73,7 +73,7 @@ void ReflectancePicture::make(int width, int height, const uint8_t *srgb) {
     while (levels.back().width > 1 || levels.back().height > 1) levels.push_back(half(levels.back()));
 }
 
-// If a side is odd, each texel of the smaller picture covers parts of three.
+// If a side is odd, each texel of the smaller picture covers parts of three texels.
 ReflectancePicture::Level ReflectancePicture::half(const Level &of) {
     Level to = {(of.width + 1) / 2, (of.height + 1) / 2, {}};
     struct Tap {
@@ -116,7 +116,7 @@ Rgb ReflectancePicture::texel(const Level &l, int64_t i, int64_t j, bool clamp) 
 Rgb ReflectancePicture::mean() const { return texel(levels.back(), 0, 0, true); }
 
 Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
-    // Convert to texels, counted from the top, of the finest picture in which the polygon is small
+    // Convert to texels, counted from the top, of the finest level in which the polygon is small
     Polygon polygon = given, row, strip, piece;
     double lo[2] = {1e300, 1e300}, hi[2] = {-1e300, -1e300};
     for (TexturePoint &p : polygon) {
@@ -129,7 +129,7 @@ Rgb ReflectancePicture::mean(const Polygon &given, bool clamp) const {
                                          (hi[1] - lo[1]) * levels[level].height > kMostTexels))
         ++level;
     const Level &l = levels[level];
-    // The polygon covers many repetitions of the picture: take its mean
+    // The polygon covers many repetitions of the picture: use the picture's mean
     if ((hi[0] - lo[0]) * l.width > 4 * kMostTexels || (hi[1] - lo[1]) * l.height > 4 * kMostTexels)
         return mean();
     double middle[2] = {};

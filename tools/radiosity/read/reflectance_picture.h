@@ -1,4 +1,5 @@
-// Pictures as the reflectance of materials: converted from sRGB to linear light and averaged over polygons.
+// Pictures that give the reflectance of materials, converted from sRGB to linear light and averaged over
+// polygons.
 #pragma once
 
 #include "trace/scene/scene.h"
@@ -10,7 +11,7 @@
 
 namespace odraz::radiosity {
 
-// Coordinates on a picture: it fills 0 .. 1, and its first row lies at 1.
+// Coordinates on a picture, which fills 0 .. 1 in both; its first row lies at 1.
 using TexturePoint = std::array<double, 2>;
 
 class ReflectancePicture {
@@ -20,8 +21,8 @@ public:
     ReflectancePicture(int width, int height, const std::vector<uint8_t> &srgb); // three bytes a pixel
 
     // The mean over a convex polygon, or the value at its middle if it has no area. Outside 0 .. 1 the
-    // picture is repeated, or with `clamp` its border is. A polygon of many texels uses means of 2 x 2, 4 x 4
-    // .., so that it reads at most some hundreds.
+    // picture is repeated, or with `clamp` its border is. Large polygons use a coarser level, so that a mean
+    // reads a few hundred texels at most.
     Rgb mean(const std::vector<TexturePoint> &polygon, bool clamp) const;
     Rgb mean() const; // of the whole picture
 

@@ -13,19 +13,20 @@ namespace {
 
 constexpr double kPiD = 3.14159265358979;
 constexpr int kSkyWidth = 128,
-              kSkyHeight = 64;   // of the picture that rays look at: as wide as what each stands for
+              kSkyHeight = 64;   // rows of the picture that rays sample: a pixel is about as wide as a ray's
+                                 // share of the directions
 constexpr double kTooBright = 8; // times the mean
 constexpr size_t kMostSuns = 24;
 
 double totalOf(const Rgb &c) { return (double)c.x + (double)c.y + (double)c.z; }
 
-struct Glint {      // a pixel's light above the limit that the sky keeps
+struct Glint {      // the light of a pixel above the sky's limit
     double x, y, z; // direction
     Rgb light;      // times its solid angle over pi
 };
 
-// Splits glints into parts: at the middle of their light, across the axis of their largest extent, until
-// there are enough parts.
+// Splits glints into parts: halves their light across the axis of their largest extent, until there are
+// enough parts.
 void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, size_t parts, bool upIsZ,
          std::vector<Sun> &suns) {
     if (parts > 1 && end - first > 1) {
@@ -38,7 +39,7 @@ void cut(std::vector<Glint>::iterator first, std::vector<Glint>::iterator end, s
         int axis = 0;
         for (int k = 1; k < 3; ++k)
             if (hi[k] - lo[k] > hi[axis] - lo[axis]) axis = k;
-        if (hi[axis] - lo[axis] > 0.02) { // a degree; a smaller part is one sun
+        if (hi[axis] - lo[axis] > 0.02) { // a degree; smaller parts become one sun
             auto along = [axis](const Glint &g) { return axis == 0 ? g.x : axis == 1 ? g.y : g.z; };
             std::sort(first, end, [&](const Glint &a, const Glint &b) { return along(a) < along(b); });
             auto middle = first;

@@ -1,10 +1,10 @@
 // Light from outside the model, set by options: a sky, suns, lamps.
 //
-// The sky has a radiance in every direction, also below the horizon: one colour, or a picture of all
+// The sky has a radiance in every direction, below the horizon too: one colour, or a picture of all
 // directions (Radiance HDR, latitude and longitude). The middle of the picture lies towards -z if y is up,
-// towards +y if z is up; +x is to the right of it. Pixels more than eight times as bright as the mean become
-// suns, because a few rays would miss them: at most 24, by cuts that halve their light (Debevec, "A Median
-// Cut Algorithm for Light Probe Sampling", 2005).
+// towards +y if z is up, with +x to its right. Pixels more than eight times as bright as the mean become
+// suns, because a few rays would miss them: at most 24, found by cuts that halve their light (Debevec, "A
+// Median Cut Algorithm for Light Probe Sampling", 2005).
 #pragma once
 
 #include "base/vec3.h"
@@ -16,10 +16,10 @@ namespace odraz::radiosity {
 
 struct Sun {
     Vec3 towards; // of length 1
-    Rgb light;    // what a white surface that faces it shows: irradiance over pi
+    Rgb light;    // irradiance over pi on a surface that faces it
 };
 
-// A ball that emits evenly; in the model's units.
+// A ball that emits evenly, in the model's units.
 struct BallLamp {
     Vec3 centre;
     float radius;
@@ -28,7 +28,7 @@ struct BallLamp {
 
 struct SkyPicture {
     int width = 0, height = 0; // 0: black
-    std::vector<Rgb> pixels;   // rows from above to below
+    std::vector<Rgb> pixels;   // rows from top to bottom
     bool upIsZ = false;
 
     Rgb radiance(const Vec3 &direction) const; // bilinear
@@ -44,7 +44,7 @@ struct Surroundings {
 
 SkyPicture evenSky(const Rgb &radiance);
 
-// Reads a picture; adds what is too bright to `suns`. Throws Refused.
+// Reads a picture, and adds its bright pixels to `suns`. Throws Refused.
 SkyPicture readSky(const std::string &path, bool upIsZ, std::vector<Sun> &suns);
 
 // The direction to a sun. Both angles are in degrees: elevation above the horizon, azimuth from -z (+y if z

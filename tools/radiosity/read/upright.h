@@ -1,11 +1,11 @@
-// Converts models whose z is up for cameras and skies, whose y is up.
+// Conversion between models whose z is up, and cameras and skies, whose y is up.
 #pragma once
 
 #include "base/vec3.h"
 
 namespace odraz::radiosity {
 
-// Turns a place or a direction of the model so that y is up and x stays; and back.
+// Rotates a point or a direction of the model about x so that y is up; and back.
 inline Vec3 upright(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, p.z, -p.y} : p; }
 inline Vec3 asInModel(const Vec3 &p, bool upIsZ) { return upIsZ ? Vec3{p.x, -p.z, p.y} : p; }
 

@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// What has less than this share of the mean light counts as dark: its relative error has no meaning
+// A place with less than this share of the mean light counts as dark: its relative error has no meaning
 constexpr double kDark = 1e-3;
 
 Vec3d colour(const std::array<float, 3> &c) { return {(double)c[0], (double)c[1], (double)c[2]}; }
@@ -31,7 +31,7 @@ std::vector<Obstacles::Triangle> trianglesOf(const Mesh &mesh) {
     return all;
 }
 
-// The index in ascending sums that a value falls into
+// The index of the first of ascending sums above a value
 size_t placeIn(const std::vector<double> &until, double value) {
     return std::min((size_t)(std::upper_bound(until.begin(), until.end(), value) - until.begin()),
                     until.size() - 1);
@@ -45,7 +45,7 @@ public:
         for (const MeshMaterial &m : mesh.materials)
             if (!m.picture.path.empty()) try {
                     pictures.try_emplace(m.picture.path, m.picture.path);
-                } catch (const common::Refused &) { // then the material's Kd counts, as in the solver
+                } catch (const common::Refused &) { // use the material's Kd, as the solver does
                 }
         double sum = 0;
         for (size_t i = 0; i < triangles.size(); ++i) {
@@ -56,13 +56,13 @@ public:
         }
     }
 
-    // The light that one path brings to a place; `backs` counts first rays that hit a back. The path starts
-    // in cell k of a side x side grid over the hemisphere.
+    // The light that one path brings to a place. The path starts in cell k of a side x side grid over the
+    // hemisphere; `backs` counts first rays that hit a back.
     Vec3d trace(Vec3d p, Vec3d n, int k, int side, Sampler &sampler, int &backs) const {
         Vec3d sum = {}, weight = {1, 1, 1};
         for (int depth = 0;; ++depth) {
             Vec3d from = p + n * off;
-            // The first hit of each path takes a different part of the lamps
+            // The first hit of each path samples a different part of the lamps
             double pick = sampler.random();
             if (depth == 0) pick = ((double)((int64_t)k * 7919 % (side * side)) + pick) / (side * side);
             sum = sum + weight * direct(from, n, pick, sampler);
@@ -93,7 +93,7 @@ private:
     std::vector<double> until;                          // running sums of the lamps' light
     std::map<std::string, ReflectancePicture> pictures; // by their paths
 
-    // What triangle i reflects at a place
+    // The reflectance of triangle i at a place
     Vec3d reflected(size_t i, Vec3d p) const {
         const MeshMaterial &m = mesh.materials[(size_t)mesh.triangles[i].material];
         auto picture = pictures.find(m.picture.path);
@@ -110,7 +110,7 @@ private:
         return colour(m.picture.tint) * toDouble(picture->second.mean({{at[0], at[1]}}, m.picture.clamp));
     }
     Vec3d emitted(size_t i) const { return colour(mesh.materials[(size_t)mesh.triangles[i].material].emits); }
-    // The light of a ball, by a direction in the cone that it fills. Nothing sees it but shadow rays
+    // The light of a ball, by a direction in the cone that it fills. Only shadow rays see it
     Vec3d ofBall(const BallLamp &ball, Vec3d p, Vec3d n, Sampler &sampler) const {
         Vec3d to = toDouble(ball.centre) - p;
         double far = length(to), sine = (double)ball.radius / far;
@@ -126,8 +126,8 @@ private:
         // The cone's solid angle is 2 pi (1 - least)
         return toDouble(ball.radiance) * (2 * sine * sine / (1 + least) * here);
     }
-    // The light of all suns, and of a lamp chosen by `pick`, 0 .. 1, in proportion to its light, which stands
-    // for all lamps
+    // The light of all suns, and of a lamp that represents all of them: `pick`, 0 .. 1, selects it in
+    // proportion to its light
     Vec3d direct(Vec3d p, Vec3d n, double pick, Sampler &sampler) const {
         Vec3d sum = {};
         for (const Sun &sun : around.suns) {
@@ -159,7 +159,7 @@ struct Found {
     Rgb radiosity;
 };
 
-// The triangles of all charts that reflect; those of an element are adjacent. `until`: running sums of the
+// The triangles of all charts that reflect; those of an element are consecutive. `until`: running sums of the
 // area
 std::vector<Part> partsOf(const Solution &solution, std::vector<double> &until) {
     std::vector<Part> parts;
@@ -209,9 +209,9 @@ std::vector<MeshProbe> placeMeshProbes(const Solution &solution, int count, bool
         size_t k = placeIn(until, (i + sampler.random()) / count * until.back());
         Found found = middles ? middleOf(parts, k) : randomPlace(parts[k], sampler);
         auto chart = (size_t)parts[k].chart;
-        // What arrives: what leaves, minus what the place emits, divided by its reflectance
+        // The light that arrives is radiosity minus emission, divided by reflectance
         Rgb leaves = found.radiosity - solution.emits[chart], r = solution.reflectsOf(parts[k].cell);
-        // In a colour that it does not reflect, nothing leaves
+        // A colour that is not reflected does not count
         Rgb light = solution.lightAt((int)chart, found.p);
         auto share = [](float x, float y, float other) { return y > 0 ? x / y : other; };
         Rgb arrives = {share(leaves.x, r.x, light.x), share(leaves.y, r.y, light.y),

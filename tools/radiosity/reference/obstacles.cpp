@@ -7,7 +7,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Distances that differ by less count as equal: the two sides of a sheet
+// Distances that differ by less count as equal, as of the two sides of a sheet
 constexpr double kSame = 1e-10;
 
 struct Box {
@@ -100,8 +100,8 @@ struct Obstacles::Builder {
         tree.leaves.push_back(leaf);
         return ~(int)(tree.leaves.size() - 1);
     }
-    // Finds where to divide a range and sorts its items accordingly: between two bins along its longest axis,
-    // where the sum of each part's area times its count is least
+    // Divides a range between two bins along its longest axis, where the sum of each part's area times its
+    // count is least, and sorts its items accordingly
     size_t divide(size_t begin, size_t end) {
         constexpr int kBins = 16;
         Box middles;
@@ -147,8 +147,8 @@ Obstacles::Obstacles(const std::vector<Triangle> &triangles, std::vector<Ball> b
     if (!triangles.empty()) Builder{triangles, *this}.build();
 }
 
-// Visits the leaves that a ray reaches before `end`, nearer ones first, until a visit returns true. A visit
-// may lower `end`.
+// Visits the leaves that a ray reaches before `end`, nearer ones first, until `visit` returns true. It may
+// lower `end`.
 template <class Visit> void Obstacles::walk(Vec3d o, Vec3d d, const double &end, Visit visit) const {
     if (nodes.empty()) return;
     double inverse[3];

@@ -1,9 +1,9 @@
-// Obstacles for the oracles' rays: triangles and balls, in double precision.
+// Triangles and balls for the oracles' rays, in double precision.
 //
-// It shares no code with the trees of the tracer (intro/trace) and of tools/radiosity, because an oracle must
-// not have the faults that it looks for. Triangles lie in a tree of boxes with four children, divided by the
-// surface area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997). Balls
-// are few: each ray tests them all.
+// It shares no code with the tracer's tree (intro/trace) and that of rays/, because an oracle must not have
+// the faults that it looks for. Triangles are in a tree of boxes with four children, divided by the surface
+// area heuristic in bins (Wald, 2007), and are tested by Moeller and Trumbore's method (1997). Each ray tests
+// all balls, since there are few.
 #pragma once
 
 #include "tools/engine/vec3d.h"
@@ -29,10 +29,10 @@ public:
     };
     explicit Obstacles(const std::vector<Triangle> &triangles = {}, std::vector<Ball> balls = {});
 
-    // The first hit that is further away than `least`. Where the front and the back of a sheet lie in one
-    // plane, it is the front.
+    // The first hit that is further away than `least`. If the front and the back of a sheet lie in one plane,
+    // it is the front.
     Hit nearest(Vec3d origin, Vec3d direction, double least = 0) const;
-    // Whether anything lies before `end`, whichever side it shows.
+    // Whether anything lies before `end`; fronts and backs both count.
     bool blocked(Vec3d origin, Vec3d direction, double end) const;
 
 private:

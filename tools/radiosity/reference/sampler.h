@@ -1,4 +1,4 @@
-// Random numbers and directions for the oracles, in double precision. Nothing that ships uses them.
+// Random numbers and directions for the oracles, in double precision.
 #pragma once
 
 #include "tools/engine/vec3d.h"
@@ -11,8 +11,7 @@ namespace odraz::radiosity {
 // splitmix64 (Steele, Lea and Flood, 2014): a hash of 64 bits.
 uint64_t mixed(uint64_t x);
 
-// The random numbers of one sample, each 0 <= x < 1. Every pixel or place has a stream of its own, with other
-// numbers.
+// The random numbers of one sample, each 0 <= x < 1. Every pixel or place has a different stream.
 class Sampler {
 public:
     explicit Sampler(uint64_t stream, uint64_t sample = 0);

@@ -1,4 +1,4 @@
-// Arrays in files, stored as they lie in memory, with a checksum against damage.
+// Arrays in files, stored as in memory, with a checksum against damage.
 #pragma once
 
 #include "tools/common/hash.h"
@@ -29,7 +29,7 @@ inline std::string withChecksum(const std::string &magic, const std::string &bod
     uint64_t sum = checksum(body.data(), body.size());
     return magic + std::string((const char *)&sum, sizeof sum) + body;
 }
-// Where the part after the checksum begins; npos if that is damaged, 0 if it is another kind of file.
+// Where the part after the checksum begins; npos if that part is damaged, 0 if the file is of another kind.
 inline size_t bodyOf(std::string_view file, const std::string &magic) {
     size_t at = magic.size() + sizeof(uint64_t);
     if (file.size() < at || file.compare(0, magic.size(), magic) != 0) return 0;
@@ -59,7 +59,7 @@ template <class T> bool get(std::string_view from, size_t &at, std::vector<T> &t
     return true;
 }
 
-// An array where it lies, if it lies as its items need it.
+// Reads an array in place, without a copy. False also if it is not aligned for its items.
 template <class T> bool getWhereItLies(std::string_view from, size_t &at, std::span<const T> &to) {
     uint64_t head[2];
     if (from.size() - at < sizeof head) return false;

@@ -8,7 +8,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// How the files of each kind begin, and the errors for another file and for a damaged one.
+// The first line of each kind of file, and the errors for another kind and for a damaged file.
 constexpr struct {
     const char *magic, *other, *again;
 } kKinds[] = {{"odraz radiosity state 2\n", "is not a state of 'radiosity solve' of this version",
@@ -51,7 +51,7 @@ void Kept::save(const std::string &path, Kind kind) const {
     put(all, words), put(all, names.libraries), put(all, names.asked), put(all, names.all);
     radiosity::put(all, names.known), radiosity::put(all, names.used);
     radiosity::put(all, std::span<const char>(prepared));
-    // Rows are used where they lie: place them as their items need it
+    // Rows are used in place, so align them for their items
     radiosity::put(all, std::vector<char>(8 - all.size() % 8));
     radiosity::put(all, std::span<const char>(rows));
     uint64_t sum = checksum(all.data() + body, all.size() - body);

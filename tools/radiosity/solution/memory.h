@@ -1,12 +1,11 @@
-// Refuses a solution that does not fit into --memory, with a line that has the number of megabytes.
+// Errors for a solution that does not fit into --memory; they have the number of megabytes.
 #pragma once
 
 #include "base/arena.h"
 
 namespace odraz::radiosity {
 
-// Throws std::runtime_error: `bytes` are needed, `most` are allowed; `remedy` names the option that lowers
-// the need.
+// Throws std::runtime_error: `bytes` are needed, `most` are allowed; `remedy` names the option to change.
 [[noreturn]] void refuseMemory(size_t bytes, size_t most, const char *remedy);
 // The same for an arena that cannot hold `more` bytes.
 [[noreturn]] void refuseMemory(const Arena &arena, size_t more);

@@ -1,4 +1,4 @@
-// What a solution leaves for others with other materials.
+// The data of a solution that are kept for solutions with other materials.
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/solve_task.h"
 
@@ -28,7 +28,7 @@ PreparedSolve::PreparedSolve(std::string_view from, size_t materials) {
 }
 
 bool PreparedSolve::fits(const std::vector<int> &emitters) const {
-    // Which way lamps are found depends on all of them
+    // The method for lamps depends on all of them
     return direct.seen ? emitters == direct.emitters
                        : std::includes(direct.emitters.begin(), direct.emitters.end(), emitters.begin(),
                                        emitters.end());

@@ -17,8 +17,7 @@ size_t Solution::elements() const {
 
 namespace {
 
-// Lists the facets that may lie in each undivided cell, so that thousands of cells need not search thousands
-// of facets each.
+// Lists the facets that may lie in each undivided cell, so that not every cell searches all facets.
 class FacetsByCell {
 public:
     FacetsByCell(const std::vector<Chart> &charts, const std::vector<Facet> &facets) : charts(charts) {
@@ -45,7 +44,7 @@ private:
     static constexpr int kFew = 16;
     const std::vector<Chart> &charts;
 
-    // Goes row by row, because slivers cross many cells. Returns the amount of work.
+    // Goes row by row, because slivers cross many cells. Returns the number of steps.
     static int64_t list(int facet, const Outline &outline, const Chart &c,
                         std::vector<std::vector<int>> &lists) {
         float wide = c.width / (float)c.across, tall = c.height / (float)c.down, low = c.height, high = 0;
@@ -75,7 +74,7 @@ private:
 
 void Solution::forPieces(
     const std::function<void(int, int, const std::vector<SolutionPoint> &)> &visit) const {
-    // Sort texels by place, to find those that lie on the sides of larger cells
+    // Sort texels by place, to find those on the sides of larger cells
     struct Key {
         int chart, x, y;
         bool operator<(const Key &b) const {

@@ -8,10 +8,10 @@ namespace odraz::radiosity {
 
 namespace {
 
-// Whether a number is finite and small enough that products of several are finite.
+// Whether a number is finite, and small enough that products of several are too.
 bool moderate(float x) { return std::fabs(x) < 1e18f; }
 bool moderate(const Vec3 &v) { return moderate(v.x) && moderate(v.y) && moderate(v.z); }
-// Whether `count` things from `first` on lie within `all`
+// Whether `count` items from `first` on lie within `all`
 bool within(int first, int64_t count, size_t all) {
     return first >= 0 && count >= 0 && (int64_t)first + count <= (int64_t)all;
 }

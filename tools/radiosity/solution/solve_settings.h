@@ -1,4 +1,4 @@
-// How to solve a model, and what is called on the way: the options of `solve` and `view`. Areas are in
+// How to solve a model, and the functions called meanwhile: the options of `solve` and `view`. Areas are in
 // squared units of the model.
 #pragma once
 
@@ -16,20 +16,20 @@ namespace odraz::radiosity {
 // hemicubes that OpenGL draws, as in the film (patches/).
 enum class Way { kRays, kPatches };
 
-// Finds form factors: fills `factors` with the rows of the patches that `lit` asks for (form_factor.h), in
-// memory of the arena; `model` is posed in the scene. Keeps rows that are known already. Returns false if
+// Finds form factors: fills `factors` with the rows of the patches selected by `lit` (form_factor.h), in
+// memory of the arena; `model` is posed in the scene. Rows that are already known stay. Returns false if
 // workers.abort stopped it; all rows found so far are then complete. Throws std::runtime_error if memory is
 // short.
 using RowFinder =
     std::function<bool(const Model &model, const Scene &scene, const uint8_t *lit, Workers &workers,
                        Arena &arena, FormFactors &factors, const Progress &progress)>;
 
-// Reports progress on the thread that solves: the current step, its share done (0 .. 1), and during solving
-// the residual (else below 0). At the end `step` is null.
+// Reports progress, on the thread that solves: the current step, the share of it that is done (0 .. 1), and
+// during solving the residual (otherwise below 0). At the end `step` is null.
 using SolveProgress = std::function<void(const char *step, float done, float residual)>;
 
-// Receives light during the solution, on the thread that solves. First comes direct light alone, with
-// `bounced` false; then light after every sweep.
+// Receives light during the solution, on the thread that solves: first direct light alone, with `bounced`
+// false, then the light after every sweep.
 using LightWatcher = std::function<void(const Solution &soFar, bool bounced)>;
 
 struct SolveSettings {
@@ -40,11 +40,11 @@ struct SolveSettings {
     float residual = 1e-4f;
     size_t memory = (size_t)8192 << 20; // bytes; a solution that needs more is refused
     Surroundings surroundings;
-    bool evenSky = true; // lights a model in which nothing shines
+    bool evenSky = true; // adds a sky of radiance 1 if nothing emits light
 
     // By rays
-    int rays = 0;      // from an element, up to 32768; 0: as many as each one needs
-    int finalRays = 0; // from an element in the final gather; 0: there is none
+    int rays = 0;      // from an element, up to 32768; 0: the number that each one needs
+    int finalRays = 0; // from an element in the final gather; 0: no final gather
 
     // Between patches
     int hemicube = 16;    // pixels along the top face, 4 .. kMaxHemicube
@@ -54,21 +54,20 @@ struct SolveSettings {
     float contrast = 0.05f; // see RadiositySettings
     uint32_t turn = 0;      // seed of the hemicubes' rotations
     int turns = 1;          // hemicubes for each patch, each rotated differently: anti-aliasing
-    int shots =
-        0; // above 0: light is shot (shooting.h), by this number of hemicubes at most; no rows are found
+    int shots = 0; // above 0: shoots light (shooting.h) with at most this number of hemicubes, without rows
     RowFinder findRows; // null: by hemicubes
 
     LightWatcher watcher; // may be null
     std::function<bool()>
-        lightIsDue; // whether to make light for the watcher now, which takes time; null: always
-    // By rays: reports how many bytes are needed before they are allocated
+        lightIsDue; // whether to compute light for the watcher now, which takes time; null: always
+    // By rays: reports the number of bytes needed, before they are allocated
     std::function<void(size_t bytes)> needs;
     // Saves the rows found so far (kept.h), every `keepEvery` seconds and after a stop
     std::function<void(const std::string &rows)> keep;
     double keepEvery = 60;
     std::string_view resumed; // saved rows to continue from, which the system may keep using; empty: none
-    // Receives the rows of a whole solution for others with other materials, and what else these may use
-    // (PreparedSolve); may be null
+    // Receives the rows of a whole solution and its PreparedSolve, for solutions with other materials; may be
+    // null
     std::function<void(std::string rows, std::string prepared)> keepRows;
 };
 

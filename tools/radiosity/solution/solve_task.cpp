@@ -25,7 +25,7 @@ const char *nameOf(SolveStep step) {
 }
 
 double cellSide(const Mesh &mesh, const SolveSettings &s) {
-    // Final rays are for quality, so they come with small elements
+    // Final rays are for quality, so elements are smaller
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.finalRays > 0 ? 120000 : 30000);
     return std::sqrt(element) * (s.adaptive && s.way == Way::kPatches ? 1 << kDivided : 1);
 }
@@ -42,7 +42,7 @@ SolveTask::SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &w
     int coarse = 0;
     for (Chart &c : regions.charts) {
         coarse += (double)std::max(c.width, c.height) > (kMaxAcross + 1) * side;
-        // A chart about as large as an element becomes one element
+        // Make a chart that is about as large as an element one element
         if ((double)(c.width * c.height) < 3 * side * side) c.across = c.down = 1;
     }
     if (coarse > 0)

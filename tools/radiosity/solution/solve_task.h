@@ -1,4 +1,4 @@
-// A model that is being solved: the input and the results that both ways share.
+// A model that is being solved: the input and the results that both methods share.
 #pragma once
 
 #include "tools/radiosity/divide/pictured.h"
@@ -14,7 +14,7 @@ const char *nameOf(SolveStep step);
 
 // The results besides light.
 struct SolveReport {
-    bool whole = false;               // false: it was stopped, so rows or sweeps are missing
+    bool whole = false;               // false: it was stopped before all rows and sweeps were done
     int rows = 0;                     // rows found, of sites or patches
     int sweeps = 0;                   // or bounces
     float residual = 0;               // after the last sweep
@@ -27,19 +27,19 @@ struct SolveReport {
     size_t raysFromSite = 0; // the mean
     // Between patches
     int patches = 0;
-    int shots = 0;    // `residual` is then the share of the light that is not shot
+    int shots = 0;    // if above 0, `residual` is the share of light not yet shot
     size_t lamps = 0; // facets that emit
 };
 
-// What a solution with other materials uses besides rows: `rest` is in the form of its way.
+// Data besides rows for a solution with other materials. `rest` differs between the two methods.
 struct PreparedSolve {
     DirectShares direct;
     Regions regions; // divided charts; without chartOf
     std::string_view rest;
 
-    // Throws std::runtime_error if it is not what SolveTask::prepare() made for this number of materials.
+    // Throws std::runtime_error if the data is not from SolveTask::prepare() for this number of materials.
     PreparedSolve(std::string_view from, size_t materials);
-    // Whether its direct light covers lamps of these materials; else that must be found again.
+    // Whether its direct light covers lamps of these materials. If not, direct light must be found again.
     bool fits(const std::vector<int> &emitters) const;
 };
 
@@ -47,23 +47,24 @@ struct SolveTask {
     const Mesh &mesh; // placed near the origin, where floats are finest
     SolveSettings settings;
     Workers &workers; // they watch no abort flag
-    const int *stop;  // any value other than 0 stops it early, with the light found so far
+    const int *stop;  // a value other than 0 ends it early, with the light found so far
     const SolveProgress &progress;
 
     Regions regions;   // the mesh as charts, divided into cells of cellSide()
     Pictured pictured; // the reflectance of materials with pictures
-    Solution solution; // either way fills its cells, texels and light
+    Solution solution; // both methods fill its cells, texels and light
     SolveReport report;
-    const PreparedSolve *prepared = nullptr; // null: the model must be divided and direct light found
+    const PreparedSolve *prepared = nullptr; // null: the model is divided and direct light found anew
 
     // Joins the mesh into regions, and sets the charts' reflectance and emission. Throws ModelError.
     SolveTask(const Mesh &mesh, const SolveSettings &settings, Workers &workers, const int *stop,
               const SolveProgress &progress);
-    // The same for a prepared one. Of the mesh only materials are used.
+    // The same for a prepared solve. Only the mesh's materials are used.
     SolveTask(const Mesh &mesh, const PreparedSolve &prepared, const SolveSettings &settings,
               Workers &workers, const int *stop, const SolveProgress &progress);
 
-    // Begins what SolveSettings::keepRows gets, for the way to add its own. `regions` are divided.
+    // The beginning of SolveSettings::keepRows' `prepared`; the method appends its own data. `regions` are
+    // divided.
     std::string prepare(const DirectShares &direct, std::span<const Chart> charts,
                         std::span<const Facet> facets) const;
     // Whether a solution with other materials can be prepared: pictures need polygons, final rays the scene.
@@ -78,10 +79,10 @@ struct SolveTask {
     // Finds the reflectance of cells and charts with pictures.
     void findPictured(std::span<const Chart> charts, std::span<const Cell> cells,
                       std::vector<std::string> &notes);
-    // The share of solving that is done, 0 .. 1: by the logarithm of the residual, from the first one to the
-    // one asked for.
+    // The share of solving that is done, 0 .. 1: on a logarithmic scale from the first residual to the one in
+    // the settings.
     float solvedShare(float residual);
-    // Whether the watcher gets light now.
+    // Whether to compute light for the watcher now.
     bool watched() const { return settings.watcher && (!settings.lightIsDue || settings.lightIsDue()); }
 
 private:
@@ -90,12 +91,13 @@ private:
     double firstResidual = 0; // its logarithm; 0: none yet
 };
 
-// How often adaptive solutions divide cells; the side of a cell before that.
+// The number of times that adaptive solutions divide cells.
 inline constexpr int kDivided = 2;
 static_assert(kDivided <= kFinest);
+// The side of an undivided cell, in the model's units.
 double cellSide(const Mesh &mesh, const SolveSettings &settings);
 
-// Throws std::runtime_error because SolveSettings::resumed does not belong to this model.
+// Throws std::runtime_error: SolveSettings::resumed does not belong to this model.
 [[noreturn]] void refuseResumed();
 
 } // namespace odraz::radiosity

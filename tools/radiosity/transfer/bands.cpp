@@ -10,7 +10,7 @@ namespace {
 constexpr int kLast = kMostBands - 1;
 
 // Normalisation of the orders of band 5, with the Condon-Shortley phase. The polynomials in bandFive() are
-// the derivatives of Legendre's.
+// derivatives of Legendre's.
 struct Norms {
     float of[kLast + 1];
     Norms() {

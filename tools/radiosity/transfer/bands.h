@@ -35,8 +35,8 @@ Turn turnAbout(const Vec3 &axis, double degrees);
 // First `first`, then `second`.
 Turn operator*(const Turn &second, const Turn &first);
 
-// The light after the sphere was turned: what came from d then comes from turn.of(d). Bands do not mix, so
-// nothing is lost. It is summed by quadrature, which is exact for six bands.
+// The light after rotating the sphere: light from d then comes from turn.of(d). Rotation does not mix bands,
+// so nothing is lost. Computed by quadrature, which is exact for six bands.
 BandLight turned(const BandLight &light, int bands, const Turn &turn);
 
 } // namespace odraz::radiosity

@@ -142,7 +142,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
     for (const TriedSky &sky : tried) {
         exact.push_back(freshLight(mesh, settings, rays, sky, workers, stop));
         relight(sky.light);
-        std::vector<Rgb> others; // takes longer, so not for all
+        std::vector<Rgb> others; // slow, so not for all skies
         if (exact.size() % 2) others = freshLight(mesh, settings, 0, sky, workers, stop);
         if (stopped()) return false;
         printErrors(sky.name, rows, clusters, exact.back(), others.empty() ? nullptr : &others);
@@ -166,7 +166,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         std::printf("        (%s)\n", lossOf(sky.name, projected, room.bands).c_str());
     }
 
-    // As the lecture compares: the same number of stored floats, in one subspace or in one for each cluster
+    // As in the lecture: the same number of stored floats, in one subspace or in one for each cluster
     std::printf("\nerror %%                      clusters (CPCA)                    one subspace (PCA)\n"
                 "     MB   rank  of the rows  of the light     rank  of the rows  of the light\n");
     std::vector<float> matrix = room.rows(), scale = columnScale(room, matrix);

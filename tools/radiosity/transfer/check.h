@@ -1,4 +1,4 @@
-// How far a room's light is from solutions made for that very light: what `transfer --check` prints.
+// The difference between a relit room and solutions made for the same light: `transfer --check`.
 #pragma once
 
 #include "tools/engine/machine.h"
@@ -9,8 +9,7 @@
 
 namespace odraz::radiosity {
 
-// A light to try: its bands, as a room is relit with, and the same as a picture or as given, to be solved
-// for.
+// A light for the check: its bands, for relighting, and the same light as a picture and suns, for a solution.
 struct TriedSky {
     std::string name;
     BandLight light;
@@ -18,31 +17,31 @@ struct TriedSky {
     std::vector<Sun> suns;
 };
 
-// Environments that this number of bands holds entirely: an even one, a gradient, a glow near the horizon,
-// two lights and random coefficients.
+// Environments that this number of bands represents exactly: an even one, a gradient, a glow near the
+// horizon, two lights and random coefficients.
 std::vector<TriedSky> bandLimitedSkies(int bands, bool upIsZ);
-// A band-limited light as a picture, fine enough that reading it changes little (1e-4).
+// A band-limited light as a picture, with pixels small enough for an error of 1e-4.
 SkyPicture pictureOf(const BandLight &light, int bands, bool upIsZ);
 
-// A solution for a sky alone, its lamps dark: from rays like the room's own, or with rays == 0 from others,
-// as many as this light needs. A value other than 0 in `stop` ends it early; then the light is useless.
+// A solution for a sky alone, with dark lamps: by the room's rays, or with rays == 0 by the number of rays
+// that this light needs. A value other than 0 in `stop` ends it early, with incomplete light.
 std::vector<Rgb> freshLight(const Mesh &mesh, const TransferSettings &settings, int rays, const TriedSky &sky,
                             Workers &workers, const int *stop = &kNever);
 // A solution for the model's lamps alone.
 std::vector<Rgb> freshLamps(const Mesh &mesh, const TransferSettings &settings, int rays, Workers &workers,
                             const int *stop = &kNever);
 
-// Root mean square of a - b as a share of b's.
+// The root mean square of a - b, as a share of that of b.
 double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b);
 
-// One subspace for all rows of a room, of the fewest axes that take as much memory as `floats`; without axes
-// where that is more than kMostRank.
+// One subspace for all rows of a room, with the fewest axes that take as much memory as `floats`; without
+// axes if these are more than kMostRank.
 Clusters oneSubspace(const TransferRoom &room, const std::vector<float> &rows,
                      const std::vector<float> &scale, size_t floats, Workers &workers);
 
-// Prints tables: errors by rows and by clusters under band-limited skies and those given, what the bands lose
-// of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false as soon as
-// there is a value other than 0 in `stop`.
+// Prints tables: errors by rows and by clusters under band-limited skies and under `skies`, the energy that
+// the bands lose of the latter, and one subspace (PCA) against clusters (CPCA) at equal memory. Returns false
+// as soon as `stop` is not 0.
 bool printCheck(const Mesh &mesh, const TransferSettings &settings, const TransferRoom &room, int rays,
                 const std::vector<std::string> &skies, Workers &workers, const int *stop);
 

@@ -14,8 +14,8 @@ struct Clustering {
     const float *rowOf(int r) const { return p.data + (size_t)r * (size_t)p.columns; }
     float *weightsOf(int r) const { return p.weights + (size_t)r * (size_t)p.dimensions; }
 
-    // The squared distance to a cluster's subspace, or to its mean if no weights are wanted. The coordinates
-    // in the subspace go to `weights`.
+    // The squared distance to a cluster's subspace, or to its mean if `weights` is null. Writes the
+    // coordinates in the subspace to `weights`.
     float project(int r, int c, float *weights) const {
         const float *row = rowOf(r), *mean = p.axesOf(c);
         Float8 far = {};
@@ -41,8 +41,8 @@ struct Clustering {
         return max(square, 0.f);
     }
 
-    // Gram-Schmidt, twice, so that no rounding error remains. If an axis depends on those before it, only
-    // noise remains of it: it becomes zero.
+    // Gram-Schmidt, twice, so that no rounding error remains. An axis that depends on those before it becomes
+    // zero, because only noise remains of it.
     void orthonormalize(float *axes) const {
         auto dotOf = [&](const float *a, const float *b) {
             Float8 sum = {};
@@ -98,8 +98,8 @@ struct Clustering {
         }
     }
 
-    // Finds the cluster whose subspace fits a row best. It tries those with the nearest means, and the row's
-    // own.
+    // Finds the cluster whose subspace fits a row best, among those with the nearest means and the row's
+    // present one.
     void assign(int r) {
         int nearest[8], tried = 0, best = p.cluster[r];
         float far[8], weights[kMaxDimensions], least = project(r, best, weightsOf(r));
@@ -126,7 +126,7 @@ struct Clustering {
         for (int c = 0; c <= p.clusters; ++c) p.first[c] = 0;
         for (int r = 0; r < p.rows; ++r) ++p.first[p.cluster[r] + 1];
         for (int c = 0; c < p.clusters; ++c) p.first[c + 1] += p.first[c];
-        // Sorting moves each cluster's begin to its end; move it back
+        // Sorting moved each cluster's begin to its end; move it back
         for (int r = 0; r < p.rows; ++r) p.members[p.first[p.cluster[r]]++] = r;
         for (int c = p.clusters; c > 0; --c) p.first[c] = p.first[c - 1];
         p.first[0] = 0;

@@ -1,10 +1,10 @@
 // Clustered principal component analysis: compresses the rows of a matrix to a few numbers each.
 //
-// This is k-means, but a cluster is an affine subspace instead of a point: a mean and the leading principal
-// axes. Each row goes to the cluster whose subspace is nearest to it. The row is then approximately mean +
-// sum of weight * axis. Block power iteration on the rows themselves finds the axes. So there is no need for
-// a covariance matrix over many columns or a Gram matrix over many rows. A cluster that needs fewer axes (few
-// rows, or rows in one plane) sets the others to zero.
+// This is k-means with affine subspaces instead of points: a cluster is a mean and the leading principal
+// axes. Each row belongs to the cluster whose subspace is nearest, and is approximately mean + sum of weight
+// * axis. Block power iteration on the rows themselves finds the axes, without a covariance matrix over many
+// columns or a Gram matrix over many rows. If a cluster needs fewer axes (few rows, or rows in one plane),
+// the others are zero.
 //
 // Source: Sloan, Hall, Hart and Snyder, "Clustered Principal Components for Precomputed Radiance Transfer",
 // SIGGRAPH 2003.
@@ -21,7 +21,7 @@ struct PcaSettings {
     int dimensions;     // 0 .. kMaxDimensions, a multiple of 8
     int rounds = 3;     // of k-means; 0 keeps the given clusters
     int iterations = 4; // of the power method in each round
-    int tried = 4;      // a row tries this many clusters, those with the nearest means: 0 .. 8
+    int tried = 4;      // clusters tried for a row, those with the nearest means: 0 .. 8
 };
 inline constexpr int kMaxDimensions = 32;
 
@@ -45,8 +45,8 @@ inline size_t compressBytes(int rows, int columns, const PcaSettings &s) {
            4096;
 }
 
-// Compresses the rows. The caller sets p.data, p.rows and p.columns, and in `p.cluster` the cluster that each
-// row starts in (0 .. settings.clusters - 1); compress() changes `p.cluster`. False when the arena is full.
+// Compresses the rows. The caller sets p.data, p.rows and p.columns, and p.cluster to each row's initial
+// cluster (0 .. settings.clusters - 1), which compress() changes. False if the arena is full.
 bool compress(ClusteredPca &p, const PcaSettings &settings, Arena &arena, Workers &workers);
 
 } // namespace odraz::radiosity

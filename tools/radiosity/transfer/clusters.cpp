@@ -56,7 +56,7 @@ private:
     }
 };
 
-// Turns the axes of one cluster to the principal ones, in order, and keeps the first `rank`.
+// Rotates the axes of a cluster to the principal ones, sorts them, and keeps the first `rank`.
 void order(const ClusteredPca &p, int c, const std::vector<float> &scale, Clusters &to) {
     int had = p.dimensions, columns = p.columns;
     std::vector<double> moments((size_t)(had * had));

@@ -1,8 +1,8 @@
 // A room's rows, compressed by clustered PCA (clustered_pca.h): each texel has a cluster and a few weights,
 // and each cluster a mean and axes.
 //
-// Axes are put in the order of what they explain, so that the first few of them are the best few, and any
-// number of them can be used. A cluster with fewer axes has zeros for the others.
+// Axes are sorted by the variance that they explain, so any number of the first ones can be used. A cluster
+// with fewer axes has zeros for the others.
 #pragma once
 
 #include "base/parallel.h"
@@ -22,7 +22,7 @@ struct Clusters {
     std::vector<float> axes;              // [count][1 + rank][columns]: the mean, then the axes
     std::vector<float> weights;           // [texels][rank]
 
-    size_t floats(int used) const { // that are kept if `used` axes are
+    size_t floats(int used) const { // stored if `used` axes are
         return (size_t)count * (size_t)(1 + used) * (size_t)columns + of.size() * (size_t)used;
     }
     const float *axesOf(int cluster) const {
@@ -32,19 +32,19 @@ struct Clusters {
 
 inline constexpr int kMostClusters = 4096, kMostRank = 32;
 
-// The compression of a matrix of `columns` columns (a multiple of 8), whose error counts in each column times
-// its `scale`, above 0. `seeds` is where each row starts (0 .. count - 1). Throws std::runtime_error if
-// memory is short.
+// Compresses a matrix of `columns` columns (a multiple of 8). A column's error is weighted by its `scale`,
+// above 0. `seeds` has each row's initial cluster (0 .. count - 1). Throws std::runtime_error if memory is
+// short.
 Clusters findClusters(const std::vector<float> &rows, int columns, const std::vector<float> &scale,
                       std::vector<int> seeds, int count, int rank, Workers &workers);
 
-// Divides texels into blocks of equal size, by their places and normals: seeds. `normal`: the length, in
-// world units, that a normal counts as; 0: 0.35 of the model's size.
+// Seeds for findClusters(): divides texels into blocks of equal size, by places and normals. `normal`: the
+// length in world units to which normals are scaled for this; 0: 0.35 of the model's size.
 std::vector<int> blocksOf(std::span<const Texel> texels, const Chart *charts, int count, float normal = 0);
 std::vector<int> blocksOf(const Solution &model, int count);
 
-// The root mean square of what a row loses with the first `rank` axes, as a share of the rows' own; columns
-// count times `scale`.
+// The rms error of the rows with the first `rank` axes, as a share of the rows' rms; columns are weighted by
+// `scale`.
 double lossOf(const Clusters &clusters, const std::vector<float> &rows, const std::vector<float> &scale,
               int rank);
 

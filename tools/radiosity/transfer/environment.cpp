@@ -14,7 +14,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kLeastRows = 128; // of pixels: those of smaller pictures are divided
+constexpr int kLeastRows = 128; // rows of pixels; those of smaller pictures are subdivided
 
 } // namespace
 

@@ -104,7 +104,7 @@ private:
             workers);
     }
 
-    // Light of lamp `k` at the sites: along rays if much of the model emits, else direct.
+    // Light of lamp `k` at the sites: along rays if much of the model emits, otherwise by shadow rays.
     void addLamp(size_t k, ColumnSystem &to, const RaySystem &rays, const LightGrid &grid,
                  const RayTree &tree) {
         show("lamps", (float)k / (float)lamps.size());
@@ -156,7 +156,7 @@ private:
             report.notes.emplace_back("no light from outside gets in: only the lamps light this room");
     }
 
-    // From the sites to the planes of the texels.
+    // Spreads light from the sites to the planes of the texels.
     void spread(const ColumnSystem &columns, const RaySystem &rays, const LightGrid &grid) {
         show("spreading", 0);
         auto width = (size_t)columns.columns();
@@ -192,7 +192,7 @@ private:
                          clusters, s.rank > 0 ? s.rank : usualRank(s.bands), workers);
     }
 
-    // The radiance of the site that a ray hits, or of the bands where it hits nothing.
+    // The radiance of the site that a ray hits, or of the bands if it hits nothing.
     void findGlossyCharts(const ColumnSystem &columns, const LightGrid &grid, const RayTree &tree) {
         if (s.glossy.empty()) return;
         std::vector<size_t> charts;
@@ -223,7 +223,7 @@ private:
             if (hit.back) return;
             int chart = task.regions.chartOf[(size_t)hit.triangle];
             auto spot = grid.spotAt(chart, from + d * hit.t);
-            // What the sites around it reflect, and what it emits
+            // Light reflected by the sites around it, and emission
             float weights[4], all = 0;
             for (int k = 0; k < 4; ++k) {
                 bool lit = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;

@@ -58,7 +58,7 @@ void findMatrix(const GlossyChart &g, const Chart &c, int square, const std::vec
                 sums[(size_t)(k * kPadded + j)] * window(bandOf(j), exponent);
 }
 
-// What arrives at the squares under a light: [squares][kGlossOutputs].
+// The coefficients of the squares under a light: [squares][kGlossOutputs].
 std::vector<float> arriving(const GlossyChart &g, const LightVector &light) {
     auto dimensions = (size_t)g.dimensions;
     std::vector<float> all(g.members.size() * kGlossOutputs);
@@ -103,7 +103,7 @@ void findGloss(GlossyChart &g, const Chart &c, int rays, float exponent, const A
     parallelFor(workers, count, [&](int i, int) {
         findMatrix(g, c, i, directions, exponent, arrives, &matrices[(size_t)i * width]);
     });
-    // The first clusters are blocks, about as wide as high
+    // The initial clusters are blocks, about as wide as high
     g.clusters = std::clamp(count / 32, 1, kMostGlossClusters);
     int wide = std::clamp((int)std::lround(std::sqrt((double)g.clusters * g.across / g.down)), 1, g.clusters),
         high = g.clusters / wide;
@@ -131,12 +131,12 @@ void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const Lig
         const Chart &c = model.charts[(size_t)chart.chart];
         int count = chart.across * chart.down;
         std::vector<float> planes((size_t)(3 * count));
-        // The light is in the matrices already: one basis is left, with a strength of 1
+        // The light is already part of the matrices: one basis remains, with a strength of 1
         std::vector<float> matrices = arriving(chart, light);
         Glossy g = {&c, 1, chart.across, chart.down, matrices.data(), {}};
         for (int k = 0; k < 3; ++k) g.plane[k] = &planes[(size_t)(k * count)];
         if (dot(eye - c.corner, c.n) > 0) relightGlossy(g, {{{1, 1, 1}}, {}}, eye, polish, 1);
-        // From the squares' middles to the texels
+        // Interpolate from the squares' middles to the texels
         for (int j = 0; j <= c.down; ++j)
             for (int i = 0; i <= c.across; ++i) {
                 auto spot = [](int at, int cells, int squares, int &low, int &high) {

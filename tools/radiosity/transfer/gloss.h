@@ -1,9 +1,9 @@
-// A polished material, by the film's way (transfer/glossy.h): a matrix in every square of its charts.
+// A polished material, by the film's method (transfer/glossy.h): a matrix for every square of its charts.
 //
-// The matrix turns light into the 25 coefficients of what arrives from the upper half-space, after all
-// bounces: multiplied with those of a lobe around the mirrored direction, they give what the eye gets.
-// Clustered PCA compresses the matrices. Light that the polished surface itself mirrors onto others is not
-// followed: there its share counts as lost.
+// The matrix maps light to the 25 coefficients of the radiance that arrives from the upper half-space, after
+// all bounces. Multiplied with those of a lobe around the mirrored direction, they give the radiance towards
+// the eye. Clustered PCA compresses the matrices. Light that the polished surface mirrors onto other surfaces
+// is not followed; it is lost.
 #pragma once
 
 #include "base/parallel.h"
@@ -25,22 +25,21 @@ struct GlossyChart {
 
 inline constexpr int kMostGlossyCharts = 64, kMostSquares = 4096;
 
-// What an eye sees of the polish: the reflectance seen from above, which rises to 1 at grazing angles
-// (Schlick).
+// The polish's reflectance as seen from above; it rises to 1 at grazing angles (Schlick).
 inline constexpr float kPolish = 0.06f;
 
-// The radiance that arrives at `from` against the unit direction d, of every basis: red, green and blue of
-// each, into `to`, which is zero.
+// Writes the radiance that arrives at `from` against the unit direction d, red, green and blue for every
+// basis, into `to`, which is zero before.
 using Arrives = std::function<void(const Vec3 &from, const Vec3 &d, float *to)>;
 
 // The squares of a chart, about `side` wide.
 GlossyChart squaresOf(const Chart &chart, int number, int bases, float side);
 
-// Finds the matrices by `rays` rays from the middle of every square, and compresses them.
+// Finds the matrices with `rays` rays from the middle of every square, and compresses them.
 void findGloss(GlossyChart &gloss, const Chart &chart, int rays, float exponent, const Arrives &arrives,
                Workers &workers);
 
-// Sets model.gloss to what the charts send to an eye under a light.
+// Sets model.gloss to the radiance from the charts to an eye under a light.
 void showGloss(const std::vector<GlossyChart> &gloss, Solution &model, const LightVector &light,
                const Vec3 &eye, float polish);
 

@@ -1,4 +1,4 @@
-// The lamps of a room: each of them is one basis of its light.
+// The lamps of a room. Each is one basis of its light.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
@@ -9,17 +9,17 @@
 
 namespace odraz::radiosity {
 
-// A light of the model or of the settings, of which the rest is dark.
+// One lamp of the model or of the settings.
 struct LampSource {
     std::string name;
-    std::vector<size_t> materials; // those that emit
+    std::vector<size_t> materials; // those that emit its light
     Surroundings around;           // a ball or a sun
 };
 
 // All materials that emit and are used, then the balls and suns.
 std::vector<LampSource> lampsOf(const Mesh &mesh, const Surroundings &around);
 
-// Makes the last lamp that there is room for (kMaxLamps) stand for all others, with a note.
+// Combines lamps from number kMaxLamps on into one, with a note.
 void joinLamps(std::vector<LampSource> &lamps, std::vector<std::string> &notes);
 
 } // namespace odraz::radiosity

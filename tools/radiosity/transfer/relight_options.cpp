@@ -12,7 +12,7 @@ namespace {
 
 constexpr char kGroup[] = "Light of a room of transfer";
 
-// Reads --lamps: all, none, or a list of lamps by number or name, each with =STRENGTH or without.
+// Reads --lamps: all, none, or a list of lamps by number or name, each with or without =STRENGTH.
 std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
     size_t count = room.lamps.size();
     if (text.empty() || text == "all") return std::vector<float>(count, 1.f);

@@ -1,4 +1,4 @@
-// The options that light a room: for `render`, `export` and `view` of what `transfer` wrote.
+// The options that light a room in `render`, `export` and `view`.
 #pragma once
 
 #include "tools/common/command_line.h"
@@ -9,21 +9,21 @@ namespace odraz::radiosity {
 
 class RelightOptions {
 public:
-    // `view` has a --sky of its own, which may be that of a model.
+    // `view` defines --sky itself, because it may be a model's.
     void addTo(common::CommandLine &line, bool withSky = true);
-    // Throws Refused if one of them was given: what is at `path` is no room. Call it after parse().
+    // Throws Refused if one of the options was given, because `path` is not a room. Call it after parse().
     static void refuseFor(const std::string &path, const common::CommandLine &line);
-    // Finds other clusters for the room if the options ask for another number of them, as `view` does.
+    // Finds new clusters for the room if the options ask for another number of them.
     void changeClusters(TransferRoom &room, Workers &workers) const;
     double turn() const { return around; } // degrees
     double tilt() const { return up; }
 
     struct Light {
         Lighting lighting;
-        Projected sky; // before it was turned
+        Projected sky; // before its rotation
     };
     // The light of a room. Without --sky it is dark outside; if the room has no lamps either, an even sky of
-    // radiance 1 lights it. Prints what the bands lose of a picture. Throws Refused.
+    // radiance 1 lights it. Prints the share of a picture's energy that the bands lose. Throws Refused.
     Light of(const TransferRoom &room) const;
 
     std::string sky; // the value of --sky
@@ -34,11 +34,11 @@ private:
     int bands = 0, clusters = 0, rank = -1;
 };
 
-// Places the camera for what was read, which is a room or null; returns the eye.
+// Places the camera for a solution that was read, with its room or null; returns the eye.
 using EyeFor = std::function<Vec3(const Solution &, const TransferRoom *)>;
 
-// Reads a solution; or a room, lit by the options, with gloss towards the eye that `eyeFor` places (null:
-// without gloss). Throws Refused if there are options for a room, but the file is none.
+// Reads a solution; or a room, lit by the options, with gloss towards the eye that `eyeFor` returns (null:
+// without gloss). Throws Refused if options for a room are given, but the file is not a room.
 Solution readLit(const std::string &path, const RelightOptions &options, const common::CommandLine &line,
                  Workers &workers, const EyeFor &eyeFor = nullptr);
 

@@ -1,5 +1,5 @@
-// Solves many lights at once between sites: their rows of rays (rays/ray_system.h) as form factors of the
-// film's system (radiosity/solve.h), which takes any number of right-hand sides.
+// Solves for many lights at once: converts the sites' rows of rays (rays/ray_system.h) to form factors of the
+// film's system (radiosity/solve.h), which has any number of right-hand sides.
 #pragma once
 
 #include "radiosity/solve.h"
@@ -13,21 +13,21 @@ namespace odraz::radiosity {
 // The columns are red, green and blue of each light: 3 light + channel.
 class ColumnSystem {
 public:
-    // `lights` lights on sites that reflect this. Throws std::runtime_error if memory is short.
+    // `reflects` is the sites' reflectance. Throws std::runtime_error if memory is short.
     ColumnSystem(const RaySystem &rays, const std::vector<Rgb> &reflects, int lights, size_t memory);
     ColumnSystem(const ColumnSystem &) = delete;
 
     int columns() const { return system.columns; } // a multiple of kSolveBlock
-    // A site's direct light, irradiance / pi, of all columns: to be set before solve(). What rays bring
-    // (`source`) is shared between neighbours later, so it is kept apart.
+    // A site's direct light, irradiance / pi, in all columns. Set it before solve(): in `source` the light
+    // that rays find, which is later shared between neighbours, in `direct` the rest.
     float *source(size_t site) { return &sources[site * (size_t)system.columns]; }
     float *direct(size_t site) { return system.direct + site * (size_t)system.columns; }
 
-    // Solves until a sweep changes less than the residual. Returns the number of sweeps.
+    // Solves until a sweep changes the light by less than the residual. Returns the number of sweeps.
     int solve(float residual, Workers &workers);
 
-    // After solve(): what arrives along a site's rays, without direct light; and what it reflects, as
-    // radiance.
+    // After solve(): the light that arrives along the sites' rays, without `direct`; and the light that a
+    // site reflects, as radiance.
     const float *arrives() const { return sources.data(); }
     const float *reflected(size_t site) const { return system.radiosity + site * (size_t)system.columns; }
 

@@ -17,7 +17,7 @@ int stop = 0; // becomes 1 with Ctrl-C
 struct Job {
     std::string model, out;
     bool check = false;
-    std::vector<std::string> skies; // to be checked too
+    std::vector<std::string> skies; // more skies for --check
     SolveOptions options;
     TransferSettings settings;
 };

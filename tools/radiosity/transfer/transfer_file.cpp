@@ -65,7 +65,7 @@ bool getGlossy(const std::string &from, size_t &at, GlossyChart &g, const Transf
                (size_t)g.clusters * (size_t)(1 + g.dimensions) * (size_t)(g.bases * kGlossOutputs);
 }
 
-// Whether the texels of glossy charts are where showGloss() looks for them.
+// Whether the texels of glossy charts have the layout that showGloss() assumes.
 bool glossFits(const TransferRoom &room) {
     return std::all_of(room.gloss.begin(), room.gloss.end(), [&](const GlossyChart &g) {
         const Chart &c = room.model.charts[(size_t)g.chart];
@@ -73,7 +73,7 @@ bool glossFits(const TransferRoom &room) {
     });
 }
 
-// Names are kept in one array, each with a zero behind it.
+// Names are kept in one array, each followed by a zero.
 std::vector<char> joined(const std::vector<std::string> &names) {
     std::vector<char> all;
     for (const std::string &name : names) all.insert(all.end(), name.c_str(), name.c_str() + name.size() + 1);

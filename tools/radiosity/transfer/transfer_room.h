@@ -1,9 +1,9 @@
-// A model solved once for all lights: what every band of an environment and every lamp brings to every texel,
-// with all bounces. Light of any moment is then a weighted sum (transfer/relight.h).
+// A model solved once for all lights: the light, with all bounces, that every band of an environment and
+// every lamp brings to every texel. The light of any moment is then a weighted sum (transfer/relight.h).
 //
-// A basis is one light: the bands' functions first, bands x bands of them with radiance 1 times the function,
-// then the lamps at full strength in their own colours. Planes hold irradiance / pi, as Solution does. The
-// planes, compressed, are the clusters; both are kept, and either can be shown.
+// A basis is one light: first the bands' functions, bands x bands of them, with radiance 1 times the
+// function; then the lamps at full strength in their colours. Planes hold irradiance / pi, as Solution does.
+// The clusters are the compressed planes. Both are kept, and either can be shown.
 #pragma once
 
 #include "radiosity/light_bases.h"
@@ -41,14 +41,14 @@ struct TransferRoom {
     // The planes as a matrix for the compression: [texels][columns()].
     std::vector<float> rows() const;
 
-    // Reads a file. Throws std::runtime_error with a line that begins with the file's name where it cannot be
-    // read or cannot be worked with.
+    // Reads a file. Throws std::runtime_error, with the file's name first, if it cannot be read or is
+    // damaged.
     static TransferRoom read(const std::string &path);
-    // Whether a file begins like one.
+    // Whether a file begins like a room's.
     static bool is(const std::string &path);
     // Writes beside the file and renames. Throws likewise.
     void save(const std::string &path) const;
-    // The bytes of a file whose part behind the checksum is `body`.
+    // The bytes of a file whose part after the checksum is `body`.
     static std::string withChecksum(const std::string &body);
 };
 
