@@ -132,7 +132,7 @@ check "... but as bright as fronts" table out.csv '$6 < 0 ? back += $8 * $9 : fr
 check "--scale" lit "$plate" --scale 100
 check "... makes it a hundred times as long" table out.csv 'a += $8' 'a > 39999 && a < 40001'
 check "an ambient colour above 1 shines" lit "${plate/grey/old}"
-check "... and is reported" grep -q 'Ka above 1 is taken for Ke' err
+check "... and is reported" grep -q 'Ka is above 1 and is used as Ke' err
 check "... as bright as it is" even 3
 # An even picture of 8 x 4 pixels is an even sky
 { printf '#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 4 +X 8\n'; for _ in $(seq 32); do printf '\200\200\200\201'; done; } >even.hdr
@@ -200,11 +200,11 @@ check "slivers" solves
 model 'v 0.5 0 0.3\nf 1 4 9 3 2\nusemtl l\nf 5 6 7 8\n'
 check "a polygon that is not convex" solves
 model 'f 1 4 3 2\n'
-check "a model where nothing shines gets a sky" solves 'nothing in the model shines: an even sky lights it'
+check "a model where nothing shines gets a sky" solves 'nothing in the model emits light: an even sky is added'
 check "... of 1, so that what reflects a half shows a half" table m.csv 'if ($9 < 0.4999 || $9 > 0.5001) ++off' 'off + 0 == 0'
 model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' none.mtl
 check "materials that are missing are reported" solves 'materials cannot be read'
-check "... with what follows" grep -q 'nothing in the model shines' err
+check "... with what follows" grep -q 'nothing in the model emits light' err
 model 'v 1 nan 0\nf 1 4 3 2\nusemtl l\nf 5 6 7 8\n'
 check "a coordinate that is NaN, with its line" refuses 2 "m.obj:11: a coordinate is not a number" "$radiosity" solve m.obj -o x.rad
 model 'v 1 x 0\nf 1 4 3 2\n'
@@ -228,7 +228,7 @@ mkfifo fifo
 for endless in fifo /dev/zero .; do
     check "$endless is no model" refuses 2 "not a regular file" "$radiosity" solve $endless -o x.rad
     model 'f 1 4 3 2\nusemtl l\nf 5 6 7 8\n' $endless
-    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing in the model shines' bash -c "timeout $PATIENCE '$radiosity' solve m.obj -o m.rad 2>&1"
+    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing in the model emits light' bash -c "timeout $PATIENCE '$radiosity' solve m.obj -o m.rad 2>&1"
     check "... and no solution" refuses 2 "not a regular file" "$radiosity" export $endless --csv x.csv
 done
 printf 'newmtl m\nKd -2 0 0\n' >bad.mtl

@@ -68,7 +68,7 @@ foreign_room foreign
 check "transfer" eval '"$radiosity" transfer foreign.obj -o foreign.prt --element 300 --rays 64 --check >printed 2>err'
 check "... names its lamp" grep -q '^5 bands, 25 functions; lamps 1 Lamp.Ceiling$' printed
 cat >notes <<'END'
-radiosity: foreign.obj: material Lamp.Ceiling: its Ka above 1 is taken for Ke
+radiosity: foreign.obj: material Lamp.Ceiling: its Ka is above 1 and is used as Ke
 radiosity: foreign.obj: 97 triangles without area left out
 radiosity: foreign.obj: 10 triangles given twice left out
 END

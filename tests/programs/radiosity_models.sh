@@ -17,7 +17,7 @@ lit() {
     "$radiosity" export m.rad --csv m.csv && table m.csv 'light += $8 * ($9 + $10 + $11); a += $8' 'a > 0 && light > 0' &&
         "$radiosity" render m.rad -o m.png --size 80x60 >/dev/null &&
         [ "$(convert m.png -format '%[fx:maxima>0.15]' info:)" = 1 ] || { echo "light or picture is black: $(cat err)" >&2; return 1; }
-    grep -v 'nothing in the model shines: an even sky lights it' err >notes || true
+    grep -v 'nothing in the model emits light: an even sky is added' err >notes || true
     if [ $# = 2 ]; then [ ! -s notes ]; else [ "$(wc -l <notes)" = 1 ] && grep -q -- "$3" notes; fi || { cat err >&2; return 1; }
 }
 area() { table m.csv 'a += $8' "a > 0.999 * $1 && a < 1.001 * $1"; }

@@ -109,7 +109,7 @@ kill -INT ${PIDS[-1]}
 ended ${PIDS[-1]}
 check "Ctrl-C ends it with status 1" test $? = 1
 check "... before its end" eval '! grep -q "^of the rows" told'
-check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is not whole; stopped.prt is saved" ]'
+check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]'
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 # The lecture's figures, and gloss

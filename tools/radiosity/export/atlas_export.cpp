@@ -62,9 +62,9 @@ void writeHdr(const common::NewFolder &folder, const std::string &name, const At
 
 std::string mtlOf(const AtlasModel &m) {
     std::string text;
-    common::append(text, "# %s-N.png are sRGB; 1 stands for %.7g of what %s-N.hdr have, which are linear\n",
+    common::append(text, "# %s-N.png are sRGB; 1 stands for %.7g in %s-N.hdr, which are linear\n",
                    m.name.c_str(), (double)m.one, m.name.c_str());
-    text += m.radiosity ? "# They have radiance, with what is emitted: show them as they are\n"
+    text += m.radiosity ? "# They have radiance, emission included: show them unchanged\n"
                         : "# They have irradiance over pi: radiance is that times Kd, plus Ke\n";
     if (m.pictured)
         text +=

@@ -38,10 +38,10 @@ void CameraOptions::addTo(common::CommandLine &line) {
         line.option(
             option, "X,Y,Z", [&to, option](const std::string &text) { to = placeOf(option, text); }, what);
     };
-    place("--eye", s.eye, "where the camera is. Without --eye and --at it shows the whole model");
-    place("--at", s.target, "where it looks");
+    place("--eye", s.eye, "the camera's position; without --eye and --at it shows the whole model");
+    place("--at", s.target, "the point that it looks at");
     line.option("--lens", "DEGREES", s.lens, {1, 170}, "vertical field of view");
-    line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; of a room as it was solved");
+    line.option("--up", {"y", "z"}, s.upIsZ, "the axis that points up; by default y, or that of a room");
     line.option(
         "--size", "WxH", [&s](const std::string &text) { readSize(text, s.width, s.height); },
         "pixels (default " + std::to_string(s.width) + "x" + std::to_string(s.height) + ")");

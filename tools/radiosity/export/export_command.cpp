@@ -13,8 +13,8 @@ int runExport(common::CommandLine &line) {
     std::string in, kind, out;
     AtlasSettings s;
     RelightOptions relight;
-    line.about("Writes a solution, or a room of transfer, for other programs.");
-    line.argument("SOLUTION", in, "what solve or transfer wrote", false);
+    line.about("Writes a solution, or a room from transfer, for other programs.");
+    line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
     auto writes = [&](const std::string &option, const std::string &value, const std::string &what) {
         auto take = [&, option](const std::string &path) {
             if (!out.empty()) throw common::Refused("export writes one thing at a time");
@@ -31,10 +31,10 @@ int runExport(common::CommandLine &line) {
            "lightmaps");
     line.group(kAtlas);
     line.option("--map", {"light", "radiosity"}, s.radiosity,
-                "irradiance over pi, to be multiplied by colours; or what is seen, emitted light included");
+                "irradiance over pi, which viewers multiply by colours; or visible light, emission included");
     line.option("--texels", "N", s.texels, {1e-9, 1e9},
-                "texels along a unit of length; by default as the elements are, which is exact");
-    line.option("--padding", "N", s.padding, {1, 64}, "texels around every polygon's");
+                "texels per unit of length; by default as fine as the elements, which is exact");
+    line.option("--padding", "N", s.padding, {1, 64}, "texels of padding around every polygon");
     line.option("--page", "PX", s.page, {256, 16384}, "longest side of a page");
     relight.addTo(line);
     line.parse();

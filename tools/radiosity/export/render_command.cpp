@@ -14,7 +14,7 @@ int runRender(common::CommandLine &line) {
     CameraOptions camera;
     RelightOptions relight;
     line.about("Traces a picture. The exposure adapts to what the camera sees.");
-    line.argument("SOLUTION", in, "what solve or transfer wrote", false);
+    line.argument("SOLUTION", in, "a file that solve or transfer wrote", false);
     line.option("-o", "FILE.png", out, "the picture");
     line.option("--pictures", "DIR", pictures,
                 "of a room: instead, write the functions of its bands, and what each band adds");
@@ -22,7 +22,7 @@ int runRender(common::CommandLine &line) {
     relight.addTo(line);
     line.parse();
     if (!in.empty() && !pictures.empty()) {
-        if (!out.empty()) throw common::Refused("--pictures DIR writes pictures of its own: leave out -o");
+        if (!out.empty()) throw common::Refused("--pictures DIR names its files itself: leave out -o");
         if (!TransferRoom::is(in))
             throw common::Refused("--pictures is for a room that `radiosity transfer` wrote; " + in +
                                   " is none");

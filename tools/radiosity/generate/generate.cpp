@@ -19,8 +19,8 @@ const std::vector<MeshMaterial> kMaterials = {
 };
 
 struct Writer : ObjWriter {
-    // A rectangle that is lit on the side of u x v. It is divided into as many steps along its sides as the
-    // area needs; no side of a step is more than twice the other.
+    // A rectangle that is lit on the side of u x v. It is divided into steps as the area requires; no side of
+    // a step is more than twice the other.
     void rect(const char *of, Vec3d corner, Vec3d u, Vec3d v) {
         use(of);
         int across = 1, down = 1;
@@ -39,7 +39,7 @@ struct Writer : ObjWriter {
                 triangles += 2;
             }
     }
-    // A box seen from outside; it has a bottom only if `bottom` names a material.
+    // A box seen from outside; it has a bottom if `bottom` names a material.
     void box(const char *of, Vec3d lo, Vec3d hi, const char *bottom) {
         double x = hi[0] - lo[0], y = hi[1] - lo[1], z = hi[2] - lo[2];
         rect(of, {lo[0], lo[1], lo[2]}, {0, 0, z}, {0, y, 0});
@@ -108,7 +108,7 @@ void corner(Writer &w) {
     w.rect("white", {16, 0, 16}, {-8, 0, 0}, {0, y, 0});
 }
 
-// A sphere seen from inside, with points moved in and out; triangles near the top are the lamp.
+// A sphere seen from inside, with an uneven surface; triangles near the top are the lamp.
 void cave(Writer &w) {
     int rows = w.area > 0 ? std::max(4, (int)std::sqrt(1257 / w.area / 4)) : 20, columns = 2 * rows;
     auto at = [&](int i, int j) {

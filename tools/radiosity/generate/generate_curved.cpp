@@ -12,7 +12,7 @@ constexpr double kTurn = 2 * M_PI;
 
 struct Curved {
     ObjWriter &w;
-    double detail; // factor for the number of steps along a side
+    double detail; // factor for numbers of steps along a side
     uint32_t state = 1;
 
     Curved(ObjWriter &w, double area) : w(w), detail(w.area > 0 ? std::sqrt(area / w.area) : 1) {}
@@ -23,7 +23,7 @@ struct Curved {
         return low + (high - low) * (state >> 8) / 16777216.;
     }
     // A surface of revolution about an upright axis, seen from outside: (radius, height) as a function of v,
-    // from below.
+    // bottom first.
     void turned(const char *of, Vec3d foot, int around, int along,
                 const std::function<std::pair<double, double>(double)> &profile) {
         w.surface(of, steps(around), steps(along), true, [&](double u, double v) {

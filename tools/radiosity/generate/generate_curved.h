@@ -1,4 +1,4 @@
-// Models of many small polygons: curved walls, many small things, things that touch.
+// Models of many small polygons, with curved walls, many small objects, and objects that touch.
 #pragma once
 
 #include "tools/radiosity/generate/obj_writer.h"
@@ -6,10 +6,10 @@
 namespace odraz::radiosity {
 
 // A nave under a barrel vault with two rows of columns, arched windows to the sky, cloths, and vases, balls
-// and rings on the floor: 30,000 triangles, or the number that ObjWriter::area gives. It has no lamp.
+// and rings on the floor: 30,000 triangles, or the number that follows from ObjWriter::area. It has no lamp.
 void makeVault(ObjWriter &w);
 
-// A closed room with a lamp. Its floor is hills with boulders.
+// A closed room with a lamp. Its floor is hilly, with boulders.
 void makeTerrain(ObjWriter &w);
 
 } // namespace odraz::radiosity

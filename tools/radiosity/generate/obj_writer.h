@@ -9,9 +9,9 @@
 
 namespace odraz::radiosity {
 
-// Collects polygons as the text of an OBJ, with each point once.
+// The text of an OBJ, in which each point is listed once.
 struct ObjWriter {
-    double area = 0; // of the larger triangles; 0: polygons stay undivided
+    double area = 0; // largest area of triangles; 0: polygons stay undivided
     size_t triangles = 0;
     std::string points, faces;
     std::map<Vec3d, int> numbers;

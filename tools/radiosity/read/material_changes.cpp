@@ -90,9 +90,9 @@ void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &
             [&to, option](const std::string &text) { to.push_back(readMaterialChange(option, text)); },
             what + "; repeatable");
     };
-    add("--reflectance", "what the material NAME reflects, 0 to 1; without NAME all materials");
-    add("--power",
-        "the radiance that it emits; without NAME all materials that emit. No even sky is added then");
+    add("--reflectance", "the reflectance of the material NAME, 0 to 1; without NAME that of all materials");
+    add("--power", "the radiance that it emits; without NAME that of all materials that emit. No even sky is "
+                   "added then");
 }
 
 void changeMaterials(std::vector<MeshMaterial> &materials, const std::vector<bool> &used,

@@ -25,7 +25,7 @@ struct MaterialChange {
 MaterialChange readMaterialChange(const std::string &option, const std::string &text);
 
 // Adds --reflectance and --power to a command line, in the group kMaterialGroup.
-inline constexpr char kMaterialGroup[] = "Other materials than the model's; FACTOR multiplies what it has";
+inline constexpr char kMaterialGroup[] = "Changes to materials; FACTOR multiplies the model's value";
 void addMaterialChanges(common::CommandLine &line, std::vector<MaterialChange> &to);
 
 // Applies the changes in order to the materials that are `used`. A colour replaces a picture, a factor

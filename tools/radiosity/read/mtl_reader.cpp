@@ -65,7 +65,7 @@ struct Reader {
         // Old files have no Ke; an ambient colour above 1 marks a lamp
         if (*std::max_element(ka.begin(), ka.end()) > 1 && ke == Colour{}) {
             ke = ka;
-            note(m.name, "its Ka above 1 is taken for Ke");
+            note(m.name, "its Ka is above 1 and is used as Ke");
         }
         bool pictured = !m.picture.path.empty();
         // A picture is multiplied by Kd, unless Kd is 0: then the picture alone is meant

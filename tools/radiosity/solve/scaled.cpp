@@ -10,7 +10,7 @@ constexpr float Rgb::*kChannels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
 
 bool near(float a, float b) { return std::fabs(a - b) <= 1e-6f * std::fabs(a); }
 
-// By what one channel of all lamps is multiplied.
+// The factor of one channel of all lamps.
 struct Factor {
     float value = 1;
     bool known = false, same = true;
@@ -42,7 +42,7 @@ bool scaleLight(Solution &b, const Mesh &mesh, const PreparedSolve &prepared, co
         }
         emits.push_back({m.emits[0], m.emits[1], m.emits[2]});
     }
-    // A colour that goes alone no longer counts for the residual of a fresh solution
+    // In a fresh solution, a colour that becomes 0 alone no longer counts for the residual
     bool lit = false, dark = false;
     const Factor *one = nullptr;
     for (const Factor &f : factors) {

@@ -1,4 +1,5 @@
-// Light is linear: if all lamps change alike and nothing else does, a solution is scaled and not solved anew.
+// Light is linear: if all lamps change by the same factor and nothing else does, a solution is scaled instead
+// of solved anew.
 #pragma once
 
 #include "tools/radiosity/read/mesh.h"
@@ -7,8 +8,8 @@
 
 namespace odraz::radiosity {
 
-// Scales the light of a solution to these materials. False, and nothing is changed, if they reflect otherwise
-// than the solution's, if its lamps do not all change by the same factors of red, green and blue, or if there
+// Scales the light of a solution to these materials. Returns false, without a change, if reflectance differs
+// from the solution's, if the lamps do not all change by the same factors of red, green and blue, or if there
 // is other light. A solution by rays has one residual for all colours, so these must have the same factor.
 bool scaleLight(Solution &solution, const Mesh &materials, const PreparedSolve &prepared,
                 const SolveSettings &settings);

@@ -25,7 +25,7 @@ bool lightUp(SolveTask &task) {
     if (!task.settings.evenSky || shines(task.mesh) || task.settings.surroundings.shine()) return false;
     task.settings.surroundings.sky = evenSky({1, 1, 1});
     task.report.notes.emplace_back(
-        "nothing in the model shines: an even sky lights it (--sky, --sun and --lamp give other light)");
+        "nothing in the model emits light: an even sky is added (--sky, --sun and --lamp add other light)");
     return true;
 }
 
@@ -66,7 +66,8 @@ Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl
 }
 
 void refuseDark() {
-    throw std::runtime_error("nothing in the model shines now, and its rows have no sky: solve it again");
+    throw std::runtime_error(
+        "nothing in the model emits light now, and its rows have no sky: solve it again");
 }
 
 Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,

@@ -16,7 +16,7 @@ namespace {
 
 int stop = 0; // becomes 1 with Ctrl-C
 
-// Whether the even sky, which is added if nothing else emits, cannot get in: the model is closed and its
+// Whether the even sky, which is added if nothing else emits, reaches no front: the model is closed and its
 // fronts face inwards.
 bool staysDark(const Solution &b) {
     double light = 0;
@@ -38,8 +38,8 @@ public:
         read();
         keeps.model = modelSum();
         if (job.kept && job.kept->model != keeps.model)
-            throw common::Refused(job.resume + ": belongs to another model than " + job.model +
-                                  " is now: solve it again");
+            throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
+                                  " has changed: solve it again");
         prepare();
         Solved solved = solve();
         if (mayLightBacks() && solved.report.whole && staysDark(solved.solution)) {
@@ -58,10 +58,10 @@ public:
 
 private:
     SolveJob &job;
-    Kept keeps; // what is written beside the solution
+    Kept keeps; // the data written beside the solution
     Mesh mesh;
     std::unique_ptr<PreparedSolve> prepared; // from kept rows; null: the model is divided
-    std::string rows, preparation;           // of the whole solution, to be kept
+    std::string rows, preparation;           // of the whole solution, for OUT.rows
     Workers workers = allProcessors();
     Gl gl = {};
     std::unique_ptr<ProgressBar> bar;
@@ -145,10 +145,10 @@ private:
         Solved solved = solve();
         solved.solution.save(job.out);
         prepared ? printRelit(solved, settings) : printReport(mesh, solved, settings);
-        if (!solved.report.whole) std::printf("for all of its light run it again: the rows are kept\n");
+        if (!solved.report.whole) std::printf("run it again to find all of its light: the rows are kept\n");
     }
 
-    // Whether kept direct light fits the materials: then only these are read.
+    // Whether kept direct light fits the materials; if so, only materials are read.
     bool prepare(const Kept &from) {
         if (from.prepared.empty()) return false;
         std::vector<std::string> notes;
@@ -165,7 +165,7 @@ private:
         return prepared != nullptr;
     }
 
-    // Keeps the rows beside the solution, whose file is there.
+    // Writes the rows beside the solution, which is already written.
     void saveRows(const Solved &solved) {
         keeps.model = sumOfFile(job.model), keeps.sky = sumOf(job.options.settings.surroundings.sky);
         keeps.solution = sumOfSolution(job.out);
@@ -182,7 +182,7 @@ private:
     }
     void lightBacks() {
         job.options.read.twoSided = true;
-        std::vector<std::string> known; // notes that were printed already
+        std::vector<std::string> known; // notes already printed
         mesh = readModel(job.model, job.options.read, known);
         keeps.words.push_back("--two-sided"); // for --resume
         keeps.model = modelSum();

@@ -14,7 +14,7 @@ SolveJob::SolveJob(std::vector<std::string> words) : line("radiosity solve", std
         false);
     line.option("-o", "OUT", out, "the file of the solution");
     line.option("--resume", "OUT.state", resume,
-                "continue what was stopped, with its options and to the same bytes; takes no other option");
+                "continue a stopped solution with its options, to the same bytes; takes no other option");
     line.option("--keep-every", "S", keepEvery, {0.01, 1e9}, "write OUT.state every S seconds");
     line.flag("--keep-rows", keepRows, "keep the form factors in OUT.rows, for --relight");
     line.option("--relight", "SOLUTION", relight,
@@ -37,16 +37,15 @@ static void findRows(SolveJob &job) {
     job.kept = std::make_unique<Kept>(file, Kept::Kind::kRows);
     const Kept &kept = *job.kept;
     if (kept.solution != solution)
-        throw common::Refused(file + ": belongs to another solution than " + job.relight +
-                              " is now: solve with --keep-rows again");
+        throw common::Refused(file + ": belongs to another solution, or " + job.relight +
+                              " has changed: solve with --keep-rows again");
     if (kept.model != sumOfFile(job.model))
-        throw common::Refused(file + ": belongs to another model than " + job.model +
-                              " is now: solve it again");
+        throw common::Refused(file + ": belongs to another model, or " + job.model +
+                              " has changed: solve it again");
     SolveJob with(kept.words);
     job.options.follow(job.line, with.options, with.line, file);
     if (kept.sky != sumOf(job.options.settings.surroundings.sky))
-        throw common::Refused(
-            file + ": belongs to another picture of the sky than there is now: solve the model again");
+        throw common::Refused(file + ": the picture of the sky has changed: solve the model again");
 }
 
 std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words) {

@@ -1,4 +1,4 @@
-// What `radiosity solve` was asked to do.
+// The command line of `radiosity solve`.
 #pragma once
 
 #include "tools/radiosity/solution/kept.h"
@@ -9,25 +9,25 @@
 namespace odraz::radiosity {
 
 struct SolveJob {
-    // Reads a command line, without the word `solve`. Throws Refused.
+    // Reads the words after `solve`. Throws Refused.
     explicit SolveJob(std::vector<std::string> words);
     SolveJob(const SolveJob &) = delete;
 
     common::CommandLine line;
     std::string model, out;
-    std::string relight;   // a solution whose rows are used
+    std::string relight;   // a solution whose rows to use
     std::string resume;    // a state to continue from
     double keepEvery = 60; // seconds
     bool keepRows = false;
     SolveOptions options;
-    std::unique_ptr<Kept> kept; // rows to start from: of `resume` or `relight`; null: there are none
+    std::unique_ptr<Kept> kept; // rows to start from: of `resume` or `relight`; null: none
 };
 
 // The file of a solution's rows.
 inline std::string rowsFile(const std::string &solution) { return solution + ".rows"; }
 
-// Reads a new command, or the one of the state that it resumes, and the rows that it uses. A job that
-// relights takes its options from those of the rows. Throws Refused, or std::runtime_error, also if the rows
+// Reads a command, or the one in the state that it resumes, and the rows that it uses. A job that relights
+// takes the options with which the rows were found. Throws Refused, or std::runtime_error, also if the rows
 // belong to another model or solution.
 std::unique_ptr<SolveJob> readJob(const std::vector<std::string> &words);
 

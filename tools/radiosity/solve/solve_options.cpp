@@ -12,10 +12,11 @@ namespace {
 constexpr char kByRays[] = "By rays from every element",
                kByPatches[] = "Between patches, by hemicubes that OpenGL draws, instead of by rays",
                kAccuracy[] = "Accuracy",
-               kLight[] = "Light from outside the model; where nothing shines, an even sky of 1,1,1 does",
+               kLight[] =
+                   "Light from outside the model; if nothing emits light, an even sky of 1,1,1 is added",
                kReading[] = "How the model is read";
 
-// Options that rows do not depend on: a relit solution may have others than the kept one.
+// Options that rows do not depend on: they may differ between a relit and the kept solution.
 const char *const kFree[] = {"--reflectance", "--power", "--bounces", "--residual", "--memory"};
 
 Rgb lightOf(const std::string &option, const double *n) {
@@ -35,12 +36,12 @@ const std::vector<std::string> &SolveOptions::groups() {
 void SolveOptions::addTo(common::CommandLine &line, For command) {
     SolveSettings &s = settings;
     if (command != For::kView)
-        line.flag("--progress", progress, "report progress in lines on stderr where it is not a terminal");
+        line.flag("--progress", progress, "report progress in lines on stderr if it is not a terminal");
     const bool anyMethod = command == For::kSolve || command == For::kView;
     if (command != For::kStudy) {
         line.group(kByRays);
         line.option("--rays", "N", s.rays, {8, 32768},
-                    "rays from an element; 32 to 512 by default, as its light needs");
+                    "rays from an element; by default 32 to 512, depending on its light");
         if (anyMethod)
             line.option("--final", "N", s.finalRays, {8, 32768},
                         "end with a final gather: N more rays, for quality");
@@ -63,26 +64,26 @@ void SolveOptions::addTo(common::CommandLine &line, For command) {
         line.option("--hemicube", "PX", s.hemicube, {4, kMaxHemicube}, "pixels along a hemicube's top face");
         line.option(
             "--patch", "AREA", s.patch, {1e-18, 1e30},
-            "area of a patch, which has one hemicube; by default a 6000th of the model's, or larger where it "
+            "area of a patch, which has one hemicube; by default a 6000th of the model's, or larger if it "
             "has more than 2,000 polygons");
         line.flag("--adaptive", s.adaptive,
                   "start with elements of 16 times the area and divide them where light changes");
         line.option(
             "--direct", {"hemicube", "analytic"}, s.analytic,
-            "light from lamps by shadow rays, or as hemicubes see the lamps; hemicube where there are more "
-            "than 256");
+            "find the light of lamps by shadow rays, or by hemicubes; with more than 256 lamps always by "
+            "hemicubes");
         line.option(
             "--shots", "N", s.shots, {1, 100000000},
-            "shoot light from where most of it waits, by at most N hemicubes, instead of finding all rows; "
-            "stops when less than --residual waits");
+            "shoot light, from the brightest patches first, by at most N hemicubes, instead of finding all "
+            "rows; stop when the share of unshot light is below --residual");
     }
     line.group(kLight);
     if (command == For::kSolve || command == For::kStudy)
         line.option("--sky", "R,G,B|FILE.hdr", sky, "radiance from all directions: even, or a picture");
     line.option(
         "--sun", "ELEVATION,AZIMUTH,R,G,B", suns,
-        "parallel light: degrees above the horizon, and from -z (+y where z is up) towards +x; a white "
-        "surface that faces it shows R,G,B");
+        "parallel light: degrees above the horizon, and from -z (+y if z is up) towards +x; R,G,B is the "
+        "radiance of a white surface that faces it");
     line.option("--lamp", "X,Y,Z,SIZE,R,G,B", lamps, "a ball, SIZE across, that emits this radiance");
     if (command != For::kView)
         line.option("--up", {"y", "z"}, upIsZ, "the axis that points up, for sky and sun");
@@ -99,10 +100,9 @@ void SolveOptions::finish(const common::CommandLine &line) {
                               " do not go together: one solves by rays, the other between patches");
     if (!byPatches.empty()) settings.way = Way::kPatches;
     if (settings.shots > 0 && settings.bounces >= 0)
-        throw common::Refused(
-            "--shots and --bounces do not go together: a shot is sent out whenever much light waits");
+        throw common::Refused("--shots and --bounces do not go together: shots have no order by bounces");
     settings.memory = (size_t)(megabytes * 1048576);
-    if (line.has("--power")) settings.evenSky = false; // lamps that are put out leave it dark
+    if (line.has("--power")) settings.evenSky = false; // without lamps the model stays dark
     Surroundings &to = settings.surroundings;
     double n[3];
     char rest;
@@ -124,14 +124,14 @@ void SolveOptions::finish(const common::CommandLine &line) {
     }
     if (to.suns.size() > kMaxSuns || to.lamps.size() > kMaxLamps)
         throw common::Refused("at most " + std::to_string(kMaxSuns) +
-                              " suns, those of a sky's picture too, and " + std::to_string(kMaxLamps) +
+                              " suns, including those of a sky's picture, and " + std::to_string(kMaxLamps) +
                               " lamps");
 }
 
 void SolveOptions::follow(const common::CommandLine &line, const SolveOptions &kept,
                           const common::CommandLine &keptLine, const std::string &file) {
     auto refuse = [&](const std::string &had, const std::string &asked) {
-        throw common::Refused(file + ": its rows are of " + had + ", not of " + asked +
+        throw common::Refused(file + ": its rows were found with " + had + ", not with " + asked +
                               ": solve the model again");
     };
     if (kept.settings.way == Way::kRays && !line.givenOf({kByPatches}).empty()) refuse("rays", "hemicubes");

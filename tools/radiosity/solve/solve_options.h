@@ -12,8 +12,9 @@ namespace odraz::radiosity {
 
 class SolveOptions {
 public:
-    // `solve` takes all of them; `view` has --sky and --up of its own. `transfer` solves by rays with all
-    // bounces, for any sky. `study` varies the method itself.
+    // kSolve has all options. kView lacks --progress, and --sky and --up, which `view` defines itself.
+    // kTransfer has those for solving by rays, for any sky and with all bounces. kStudy lacks those of the
+    // method, which `study` varies.
     enum class For { kSolve, kView, kTransfer, kStudy };
     void addTo(common::CommandLine &line, For command);
     // The groups of these options in --help.
@@ -21,18 +22,18 @@ public:
 
     // Call it after parse(): chooses the method, reads the sky, suns and lamps. Throws Refused.
     void finish(const common::CommandLine &line);
-    // For kept rows, in the file of that name, after finish(): takes everything from the options that they
-    // were found with, except other materials and when to stop. Throws Refused if one that was given differs.
+    // For kept rows, from `file`, after finish(): adopts the options with which they were found, except those
+    // for materials and for when to stop. Throws Refused if a given option differs.
     void follow(const common::CommandLine &line, const SolveOptions &kept,
                 const common::CommandLine &keptLine, const std::string &file);
 
-    bool stopsAlike = false; // after follow(): at the same residual or bounce as the kept solution
+    bool stopsAlike = false; // after follow(): stops at the same residual or bounce as the kept solution
 
     ReadSettings read;
     SolveSettings settings;
     bool upIsZ = false;
     std::string sky;       // the value of --sky
-    bool progress = false; // is reported in lines where stderr is no terminal
+    bool progress = false; // report in lines if stderr is not a terminal
 
 private:
     std::vector<std::string> suns, lamps;

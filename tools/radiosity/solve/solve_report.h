@@ -1,4 +1,4 @@
-// What `radiosity solve` prints at its end.
+// The summary that `radiosity solve` prints at its end.
 #pragma once
 
 #include "tools/radiosity/solve/solve.h"
@@ -6,7 +6,7 @@
 namespace odraz::radiosity {
 
 void printReport(const Mesh &mesh, const Solved &solved, const SolveSettings &settings);
-// The same for kept rows, without what takes time to count.
+// The same for kept rows, without numbers that take time to count.
 void printRelit(const Solved &solved, const SolveSettings &settings);
 
 } // namespace odraz::radiosity

@@ -4,7 +4,7 @@
 
 namespace odraz::radiosity {
 
-static int *theStop; // a handler of signals has no other way to it
+static int *theStop; // a signal handler has no parameter for it
 
 void stopAt(int &stop, const std::vector<int> &signals) {
     theStop = &stop;

@@ -1,4 +1,4 @@
-// What every command of solving does at a terminal.
+// Ctrl-C and notes, for all commands that solve.
 #pragma once
 
 #include <csignal>
@@ -7,7 +7,7 @@
 
 namespace odraz::radiosity {
 
-// From now on the first of these signals sets `stop` to 1; a second one ends the program.
+// Makes the first of these signals set `stop` to 1; a second one ends the program.
 void stopAt(int &stop, const std::vector<int> &signals);
 
 // Prints notes on stderr, a line each.

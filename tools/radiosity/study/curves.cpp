@@ -69,7 +69,7 @@ Curve Converging::atOnce() {
     Stopwatch watch;
     auto record = [&] {
         seconds += watch.processor();
-        const float *values = s.indirect; // where solve() keeps them
+        const float *values = s.indirect; // where solve() stores them
         curve.steps.push_back(stepOf((int)curve.steps.size() + 1, seconds,
                                      [&](int i) { return ofColumns(values, i); }, before));
         watch = {};
@@ -131,7 +131,7 @@ Curve Converging::shootingRows() {
 Curve Converging::shooting(int px, double limit, bool blocks) {
     Curve curve = {blocks ? "shooting by hemicubes, blocks" : "shooting by hemicubes, single patches", {}};
     std::vector<Rgb> emits, direct;
-    // What the rows brought from the lamps is shot here: only what comes from outside is direct
+    // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
     const System &s = patches.radiosity.system;
     std::vector<float> seen = lampsSeen();
     for (int i = 0; i < model.patchCount; ++i) {
@@ -140,7 +140,7 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
     Stopwatch clock;
-    // The number of blocks lets each shoot several times
+    // The number of blocks is low enough for each to shoot several times
     int shotsAllowed = (int)std::clamp(limit / std::max(study.hemicubeSeconds(px), 1e-6), 16., 1e6);
     Shooters shooters =
         blocks ? blocksOfPatches(model, emits, std::max(shotsAllowed / 4, 1)) : patchesAlone(model);

@@ -1,4 +1,4 @@
-// How solutions between patches approach the light: by gathering, by Gauss-Seidel, by shooting.
+// Convergence of solutions between patches: by gathering, by Gauss-Seidel, by shooting.
 #pragma once
 
 #include "tools/radiosity/patches/shooting.h"
@@ -11,7 +11,7 @@ struct Step {
     int number;     // passes or hemicubes so far
     double seconds; // of the processor, since the start
     double error;   // rms difference from the converged light as a share of that, percent
-    double added;   // share of the converged light that came with this step, percent
+    double added;   // share of the converged light that this step added, percent
 };
 
 struct Curve {
@@ -26,14 +26,14 @@ public:
     // `solved`: by hemicubes that see the lamps, with rows.
     Converging(Study &study, Solved &solved);
 
-    // Passes of which each uses the light that the one before left (Jacobi).
+    // Passes that use the light of the pass before (Jacobi).
     Curve gathering();
     // Passes that use new light at once (Gauss-Seidel).
     Curve atOnce();
-    // Shots over the form factors of the rows.
+    // Shots by the form factors of the rows.
     Curve shootingRows();
-    // Shots with a hemicube for each, from the lamps on, by single patches or by blocks of them, as `solve
-    // --shots` does; no rows are needed. Until `seconds` have passed.
+    // Shots by hemicubes, without rows, as `solve --shots` does: lamps first, by single patches or by blocks
+    // of them, until `seconds` have passed.
     Curve shooting(int px, double seconds, bool blocks);
     // Whether no light is reflected.
     bool dark() const { return !(power > 0); }
@@ -46,12 +46,12 @@ private:
     double rowSeconds;
     std::vector<Rgb> converged;
     double all = 0, power = 0;
-    // Lets `shots`, which returns the number of its shots, shoot until it returns 0, until less than `least`
-    // is left, or until the light has converged. `seconds`: the time before the first shot. Records a step
-    // after `first` shots, and whenever there are a quarter more.
+    // Calls `shots`, which shoots and returns the number of shots, until it returns 0, until less than the
+    // share `least` is unshot, or until the light has converged. `seconds`: the time before the first shot.
+    // Records a step after `first` shots, and whenever their number has grown by a quarter.
     void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
                const std::function<int()> &shots) const;
-    // What arrives at patches straight from the lamps, as columns of the system
+    // The light that arrives at patches directly from the lamps, as columns of the system
     std::vector<float> lampsSeen() const;
     Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const;
     Rgb ofColumns(const float *values, int patch) const;

@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 namespace {
 
 constexpr int kUnfolded = 480;         // pixels of a picture's side
-constexpr int kWithin = 3;             // points across each of them, whose mean it shows
+constexpr int kWithin = 3;             // points along a pixel's side, of which it is the mean
 constexpr double kLeastSeconds = 0.05; // for a measurement
 
 struct Opened {
@@ -56,7 +56,7 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
     }
     const System &system = divided.patches->radiosity.system;
-    // Spread by area, as the places of all other errors are; a large patch counts once
+    // Spread by area, like the places of all other errors; a large patch counts once
     std::vector<double> until;
     double area = 0;
     for (int i : visible) until.push_back(area += (double)model.patches[i].area);
@@ -85,7 +85,7 @@ Gathering::Result Gathering::measure(const Way &way) {
             eyes.push_back(way.corners ? cornerEye(model, i, k)
                                        : hemicubeEye(model.patches[i].p, model.patches[i].n,
                                                      (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
-    // The first picture takes longer; few patches are measured several times
+    // The first picture takes longer. Few patches are measured several times
     drawHemicubes(h, model, &eyes[0], 1);
     Stopwatch watch;
     std::vector<float> light;
@@ -141,8 +141,8 @@ pictures::Image Gathering::unfolded(int patch, int px) {
         if (luminance(c) > 0) all.push_back(std::log(luminance(c)));
     float low = all.empty() ? 0 : common::quantile(all, 0.02),
           high = all.empty() ? 1 : common::quantile(all, 0.998);
-    // What the raster has at a place; -2 .. 2: the top face is -1 .. 1, a half face's horizon lies at 2. Null
-    // beside the faces
+    // The raster at a point in -2 .. 2: the top face is -1 .. 1, the half faces' horizons lie at -2 and 2.
+    // Null outside the faces
     auto idAt = [&](float x, float y) -> const uint32_t * {
         bool aside = std::fabs(x) > 1, above = std::fabs(y) > 1;
         if (aside && above) return nullptr;
@@ -150,7 +150,7 @@ pictures::Image Gathering::unfolded(int patch, int px) {
         float along[4] = {y, -x, -y, x}, up = 2 - (aside ? std::fabs(x) : std::fabs(y)), n = (float)px;
         float column = side < 0 ? x : along[side],
               line = side < 0 ? (y + 1) / 2 * n : n + ((float)side + up) * n / 2;
-        // What lies between the rows of an odd raster's half faces is the row's above it
+        // In odd rasters, a point between the rows of half faces belongs to the row above
         int row = std::clamp((int)line, 0, 3 * px - 1);
         if (px % 2 && side >= 0 && (row - px) % px == px / 2) row += side % 2 ? 1 : -1;
         return &ids[row * stride + std::clamp((int)((column + 1) / 2 * n), 0, px - 1)];

@@ -37,7 +37,7 @@ std::string lineOf(const std::vector<std::string> &cells, auto &&each, const cha
 
 std::string shown(double number, int digits) {
     if (!std::isfinite(number)) return "";
-    // Whole numbers stay as they are; others have no exponent where that is short
+    // Large whole numbers are written in full instead of with an exponent
     bool whole = std::fabs(number) >= std::pow(10, digits - 1) && std::fabs(number) < 1e12;
     return whole ? common::format("%.0f", number) : common::format("%.*g", digits, number);
 }
@@ -78,7 +78,7 @@ void Page::list(const std::vector<std::string> &items) {
 void Page::table(const PageTable &t, bool whole) {
     std::string csv = lineOf(t.columns, csvCell, ",") + "\n", rows;
     auto row = [&](const std::vector<std::string> &cells, const char *kind) {
-        // Words stand to the left, numbers to the right
+        // Words are aligned left, numbers right
         auto cell = [&](const std::string &c) {
             bool words = c.find_first_not_of("0123456789.e+-") != std::string::npos;
             return std::string("<") + kind +
@@ -98,7 +98,7 @@ void Page::table(const PageTable &t, bool whole) {
 }
 
 void Page::plot(const std::string &file, pictures::Plot plot) {
-    // What is not measured, or not positive where the scale is logarithmic, has no place
+    // Leave out points that are not measured, or not positive on a logarithmic scale
     std::erase_if(plot.points, [&](const pictures::PlotPoint &p) {
         return !std::isfinite(p.x) || !std::isfinite(p.y) || (plot.logarithmicX && p.x <= 0) ||
                (plot.logarithmicY && p.y <= 0);

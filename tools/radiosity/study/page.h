@@ -11,11 +11,10 @@
 
 namespace odraz::radiosity {
 
-// A number as text, with this number of significant digits; empty if it is not finite, since it was not
-// measured.
+// A number as text, with this number of significant digits; empty if it is not finite, that is, not measured.
 std::string shown(double number, int digits = 3);
 
-// A plot with logarithmic axes and a front for each series, without points.
+// A plot with logarithmic axes and a Pareto front for each series, without points.
 pictures::Plot errorPlot(const std::string &title, const std::string &xName, const std::string &yName,
                          std::vector<std::string> series = {});
 
@@ -39,22 +38,22 @@ public:
 
     void heading(const std::string &text);
     void text(const std::string &paragraph);
-    // Writes its CSV. With `whole` false the page only links to that.
+    // Writes its CSV. With `whole` false the page only has a link to it.
     void table(const PageTable &table, bool whole = true);
     // Writes an SVG. A plot without points is left out.
     void plot(const std::string &file, pictures::Plot plot);
     void pictures(const std::vector<PagePicture> &pictures);
     void list(const std::vector<std::string> &items);
-    // The path for a picture's file.
+    // The path for a new picture.
     std::string path(const std::string &file) {
         fresh.push_back(folder / file);
         return fresh.back();
     }
-    // A chapter ends: drop() removes all that is added after this, files too.
+    // Ends a chapter: drop() removes everything added after this, files too.
     void keep() { kept = body.size(), fresh.clear(); }
     void drop();
     bool empty() const { return body.empty(); }
-    // Text that is added from here on stands before all earlier text; call it once.
+    // Puts all text that is added from here on before the earlier text; call it once.
     void toFront() { rest = std::move(body), body.clear(); }
     // Writes index.html.
     void finish();

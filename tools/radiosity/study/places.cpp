@@ -10,7 +10,7 @@
 namespace odraz::radiosity {
 
 Places::Places(const Solution &reference, int count) {
-    // All triangles of what reflects, with running sums of their area
+    // All triangles of charts that reflect, with running sums of their area
     struct Part {
         int chart;
         Vec3 corner, u, v;

@@ -5,17 +5,17 @@
 
 namespace odraz::radiosity {
 
-// In percent. rms: the root mean square of the differences as a share of that of the reference's light;
-// median: of the relative differences, at places that have a thousandth of the mean light at least. Of
-// luminance.
+// Errors of luminance, in percent. rms: the root mean square of the differences as a share of that of the
+// reference's light; median: of the relative differences at places that have at least a thousandth of the
+// mean light.
 struct LightErrors {
     double rms, median;
 };
 
 class Places {
 public:
-    // `count` places spread evenly by area over what reflects, with the light that arrives there in the
-    // reference.
+    // `count` places spread evenly by area over the charts that reflect, with the light that arrives there in
+    // the reference.
     Places(const Solution &reference, int count);
     // The errors of another solution of the same model.
     LightErrors errorsOf(const Solution &solution) const;
@@ -29,7 +29,7 @@ private:
     std::vector<Place> places;
 };
 
-// The same for values, one for each place, against those of the reference.
+// The errors of values, one for each place, against those of the reference.
 LightErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference);
 
 } // namespace odraz::radiosity

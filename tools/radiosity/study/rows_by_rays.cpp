@@ -44,7 +44,7 @@ RowFinder rowsByRays(int rays, bool atCorners) {
                 rows[(size_t)i].known = p.share > 0 && lit[i] == kReflects;
                 if (!rows[(size_t)i].known) continue;
                 hits.clear();
-                // The golden angle on a disc, turned differently at every patch
+                // The golden angle on a disc, rotated differently at every patch
                 float begin = unitFloat(pcg((uint32_t)i));
                 for (int k = 0; k < rays; ++k) {
                     float out = std::sqrt(((float)k + 0.5f) / (float)rays), up = std::sqrt(1 - out * out),

@@ -31,8 +31,8 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
             "take " +
             std::to_string(kMaxFacets) + ": give it a part of the model");
     chapter("reference", kReferenceShare);
-    // The tool's default first: it is compared, too, and its time shows what a final gather would take: three
-    // times as long with 256 rays in a model of many polygons. With too few rays it would be worse than none
+    // Solve with the tool's defaults first: this is compared too, and a final gather of 256 rays takes about
+    // three times as long in a model of many polygons. With too few rays a gather is worse than none
     Stopwatch watch;
     Solved solved = solve(settings.solve);
     Solution plain = std::move(solved.solution);
@@ -63,7 +63,7 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
         e.unknown = "the model lies far from the origin";
         return;
     }
-    // The time of a few paths shows how many can be traced
+    // Estimate from the time of a few paths the number that can be traced
     constexpr int kPlaces = 300, kFewest = 8, kMost = 128;
     const double seconds = std::min(settings.minutes * 60 * 0.03, 30.);
     std::vector<MeshProbe> &probes = traced;
@@ -134,10 +134,10 @@ SolveSettings Study::thesis(int patches, int px) const {
 Solved Study::solve(const SolveSettings &s) {
     partDone = 0;
     auto progress = [&](const char *step, float done, float) {
-        // Of shots only solving takes time
+        // With shots only solving takes time
         if (s.shots > 0 && step && step == std::string_view(nameOf(SolveStep::kSolving)))
             partDone = (double)done;
-        show(); // threads may be at work: solveModel() itself ends where `stop` asks for it
+        show(); // do not throw here, where threads may be running: solveModel() itself watches `stop`
     };
     Solved solved;
     try {
@@ -216,7 +216,7 @@ double Study::hemicubeSeconds(int px) {
     Shooting shooting(m, patchesAlone(m), light, none);
     HemicubeShooter shooter(gl, m, px, 1);
     double best = INFINITY;
-    // The first picture also compiles the shaders. Where hemicubes are slow, a few are enough
+    // The first picture also compiles the shaders. If hemicubes are slow, a few are enough
     Stopwatch watch;
     for (int i = 0, count = 4; i < 3 && watch.wall() < 2; ++i) {
         Stopwatch one;

@@ -1,4 +1,4 @@
-// What all chapters of a study share: the model, its reference, the time they may take, and the page.
+// The state that all chapters of a study share: the model, its reference, the time limit, and the page.
 #pragma once
 
 #include "tools/radiosity/export/render.h"
@@ -15,16 +15,16 @@ namespace odraz::radiosity {
 
 struct StudySettings {
     std::string model;
-    std::string options; // given ones that `radiosity solve` has too, each after a blank
-    SolveSettings solve; // light from outside and memory, as given; the chapters set the rest
-    double minutes = 8;  // that the study may take
-    double within = 5;   // percent: the error (rms) within which the cheapest setting is looked for
+    std::string options; // given options that `radiosity solve` has too, each after a blank
+    SolveSettings solve; // light from outside and memory as given; chapters set the rest
+    double minutes = 8;  // the time limit of the study
+    double within = 5;   // percent: the error (rms) allowed for the cheapest setting
     bool upIsZ = false;
 };
 
 // A whole solution that was measured.
 struct MeasuredSolution {
-    std::string name, command; // of `radiosity solve` that gives it; empty: none does
+    std::string name, command; // the `radiosity solve` that gives it; empty: none does
     double seconds;            // of the processor
     double wall;
     LightErrors errors;
@@ -38,10 +38,10 @@ struct Gathered {
     int patches = 0;
 };
 
-// How far the reference is from path tracing, which shares neither its rays nor its elements.
+// The reference's errors against path tracing, which shares neither its rays nor its elements.
 struct ReferenceErrors {
-    std::string unknown;       // why it is not known; empty: it is
-    size_t places = 0;         // at which paths were traced
+    std::string unknown;       // why they are unknown; empty: they are known
+    size_t places = 0;         // that sent out paths
     int paths = 0;             // from each
     MeshErrors reference = {}; // of the reference
     MeshErrors byRays = {};    // of the tool's default, at the same places
@@ -65,49 +65,48 @@ public:
     const int *stop;
     Page &page;
     Solution reference;
-    int finalRays = 0; // of its final gather; 0: it has none
+    int finalRays = 0; // of its final gather; 0: no final gather
     ReferenceErrors referenceErrors;
-    std::vector<MeshProbe> traced; // places with their light by path tracing; empty where that is not known
+    std::vector<MeshProbe> traced; // places with their light by path tracing; empty if unknown
     std::optional<Places> places;
     std::vector<MeasuredSolution> measured;
-    Gathered gathered;                // of the first chapter, if it had time for one
+    Gathered gathered;                // of the first chapter, if there was time
     std::vector<std::string> notes;   // of solutions, each once
-    std::vector<std::string> leftOut; // what the time did not allow
-    std::vector<std::string> advice;  // what to choose, and why
+    std::vector<std::string> leftOut; // measurements for which there was no time
+    std::vector<std::string> advice;  // recommendations, with reasons
     double area;                      // of the model
 
-    // --- Time ---
-    // A chapter begins: it may take until this share of the time after the reference has passed.
+    // --- Time --- Begins a chapter, which ends when this share of the time after the reference has passed.
     void chapter(const char *name, double until);
-    // The seconds that the chapter has left, and whether work of this length fits in.
+    // The seconds left to the chapter, and whether they are enough for work of this length.
     double left() const;
     bool fits(double seconds) const { return seconds < left(); }
     // Throws Interrupted.
     void check() const;
-    // Shows how far the study has come: by its time. Throws Interrupted.
+    // Shows the progress of the study, by its time. Throws Interrupted.
     void tick();
     void print(const std::string &line);
     // The camera for pictures of the model, with their size.
     RenderSettings camera() const;
-    // Work without a limit of time: the next solution is this part, 0 .. 1, of all.
+    // For work without a time limit: the next solution is this part, 0 .. 1, of the work.
     void nextPart(double from, double to) { partFrom = from, partTo = to; }
 
-    // --- Solving ---
-    // Settings for solving between patches of about this many elements that are patches, by hemicubes that
-    // see the lamps, as in the thesis.
+    // --- Solving --- Settings for solving as in the thesis: about `patches` patches of one element each, and
+    // hemicubes that see the lamps.
     SolveSettings thesis(int patches, int px) const;
     // Solves, and shows progress. Throws Interrupted.
     Solved solve(const SolveSettings &s);
-    // Solves and measures. `options`: those of `radiosity solve` that give it. Its name is the number of its
-    // patches, if they see the lamps, or elements, and then `kind`.
+    // Solves and measures. `options`: those of `radiosity solve` for this solution. Its name is the number of
+    // patches, if their hemicubes see the lamps, or of elements, followed by `kind`.
     Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
     // Solves thesis(patches, px), and measures.
     Solved gather(int patches, int px);
-    // A model divided into about this number of patches, without rows: for hemicubes and costs.
+    // The model divided into about this number of patches, without rows: for hemicubes and costs.
     Solved divide(int patches);
-    // The same, or the one that was made for costs if it has about as many; otherwise `own` keeps it.
+    // The same, in `own`; or the division made for costs, if it has about this number of patches.
     const Solved &divided(int patches, Solved &own);
-    // About how many patches the model gets if `asked` are asked for: every polygon has one at least.
+    // About the number of patches that the model gets if `asked` are asked for: every polygon has at least
+    // one.
     int patchesFor(int asked) const;
     // The wall-clock seconds that dividing takes, and those that a hemicube and its row take.
     double divideSeconds();
@@ -116,18 +115,18 @@ public:
 private:
     std::string command(const std::string &options) const;
     void compare(const Solution &byRays, const Surroundings &around); // with path tracing
-    void show();                                                      // how far it has come
+    void show();                                                      // progress
 
     ProgressBar &bar;
     double began, afterReference = 0, until = 0;
     const char *name = "reference";
     Solved coarse; // divided into kCoarse patches; empty until costs are asked for
     double coarseSeconds = 0;
-    std::map<int, double> costs;                   // of hemicubes, by pixels
-    double partFrom = 0, partTo = 0, partDone = 0; // partTo 0: the time counts
+    std::map<int, double> costs;                   // seconds of a hemicube, by pixels
+    double partFrom = 0, partTo = 0, partDone = 0; // partTo 0: progress is by time
 };
 
-// Processor and wall-clock time since it was made.
+// Processor and wall-clock seconds since its construction.
 struct Stopwatch {
     Stopwatch();
     double processor() const;
@@ -144,7 +143,7 @@ void studyRasters(Study &study);  // pixels, anti-aliasing, corners
 void studyMethods(Study &study);  // gathering, shooting, Gauss-Seidel; passes
 void studyDisplay(Study &study);  // flat and interpolated; mappings
 void studyElements(Study &study); // uniform and adaptive
-void studyRays(Study &study);     // the settings of the way by rays
-void writeSummary(Study &study);  // what to choose
+void studyRays(Study &study);     // the settings of solving by rays
+void writeSummary(Study &study);  // recommendations
 
 } // namespace odraz::radiosity

@@ -27,22 +27,22 @@ struct Job {
 void readJob(common::CommandLine &line, Job &job) {
     line.about("Measures the methods on a model: sizes and rasters, passes, gathering and shooting, "
                "elements, display.\n"
-               "Writes a folder with a page, index.html, and tables as CSV, and advises what to choose. "
+               "Writes a folder with a page, index.html, with advice, and tables as CSV. "
                "Ctrl-C ends it\n"
                "with the chapters that are done.");
     line.argument("MODEL", job.settings.model, "a Wavefront OBJ", false);
     line.option("-o", "FOLDER", job.out, "the new folder");
     line.option("--minutes", "N", job.settings.minutes, {0.1, 10000},
-                "the time that it may take; it reports what it left out");
+                "the time limit; the page lists what was left out");
     line.option("--within", "PERCENT", job.settings.within, {0.01, 100},
-                "the error within which it looks for the cheapest setting");
+                "the error allowed for the cheapest setting");
     line.flag("--table41", job.table41,
               "the thesis's Table 4.1 instead: the hall of columns, up to 546,048 patches; about five "
               "minutes of two "
               "processors");
     job.options.addTo(line, SolveOptions::For::kStudy);
     line.parse();
-    // For the commands that the page advises
+    // For the commands on the page
     for (const auto &[option, value] : line.givenOf(SolveOptions::groups()))
         job.settings.options += " " + option + (value.empty() ? "" : " " + common::shellWord(value));
     if (job.table41 != job.settings.model.empty())
@@ -68,14 +68,14 @@ struct Chapter {
     double until; // of the time after the reference
     void (*write)(Study &study);
 };
-// The methods first: they need all rows, which take longest in a model of many polygons
+// Methods come first because they need all rows, which take longest in a model of many polygons
 constexpr Chapter kChapters[] = {
     {"methods", 0.38, studyMethods},   {"table", 0.62, [](Study &s) { studyTable(s, false); }},
     {"rasters", 0.82, studyRasters},   {"display", 0.88, studyDisplay},
     {"elements", 0.95, studyElements}, {"rays", 1, studyRays}};
 constexpr Chapter kTable41[] = {{"table", 1, [](Study &s) { studyTable(s, true); }}};
 
-// Whether all chapters are written, or it was interrupted. Throws Interrupted if there is nothing to show.
+// Runs the chapters; false if it was interrupted. Throws Interrupted if no chapter is done.
 bool writeChapters(Study &study, std::span<const Chapter> chapters) {
     bool some = false;
     for (const Chapter &c : chapters) {

@@ -12,7 +12,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-// The same solution with one light for each patch.
+// The solution with one light value for each patch.
 Solution flatOf(const Solution &from, const Model &model) {
     Solution flat = from;
     std::vector<Rgb> mean((size_t)model.patchCount);
@@ -38,10 +38,10 @@ Solution flatOf(const Solution &from, const Model &model) {
 
 void mappings(Study &study, const Solution &solution) {
     Page &page = study.page;
-    // The radiosities of what reflects and does not emit, and the greatest of all
+    // The radiosities of surfaces that reflect and do not emit, and the largest of all
     std::vector<float> all;
     float most = 0;
-    bool isLamp = false; // what is brightest
+    bool isLamp = false; // the brightest surface is one
     for (size_t t = 0; t < solution.texels.size(); ++t) {
         auto chart = (size_t)solution.texels[t].chart;
         float light = maxComponent(solution.light[t] * solution.reflects[chart] + solution.emits[chart]);
@@ -70,19 +70,19 @@ void mappings(Study &study, const Solution &solution) {
         pictures.push_back({m.file, m.caption});
     }
     page.heading("Linear, constant and logarithmic mapping");
-    page.text("One solution, shown in four ways. The first two give the screen what is computed, times a "
-              "number, as the "
-              "thesis does. The model's brightest surface is " +
-              shown((double)(most / bright)) +
-              " times as bright as what 99 % of all other lit surfaces do not exceed.");
+    page.text(
+        "One solution, shown in four ways. In the first two, brightness on the screen is radiosity times "
+        "a constant, as in the thesis. The model's brightest surface is " +
+        shown((double)(most / bright)) +
+        " times as bright as the 99th percentile of all other lit surfaces.");
     page.pictures(pictures);
     std::string times = shown((double)(most / bright)) + " times";
-    study.advice.push_back(most / bright > 4
-                               ? std::string("Mapping: logarithmic, or the film's curve: ") +
-                                     (isLamp ? "the lamps outshine what they light by "
-                                             : "the brightest place outshines the others by ") +
-                                     times + ", and a linear mapping leaves these dark."
-                               : "Mapping: any: nothing outshines the rest by more than " + times + ".");
+    study.advice.push_back(
+        most / bright > 4 ? std::string("Mapping: logarithmic, or the film's curve: ") +
+                                (isLamp ? "lamps are brighter than other surfaces by "
+                                        : "the brightest place is brighter than the others by ") +
+                                times + ", which a linear mapping shows dark."
+                          : "Mapping: any: no surface is brighter than the rest by more than " + times + ".");
 }
 
 // Solutions shown flat and interpolated.
@@ -90,7 +90,7 @@ class Shown {
 public:
     explicit Shown(Study &study) : study(study), camera(study.camera()) { camera.logarithmic = true; }
 
-    // With hemicubes of `px` pixels in the middles of patches, and at their corners; with 0 by rays.
+    // With hemicubes of `px` pixels in the middles of patches, and at their corners; 0: by rays.
     Solution solve(int px) {
         SolveSettings s = study.thesis(kPatches, std::max(px, 16));
         if (!px) s.findRows = rowsByRays(kRays);
@@ -104,15 +104,15 @@ public:
                : "point that sends " + std::to_string(kRays) + " rays (hemicubes would take too long)";
         study.page.text(
             "Every patch has a " + what +
-            " in its middle, or one near each of its corners, a tenth of its side inside, whose mean "
-            "counts. The light of patches is shown flat, or interpolated between their middles within "
-            "one plane; across edges nothing is interpolated.");
+            " in its middle, or one near each of its corners, a tenth of its side inside, of which the mean "
+            "is taken. The light of patches is shown flat, or interpolated between their middles within "
+            "one plane; there is no interpolation across edges.");
         advise(one);
         bool better = four.interpolated < 0.9 * one.interpolated;
         if (isMeasurable(four.interpolated, one.interpolated))
             study.advice.push_back(
                 "Middle or corners: the " + std::string(better ? "corners" : "middle") +
-                ": gathered at four corners light is " + shown(four.interpolated) + " % off, in the middle " +
+                ": light gathered at four corners is " + shown(four.interpolated) + " % off, in the middle " +
                 shown(one.interpolated) + " %, for " +
                 shown(corners.report.allSeconds / std::max(middle.report.allSeconds, 1e-9), 2) +
                 " times the time.");
@@ -162,7 +162,7 @@ private:
         return {flat, one(b.solution, "interpolated")};
     }
 
-    // Whether errors, in percent, are larger than rounding.
+    // Whether errors, in percent, exceed rounding errors.
     static bool isMeasurable(double a, double b) {
         return std::isfinite(a) && std::isfinite(b) && std::max(a, b) > 0.01;
     }

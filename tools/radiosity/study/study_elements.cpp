@@ -15,7 +15,7 @@ void studyElements(Study &study) {
     PageTable table = {"elements",
                        {"elements", "kind", "processor_s", "rms_percent", "median_percent"},
                        {"elements", "", "processor, s", "error (rms), %", "median, %"}};
-    // Rows by hemicubes where they fit, else by rays
+    // Rows by hemicubes if the time allows it, otherwise by rays
     constexpr int kRays = 128;
     double each = study.left() / 7;
     bool rays = 1.5 * study.hemicubeSeconds(16) * study.patchesFor(6000) > each - study.divideSeconds();
@@ -23,7 +23,7 @@ void studyElements(Study &study) {
         "Lamps are seen by shadow rays, patches by " +
         (rays ? std::to_string(kRays) + " rays, since hemicubes of all of them would take too long"
               : std::string("hemicubes of 16 pixels")) +
-        ". Adaptive solutions begin with elements of sixteen times the area and divide those over which "
+        ". Adaptive solutions begin with elements of sixteen times the area and divide those across which "
         "direct light changes.");
     struct Best {
         double seconds, rms;
@@ -33,7 +33,7 @@ void studyElements(Study &study) {
     double longest = 0;
     struct Size {
         bool adaptive;
-        int elements; // of an adaptive one, if all were as fine as its finest
+        int elements; // of a uniform one with the adaptive one's finest elements
     };
     for (auto [isAdaptive, elements] : {Size{false, 7500},
                                         {true, 30000},
@@ -68,7 +68,7 @@ void studyElements(Study &study) {
         study.advice.push_back("Elements: there was no time to compare adaptive with uniform ones.");
         return;
     }
-    // Of both kinds the cheapest that is as good as the worse kind can be: that error both reach
+    // Compare the cheapest of each kind within an error that both kinds reach
     constexpr double kAsGood = 1.05;
     auto least = [](const std::vector<Best> &all) {
         double rms = INFINITY;

@@ -9,7 +9,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr int kRays = 128; // from a patch, where rays find rows
+constexpr int kRays = 128; // from a patch, if rays find rows
 
 // The first step of a curve at which its error is at most this; null: none.
 const Step *firstWithin(const Curve &curve, double percent) {
@@ -22,10 +22,10 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
     Page &page = study.page;
     page.heading("What every pass adds");
     page.text(
-        "The light that leaves all surfaces by reflection, and what of the converged light each pass adds. "
-        "In the next pass: a pass gathers what the pass before left, as the thesis does, so each is one "
-        "bounce more. "
-        "At once: a patch gathers what other patches found earlier in the same pass.");
+        "The light that leaves all surfaces by reflection, and the share of the converged light that each "
+        "pass adds. In the next pass: a pass gathers the light of the pass before, as in the thesis, so each "
+        "adds one bounce. At once: a patch also gathers light that other patches found earlier in the same "
+        "pass.");
     PageTable table = {"passes",
                        {"pass", "added_next_percent", "left_next_percent", "error_next_percent",
                         "added_once_percent", "left_once_percent", "error_once_percent"},
@@ -51,7 +51,7 @@ void writePasses(Study &study, const Curve &next, const Curve &once) {
                 continue;
             }
             sums[c] += steps[k].added;
-            // Rounding may leave a little more or less than all
+            // The sum may differ from 100 % by rounding
             double rest = std::max(100 - sums[c], 0.);
             row.insert(row.end(), {shown(steps[k].added), shown(rest), shown(steps[k].error)});
             if (rest > 1e-3) left.points.push_back({(double)k + 1, rest, "", false, c});
@@ -74,14 +74,14 @@ void writeOrders(Study &study, const Curve &next, const Curve &once) {
             {shown(percent), a ? std::to_string(a->number) : "", b ? std::to_string(b->number) : ""});
     }
     study.page.heading("Two orders of update");
-    study.page.text("The number of passes until the light is this near to the converged one.");
+    study.page.text("The number of passes until the light is this close to the converged light.");
     study.page.table(table);
     const Step *a = firstWithin(next, 1), *b = firstWithin(once, 1);
     if (a && b)
         study.advice.push_back("Update: " + std::string(b->number < a->number ? "at once" : "either order") +
                                ": " + counted((size_t)b->number, "pass") + " at once and " +
                                std::to_string(a->number) +
-                               " in the next pass bring the light within 1 % of the converged one.");
+                               " in the next pass bring the light within 1 % of the converged light.");
 }
 
 void writeMethods(Study &study, const std::vector<Curve> &curves) {
@@ -130,7 +130,7 @@ void writeMethods(Study &study, const std::vector<Curve> &curves) {
                                    fastest[k]->name + ", " + shown(best[k]) + " s.");
     for (const Curve &c : curves)
         if (c.stopped && !c.steps.empty())
-            study.advice.push_back("Method: " + c.name + " had no more time; it was " +
+            study.advice.push_back("Method: " + c.name + " ran out of time; it was " +
                                    shown(c.steps.back().error) + " % off the converged light after " +
                                    shown(c.steps.back().seconds) + " s.");
 }
@@ -143,7 +143,7 @@ void studyMethods(Study &study) {
     struct Size {
         int patches, px;
     };
-    // Hemicubes where they fit, else rays
+    // Hemicubes if the time allows it, otherwise rays
     Size size = {};
     for (Size tried : {Size{6000, 50}, {3000, 50}, {1500, 50}, {1500, 25}, {1500, 16}}) {
         double rows = study.patchesFor(tried.patches) * study.hemicubeSeconds(tried.px);
@@ -169,18 +169,15 @@ void studyMethods(Study &study) {
     page.text(
         std::to_string(base.report.patches) + " patches" +
         (rays ? ". Hemicubes of all of them would take too long: " + std::to_string(kRays) +
-                    " rays from each find its row, which changes what rows cost but not how they are used. "
+                    " rays from each find its row, which changes the cost of rows but not their use. "
                     "Shots have hemicubes of " +
                     px
               : " with hemicubes of " + px) +
         ". Gathering and Gauss-Seidel need all rows before their first pass; shooting needs one hemicube a "
-        "shot, but a "
-        "patch that shoots again draws again. Over the same rows all methods reach the same light. Shots "
-        "through "
-        "hemicubes of their own do not quite: by reciprocity they use the form factors from the other side, "
-        "and where "
-        "a hemicube is coarse these differ. Patches shoot singly, or in blocks of which one patch draws the "
-        "hemicube for all, as radiosity solve --shots does: light is there sooner, but less exact.");
+        "shot, and another one if a patch shoots again. With the same rows all methods reach the same light. "
+        "Shots by hemicubes differ slightly: by reciprocity they use the form factors from the other side, "
+        "which differ if a hemicube is coarse. Patches shoot singly, or in blocks of which one patch draws "
+        "the hemicube for all, as in radiosity solve --shots: that is faster, but less exact.");
     writeMethods(study, curves);
     writePasses(study, curves[0], curves[1]);
     writeOrders(study, curves[0], curves[1]);

@@ -18,7 +18,7 @@ constexpr const char *kWays[] = {"one in the middle", "four turned differently",
 struct Tried {
     int px, way;
     Gathering::Result result;
-    double fromFinest = NAN; // percent (rms), NAN: not to be compared
+    double fromFinest = NAN; // percent (rms), NAN: not compared
 
     double ms() const { return 1000 * result.seconds; }
     std::string name() const { return std::string(kWays[way]) + ", of " + std::to_string(px) + " pixels"; }
@@ -28,7 +28,7 @@ std::vector<Tried> tryAll(Study &study, Gathering &gathering, double patches, do
     std::vector<Tried> tried;
     for (int px : kRasters)
         for (int way = 0; way < 3; ++way) {
-            // Four of half the pixels have as many in total
+            // Four hemicubes of half the pixels have the same total
             int of = way ? px / 2 : px;
             if (of < 12) continue;
             double more = tried.empty() ? 0 : tried.back().result.seconds * patches * 4;
@@ -38,7 +38,7 @@ std::vector<Tried> tryAll(Study &study, Gathering &gathering, double patches, do
             }
             tried.push_back({of, way, gathering.measure({of, way == 1 ? 4 : 1, way == 2})});
         }
-    // The effect of pixels alone: from the middle, against most pixels
+    // The effect of pixels alone: hemicubes in the middle, against the finest raster
     const Tried *finest = nullptr;
     for (const Tried &t : tried)
         if (t.way == 0 && (!finest || t.px > finest->px)) finest = &t;
@@ -48,8 +48,8 @@ std::vector<Tried> tryAll(Study &study, Gathering &gathering, double patches, do
     return tried;
 }
 
-// The cheapest within `percent` of the finest raster. Costs that differ by less than a tenth count as equal:
-// then it is the one with fewer pixels, which stands first.
+// The cheapest within `percent` of the finest raster. Costs that differ by less than a tenth count as equal;
+// of these it is the first, which has fewer pixels.
 const Tried *cheapest(const std::vector<Tried> &tried, double percent) {
     const Tried *best = nullptr;
     for (const Tried &t : tried)
@@ -57,7 +57,7 @@ const Tried *cheapest(const std::vector<Tried> &tried, double percent) {
     return best;
 }
 
-// More pixels or anti-aliasing: of as many pixels in total.
+// Compares more pixels with anti-aliasing, for the same number of pixels in total.
 void adviseFour(Study &study, const std::vector<Tried> &tried) {
     int ahead = 0, all = 0;
     double ratio = 0;
@@ -69,11 +69,11 @@ void adviseFour(Study &study, const std::vector<Tried> &tried) {
             ratio += std::log(four.fromFinest / one.fromFinest);
         }
     if (all == 0) return;
-    study.advice.push_back("More pixels or anti-aliasing: of as many pixels, one hemicube is nearer to the "
-                           "finest raster than four of half its pixels in " +
-                           std::to_string(ahead) + " of " + std::to_string(all) +
-                           " rasters; the four are wrong by " + shown(std::exp(ratio / all), 2) +
-                           " times as much.");
+    study.advice.push_back(
+        "More pixels or anti-aliasing: with the same number of pixels, one hemicube is closer to "
+        "the finest raster than four of half its pixels in " +
+        std::to_string(ahead) + " of " + std::to_string(all) + " rasters; the error of the four is " +
+        shown(std::exp(ratio / all), 2) + " times as large.");
 }
 
 void gatherAt(Study &study, Gathering &gathering, double patches, double until) {
@@ -97,7 +97,7 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
     }
     study.page.table(table);
     study.page.plot("gathering", plot);
-    // A raster may be wrong by a fifth of what a whole solution may be
+    // A raster may cause a fifth of the error allowed for a whole solution
     double allowed = study.settings.within / 5, most = 0;
     for (const Tried &t : tried) most = std::max(most, std::isfinite(t.fromFinest) ? t.fromFinest : 0);
     if (most < 0.01) // in percent; one plane sees nothing, for instance
@@ -106,8 +106,8 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
         study.advice.push_back("Hemicubes: " + t->name() + ": " + shown(t->fromFinest) +
                                " % off the finest raster for " + shown(t->ms()) +
                                " ms a patch, the cheapest within " + shown(allowed) +
-                               " %. Against the reference the least error of all is " + shown(least) +
-                               " %, by pixels and by patches that have one light each.");
+                               " %. Against the reference the smallest error is " + shown(least) +
+                               " %, from pixels and from patches that have one light value each.");
     else
         study.advice.push_back("Hemicubes: no raster that was tried is within " + shown(allowed) +
                                " % of the finest one.");
@@ -133,7 +133,7 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
         }
         bool fits =
             study.fits(1.3 * study.patchesFor(asked) * study.hemicubeSeconds(px) + study.divideSeconds());
-        // In a model of many polygons, the first chapter has about as many patches as this
+        // In a model of many polygons, the first chapter has about this number of patches
         Gathered &known = study.gathered;
         Solved solved;
         if (fits) {
@@ -152,8 +152,8 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
     }
     page.pictures(seen);
     if (table.rows.empty()) return;
-    page.text(
-        "Whole solutions, every patch with its hemicube. An odd raster has half faces of half a row more.");
+    page.text("Whole solutions, with a hemicube for every patch. The half faces of an odd raster have half a "
+              "row more.");
     page.table(table);
     page.pictures(pictures);
 }
@@ -166,7 +166,7 @@ void studyRasters(Study &study) {
     page.heading("Rasters from 25 to 800 pixels");
     double ofOne = 0; // a hemicube of each raster
     for (int px : kRasters) ofOne += study.hemicubeSeconds(px);
-    // The number of patches for which all rasters fit into half of the time
+    // The number of patches for which all rasters take half of the time
     int asked = 3000;
     while (asked > 375 && study.patchesFor(asked / 2) < study.patchesFor(asked) &&
            1.3 * ofOne * study.patchesFor(asked) + 6 * study.divideSeconds() > all / 2)
@@ -175,16 +175,16 @@ void studyRasters(Study &study) {
     Solved own;
     const Solved &divided = study.divided(asked, own);
     const Model &m = *divided.patches->model;
-    // A fifth of the time for one gather
+    // One gather takes a fifth of the time
     int count = (int)std::clamp(all / 5 / std::max(6 * ofOne, 1e-9), 48., 1000.);
     Gathering gathering(study, divided, count);
-    page.text("First, one gather: " + std::to_string(gathering.count()) + " patches of " +
-              std::to_string(m.patchCount) +
-              " collect the light of the reference, lamps among it. The error against the reference has two "
-              "causes: the raster, and patches that have one light each. The plot shows the first alone, as "
-              "the difference from one hemicube with most pixels. Four hemicubes of half the pixels are "
-              "anti-aliasing with as many samples; at the corners they show what a patch's middle does not "
-              "stand for.");
+    page.text(
+        "First, one gather: " + std::to_string(gathering.count()) + " patches of " +
+        std::to_string(m.patchCount) +
+        " gather the light of the reference, including that of lamps. The error against the reference has "
+        "two causes: the raster, and patches that have one light value each. The plot shows only the first, "
+        "as the difference from the finest raster. Four hemicubes of half the pixels are anti-aliasing with "
+        "the same number of samples; at the corners they show the effect of a hemicube in the middle.");
     gatherAt(study, gathering, count, all * 0.55);
     solveAt(study, asked, gathering);
 }

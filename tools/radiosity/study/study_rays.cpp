@@ -1,4 +1,4 @@
-// The settings of the way by rays, each changed alone.
+// The settings of solving by rays, each changed alone.
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// What to choose, and why; what was left out.
+// Recommendations, with reasons; measurements that were left out.
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>
@@ -8,27 +8,27 @@ namespace odraz::radiosity {
 
 namespace {
 
-// How far the reference can be trusted.
+// The errors of the reference.
 void writeReference(Study &study) {
     const ReferenceErrors &e = study.referenceErrors;
     if (!e.unknown.empty()) {
-        study.page.text("How far the reference itself is off is not known: " + e.unknown + ".");
+        study.page.text("The error of the reference itself is not known: " + e.unknown + ".");
         return;
     }
-    // What is smaller than the paths' noise cannot be distinguished from it
+    // An error below the paths' noise cannot be distinguished from it
     auto shownErrors = [](const MeshErrors &m) {
         return "by " + (m.rms < m.noise / 2 ? "less than " + shown(m.noise, 2) : shown(m.rms, 2)) +
                " % (rms; median " + shown(m.median, 2) + " %)";
     };
-    std::string text = "The reference itself differs from path tracing, which has neither its rays nor its "
+    std::string text = "The reference itself differs from path tracing, which uses neither its rays nor its "
                        "elements, " +
                        shownErrors(e.reference) + ": at " + std::to_string(e.places) + " places with " +
                        std::to_string(e.paths) + " paths from each, whose own noise of " +
                        shown(e.reference.noise, 2) +
-                       " % is subtracted from the rms. Errors in the tables that are smaller mean little.";
+                       " % is subtracted from the rms. Smaller errors in the tables mean little.";
     if (study.finalRays)
-        text += " The solution by rays has rays and elements like the reference's, so its error against that "
-                "is too small; it differs from the paths " +
+        text += " The solution by rays has rays and elements like the reference's, so its error against it "
+                "is underestimated; it differs from the paths " +
                 shownErrors(e.byRays) + ".";
     study.page.text(text);
 }
@@ -42,7 +42,7 @@ void writeSummary(Study &study) {
               counted(study.reference.charts.size(), "polygon") +
               " in one plane each. Errors are against a reference, a solution by rays " +
               (study.finalRays ? "with a final gather of " + std::to_string(study.finalRays) + " rays"
-                               : std::string("without a final gather, for which there was no time")) +
+                               : std::string("without a final gather, because there was no time")) +
               ", at 2000 places spread by area. It has neither hemicubes nor patches. rms is the root mean "
               "square of the differences in luminance as a share of that of the reference's light.");
     writeReference(study);
@@ -51,7 +51,7 @@ void writeSummary(Study &study) {
     PageTable table = {"solutions",
                        {"solution", "processor_s", "wall_s", "rms_percent", "median_percent", "command"},
                        {"solution", "processor, s", "clock, s", "error (rms), %", "median, %", "command"}};
-    // Of what was measured, those that nothing beats in both time and error
+    // The solutions that no other one beats in both time and error
     double least = INFINITY;
     const MeasuredSolution *cheapest = nullptr;
     PageTable front = table;
@@ -79,8 +79,9 @@ void writeSummary(Study &study) {
         page.text("Settings of radiosity solve that no other one beats in both time and error:");
         front.file = "front";
         page.table(front);
-        page.text("All solutions that chapters compare by time; those without a command are made by a study "
-                  "alone:");
+        page.text(
+            "All solutions that chapters compare by time. Those without a command can only be made by a "
+            "study:");
         page.table(table, false);
     }
     if (!study.leftOut.empty()) {

@@ -91,8 +91,8 @@ private:
                                     "processor time, s", "error (rms), %");
     int lastRow = -1; // with a cell
 
-    // Four times as many patches. Where there are many polygons, each of which has one at least, about twice
-    // as many are enough: more would take most of the time for dividing them.
+    // Each size has four times the patches of the one before. In models of many polygons it is about twice,
+    // because dividing them would take most of the time.
     int sizeAfter(int asked) const {
         constexpr int kMost = 1 << 22;
         if (asked == 0) return kFirst;
@@ -101,8 +101,8 @@ private:
         return next;
     }
 
-    // The number of shots for each raster of a row. It is the same for all: else the light that is not shot
-    // would hide the effect of the raster. Where it is too small, the finest rasters are left out.
+    // The number of shots for each raster of a row. It is the same for all, because unshot light would hide
+    // the effect of the raster. If it is too small, the finest rasters are left out.
     int shotsOf(int row, int asked, int &columns) const {
         double fixed = study.divideSeconds() * study.patchesFor(asked) / study.patchesFor(kFirst),
                allowed = study.left() / (3 - row);
@@ -118,7 +118,7 @@ private:
         int px = kThesisRasters[column];
         if (ofThesis) showPart(row, column);
         TableCell cell = shoot(study, asked, px, shots);
-        if (ofThesis) // these take long: each is printed when it is done
+        if (ofThesis) // these take long, so print each when it is done
             study.print(std::to_string(cell.patches) + " patches by " + std::to_string(px) + " pixels: " +
                         std::to_string(cell.shots) + " shots, " + shown(cell.wall) + " s (processor " +
                         shown(cell.processor) + " s), " + shown(cell.errors.rms) + " % off");
@@ -130,7 +130,7 @@ private:
             {cell.processor, cell.errors.rms, std::to_string(px), false, (int)plot.series.size() - 1});
     }
 
-    // The work before a cell, and in it: a shot's time grows as its pixels.
+    // The work before a cell, and in it: a shot's time is proportional to its pixels.
     void showPart(int row, int column) {
         double before = 0, own = 0, all = 0;
         for (int k = 0; k < 9; ++k) {
@@ -148,17 +148,17 @@ void studyTable(Study &study, bool ofThesis) {
     Page &page = study.page;
     page.heading(ofThesis ? "The thesis's Table 4.1" : "Three sizes by three rasters");
     page.text(
-        "Elements that are as large as patches receive light; blocks of them shoot it, through a hemicube "
-        "at one of their patches, those with most light first, until 0.5 % of the light is not shot yet "
-        "or the shots are used up, of which all rasters of a size have as many. What is not shot then counts "
-        "as spread evenly; where much is, the error is due to that. Hemicubes see the lamps. The last time "
-        "is an estimate: a hemicube from every patch, once, as gathering needs; the "
-        "thesis draws each of them again in every pass.");
+        "Each patch is one element, which receives light. Blocks of patches shoot it, the brightest first, "
+        "each through a hemicube at one of its patches, until 0.5 % of the light is unshot or a number of "
+        "shots is reached that is the same for all rasters of a size. The remaining light is then spread "
+        "evenly; if much remains, it causes most of the error. Hemicubes see the lamps. The last time is an "
+        "estimate of one hemicube from every patch, as gathering needs; the thesis draws each of them again "
+        "in every pass.");
     Table table(study, ofThesis);
     try {
         table.fill();
     } catch (const Interrupted &) {
-        // What is measured takes long: it stays
+        // These measurements take long: keep them when interrupted
         table.finish();
         page.keep();
         throw;

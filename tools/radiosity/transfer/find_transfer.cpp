@@ -153,7 +153,7 @@ private:
     void noteClosed() {
         const float *even = room.plane(0, 0);
         if (std::all_of(even, even + room.texels(), [](float x) { return x == 0; }))
-            report.notes.emplace_back("no light from outside gets in: only the lamps light this room");
+            report.notes.emplace_back("no light from outside enters: only the lamps light this room");
     }
 
     // Spreads light from the sites to the planes of the texels.

@@ -10,7 +10,7 @@ namespace odraz::radiosity {
 
 namespace {
 
-constexpr char kGroup[] = "Light of a room of transfer";
+constexpr char kGroup[] = "Light of a room from transfer";
 
 // Reads --lamps: all, none, or a list of lamps by number or name, each with or without =STRENGTH.
 std::vector<float> readLamps(const std::string &text, const TransferRoom &room) {
@@ -54,17 +54,18 @@ void RelightOptions::addTo(common::CommandLine &line, bool withSky) {
     line.group(kGroup);
     if (withSky)
         line.option("--sky", "R,G,B|FILE.hdr", sky,
-                    "the light from outside; what the bands lose of a picture is printed");
+                    "the light from outside; the share of a picture's energy that the bands lose is printed");
     line.option("--turn", "DEGREES", around, {-36000, 36000},
-                "turn it about the axis that points up, from -z (+y) towards +x");
-    line.option("--tilt", "DEGREES", up, {-90, 90}, "then tilt it about x; what lay ahead goes up");
+                "turn the sky about the axis that points up, from -z (+y if z is up) towards +x");
+    line.option("--tilt", "DEGREES", up, {-90, 90},
+                "then tilt it about x, the middle of the picture upwards");
     line.option("--lamps", "LIST", lamps,
                 "all, none, or numbers or names with commas between, also NAME=STRENGTH; by default all");
     line.option("--bands", "N", bands, {1, kMostBands}, "use only the first N bands");
     line.option("--rank", "N", rank, {0, kMostRank},
                 "show the clusters with N axes each, instead of the exact rows");
     line.option("--clusters", "K", clusters, {1, kMostClusters},
-                "show K clusters, which are found anew, with --rank axes each");
+                "find K new clusters, and show them with --rank axes each");
 }
 
 void RelightOptions::refuseFor(const std::string &path, const common::CommandLine &line) {

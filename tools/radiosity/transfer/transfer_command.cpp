@@ -43,11 +43,11 @@ void readJob(common::CommandLine &line, Job &job) {
     line.option("--clusters", "K", s.clusters, {1, kMostClusters},
                 "clusters of the compressed rows; by default 4 for each function of the bands");
     line.option("--rank", "R", s.rank, {1, kMostRank},
-                "axes of each cluster; by default 8 to 32, as the bands need");
+                "axes of each cluster; by default 8 to 32, depending on the bands");
     line.option("--glossy", "MATERIAL", s.glossy, "polish its planes, which then mirror the room, blurred");
     line.option(
         "--gloss", "R,E", [&s](const std::string &text) { readGloss(text, s); },
-        "the polish: what share it mirrors seen from above, and the exponent of its lobe, 1 to 1000 "
+        "the polish: its reflectance seen from above, and the exponent of its lobe, 1 to 1000 "
         "(default 0.06,16)");
     line.flag("--check", job.check,
               "compare with solutions for several lights, and one subspace with clusters");
@@ -104,7 +104,7 @@ int runTransfer(common::CommandLine &line) {
     stopAt(stop, {SIGINT, SIGTERM});
     if (!printCheck(mesh, job.settings, room, (int)report.raysFromSite, job.skies, workers, &stop)) {
         std::fflush(stdout);
-        throw std::runtime_error("interrupted: the check is not whole; " + job.out + " is saved");
+        throw std::runtime_error("interrupted: the check is incomplete; " + job.out + " is saved");
     }
     return 0;
 }

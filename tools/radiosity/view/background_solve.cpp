@@ -53,7 +53,7 @@ void BackgroundSolve::run() {
     wake();
 }
 
-// The time to make light counts as looking.
+// The time to compute light counts as looking.
 bool BackgroundSolve::lightIsDue() {
     if (common::wallSeconds() < next || __atomic_load_n(&stopped, __ATOMIC_RELAXED)) return false;
     if (!looking) began = common::wallSeconds();
@@ -67,7 +67,7 @@ void BackgroundSolve::look(const Solution &soFar) {
     else
         solution->light = soFar.light;
     publish(first, false);
-    // At most a fifth of the time is spent on making light; small models show every sweep
+    // Spend at most a fifth of the time on computing light; small models show every sweep
     double end = common::wallSeconds();
     next = end + 4 * (end - began);
     looking = false;

@@ -1,4 +1,5 @@
-// Solves a model on another thread while the user looks at it. That thread makes all that is shown.
+// Solves a model on another thread while the user looks at it. That thread computes the meshes and light to
+// show.
 #pragma once
 
 #include "tools/radiosity/export/render.h"
@@ -14,27 +15,28 @@
 
 namespace odraz::radiosity {
 
-// What changed since the last call; pointers are null where nothing did.
+// The changes since the last call; a pointer is null if nothing changed.
 struct SolveNews {
     std::shared_ptr<const ViewMesh> mesh;
-    RenderSettings camera; // comes with the mesh: where `render` would look from
+    RenderSettings camera; // set together with `mesh`: `render`'s camera
     std::shared_ptr<const std::vector<Rgb>> light;
-    int pictures = 0; // how often light was shown: direct light, while it grew, and at the end
+    int pictures =
+        0; // the number of times that light was published: direct light, after sweeps, and at the end
     bool done = false;
-    std::vector<std::string> notes; // at the end, as `solve` prints them
+    std::vector<std::string> notes; // set at the end: those of `solve`
 };
 
 class BackgroundSolve {
 public:
-    // Starts the thread, and returns when it has opened OpenGL: that changes the environment, which no other
-    // thread may read meanwhile. `wake` is called on the solver's thread after each change.
+    // Starts the thread, and returns when it has opened OpenGL, because that changes the environment, which
+    // no other thread may read meanwhile. `wake` is called on the solver's thread after each change.
     BackgroundSolve(Mesh mesh, SolveSettings settings, const RenderSettings &camera, void (*wake)());
     BackgroundSolve(const BackgroundSolve &) = delete;
     ~BackgroundSolve(); // waits for the end
 
     // Throws the error that ended the thread.
     SolveNews take();
-    std::string step(); // what it does now, in a few words
+    std::string step(); // the current step, in a few words
     void stop() { __atomic_store_n(&stopped, 1, __ATOMIC_RELAXED); }
 
 private:
@@ -48,7 +50,7 @@ private:
     RenderSettings camera;
     void (*wake)();
     int stopped = 0;
-    // Used only by the thread: the solution shown last, and when to look again
+    // Used only by the thread: the solution shown last, and the time to publish again
     std::unique_ptr<Solution> solution;
     std::shared_ptr<const ViewMesh> shown;
     double next = 0, began = 0;
@@ -60,7 +62,7 @@ private:
     std::string does = "starting";
     bool open = false;
     std::exception_ptr wrong;
-    std::thread thread; // last member: starts when all others exist
+    std::thread thread; // last member, because it uses all others
 };
 
 } // namespace odraz::radiosity

@@ -17,8 +17,8 @@ struct ViewGl : Gl {
 #undef ODRAZ_GL_MEMBER
 };
 
-// A pixel of the scene holds linear red, green, blue, and a number: that of its patch, negative on an
-// element's outline, or one of these.
+// A pixel of the scene has linear red, green, blue, and a number: that of its patch, negative on an element's
+// outline, or one of these.
 inline constexpr float kViewNothing = 0, kViewBack = 0.25f, kViewEdge = -0.5f, kViewFrame = 0.75f;
 
 // Lines are one-sided like surfaces, and drawn a little nearer. Depth is reversed.
@@ -62,7 +62,7 @@ void main() {
 inline constexpr char kShowVertex[] = R"(
 void main() { gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0); })";
 
-// The mean light of a pixel's samples; the output has one pixel for each.
+// The mean light of a pixel's samples. The output may have fewer pixels.
 inline constexpr char kMeanFragment[] = R"(
 uniform sampler2D scene;
 uniform int samples;

@@ -2,8 +2,8 @@
 
 #include "host/library.h"
 
-// What the window calls. (<GLFW/glfw3.h>, which declares these functions with their parameters, is not
-// included here.)
+// The functions that the window calls. <GLFW/glfw3.h>, which declares them with parameters, is not included
+// here.
 // clang-format off
 #define ODRAZ_GLFW(F) \
     F(glfwCreateWindow) F(glfwDestroyWindow) F(glfwGetCursorPos) F(glfwGetFramebufferSize) \
@@ -15,7 +15,7 @@
     F(glfwTerminate) F(glfwWaitEventsTimeout) F(glfwWindowHint) F(glfwWindowShouldClose)
 // clang-format on
 
-// Each jumps to the library's function; parameters stay where they are.
+// Each jumps to the library's function and leaves the parameters in place.
 #define ODRAZ_JUMP(name)                                                                                     \
     extern "C" {                                                                                             \
     void *odraz_##name;                                                                                      \

@@ -15,9 +15,9 @@ std::vector<ViewKey> viewKeys(bool room) {
     std::vector<ViewKey> keys = {
         {"W A S D", "fly ahead, left, back, right"},
         {"Q E", "fly down, up"},
-        {"Shift", "flies faster"},
-        {"mouse", room ? "left button looks, right one turns the sky" : "with its left button looks"},
-        {"wheel", "exposes"}};
+        {"Shift", "fly faster"},
+        {"mouse", room ? "left button: look, right: turn the sky" : "left button: look around"},
+        {"wheel", "exposure"}};
     if (room)
         keys.insert(keys.end(), {{"1 .. 9 0", "lamps; with Shift 11 to 16"},
                                  {"[ ]", "bands"},
@@ -34,7 +34,7 @@ std::vector<ViewKey> viewKeys(bool room) {
                              {"C", "camera line"},
                              {"R", "back to the start"},
                              {"H F1", "this help"},
-                             {"Esc", "ends"}});
+                             {"Esc", "quit"}});
     return keys;
 }
 

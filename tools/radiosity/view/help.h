@@ -1,4 +1,4 @@
-// The keys of `view`, defined once: for the line printed at the start, and for the help in the window.
+// The keys of `view`, for the line printed at the start and for the help in the window.
 #pragma once
 
 #include "tools/picture/picture.h"
@@ -12,13 +12,13 @@ namespace odraz::radiosity {
 struct ViewKey {
     const char *keys, *does;
 };
-// The keys for a solution, or for a room that is relit.
+// The keys for a solution, or with `room` for a relit room.
 std::vector<ViewKey> viewKeys(bool room);
 
 // The keys in one line.
 std::string viewKeysLine(std::span<const ViewKey> keys);
 
-// The keys on a dark ground, one line each; the picture is at most this large.
+// A picture of the keys on a dark ground, one on a line, of at most width x height pixels.
 pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height);
 
 } // namespace odraz::radiosity

@@ -1,4 +1,4 @@
-// The loop of `view`: draws what has changed until the window closes.
+// The loop of `view`: redraws after changes until the window closes.
 #include "tools/common/text.h"
 #include "tools/radiosity/view/help.h"
 #include "tools/radiosity/view/window.h"
@@ -15,7 +15,7 @@
 
 namespace odraz::radiosity {
 
-// Samples along a pixel's side while nothing moves: this many come close to the tracer's edges.
+// Samples along a pixel's side while nothing moves; enough for edges close to the tracer's.
 static constexpr int kStillSamples = 4;
 
 void ViewWindow::drawWhatChanged(bool moving) {
@@ -48,7 +48,7 @@ void ViewWindow::pickPatch() {
 
 float ViewWindow::exposure() const { return wanted.exposure * std::exp2(s.camera.stops); }
 
-// Adapts the exposure gradually; at once for a screenshot. Returns whether it must continue.
+// Adapts the exposure gradually, or at once for a screenshot. Returns whether it must continue.
 bool ViewWindow::glide(float seconds) {
     float stops = std::log(exposure() / tone.exposure), low = wanted.low - tone.low,
           high = wanted.high - tone.high, off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});

@@ -14,7 +14,7 @@ ViewPoint pointOf(const Vec3 &p, const Vec3 &n, uint32_t patch) {
     return {p, {shorter(n.x), shorter(n.y), shorter(n.z), 0}, patch};
 }
 
-// A piece of an element: its first point, and its share of the hemicube of its patch.
+// A piece of an element: its first point, and its part in placing the hemicube of its patch.
 struct Middle {
     Vec3 p, n;
     float area;
@@ -32,7 +32,7 @@ Middle middleOf(const ViewPoint *points, size_t count, const Vec3 &n) {
     return m;
 }
 
-// Whether any part of a cell is visible: cells inside solids have no hemicube.
+// Whether any part of a cell is visible. Cells inside solids have no hemicube.
 bool visible(const Solution &b, const Cell &cell) {
     for (int k = 0; k < 4; ++k)
         if (b.texels[(size_t)cell.corner[k]].visible >> (3 - k) & 1) return true;

@@ -1,8 +1,7 @@
-// A solved model as OpenGL draws it: triangles of its elements, their outlines, and the edges of its
-// polygons.
+// A solved model for OpenGL: triangles of its elements, their outlines, and the edges of its polygons.
 //
-// The geometry is fixed. Light is a separate array, one radiosity for each point, which is made again when
-// the texels change.
+// The geometry is fixed. Light is a separate array with a radiosity for each point, made anew when the texels
+// change.
 #pragma once
 
 #include "tools/radiosity/solution/solution.h"
@@ -14,11 +13,11 @@ namespace odraz::radiosity {
 struct ViewPoint {
     Vec3 p;
     int16_t n[4];   // the normal, 1 as 32767
-    uint32_t patch; // from 1 on, in the order of their first elements; 0: a polygon's edge
+    uint32_t patch; // from 1 on, in order of first elements; 0: a polygon's edge
 };
 
 struct ViewPatch {
-    Vec3 p, n; // where its hemicube stands
+    Vec3 p, n; // the place and normal of its hemicube
 };
 
 struct ViewMesh {
@@ -34,7 +33,7 @@ struct ViewMesh {
     float size; // the diagonal of its bounding box
 
 private:
-    struct Place { // where a point lies in the cell that has its light
+    struct Place { // of a point, in the cell that has its light
         int cell;
         float u, v;
     };

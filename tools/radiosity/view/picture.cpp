@@ -15,7 +15,7 @@ namespace {
 
 enum { kSurface, kOutline, kEdge }; // values of `lines` in the shader
 enum { kPoints, kLight, kTriangles, kOutlines, kEdges };
-constexpr size_t kMostSamples = 16 << 20; // of a picture, for 20 bytes each
+constexpr size_t kMostSamples = 16 << 20; // of a picture, 20 bytes each
 
 bool hasClipControl(const ViewGl &gl) {
     GLint count = 0;
@@ -41,7 +41,7 @@ GLuint ViewPicture::program(const char *vertex, const char *fragment, bool rever
         gl.glShaderSource(shader, 2, sources, nullptr);
         gl.glCompileShader(shader);
         gl.glAttachShader(made, shader);
-        gl.glDeleteShader(shader); // is freed with the program
+        gl.glDeleteShader(shader); // it is freed with the program
     }
     gl.glLinkProgram(made);
     GLint linked = 0;
@@ -141,7 +141,7 @@ void ViewPicture::drawMesh(const Vec3 &eye, const Vec3 &right, const Vec3 &up, c
     gl.glUniform1i(at("lines"), lines);
     gl.glUniform1i(at("backs"), backs);
     gl.glEnable(GL_DEPTH_TEST);
-    // Draw steep surfaces a little deeper, so that outlines stay in front
+    // Draw surfaces, steep ones most, a little deeper, so that outlines stay in front
     gl.glEnable(GL_POLYGON_OFFSET_FILL);
     gl.glPolygonOffset(reversed ? -1.f : 1.f, 0);
     gl.glBindVertexArray(arrays[lines]);

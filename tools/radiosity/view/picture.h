@@ -1,4 +1,4 @@
-// Draws a solved model by OpenGL: first the scene, as linear light and numbers of patches, then the
+// Draws a solved model with OpenGL: first the scene, as linear light and numbers of patches, then the
 // tone-mapped picture.
 #pragma once
 
@@ -26,29 +26,29 @@ inline constexpr ViewLayer kViewLayers[] = {{"patches", &ViewLayers::patches},
                                             {"hemicube", &ViewLayers::hemicube},
                                             {"backs", &ViewLayers::backs}};
 
-// The tone of `render`, chosen by what the camera sees.
+// The tone of `render`, adapted to the picture.
 struct ViewTone {
     bool logarithmic = false;
-    float exposure = 1, low = 0, high = 1; // the last two: logarithms
+    float exposure = 1, low = 0, high = 1; // low and high are logarithms
 };
 
 class ViewPicture {
 public:
-    explicit ViewPicture(const ViewGl &gl); // for the current context. Throws std::runtime_error
+    explicit ViewPicture(const ViewGl &gl); // of the current context. Throws std::runtime_error
     void load(std::shared_ptr<const ViewMesh> mesh);
     void relight(const std::vector<Rgb> &light);
 
-    // Draws the scene with `samples` along a pixel's side, or fewer if that is too much.
+    // Draws the scene with `samples` along a pixel's side, or fewer if the picture would be too large.
     void draw(const RenderSettings &camera, const ViewLayers &layers, int samples);
-    // Finds the tone, without stops, from the light that was drawn, reduced to `most` x `most` pixels at
-    // most. False if there is no light.
+    // Finds the tone, without stops, from the light drawn, reduced to at most `most` x `most` pixels. False
+    // if there is no light.
     bool measure(int most, ViewTone &tone);
     // The patch at a pixel, from 1 on; 0: none.
     int patchAt(int x, int y) const;
     // Draws the unfolded view of the patch's hemicube.
     void drawHemicube(int patch, bool upIsZ);
-    // Combines both into the picture and shows it in the upper left corner of the window, with these keys
-    // over it, if any.
+    // Combines the scene and the hemicube into the picture, and shows it in the upper left corner of the
+    // window, with the help for `keys`, if any, over it.
     void show(const ViewTone &tone, const ViewLayers &layers, int patch, int windowHeight,
               std::span<const ViewKey> keys);
     pictures::Image read() const;
@@ -72,7 +72,7 @@ private:
     std::shared_ptr<const ViewMesh> mesh;
     bool outlined = false; // the buffer of outlines is filled
     Target scene, hemicube, small, final, help;
-    int helpFor[2] = {}; // the size of the picture that `help` was made for
+    int helpFor[2] = {}; // the picture's size for which `help` was made
     int samples = 1;
 };
 

@@ -35,7 +35,7 @@ RelitRoom::~RelitRoom() {
     finder.join();
 }
 
-// Waits for orders; the last one counts.
+// Waits for numbers of clusters to find; only the latest counts.
 void RelitRoom::findOthers() {
     std::vector<float> rows, scale;
     Workers alone = serialWorkers(); // the other threads draw
@@ -83,7 +83,7 @@ bool RelitRoom::key(int key, bool shift) {
             strength = strength > 0 ? 0.f : strengths[(size_t)lamp];
         }
     };
-    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) // 0 stands behind 9
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) // 0 comes after 9
         toggle((key == GLFW_KEY_0 ? 9 : key - GLFW_KEY_1) + (shift ? 10 : 0));
     else if (key == GLFW_KEY_LEFT_BRACKET || key == GLFW_KEY_RIGHT_BRACKET)
         lighting.bands = std::clamp(lighting.bands + (key == GLFW_KEY_LEFT_BRACKET ? -1 : 1), 1, room.bands);

@@ -1,6 +1,6 @@
-// A room that `view` relights: the settings of keys and mouse, and the light that they give.
+// A room that `view` relights: the settings that keys and mouse change, and the resulting light.
 //
-// Other numbers of clusters are found on a thread of their own; until then the old ones are shown.
+// When the number of clusters changes, another thread finds them; until then the old ones are shown.
 #pragma once
 
 #include "tools/radiosity/transfer/relight_options.h"
@@ -15,7 +15,7 @@ namespace odraz::radiosity {
 
 class RelitRoom {
 public:
-    // `wake` is called on the thread that finds clusters, when it has found some or failed. Throws Refused.
+    // `wake` is called on the thread that finds clusters, when it is done or has failed. Throws Refused.
     RelitRoom(TransferRoom room, const RelightOptions &options, void (*wake)());
     ~RelitRoom();
     RelitRoom(const RelitRoom &) = delete;
@@ -23,14 +23,14 @@ public:
     const Solution &model() const { return lit; }
     std::shared_ptr<const ViewMesh> mesh() const { return shown; }
 
-    // Handles a key of GLFW's; false if it has no meaning here. `shift`: it is pressed with Shift.
+    // Handles one of GLFW's keys; false if it has no meaning here. `shift`: Shift is held.
     bool key(int key, bool shift);
-    // Turns and tilts the sky by degrees.
+    // Rotates the sky, about the upward axis and by tilting it, in degrees.
     void turn(double around, double up);
     // The light that an eye sees at each point of the mesh; null if it has not changed.
     const std::vector<Rgb> *light(const Vec3 &eye);
 
-    std::string title() const;          // its settings, in short
+    std::string title() const;          // its settings, abbreviated
     std::string commandOptions() const; // the same as options of `render`
 
 private:
@@ -41,14 +41,14 @@ private:
     Lighting lighting;
     double around, tilt;
     std::vector<float> strengths; // of each lamp when it is on
-    int exactRank;                // the rank to return to from exact rows
+    int exactRank;                // the rank to restore after exact rows
     Solution lit;
     std::shared_ptr<const ViewMesh> shown;
     std::vector<Rgb> points;
     Vec3 seenFrom = {};
     bool changed = true;
     Clusters clusters; // in use
-    int wanted;        // how many clusters
+    int wanted;        // number of clusters
 
     void (*wake)();
 
@@ -60,7 +60,7 @@ private:
     int failed = 0; // clusters that could not be found; 0: none
     std::string whyFailed;
     Clusters found;
-    std::thread finder; // last member: starts when all others exist
+    std::thread finder; // last member, because it uses all others
 
     void findOthers();
     void setClusters(int count);

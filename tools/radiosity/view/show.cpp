@@ -1,4 +1,4 @@
-// Turns the drawn scene into what is shown: measures, tone-maps, reads back.
+// Turns the drawn scene into the picture: measures, tone-maps, reads back.
 #include "tools/radiosity/view/picture.h"
 
 #include "tools/common/statistics.h"

@@ -33,15 +33,16 @@ void addLayer(ViewLayers &to, const std::string &name) {
 
 void readJob(common::CommandLine &line, Job &job) {
     line.about("Opens a window to fly through a solution, or through a model while it is solved. Prints\n"
-               "its keys when it starts. A room of transfer is relit while it is shown: the right mouse\n"
+               "its keys when it starts. A room from transfer is relit while it is shown: the right mouse\n"
                "button turns the sky, and the keys 1 to 9 and 0 switch lamps, with Shift from the\n"
                "eleventh on.");
-    line.argument("FILE", job.in, "what solve or transfer wrote, or a Wavefront OBJ", false);
+    line.argument("FILE", job.in, "a file that solve or transfer wrote, or a Wavefront OBJ", false);
     line.option("--screenshot", "FILE.png", job.view.screenshot,
-                "write the picture when all light is there, then exit");
+                "write the picture when all light is found, then exit");
     line.option(
         "--layer", "NAME", [&job](const std::string &name) { addLayer(job.view.layers, name); },
-        "a layer to show at the start: patches in a colour each, outlines of elements, wireframe, what the "
+        "a layer to show at the start: patches in different colours, outlines of elements, wireframe, what "
+        "the "
         "hemicube under the pointer sees, or backs; repeatable");
     line.option("--sky", "R,G,B|FILE.hdr", job.sky, "the light from outside, of a room or of a model");
     job.camera.addTo(line);

@@ -46,7 +46,7 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
         if (action != GLFW_RELEASE) of(w).key(key, with & GLFW_MOD_SHIFT);
     });
     glfwSetScrollCallback(window, [](GLFWwindow *w, double, double notches) { of(w).wheel(notches); });
-    // Events are handled in order: a whole gesture may happen between two slow pictures
+    // Handle events in order: a whole gesture may happen between two slow pictures
     glfwSetMouseButtonCallback(window, [](GLFWwindow *w, int button, int action, int) {
         if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).looking = action == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_RIGHT) of(w).turning = action == GLFW_PRESS;
@@ -59,16 +59,16 @@ ViewWindow::ViewWindow(const ViewSettings &settings) : s(settings) {
     picture = std::make_unique<ViewPicture>(gl);
 }
 
-// The display's libraries stay loaded until the process ends: if unloaded, they would leak memory.
+// The display's libraries stay loaded until the process ends, because they leak memory when unloaded.
 ViewWindow::~ViewWindow() { glfwDestroyWindow(window); }
 
 void ViewWindow::wake() { glfwPostEmptyEvent(); }
 
-// A change of light, tone or numbers alone does not draw the scene again.
+// Every key renews the tone-mapped picture, and some of them the scene too.
 void ViewWindow::key(int key, bool shift) {
     toned = true;
     if (room && room->key(key, shift)) return;
-    int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // a room's numbers are its lamps
+    int first = room ? GLFW_KEY_F2 : GLFW_KEY_1; // in a room, digits switch lamps
     if (key >= first && key < first + 4)
         toggle(kViewLayers[key - first].shown);
     else if (key == GLFW_KEY_B)
@@ -120,11 +120,11 @@ void ViewWindow::show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rg
 
 void ViewWindow::show(RelitRoom &shown, const RenderSettings &camera) {
     room = &shown;
-    // Gloss depends on where the camera will stand
+    // Gloss depends on the camera's place
     show(room->mesh(), *room->light(s.placed ? s.camera.eye : camera.eye), camera);
 }
 
-// A third of a degree for a pixel. Returns whether the light changed.
+// Turns the sky by a third of a degree per pixel. Returns whether the light changed.
 bool ViewWindow::relight(float seconds) {
     if (!room) return false;
     float x = std::exchange(turnX, 0.f), y = std::exchange(turnY, 0.f);
@@ -148,7 +148,7 @@ void ViewWindow::takeNews(BackgroundSolve &solver) {
     solved = news.done;
 }
 
-// Turns about the eye; the distance to the target stays.
+// Turns about the eye; the distance to the target stays the same.
 bool ViewWindow::fly(float seconds) {
     auto held = [&](int key) { return glfwGetKey(window, key) == GLFW_PRESS ? 1.f : 0.f; };
     float ahead = held(GLFW_KEY_W) - held(GLFW_KEY_S), aside = held(GLFW_KEY_D) - held(GLFW_KEY_A),

@@ -1,4 +1,4 @@
-// The window of `view`: keys, mouse and wheel, and when to draw.
+// The window of `view`: handles keys, mouse and wheel, and decides when to draw.
 #pragma once
 
 #include "tools/radiosity/view/background_solve.h"
@@ -14,22 +14,23 @@ namespace odraz::radiosity {
 struct ViewSettings {
     std::string name; // name of the model, for the title
     RenderSettings camera;
-    bool placed = false; // the user placed the camera; else it stands where render would put it
+    bool placed = false; // the user placed the camera; otherwise it is placed as by `render`
     ViewLayers layers;
     std::string screenshot; // file to write; the window closes once it is written
-    double spin = 0; // if above 0: turn a room's sky once in this number of seconds, print the rate and close
+    double spin =
+        0; // if above 0: turns a room's sky once in this number of seconds, prints the rate and closes
 };
 
 class ViewWindow {
 public:
-    // Opens the window; there can be only one. Throws std::runtime_error that says what is missing.
+    // Opens the window; there can be only one. Throws std::runtime_error with what is missing.
     explicit ViewWindow(const ViewSettings &settings);
     ~ViewWindow();
     ViewWindow(const ViewWindow &) = delete;
 
     void show(std::shared_ptr<const ViewMesh> mesh, const std::vector<Rgb> &light,
               const RenderSettings &camera);
-    // Shows a room, which the window's keys and mouse relight; it must outlive the run.
+    // Shows a room, which keys and mouse relight; it must outlive run().
     void show(RelitRoom &room, const RenderSettings &camera);
     // Runs until the window is closed or the screenshot is written. `solver` may be null.
     void run(BackgroundSolve *solver);
@@ -54,11 +55,10 @@ private:
     RenderSettings start; // the camera to return to
     GLFWwindow *window = nullptr;
     std::unique_ptr<ViewPicture> picture;
-    float size = 0; // of the model; 0: none yet
+    float size = 0; // of the model; 0: no model yet
     RelitRoom *room = nullptr;
     ViewTone tone, wanted;
-    // The work to do: draw the scene, tone-map it; whether it was drawn at low quality; whether light was
-    // measured
+    // The scene must be drawn; it must be tone-mapped; it was drawn at low quality; light was measured
     bool redraw = true, toned = true, rough = false, lit = false;
     bool solved = true; // the light shown is final
     int patch = 0, pictures = 0;

@@ -1,4 +1,4 @@
-// Lightmaps: other programs show the solution from them, and no polygon shares texels with another.
+// Lightmaps: they give other programs the solution, and polygons share no texels.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/command_line.h"
@@ -77,8 +77,8 @@ std::vector<Element> elementsOf(const Solution &b) {
 
 float most(const Rgb &c) { return std::max({std::fabs(c.x), std::fabs(c.y), std::fabs(c.z)}); }
 
-// How a folder differs at the middles of elements from the solution there, and from the CSV. The worst
-// differences are shares of the largest of red, green and blue, which a page stores in eight bits.
+// The differences of a folder's pages from the solution, at the middles of elements, and from the CSV. The
+// worst differences are shares of the largest of red, green and blue, because a page stores eight bits.
 struct Difference {
     float worst = 0, ofTable = 0;
     double squareOfTable = 0;
@@ -152,7 +152,7 @@ TEST(Atlas, HasFewerTexelsOnDemand) {
     out.mustLieApart(4);
     Difference d = compare(room(), out);
     EXPECT_EQ(d.lost, 0);
-    EXPECT_LT(d.squareOfTable, 0.1); // coarse, but nothing black or strange
+    EXPECT_LT(d.squareOfTable, 0.1); // coarse, but nothing is black or far off
     EXPECT_GT(d.squareOfTable, 0.01);
 }
 

@@ -58,8 +58,8 @@ TEST(Bands, TurnWithTheirLight) {
     }
 }
 
-// A picture of a band-limited light gives its coefficients back, and all of its energy; a small bright spot
-// leaves little in the bands, by Parseval.
+// A picture of a band-limited light has its coefficients and all of its energy; a small bright spot has
+// little in the bands, by Parseval.
 TEST(Environment, IsProjected) {
     for (bool upIsZ : {false, true}) {
         Random random = {3};
@@ -79,7 +79,8 @@ TEST(Environment, IsProjected) {
         }
         EXPECT_NEAR(p.held[1], first / energy, 1e-4);
     }
-    // A row of pixels around the zenith is a disc, of which a band holds an integral of Legendre's polynomial
+    // A row of pixels around the zenith is a disc, whose part in a band is an integral of Legendre's
+    // polynomial
     HdrPicture disc = {64, 32, std::vector<float>((size_t)64 * 32 * 3)};
     std::fill(disc.pixels.begin(), disc.pixels.begin() + (ptrdiff_t)64 * 3, 100.f);
     Projected p = project(disc, false);

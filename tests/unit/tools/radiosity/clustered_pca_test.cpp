@@ -54,8 +54,8 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// The squared error of the best subspace of so many dimensions: the sum of the remaining eigenvalues of the
-// Gram matrix, of columns, or of rows if there are fewer.
+// The squared error of the best subspace of this number of dimensions: the sum of the remaining eigenvalues
+// of the Gram matrix, of columns, or of rows if there are fewer.
 double bestLeft(const Data &d, int dimensions) {
     auto at = [&](int r, int c) { return (double)d.values[(size_t)r * (size_t)d.columns + (size_t)c]; };
     bool wide = d.columns > d.rows;
@@ -93,7 +93,8 @@ Data falling(int rows, int columns, double half) {
     return d;
 }
 
-// Several flats (affine subspaces) of four dimensions each, with means far apart; rows take turns among them.
+// Several flats (affine subspaces) of four dimensions each, with means far apart; rows alternate between
+// them.
 Data flats(int count, int rows, int columns) {
     Data d(rows, columns);
     Random random = {9};
@@ -146,8 +147,8 @@ TEST(Pca, AxesAreOrthonormal) {
             }
 }
 
-// A third of the rows has wrong seeds. Clustering still finds the flats, which one subspace of as many
-// dimensions cannot hold.
+// A third of the rows have wrong seeds. Clustering still finds the flats, which one subspace of the same
+// number of dimensions cannot represent.
 TEST(Clustering, FindsTheFlats) {
     Data d = flats(4, 400, 48);
     PcaSettings settings = {.clusters = 4, .dimensions = 8, .rounds = 8, .iterations = 4, .tried = 4};
@@ -162,7 +163,7 @@ TEST(Clustering, FindsTheFlats) {
     EXPECT_GT(blocks.percent(), 1);
 }
 
-// More rounds never do harm.
+// More rounds never increase the error.
 TEST(Clustering, Descends) {
     Data d = falling(400, 64, 20);
     double last = 1e30;

@@ -18,14 +18,14 @@ HdrPicture read(const std::string &head, const std::string &size, const std::str
     return readHdr(folder / "a.hdr");
 }
 
-// Pixels of so many bytes; an exponent of 136 leaves the bytes as they are.
+// Pixels with these bytes; an exponent of 136 keeps their values.
 std::string bytes(std::initializer_list<int> list) {
     std::string all;
     for (int b : list) all += (char)b;
     return all;
 }
 
-// The red values, which suffice to tell pixels apart.
+// The red values, which are enough to identify pixels.
 std::vector<int> reds(const HdrPicture &p) {
     std::vector<int> all;
     for (size_t i = 0; i < p.pixels.size(); i += 3) all.push_back((int)p.pixels[i]);
@@ -57,7 +57,7 @@ TEST(Hdr, RepeatsPixelsByOlderRuns) {
               (std::vector<int>{200, 200, 200, 200, 150}));
     EXPECT_EQ(reds(read("", "-Y 2 +X 3", a + bytes({1, 1, 1, 2}) + b + b + bytes({1, 1, 1, 1}))),
               (std::vector<int>{200, 200, 200, 150, 150, 150}));
-    // 44 and 1 are 44 + 256 pixels; behind another pixel a run counts from its lowest byte again
+    // 44 and 1 are 44 + 256 pixels; after another pixel a run starts with its lowest byte again
     HdrPicture p = read("", "-Y 1 +X 304", a + bytes({1, 1, 1, 44, 1, 1, 1, 1}) + b + bytes({1, 1, 1, 2}));
     std::vector<int> wanted(304, 200);
     wanted[301] = wanted[302] = wanted[303] = 150;
@@ -90,7 +90,7 @@ TEST(Hdr, DividesByAllFactors) {
         EXPECT_NE(whyNot(line, "-Y 1 +X 1", pixel).find("has a damaged line"), std::string::npos) << line;
 }
 
-// The primaries of sRGB in CIE XYZ (IEC 61966-2-1) in Radiance's lumens: 179 times what the channels are.
+// The primaries of sRGB in CIE XYZ (IEC 61966-2-1) in Radiance's lumens: 179 times the channels' values.
 TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
     std::string pixels = bytes({206, 106, 10, 136, 107, 215, 36, 136, 45, 18, 238, 136, 190, 200, 218, 136});
     HdrPicture p = read("FORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
@@ -99,7 +99,7 @@ TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
         for (size_t k = 0; k < 3; ++k)
             EXPECT_NEAR((double)p.pixels[3 * i + k], wanted[i][k] / 179, 3. / 179) << i << " " << k;
     for (float c : p.pixels) EXPECT_GE(c, 0);
-    // What Radiance makes of its own pictures: XYZ in watts, and a factor that says so
+    // Radiance converts its pictures to XYZ in watts, with a factor in EXPOSURE
     p = read("EXPOSURE=5.586592e-03\nFORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
     EXPECT_NEAR(p.pixels[0], 500, 3);
     EXPECT_NE(whyNot("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels).find("format 32-bit_rle_spec"),

@@ -1,4 +1,4 @@
-// Light shown during solving: it begins with direct light, grows, and ends as the solution.
+// Light shown during solving: it starts with direct light, grows, and ends with the solution.
 #include "tests/support/headless_gl.h"
 #include "tests/support/sanitized.h"
 #include "tools/engine/machine.h"

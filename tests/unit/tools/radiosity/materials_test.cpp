@@ -1,4 +1,4 @@
-// Changes of materials: how they are read, what they do, and what is refused in one line.
+// Changes of materials: how they are read, their effect, and the errors.
 #include "tools/radiosity/read/material_changes.h"
 #include "tools/radiosity/read/mesh.h"
 
@@ -26,7 +26,7 @@ std::vector<MeshMaterial> changed(const std::vector<std::pair<std::string, std::
 }
 using Colour = std::array<float, 3>;
 
-// What is said when these are refused.
+// The error message for a change.
 std::string refusal(const std::string &option, const std::string &text) {
     try {
         changed({{option, text}});
@@ -70,7 +70,7 @@ TEST(Materials, ChangeOneAfterTheOther) {
     EXPECT_EQ(all[1].emits, (Colour{60, 54, 45}));
 }
 
-// A factor multiplies what a picture shows; a colour takes its place.
+// A factor multiplies a picture; a colour replaces it.
 TEST(Materials, WithPictures) {
     auto dimmed = changed({{"--reflectance", "cloth=0.5"}});
     EXPECT_EQ(dimmed[2].picture.tint, (Colour{0.25f, 0.5f, 0.5f}));
@@ -80,7 +80,7 @@ TEST(Materials, WithPictures) {
     EXPECT_EQ(plain[2].reflects, (Colour{0.2f, 0.3f, 0.4f}));
 }
 
-// 3 / 0.75 as a factor gives 1 but for rounding.
+// 3 / 0.75 as a factor gives 1 within rounding.
 TEST(Materials, ReflectAllLightAtMost) {
     EXPECT_EQ(changed({{"--reflectance", "white=1.3333333"}})[0].reflects[0], 1);
     EXPECT_EQ(refusal("--reflectance", "white=1.34"),

@@ -1,4 +1,4 @@
-// Pictures on materials: means over polygons, and elements that reflect them wherever their triangles lie.
+// Pictures on materials: means over polygons, and the reflectance of elements.
 #include "tests/support/exported.h"
 #include "tests/support/headless_gl.h"
 #include "tools/common/temporary_folder.h"
@@ -15,7 +15,7 @@ using namespace odraz::radiosity;
 
 namespace {
 
-// White where `white` returns true, else black.
+// White where `white` returns true, black elsewhere.
 template <class White> std::vector<uint8_t> pixels(int width, int height, White &&white) {
     std::vector<uint8_t> all;
     for (int j = 0; j < height; ++j)
@@ -61,8 +61,8 @@ TEST(ReflectancePicture, HasTheSameMeanInAllItsSizes) {
     }
 }
 
-// A square of any triangles, rotated in space and on the picture: each element has the picture's mean at its
-// place.
+// A square of various triangles, rotated in space and on the picture: each element has the mean of its part
+// of the picture.
 TEST(Pictured, ElementsHaveTheirPartOfThePicture) {
     common::TemporaryFolder folder;
     // Brightness falls from left to right, by 128 columns

@@ -3,9 +3,9 @@
 #include "tests/support/headless_gl.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
-#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/divide/facets.h"
 #include "tools/radiosity/divide/regions.h"
+#include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/solve.h"
 
 #include <cmath>
@@ -151,7 +151,7 @@ TEST(Solution, AgreesWithRays) {
     }
 }
 
-// A chart's side holds a limited number of elements: users are told when that makes them longer.
+// The number of elements along a chart's side is limited. A note reports when this makes them longer.
 TEST(Solution, TellsWhereElementsAreLongerThanAsked) {
     Workers workers = serialWorkers();
     for (int length : {kMaxAcross, kMaxAcross + 10}) {

@@ -1,5 +1,4 @@
-// Kept rows: what they give equals a fresh solution, and damaged ones, even with the right checksum, do no
-// harm.
+// Kept rows: the result equals a fresh solution, and damaged rows are harmless even with the right checksum.
 #include "tests/support/headless_gl.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
@@ -103,8 +102,8 @@ TEST_P(Relight, NeedsDirectLightOfTheLampsThatShine) {
     EXPECT_THROW(PreparedSolve(std::string_view(prepared).substr(0, 40), 9), std::runtime_error);
 }
 
-// Bytes are changed behind the checksum, as a forger would: it is refused, or solved without harm. The
-// sanitizers watch.
+// Bytes are changed and the checksum computed anew, as a forger would: the file is refused, or solved without
+// an error of the sanitizers.
 TEST_P(Relight, SurvivesForgedRows) {
     keep();
     settings.bounces = 1;
@@ -133,7 +132,7 @@ TEST_P(Relight, SurvivesForgedRows) {
         }
     }
     EXPECT_GT(refused, runs / 4);
-    EXPECT_GT(solved, runs / 8); // a number of a form factor may be any
+    EXPECT_GT(solved, runs / 8); // the value of a form factor may be any number
 }
 
 TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
@@ -208,7 +207,7 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     EXPECT_EQ((uintptr_t)b.rows.data() % 8, 0u);
     EXPECT_EQ(b.prepared, a.prepared);
     EXPECT_THROW(Kept(folder / "a.rows", Kept::Kind::kState), common::Refused);
-    // Any wrong byte and any missing end is found
+    // A wrong byte or a missing end is always detected
     std::string all = common::readWhole(folder / "a.rows");
     for (size_t i = 0; i < all.size(); ++i) {
         std::string wrong = all;

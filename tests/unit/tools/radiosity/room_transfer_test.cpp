@@ -34,7 +34,7 @@ TEST(Transfer, OfAnOpenPlaneIsTheCosineLobe) {
     }
 }
 
-// Under an even sky everything that reflects all light has the sky's radiance.
+// Under an even sky, surfaces that reflect all light have the sky's radiance.
 TEST(Transfer, OfAWhiteCornerIsWhite) {
     Mesh mesh = meshOf({{{0, 0, 0}, {0, 0, 2}, {2, 0, 0}, 0},
                         {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0},
@@ -85,7 +85,7 @@ TEST(Transfer, IsWithinATenThousandthOfFreshSolutions) {
     }
 }
 
-// Turning the environment is turning the model the other way.
+// Turning the environment equals turning the model the other way.
 TEST(Transfer, TurnsWithTheModel) {
     Mesh mesh = openRoom(), other = mesh;
     const double angle = 30;
@@ -103,7 +103,7 @@ TEST(Transfer, TurnsWithTheModel) {
     EXPECT_LT(worst, 1e-4);
 }
 
-// All axes give the rows back; each axis adds; the same memory in one subspace holds less.
+// All axes reproduce the rows; each axis reduces the error; one subspace is worse for the same memory.
 TEST(Clusters, HoldTheRows) {
     TransferSettings settings = settingsOf(3, 64, 0.03);
     settings.clusters = 16, settings.rank = 28;
@@ -126,7 +126,7 @@ TEST(Clusters, HoldTheRows) {
                     one.rank, 100 * subspace);
         EXPECT_LT(clusters, 0.7 * subspace);
     }
-    // Axes are in order: those of a cluster explain less and less
+    // The axes of a cluster are in descending order of what they explain
     for (int c = 0; c < many.count; ++c) {
         std::vector<double> squares((size_t)many.rank);
         for (size_t t = 0; t < many.of.size(); ++t)

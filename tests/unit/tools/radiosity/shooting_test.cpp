@@ -132,7 +132,7 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
         }
 }
 
-// What is not shot cannot become more than a geometric series of it.
+// A geometric series bounds the light that follows from unshot light.
 TEST(Shooting, TheResidualBoundsTheError) {
     Few few(60, 0.7f, 5, 3);
     std::vector<double> exact = few.solvedDirectly(&Rgb::x);
@@ -176,7 +176,7 @@ TEST(Shooting, NoLightNoLampsNoPatches) {
     EXPECT_EQ(none.left(), 0);
     EXPECT_TRUE(none.brightest(5).empty());
     EXPECT_EQ(none.ambient().x, 0);
-    // A patch that sees nothing keeps what it reflects of direct light
+    // A patch that sees nothing has only the reflected direct light
     Shooting alone(*one.model, patchesAlone(*one.model), std::vector<Rgb>(1), one.direct);
     one.shoot(alone, 1e-9);
     EXPECT_FLOAT_EQ(alone.radiosity(0).x, 1.8f);

@@ -1,4 +1,4 @@
-// Pictures of the sky: no light is lost, and pixels that are too bright become suns in their place.
+// Pictures of the sky: no light is lost, and suns replace pixels that are too bright.
 #include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
@@ -36,7 +36,7 @@ SkyPicture read(const std::string &file, bool upIsZ, std::vector<Sun> &suns) {
     return readSky(folder / "sky.hdr", upIsZ, suns);
 }
 
-// The light of all directions together, over pi.
+// The integral of light over all directions, over pi.
 Rgb all(const SkyPicture &sky, const std::vector<Sun> &suns) {
     Rgb sum = {};
     int high = 4 * std::max(sky.height, 1), wide = 2 * high;

@@ -1,4 +1,4 @@
-// Files of rooms: what they keep, and what they may hold.
+// Files of rooms: a round trip, and damaged files.
 #include "tests/support/open_room.h"
 #include "tests/support/sanitized.h"
 #include "tools/common/temporary_folder.h"
@@ -20,7 +20,7 @@ std::string fileOf(const TransferRoom &room) {
     return common::readWhole(folder / "room.prt");
 }
 
-// Whether a file is accepted, and can be worked with then.
+// Whether a file is accepted; an accepted one must be safe to use.
 bool accepted(const std::string &file) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "room.prt", file);
@@ -55,8 +55,7 @@ TEST(File, KeepsTheRoom) {
     EXPECT_TRUE(again.upIsZ);
 }
 
-// Damage is found by the checksum; where a forger computes it anew, what is read is refused or can be worked
-// with.
+// The checksum detects damage. A file with a forged checksum is refused or safe to use.
 TEST(File, SurvivesDamage) {
     TransferSettings settings = settingsOf(2, 8, 4);
     settings.glossy = "grey", settings.rank = 1, settings.clusters = 2;
