@@ -25,7 +25,7 @@ static int run(common::CommandLine &line) {
     Mesh mesh = readModel(model, {}, notes);
     Solution solution(file);
     Surroundings around;
-    if (!shines(mesh)) around.sky = evenSky({1, 1, 1});
+    if (!emitsLight(mesh)) around.sky = evenSky({1, 1, 1});
     Workers workers = allProcessors();
     auto all = placeMeshProbes(solution, probes, middles);
     tracePaths(mesh, around, all, side, workers);

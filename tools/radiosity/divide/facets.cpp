@@ -38,14 +38,6 @@ Outline cut(const Outline &in, PlanePoint a, PlanePoint b) {
     return out;
 }
 
-bool onFacet(const Facet &f, PlanePoint p) {
-    for (int k = 0; k < 4; ++k) {
-        int next = (k + 1) & 3;
-        if (side({f.u[k], f.v[k]}, {f.u[next], f.v[next]}, p) < 0) return false;
-    }
-    return true;
-}
-
 int cellAt(const Cell *cells, const Chart &c, PlanePoint p) {
     float x = p.u / c.width * (float)c.across, y = p.v / c.height * (float)c.down;
     int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);

@@ -17,7 +17,6 @@ Outline outlineOf(const Facet &facet); // three or four points
 double areaOf(const Outline &outline);
 // The part of the outline that lies to the left of the line from a to b.
 Outline cut(const Outline &outline, PlanePoint a, PlanePoint b);
-bool onFacet(const Facet &facet, PlanePoint p);
 
 // The index in `cells` of the smallest cell at a point of a chart.
 int cellAt(const Cell *cells, const Chart &chart, PlanePoint p);

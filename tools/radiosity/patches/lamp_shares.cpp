@@ -48,7 +48,7 @@ DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
 }
 
 void addOutside(DirectShares &kept, const SolveTask &task, const PatchSystem &p) {
-    if (!task.settings.surroundings.shine()) return;
+    if (!task.settings.surroundings.any()) return;
     kept.outside = kept.light(task.emitted(), (size_t)p.model->texelCount);
     float *const *direct = p.radiosity.direct;
     for (size_t t = 0; t < kept.outside.size(); ++t)

@@ -3,8 +3,8 @@
 //
 // With an odd px a half face is px / 2 = h + 1/2 rows high. The picture is drawn as for an even px: the faces
 // begin at rows px, px + h + 1/2, 2 px and 2 px + h + 1/2. Row px + h lies half on the first face's upper
-// edge and half on the second one's horizon; what is drawn there is undefined and does not count; the rows
-// next to it count for its halves. The same holds for row 2 px + h.
+// edge and half on the second one's horizon; its content is undefined and does not count; the rows next to it
+// count for its halves. The same holds for row 2 px + h.
 #pragma once
 
 #include "radiosity/form_factor.h"

@@ -34,10 +34,10 @@ void PatchSolver::findDirectLight() {
     findDirect(r, m, *p.scene, settings, task.workers, progressOf(SolveStep::kDirectLight));
     std::vector<std::string> known; // notes by divide()
     if (s.adaptive) findPictured(known);
-    bool keeps = s.keepRows && task.preparable();
-    if (keeps) shares = lampShares(task, p);
+    bool keepShares = s.keepRows && task.preparable();
+    if (keepShares) shares = lampShares(task, p);
     addOutsideLight();
-    if (keeps) addOutside(shares, task, p);
+    if (keepShares) addOutside(shares, task, p);
 }
 
 void PatchSolver::takePlanes() {

@@ -32,7 +32,7 @@ int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
     });
     std::vector<const float *> of;
     for (size_t k = 0; k < shots.size(); ++k) of.push_back(rows[k].data());
-    shooting.handOut(shots, of, workers);
+    shooting.distribute(shots, of, workers);
     return (int)shots.size();
 }
 

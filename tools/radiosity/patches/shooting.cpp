@@ -104,7 +104,7 @@ Shooting::Shot Shooting::take(int shooter) {
     return shot;
 }
 
-void Shooting::handOut(std::span<const Shot> shot, std::span<const float *const> rows, Workers &workers) {
+void Shooting::distribute(std::span<const Shot> shot, std::span<const float *const> rows, Workers &workers) {
     parallelRanges(workers, model.patchCount, 4096, [&](int first, int end, int) {
         for (size_t k = 0; k < shot.size(); ++k)
             for (int j = first; j < end; ++j) {
@@ -118,7 +118,7 @@ void Shooting::handOut(std::span<const Shot> shot, std::span<const float *const>
     countPower(workers);
 }
 
-void Shooting::handOut(Rgb radiance, std::span<const Link> column) {
+void Shooting::distribute(Rgb radiance, std::span<const Link> column) {
     for (const Link &link : column) {
         auto j = (size_t)link.patch;
         if (shooterOf[j] < 0) continue;

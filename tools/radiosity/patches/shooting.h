@@ -7,7 +7,7 @@
 // model.
 //
 // Source: Cohen, Chen, Wallace and Greenberg, "A Progressive Refinement Approach to Fast Radiosity Image
-// Generation", SIGGRAPH 1988; blocks of patches that shoot are its "patches", what receives its "elements".
+// Generation", SIGGRAPH 1988; blocks of patches that shoot are its "patches", the receivers its "elements".
 #pragma once
 
 #include "radiosity/form_factor.h"
@@ -55,9 +55,9 @@ public:
     // Takes the unshot light of a shooter, and leaves it none.
     Shot take(int shooter);
     // Distributes shots through hemicubes: rows[k][j] is the form factor from the patch of shot k to patch j.
-    void handOut(std::span<const Shot> shots, std::span<const float *const> rows, Workers &workers);
+    void distribute(std::span<const Shot> shots, std::span<const float *const> rows, Workers &workers);
     // Distributes the light of one patch, `radiance`, by known form factors: links of its column, F_ji.
-    void handOut(Rgb radiance, std::span<const Link> column);
+    void distribute(Rgb radiance, std::span<const Link> column);
     // The light that would arrive everywhere if unshot light were spread evenly: an estimate of the light
     // that is missing at the end.
     Rgb ambient() const;

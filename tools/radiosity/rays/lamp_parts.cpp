@@ -32,7 +32,7 @@ LampRays::LampRays(const Mesh &mesh, const Regions &regions, int samples) {
             areas[(size_t)regions.chartOf[i]] += length(normalOf(mesh, mesh.triangles[i])) / 2;
     double all = 0;
     for (double a : areas) all += a;
-    shining = all / std::max(areaOf(mesh), 1e-300);
+    emittingShare = all / std::max(areaOf(mesh), 1e-300);
     double largest = areas.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
     for (const Triangle &t : mesh.triangles) brightest = std::max(brightest, luminance(emittedBy(mesh, t)));
     for (const Triangle &t : mesh.triangles)

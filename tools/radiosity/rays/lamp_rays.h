@@ -21,7 +21,7 @@ public:
     // Divides the largest emitting polygon into about `samples` parts.
     LampRays(const Mesh &mesh, const Regions &regions, int samples);
     bool none() const { return parts.empty(); }
-    double share() const { return shining; } // of the model's area
+    double share() const { return emittingShare; } // of the model's area
     void clear() { parts.clear(), until.clear(), wholes.clear(); }
     // Sets the lamps' radiance to that of their material in this list. Rays are still distributed by the
     // mesh's power.
@@ -47,7 +47,7 @@ private:
             return corner[0] + (corner[1] - corner[0]) * a + (corner[2] - corner[0]) * b;
         }
     };
-    double shining = 0;
+    double emittingShare = 0;
     float brightest = 0;
     std::vector<Part> parts;
     std::vector<float> until; // running sums of the parts' power

@@ -30,7 +30,7 @@ struct LightGrid {
     struct Site {
         uint32_t firstPlace;
         uint16_t places; // 1 ..
-        bool small;      // stands for its whole chart
+        bool small;      // represents its whole chart
         int chart;
         float size; // square root of its area
     };

@@ -145,7 +145,7 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
     sky[site] = open * (1 / (float)count), skySquare[site] = squares / (float)count;
     reach[site] = near > 0 ? (float)count / near : kInfinity;
     // Repeat without the places that lie behind something
-    if (behind[site] || !judges) return;
+    if (behind[site] || !findsBehind) return;
     bool clear = false;
     uint16_t hidden = 0;
     for (int k = 0; k < grid.sites[site].places; ++k) {
@@ -192,8 +192,8 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
     struct alignas(16) Wide {
         __m128 v;
     };
-    std::vector<Wide> shines(count + 1), next(count); // the last one is dark
-    shines[count] = {_mm_setzero_ps()};
+    std::vector<Wide> radiance(count + 1), next(count); // the last one is dark
+    radiance[count] = {_mm_setzero_ps()};
     auto area = [&](size_t i) { return (double)grid.sites[i].size * (double)grid.sites[i].size; };
     double sources = 0;
     // Add the light of the sky and of surfaces that emit
@@ -207,7 +207,7 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
     for (size_t i = 0; i < count; ++i) {
         arrives[i] = source[i];
         Rgb b = reflects[i] * (direct[i] + source[i]);
-        shines[i] = {wide(b)};
+        radiance[i] = {wide(b)};
         sources += area(i) * (double)maxComponent(b);
     }
     std::vector<double> changed(count);
@@ -222,7 +222,7 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
                     // Four sums, so that additions need not wait for each other
                     __m128 sums[4] = {};
                     auto add = [&](__m128 &sum, uint32_t from) {
-                        sum = _mm_add_ps(sum, shines[std::min((size_t)from, count)].v);
+                        sum = _mm_add_ps(sum, radiance[std::min((size_t)from, count)].v);
                     };
                     size_t k = 0;
                     for (; k + 4 <= rays; k += 4)
@@ -232,13 +232,13 @@ int RaySystem::solve(const std::vector<Rgb> &direct, const std::vector<Rgb> &ref
                     Rgb sum = narrow(_mm_add_ps(_mm_add_ps(sums[0], sums[1]), _mm_add_ps(sums[2], sums[3])));
                     arrives[i] = source[i] + sum * (1 / (float)rays);
                     Rgb b = reflects[i] * (direct[i] + arrives[i]);
-                    Rgb d = b - narrow(shines[i].v);
+                    Rgb d = b - narrow(radiance[i].v);
                     changed[i] = area(i) * (double)std::max({std::fabs(d.x), std::fabs(d.y), std::fabs(d.z)});
                     next[i] = {wide(b)};
                 }
             });
             std::copy(next.begin() + (ptrdiff_t)first, next.begin() + (ptrdiff_t)end,
-                      shines.begin() + (ptrdiff_t)first);
+                      radiance.begin() + (ptrdiff_t)first);
         }
         ++done;
         double change = 0;

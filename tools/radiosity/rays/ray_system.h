@@ -84,7 +84,7 @@ public:
     std::vector<uint64_t> firstOf; // start of each site's row in `rows`, and the end of the last
     std::vector<uint32_t> rows;    // the sites that were hit
     std::vector<uint8_t> found;    // whether the site's row is found
-    bool judges = true;            // findRows() also finds which places lie behind something
+    bool findsBehind = true;       // findRows() also finds which places lie behind something
     std::vector<Rgb> sky;          // of every site
     std::vector<float> skySquare;  // mean of its squared brightness
     std::vector<float> reach;      // harmonic mean of the distances that its rays travel

@@ -150,7 +150,7 @@ private:
         auto rays = (uint16_t)(s.rays > 0 ? s.rays : RaySystem::kLeastRays);
         if (!refined)
             findRows(std::vector<uint16_t>(grid.sites.size(), rays), false, 0, s.rays > 0 ? 1 : kFirst);
-        system.judges = false;
+        system.findsBehind = false;
         task.lap(SolveStep::kFormFactors);
     }
 

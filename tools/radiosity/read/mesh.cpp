@@ -10,7 +10,7 @@ Vec3d normalOf(const Mesh &m, const Triangle &t) {
     return cross(m.points[(size_t)t.corners[1]] - a, m.points[(size_t)t.corners[2]] - a);
 }
 
-bool shines(const Mesh &m) {
+bool emitsLight(const Mesh &m) {
     return std::any_of(m.triangles.begin(), m.triangles.end(), [&](const Triangle &t) {
         const auto &e = m.materials[(size_t)t.material].emits;
         return e[0] + e[1] + e[2] > 0;

@@ -87,7 +87,7 @@ Vec3d normalOf(const Mesh &mesh, const Triangle &t);
 std::pair<Vec3d, Vec3d> boxOf(const std::vector<Vec3d> &points);
 
 // Whether any triangle emits light.
-bool shines(const Mesh &mesh);
+bool emitsLight(const Mesh &mesh);
 
 // The area of all triangles.
 double areaOf(const Mesh &mesh);

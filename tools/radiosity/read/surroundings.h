@@ -39,7 +39,7 @@ struct Surroundings {
     std::vector<Sun> suns;
     std::vector<BallLamp> lamps;
 
-    bool shine() const { return sky.width || !suns.empty() || !lamps.empty(); }
+    bool any() const { return sky.width || !suns.empty() || !lamps.empty(); }
 };
 
 SkyPicture evenSky(const Rgb &radiance);

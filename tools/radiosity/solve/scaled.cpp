@@ -29,7 +29,7 @@ struct Factor {
 
 bool scaleLight(Solution &b, const Mesh &mesh, const PreparedSolve &prepared, const SolveSettings &settings) {
     const std::vector<int> &material = prepared.regions.material;
-    if (settings.surroundings.shine() || !prepared.direct.outside.empty() || !b.cellReflects.empty() ||
+    if (settings.surroundings.any() || !prepared.direct.outside.empty() || !b.cellReflects.empty() ||
         material.size() != b.charts.size())
         return false;
     Factor factors[3];

@@ -21,8 +21,8 @@ Mesh moved(const Mesh &mesh, const Vec3d &from) {
 namespace {
 
 // Adds an even sky to a model in which nothing emits.
-bool lightUp(SolveTask &task) {
-    if (!task.settings.evenSky || shines(task.mesh) || task.settings.surroundings.shine()) return false;
+bool addEvenSky(SolveTask &task) {
+    if (!task.settings.evenSky || emitsLight(task.mesh) || task.settings.surroundings.any()) return false;
     task.settings.surroundings.sky = evenSky({1, 1, 1});
     task.report.notes.emplace_back(
         "nothing in the model emits light: an even sky is added (--sky, --sun and --lamp add other light)");
@@ -53,7 +53,7 @@ Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl
         task.report.notes.emplace(
             task.report.notes.begin(),
             "the model lies too far from the origin for precise coordinates: move it closer");
-    bool evenSky = lightUp(task);
+    bool evenSky = addEvenSky(task);
     std::unique_ptr<PatchSystem> patches;
     if (settings.way == Way::kRays)
         solveByRays(task);
@@ -74,7 +74,7 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress) {
     SolveTask task(materials, prepared, settings, workers, stop, progress);
-    bool dark = task.emitters().empty() && !settings.surroundings.shine();
+    bool dark = task.emitters().empty() && !settings.surroundings.any();
     if (dark && settings.evenSky && !evenSky) refuseDark();
     if (dark && settings.evenSky)
         task.settings.surroundings.sky = radiosity::evenSky({1, 1, 1});

@@ -30,14 +30,14 @@ bool staysDark(const Solution &b) {
 class SolveCommand {
 public:
     explicit SolveCommand(SolveJob &job) : job(job) {
-        keeps.words = job.kept && job.relight.empty() ? job.kept->words : job.line.words();
+        toKeep.words = job.kept && job.relight.empty() ? job.kept->words : job.line.words();
     }
 
     void run() {
         if (!job.relight.empty()) return relight();
         read();
-        keeps.model = modelSum();
-        if (job.kept && job.kept->model != keeps.model)
+        toKeep.model = modelSum();
+        if (job.kept && job.kept->model != toKeep.model)
             throw common::Refused(job.resume + ": belongs to another model, or " + job.model +
                                   " has changed: solve it again");
         prepare();
@@ -58,7 +58,7 @@ public:
 
 private:
     SolveJob &job;
-    Kept keeps; // the data written beside the solution
+    Kept toKeep; // the data written beside the solution
     Mesh mesh;
     std::unique_ptr<PreparedSolve> prepared; // from kept rows; null: the model is divided
     std::string rows, preparation;           // of the whole solution, for OUT.rows
@@ -84,8 +84,8 @@ private:
             };
         settings.keepEvery = job.keepEvery;
         settings.keep = [this](const std::string &rows) {
-            keeps.rows = rows;
-            keeps.save(stateFile(), Kept::Kind::kState);
+            toKeep.rows = rows;
+            toKeep.save(stateFile(), Kept::Kind::kState);
         };
         settings.needs = [](size_t bytes) {
             std::printf("needs about %zu MB of memory\n", bytes >> 20);
@@ -130,7 +130,7 @@ private:
         settings.resumed = kept.rows;
         if (!prepare(kept)) {
             read();
-            bool dark = !shines(mesh) && !settings.surroundings.shine();
+            bool dark = !emitsLight(mesh) && !settings.surroundings.any();
             if (dark && settings.evenSky && !kept.evenSky) refuseDark();
         }
         if (prepared && job.options.stopsAlike && !kept.evenSky) {
@@ -167,25 +167,25 @@ private:
 
     // Writes the rows beside the solution, which is already written.
     void saveRows(const Solved &solved) {
-        keeps.model = sumOfFile(job.model), keeps.sky = sumOf(job.options.settings.surroundings.sky);
-        keeps.solution = sumOfSolution(job.out);
-        keeps.evenSky = solved.evenSky;
-        keeps.names = mesh.names;
-        keeps.away = {solved.away[0], solved.away[1], solved.away[2]};
-        keeps.rows = rows, keeps.prepared = preparation;
-        keeps.save(rowsFile(job.out), Kept::Kind::kRows);
+        toKeep.model = sumOfFile(job.model), toKeep.sky = sumOf(job.options.settings.surroundings.sky);
+        toKeep.solution = sumOfSolution(job.out);
+        toKeep.evenSky = solved.evenSky;
+        toKeep.names = mesh.names;
+        toKeep.away = {solved.away[0], solved.away[1], solved.away[2]};
+        toKeep.rows = rows, toKeep.prepared = preparation;
+        toKeep.save(rowsFile(job.out), Kept::Kind::kRows);
     }
 
     bool mayLightBacks() const {
         const SolveSettings &settings = job.options.settings;
-        return settings.evenSky && !settings.surroundings.shine() && !job.options.read.twoSided;
+        return settings.evenSky && !settings.surroundings.any() && !job.options.read.twoSided;
     }
     void lightBacks() {
         job.options.read.twoSided = true;
         std::vector<std::string> known; // notes already printed
         mesh = readModel(job.model, job.options.read, known);
-        keeps.words.push_back("--two-sided"); // for --resume
-        keeps.model = modelSum();
+        toKeep.words.push_back("--two-sided"); // for --resume
+        toKeep.model = modelSum();
         job.options.settings.resumed = {};
     }
 };

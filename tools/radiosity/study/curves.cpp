@@ -119,7 +119,7 @@ Curve Converging::shootingRows() {
         int shots = 0;
         for (int k : shooting.brightest(64)) {
             Shooting::Shot shot = shooting.take(k);
-            shooting.handOut(shot.power * (1 / model.patches[shot.patch].area), columns.of(shot.patch));
+            shooting.distribute(shot.power * (1 / model.patches[shot.patch].area), columns.of(shot.patch));
             ++shots;
         }
         left -= shots;

@@ -112,7 +112,7 @@ Gathering::Result Gathering::measure(const Way &way) {
     return {errorsOf(light, expected), seconds, std::move(light)};
 }
 
-int Gathering::curious() {
+int Gathering::patchSeeingMost() {
     Opened opened(study.gl, 50);
     int best = -1;
     size_t most = 0;

@@ -34,7 +34,7 @@ public:
     // logarithmicTone().
     pictures::Image unfolded(int patch, int px);
     // The gathering patch that sees the largest number of patches.
-    int curious();
+    int patchSeeingMost();
 
 private:
     Study &study;

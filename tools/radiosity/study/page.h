@@ -1,5 +1,5 @@
-// A page of a study: HTML with tables, plots and pictures, and a CSV for every table. All files lie in one
-// folder; the page needs nothing else.
+// A page of a study: HTML with tables, plots and pictures, and a CSV for every table. All files are in one
+// folder, and the page needs no other.
 #pragma once
 
 #include "tools/common/new_folder.h"

@@ -123,12 +123,12 @@ void solveAt(Study &study, int asked, Gathering &gathering) {
     std::vector<PagePicture> pictures, seen;
     RenderSettings camera = study.camera();
     camera.logarithmic = true;
-    int curious = gathering.curious();
+    int widest = gathering.patchSeeingMost();
     for (int px : kRasters) {
         std::string name = std::to_string(px);
-        if (curious >= 0) {
+        if (widest >= 0) {
             std::string file = "hemicube-" + name + ".png";
-            pictures::writePng(page.path(file), gathering.unfolded(curious, px));
+            pictures::writePng(page.path(file), gathering.unfolded(widest, px));
             seen.push_back({file, "what one patch sees, " + name + " pixels"});
         }
         bool fits =

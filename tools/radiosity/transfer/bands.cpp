@@ -85,11 +85,11 @@ BandLight turned(const BandLight &light, int bands, const Turn &turn) {
         Vec3x8 from = {dot(d, broadcast(back.x)), dot(d, broadcast(back.y)), dot(d, broadcast(back.z))};
         Float8 y[kMostSh];
         evaluateBands(from, bands, y);
-        Rgb8 shines = {};
-        for (int k = 0; k < count; ++k) shines = fmadd(broadcast(light[(size_t)k]), y[k], shines);
-        shines = shines * broadcast(solidAngle);
+        Rgb8 radiance = {};
+        for (int k = 0; k < count; ++k) radiance = fmadd(broadcast(light[(size_t)k]), y[k], radiance);
+        radiance = radiance * broadcast(solidAngle);
         evaluateBands(d, bands, y);
-        for (int k = 0; k < count; ++k) sum[k] = fmadd(shines, y[k], sum[k]);
+        for (int k = 0; k < count; ++k) sum[k] = fmadd(radiance, y[k], sum[k]);
     }
     BandLight out = {};
     for (int k = 0; k < count; ++k) out[(size_t)k] = {total(sum[k].x), total(sum[k].y), total(sum[k].z)};

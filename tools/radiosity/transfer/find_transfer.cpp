@@ -114,12 +114,12 @@ private:
             if (std::find(own.begin(), own.end(), i) == own.end()) alone.materials[i].emits = {};
         }
         LampRays lamp(alone, task.regions, s.solve.lampSamples);
-        std::vector<uint8_t> shines(task.regions.charts.size());
-        for (size_t c = 0; c < shines.size(); ++c) {
+        std::vector<uint8_t> emits(task.regions.charts.size());
+        for (size_t c = 0; c < emits.size(); ++c) {
             auto m = (size_t)task.regions.material[c];
             const auto &own = lamps[k].materials;
-            shines[c] = std::find(own.begin(), own.end(), m) != own.end();
-            if (shines[c]) room.lampOf[c] = (int)k;
+            emits[c] = std::find(own.begin(), own.end(), m) != own.end();
+            if (emits[c]) room.lampOf[c] = (int)k;
         }
         size_t at = (size_t)(3 * (s.bands * s.bands) + 3 * (int)k);
         if (lamp.share() > kLargeLamps) {
@@ -129,7 +129,7 @@ private:
                 for (uint64_t i = rays.firstOf[site]; i < rays.firstOf[site + 1]; ++i) {
                     if (rays.rows[i] == RaySystem::kDark) continue;
                     auto chart = (size_t)grid.sites[rays.rows[i]].chart;
-                    Rgb e = shines[chart] ? task.solution.emits[chart] * share : Rgb{};
+                    Rgb e = emits[chart] ? task.solution.emits[chart] * share : Rgb{};
                     light[0] += e.x, light[1] += e.y, light[2] += e.z;
                 }
             }

@@ -37,7 +37,7 @@ void BackgroundSolve::run() {
             if (!step) return;
             std::string text = common::format("%s %.0f %%", step, (double)done * 100);
             if (residual >= 0) common::append(text, ", residual %.1e", (double)residual);
-            change([&] { does = text; });
+            change([&] { currentStep = text; });
         };
         Solved solved = solveModel(mesh, settings, gl, workers, &stopped, progress);
         bool geometry = !solution || solution->texels.size() != solved.solution.texels.size() ||
@@ -46,9 +46,9 @@ void BackgroundSolve::run() {
         change([&] { news.notes = solved.report.notes; });
         solved = {};
         publish(geometry, true);
-        change([&] { does = ""; });
+        change([&] { currentStep = ""; });
     } catch (...) {
-        change([this] { wrong = std::current_exception(); });
+        change([this] { error = std::current_exception(); });
     }
     wake();
 }
@@ -89,7 +89,7 @@ void BackgroundSolve::publish(bool geometry, bool done) {
 
 SolveNews BackgroundSolve::take() {
     std::lock_guard held(lock);
-    if (wrong) std::rethrow_exception(wrong);
+    if (error) std::rethrow_exception(error);
     SolveNews taken = news;
     news.mesh = nullptr, news.light = nullptr;
     return taken;
@@ -97,7 +97,7 @@ SolveNews BackgroundSolve::take() {
 
 std::string BackgroundSolve::step() {
     std::lock_guard held(lock);
-    return does;
+    return currentStep;
 }
 
 } // namespace odraz::radiosity

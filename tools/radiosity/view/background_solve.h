@@ -59,9 +59,9 @@ private:
     std::mutex lock;
     std::condition_variable opened;
     SolveNews news;
-    std::string does = "starting";
+    std::string currentStep = "starting";
     bool open = false;
-    std::exception_ptr wrong;
+    std::exception_ptr error;
     std::thread thread; // last member, because it uses all others
 };
 

@@ -21,8 +21,8 @@ static constexpr int kStillSamples = 4;
 void ViewWindow::drawWhatChanged(bool moving) {
     if (redraw) {
         picture->draw(s.camera, s.layers, moving ? 1 : kStillSamples);
-        if (picture->measure(moving ? 200 : kMaxWidth, wanted) && !lit) {
-            tone.exposure = exposure(), tone.low = wanted.low, tone.high = wanted.high;
+        if (picture->measure(moving ? 200 : kMaxWidth, targetTone) && !lit) {
+            tone.exposure = exposure(), tone.low = targetTone.low, tone.high = targetTone.high;
             lit = true;
         }
         rough = moving;
@@ -46,18 +46,19 @@ void ViewWindow::pickPatch() {
     toned = true;
 }
 
-float ViewWindow::exposure() const { return wanted.exposure * std::exp2(s.camera.stops); }
+float ViewWindow::exposure() const { return targetTone.exposure * std::exp2(s.camera.stops); }
 
 // Adapts the exposure gradually, or at once for a screenshot. Returns whether it must continue.
 bool ViewWindow::glide(float seconds) {
-    float stops = std::log(exposure() / tone.exposure), low = wanted.low - tone.low,
-          high = wanted.high - tone.high, off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
+    float stops = std::log(exposure() / tone.exposure), low = targetTone.low - tone.low,
+          high = targetTone.high - tone.high,
+          off = std::max({std::fabs(stops), std::fabs(low), std::fabs(high)});
     if (off == 0) return false;
     bool there = off < 0.004f || !s.screenshot.empty();
     float share = there ? 1 : 1 - std::exp(-seconds / 0.15f);
     tone.exposure = there ? exposure() : tone.exposure * std::exp(stops * share);
-    tone.low = there ? wanted.low : tone.low + low * share;
-    tone.high = there ? wanted.high : tone.high + high * share;
+    tone.low = there ? targetTone.low : tone.low + low * share;
+    tone.high = there ? targetTone.high : tone.high + high * share;
     toned = true;
     return !there;
 }

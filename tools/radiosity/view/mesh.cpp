@@ -77,7 +77,7 @@ ViewMesh::ViewMesh(const Solution &solution) {
     size = std::max(length(high - low), 1e-30f);
 }
 
-// The middle of a patch if it lies on one of its elements; else the middle of the nearest element.
+// The middle of a patch if it lies on one of its elements; otherwise the middle of the nearest element.
 void ViewMesh::placeHemicubes(const Solution &solution, const std::vector<uint32_t> &firsts) {
     struct Sum {
         double p[3] = {}, area = 0;

@@ -16,7 +16,7 @@ namespace odraz::radiosity {
 
 RelitRoom::RelitRoom(TransferRoom given, const RelightOptions &options, void (*wake)())
     : room(std::move(given)), options(options), relighter(room), around(options.turn()), tilt(options.tilt()),
-      lit(room.model), clusters(room.clusters), wanted(clusters.count), wake(wake) {
+      lit(room.model), clusters(room.clusters), requested(clusters.count), wake(wake) {
     RelightOptions::Light light = options.of(room);
     sky = light.sky, lighting = std::move(light.lighting);
     strengths = lighting.lamps;
@@ -70,9 +70,9 @@ void RelitRoom::findOthers() {
 }
 
 void RelitRoom::setClusters(int count) {
-    wanted = std::clamp(count, 1, (int)std::min(room.texels(), (size_t)kMostClusters));
+    requested = std::clamp(count, 1, (int)std::min(room.texels(), (size_t)kMostClusters));
     std::lock_guard held(lock);
-    order = wanted;
+    order = requested;
     asked.notify_one();
 }
 
@@ -93,7 +93,7 @@ bool RelitRoom::key(int key, bool shift) {
     } else if (key == GLFW_KEY_P)
         lighting.rank = lighting.rank < 0 ? exactRank : -1;
     else if (key == GLFW_KEY_COMMA || key == GLFW_KEY_PERIOD) {
-        setClusters(key == GLFW_KEY_COMMA ? wanted / 2 : wanted * 2);
+        setClusters(key == GLFW_KEY_COMMA ? requested / 2 : requested * 2);
         lighting.rank = exactRank;
     } else
         return false;
@@ -112,7 +112,7 @@ const std::vector<Rgb> *RelitRoom::light(const Vec3 &eye) {
         if (failed) {
             std::fprintf(stderr, "radiosity: %d clusters cannot be found: %s; the %d stay\n", failed,
                          whyFailed.c_str(), clusters.count);
-            if (wanted == failed) wanted = clusters.count;
+            if (requested == failed) requested = clusters.count;
             failed = 0;
         }
     }
@@ -132,7 +132,7 @@ std::string RelitRoom::title() const {
         all += "exact rows";
     else
         common::append(all, "%d clusters of %d axes%s", clusters.count, lighting.rank,
-                       wanted != clusters.count ? ", finding others" : "");
+                       requested != clusters.count ? ", finding others" : "");
     for (size_t k = 0; k < lighting.lamps.size(); ++k)
         if (lighting.lamps[k] > 0) on += " " + std::to_string(k + 1);
     return lighting.lamps.empty() ? all : all + "  lamps" + (on.empty() ? " off" : on);

@@ -48,7 +48,7 @@ private:
     Vec3 seenFrom = {};
     bool changed = true;
     Clusters clusters; // in use
-    int wanted;        // number of clusters
+    int requested;     // number of clusters
 
     void (*wake)();
 

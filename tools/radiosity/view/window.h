@@ -46,7 +46,7 @@ private:
     void toggle(bool ViewLayers::*layer);
     void drawWhatChanged(bool moving);
     void pickPatch();
-    float exposure() const; // the wanted exposure
+    float exposure() const; // that of targetTone, with stops
     bool glide(float seconds);
     void present();
     void title(const std::string &step);
@@ -57,7 +57,7 @@ private:
     std::unique_ptr<ViewPicture> picture;
     float size = 0; // of the model; 0: no model yet
     RelitRoom *room = nullptr;
-    ViewTone tone, wanted;
+    ViewTone tone, targetTone;
     // The scene must be drawn; it must be tone-mapped; it was drawn at low quality; light was measured
     bool redraw = true, toned = true, rough = false, lit = false;
     bool solved = true; // the light shown is final

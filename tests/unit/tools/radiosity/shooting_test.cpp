@@ -92,7 +92,7 @@ struct Few {
         for (; shooting.left() > residual && shots < 1000000; ++shots) {
             int k = shooting.brightest(1)[0];
             Shooting::Shot shot = shooting.take(k);
-            shooting.handOut(shot.power * (1 / patches[(size_t)shot.patch].area), columns.of(shot.patch));
+            shooting.distribute(shot.power * (1 / patches[(size_t)shot.patch].area), columns.of(shot.patch));
         }
         return shots;
     }
