@@ -1,4 +1,4 @@
-// pack: makes a small self-unpacking executable out of another, and takes it apart again.
+// pack: makes a small self-unpacking executable of a program, and unpacks it again.
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
 #include "packer/options.h"
@@ -21,15 +21,6 @@ namespace {
 constexpr long kUsualBudget = 65536; // of a program made for packing
 
 volatile std::sig_atomic_t theInterruption;
-
-// Runs the body; an error in it gets the name of the file that it is about.
-template <class Body> auto about(const std::string &path, Body body) {
-    try {
-        return body();
-    } catch (const common::Refused &e) {
-        throw common::Refused(path + ": " + e.what());
-    }
-}
 
 std::string nameOf(const std::string &path) { return std::filesystem::path(path).filename(); }
 
@@ -65,19 +56,19 @@ void checkCopy(const std::string &path, const Bytes &file) {
          "it has file capabilities, which a packed file cannot have: pack a copy without them (cp)");
 }
 
-// Prints what a user might not expect of a packed file.
+// Prints warnings about things that a user might not expect of a packed file.
 void warn(const Options &o, const Program &program, uint64_t appended, double seconds) {
     constexpr size_t kLarge = 2 << 20;
     if (appended)
-        std::printf("%s: %llu bytes that are appended to the program are left out; one that reads its own "
-                    "file will miss them\n",
+        std::printf("%s: %llu bytes appended to the program are left out: a program that reads its own "
+                    "file will not find them\n",
                     o.out.c_str(), (unsigned long long)appended);
     if (program.bytes.size() > kLarge)
-        std::printf("%s: unpacks for some %.0f s whenever it starts, on a processor like this one%s\n",
-                    o.out.c_str(), seconds, o.fast || !o.model.empty() ? "" : "; --fast is for that");
+        std::printf("%s: unpacking takes about %.0f s at every start, on a processor like this one%s\n",
+                    o.out.c_str(), seconds, o.fast || !o.model.empty() ? "" : "; less with --fast");
 }
 
-// What the reports need besides the program, read and checked before the packing, which may take long.
+// Further inputs of the reports, read and checked before the packing, which may take minutes.
 struct ForReports {
     std::string map, symbols;
     std::optional<Rooms> rooms;
@@ -88,20 +79,14 @@ struct ForReports {
         if (!o.map.empty() && !isMap(map))
             throw common::Refused(o.map + ": not a map of GNU ld: link with -Wl,-Map=FILE");
         if (!o.symbols.empty()) symbols = common::readWhole(o.symbols);
-        if (!o.rooms.empty()) rooms = parsed(o.rooms, readRooms);
-        if (!o.than.empty()) before = parsed(o.than, readJson);
+        if (!o.rooms.empty()) rooms = common::parseFile(o.rooms, readRooms);
+        if (!o.than.empty()) before = common::parseFile(o.than, readJson);
         for (const std::string &path : {o.out, o.report, o.html, o.text, o.saveModel})
             if (!path.empty() && path != "-") common::checkWritable(path);
     }
-
-private:
-    template <class T> static T parsed(const std::string &path, T (*parse)(const std::string &)) {
-        std::string text = common::readWhole(path);
-        return about(path, [&] { return parse(text); });
-    }
 };
 
-// `before` gets the rooms of `report`.
+// Gives `before` the rooms of `report`.
 void writeReports(const Options &o, const Report &report, const Program &program, long budget,
                   std::optional<Report> &before) {
     if (before) arrange(*before, report);
@@ -118,15 +103,15 @@ void writeReports(const Options &o, const Report &report, const Program &program
 void packProgram(const Options &o, const Bytes &file) {
     bool any = o.loader || (!o.pe && !isMadeForPacking(file));
     const PackedKind &kind = any ? kLoader : o.pe ? kPe : kElf;
-    Program program = about(o.in, [&] {
+    Program program = common::inFile(o.in, [&] {
         checkCopy(o.in, file);
         checkNames(o.names);
         return any ? readAnyProgram(file) : readProgram(file, o.pe ? kWindows : kLinux);
     });
-    if (o.plain) return about(o.in, [&] { writeBytes(o.out, kind.writePlain(program), true); });
+    if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), true); });
     ForReports given(o);
     ModelParameters parameters = findParameters(o, program);
-    auto [packed, stretches] = about(o.in, [&] {
+    auto [packed, stretches] = common::inFile(o.in, [&] {
         return std::pair(makePacked(kind, program, parameters, o.names),
                          attribute(file, given.map, given.symbols, program));
     });
@@ -167,7 +152,7 @@ int runPack(common::CommandLine &line) {
     std::string path = !o.in.empty() ? o.in : o.test + o.unpack;
     Bytes file = readBytes(path);
     if (o.in.empty())
-        about(path, [&] { openPackedFile(o, path, file); });
+        common::inFile(path, [&] { openPackedFile(o, path, file); });
     else
         packProgram(o, file);
     return 0;

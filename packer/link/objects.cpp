@@ -40,7 +40,7 @@ struct Reader {
     }
     void readSymbols(const Elf64_Shdr &table) {
         std::vector<Elf64_Sym> all = in.table<Elf64_Sym>(table, kCut);
-        for (size_t i = table.sh_info; i < all.size(); ++i) { // the local ones come before
+        for (size_t i = table.sh_info; i < all.size(); ++i) { // local ones come first
             if (all[i].st_shndx != SHN_UNDEF) object.defines.insert(nameOf(table, all[i]));
             object.indirect |= ELF64_ST_TYPE(all[i].st_info) == STT_GNU_IFUNC;
         }
@@ -117,7 +117,7 @@ std::vector<Object> readArchive(const std::string &path, const Bytes &all) {
     return objects;
 }
 
-// Whether a file of the type of libraries is a program.
+// Whether an ET_DYN file is a program.
 bool isPie(const Bytes &bytes) {
     ElfFile in = {bytes};
     for (const Elf64_Shdr &s : in.sections())
@@ -143,15 +143,13 @@ FileKind kindOf(const std::string &path) {
 
 std::vector<Object> readObjects(const std::string &path) {
     Bytes bytes = readBytes(path);
-    try {
+    return common::inFile(path, [&] {
         need(!begins(bytes, kThin), "a thin archive: make it with ar rcs, without T");
         if (begins(bytes, kArchive)) return readArchive(path, bytes);
         std::vector<Object> one;
         one.push_back(readObject(path, "", 0, std::move(bytes)));
         return one;
-    } catch (const common::Refused &e) {
-        throw common::Refused(path + ": " + e.what());
-    }
+    });
 }
 
 bool makeSlots(Object &object, const std::set<std::string> &symbols) {

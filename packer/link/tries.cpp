@@ -13,11 +13,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t kLarge = 300'000; // bytes of a program that takes seconds to pack: no variants
-constexpr uint64_t kSmall = 100'000; // ... that may do with fewer contexts
-constexpr uint64_t kHopeless = 8;    // no way is that many times larger before and smaller after
+constexpr uint64_t kLarge = 300'000; // bytes; a larger program takes seconds to pack: no variants
+constexpr uint64_t kSmall = 100'000; // bytes; for a smaller program four contexts are tried, too
+constexpr uint64_t kHopeless = 8;    // times smaller: no program packs better than that
 
-// Fills sections with zeros, which cost next to nothing.
+// Fills sections with zeros, which pack to almost nothing.
 void wipe(const std::string &path, const std::vector<std::string> &names) {
     Bytes bytes = readBytes(path);
     ElfFile in = {bytes};
@@ -28,16 +28,6 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
                 s.sh_type != SHT_NOBITS && within(s.sh_offset, s.sh_size, 0, bytes.size()))
                 std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
     writeBytes(path, bytes, true);
-}
-
-// "12345" as "12,345".
-std::string grouped(uint64_t number) {
-    std::string digits = std::to_string(number), text;
-    for (size_t i = 0; i < digits.size(); ++i) {
-        if (i && (digits.size() - i) % 3 == 0) text += ',';
-        text += digits[i];
-    }
-    return text;
 }
 
 // The bytes that a program takes before it is packed.
@@ -70,7 +60,7 @@ void Tries::pack(Try &made) const {
 }
 
 bool Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
-    for (const Try &t : tries) // for example where there is nothing to sort
+    for (const Try &t : tries) // equal, for example where there is nothing to sort
         if (t.packed && readBytes(t.linked.program) == readBytes(linked.program)) return true;
     Try made = {way, detail, linked, options.model};
     pack(made);
@@ -115,7 +105,7 @@ void Tries::tryImports() {
                      {"imports-aligned", ", sections sorted by alignment", {"-Wl,--sort-section=alignment"}}};
     for (auto &variant : kVariants) {
         Linked linked = linker.linkImports(facts, plan, variant.name, variant.flags);
-        wipe(linked.program, {".got.plt"}); // what a PLT needs, which there is none of
+        wipe(linked.program, {".got.plt"}); // only a PLT would need it
         if (!add("imports", detail + variant.detail, linked)) return;
     }
 }
@@ -126,7 +116,7 @@ void Tries::tryStatic() {
     for (const Try &t : tries)
         if (t.packed) least = std::min(least, t.packed);
     need(least == UINT64_MAX || before / kHopeless <= least,
-         grouped(before) + " bytes before packing: far too large");
+         common::thousands((double)before) + " bytes before packing: far too large");
     add("static", "with its libraries", linked);
 }
 
@@ -150,13 +140,14 @@ const Try &Tries::best() const {
 std::string Tries::print() const {
     std::string text = "way         before   packed\n";
     for (const Try &t : tries)
-        common::append(text, "%-9s%9s%9s   %s%s\n", t.way.c_str(), t.packed ? grouped(t.before).c_str() : "-",
-                       t.packed ? grouped(t.packed).c_str() : "-", t.detail.c_str(),
+        common::append(text, "%-9s%9s%9s   %s%s\n", t.way.c_str(),
+                       t.packed ? common::thousands((double)t.before).c_str() : "-",
+                       t.packed ? common::thousands((double)t.packed).c_str() : "-", t.detail.c_str(),
                        &t == &best() ? "   <- taken" : "");
     return text;
 }
 
-// Words for pack, whose report needs the names in objects of -flto; none if there is no gcc-nm.
+// Options of pack for its report: the symbols of LTO objects. None without gcc-nm.
 Words Tries::namesOfIntermediate() const {
     if (facts.intermediate.empty()) return {};
     Words tool = {"gcc-nm", "-A"};

@@ -11,7 +11,7 @@ namespace pack {
 
 namespace {
 
-// Of the fields that contexts choose from.
+// The names of the fields in files.
 constexpr struct {
     uint32_t field;
     const char *name;
@@ -53,7 +53,7 @@ bool parseMask(const std::string &text, uint32_t &mask) {
 
 } // namespace
 
-// Found for the film. They suit other programs as well: bench_pack.
+// Found by a search for the film. They suit other programs as well: bench_pack.
 const ModelParameters &defaultParameters() {
     static const ModelParameters parameters = {
         16,
@@ -66,7 +66,7 @@ const ModelParameters &defaultParameters() {
     return parameters;
 }
 
-// Found for bash.
+// Found by a search for bash.
 const ModelParameters &fastParameters() {
     static const ModelParameters parameters = {
         4,
@@ -135,13 +135,6 @@ ModelParameters parseParameters(const std::string &text) {
     return parameters;
 }
 
-ModelParameters readParameters(const std::string &path) {
-    std::string text = common::readWhole(path);
-    try {
-        return parseParameters(text);
-    } catch (const common::Refused &e) {
-        throw common::Refused(path + ": " + e.what());
-    }
-}
+ModelParameters readParameters(const std::string &path) { return common::parseFile(path, parseParameters); }
 
 } // namespace pack

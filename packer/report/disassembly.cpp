@@ -1,42 +1,25 @@
 #include "packer/report/disassembly.h"
 
+#include "tools/common/text.h"
+
 #include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-extern char **environ;
 
 namespace pack {
 
 namespace {
 
-// objdump's standard output. A program that is not there prints nothing.
+// objdump's standard output: nothing if it is not installed.
 class Objdump {
 public:
     explicit Objdump(const char *path) {
-        int ends[2];
-        if (pipe2(ends, O_CLOEXEC)) return;
-        posix_spawn_file_actions_t actions;
-        posix_spawn_file_actions_init(&actions);
-        posix_spawn_file_actions_adddup2(&actions, ends[1], 1);
-        posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
-        const char *words[] = {"objdump", "-d", "-w", "-z", "-M", "intel", "--", path, nullptr};
-        started = !posix_spawnp(&process, words[0], &actions, nullptr, (char **)words, environ);
-        posix_spawn_file_actions_destroy(&actions);
-        close(ends[1]);
-        if (started)
-            lines = fdopen(ends[0], "r");
-        else
-            close(ends[0]);
+        std::string command = "objdump -d -w -z -M intel -- " + common::shellWord(path) + " 2>/dev/null";
+        lines = popen(command.c_str(), "r");
     }
     ~Objdump() {
-        if (lines) std::fclose(lines);
-        if (started) waitpid(process, nullptr, 0);
+        if (lines) pclose(lines);
         std::free(line);
     }
     // The next line, or null. Good until the next call.
@@ -47,8 +30,6 @@ public:
     }
 
 private:
-    pid_t process = 0;
-    bool started = false;
     std::FILE *lines = nullptr;
     char *line = nullptr;
     size_t space = 0;

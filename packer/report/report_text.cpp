@@ -12,15 +12,8 @@ namespace {
 constexpr size_t kMost = 10;
 constexpr double kLeastChange = 4; // bytes
 
-// 64916 as 64,916
-std::string thousands(double value) {
-    std::string digits = common::format("%.0f", std::abs(value)), text = std::round(value) < 0 ? "-" : "";
-    for (size_t i = 0; i < digits.size(); ++i) {
-        if (i && (digits.size() - i) % 3 == 0) text += ',';
-        text += digits[i];
-    }
-    return text;
-}
+using common::thousands;
+
 std::string change(double value) { return (std::round(value) >= 0 ? "+" : "") + thousands(value); }
 
 // A part in both reports.
@@ -43,7 +36,7 @@ std::vector<Change> compare(const Costs &now, const Costs &was) {
     return changes;
 }
 
-// The text as code, whatever it holds: a table's cell ends at |, code at `.
+// Any text as code in a cell of a table, in which | and ` cannot stand.
 std::string cell(std::string text) {
     constexpr size_t kWidth = 90;
     if (text.size() > kWidth) text.replace(kWidth - 3, std::string::npos, "...");

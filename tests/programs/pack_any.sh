@@ -168,7 +168,7 @@ else
     echo "not checked: files cannot be given capabilities here"
 fi
 cp c appended && head -c 1000 /dev/zero | tr "\0" x >>appended
-check "a line warns of what is appended and left out" prints '1000 bytes that are appended' "$pack" appended -o "$WORK/y"
+check "a line warns of what is appended and left out" prints '1000 bytes appended' "$pack" appended -o "$WORK/y"
 cp c padded && head -c 1000 /dev/zero >>padded
 check "... but no padding" eval '"$pack" padded -o y >said && ! grep appended said'
 check "over a budget" refuses 1 "over budget" bash -c "'$pack' c -o x --budget 1000 >/dev/null"

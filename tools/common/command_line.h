@@ -30,7 +30,7 @@ struct Range {
 
 class CommandLine {
 public:
-    // `name` begins every error. The first of `arguments` is the one behind the program's name.
+    // `name` begins every error. `arguments` begin behind the program's name.
     CommandLine(std::string name, std::vector<std::string> arguments);
     ~CommandLine();
 
@@ -46,9 +46,9 @@ public:
     void arguments(const std::string &name, std::vector<std::string> &to, const std::string &what,
                    bool required = true);
 
-    // An option without a value, and options with one, which `value` names in --help: "N", "FILE". Where one
-    // is given twice the last counts. What `to` holds before is the default, which --help prints unless it is
-    // empty or out of range.
+    // An option without a value, and options with one, which `value` names in --help: "N", "FILE". If one
+    // is given twice, the last counts. What `to` holds before is the default, which --help prints unless it
+    // is empty or out of range.
     void flag(const std::string &name, bool &to, const std::string &what);
     void option(const std::string &name, const std::string &value, std::string &to, const std::string &what);
     // Every value of an option that may be given again and again.

@@ -1,4 +1,4 @@
-// A folder of its own below TMPDIR, or in /tmp. It is removed, with all its files, when the object goes.
+// A new folder in TMPDIR or /tmp. The destructor removes it with all its files.
 #pragma once
 
 #include <string>

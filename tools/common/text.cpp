@@ -1,5 +1,6 @@
 #include "tools/common/text.h"
 
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
 
@@ -31,6 +32,15 @@ void append(std::string &to, const char *format, ...) {
     va_start(arguments, format);
     append(to, format, arguments);
     va_end(arguments);
+}
+
+std::string thousands(double value) {
+    std::string digits = format("%.0f", std::abs(value)), text = std::round(value) < 0 ? "-" : "";
+    for (size_t i = 0; i < digits.size(); ++i) {
+        if (i && (digits.size() - i) % 3 == 0) text += ',';
+        text += digits[i];
+    }
+    return text;
 }
 
 std::string shellWord(const std::string &word) {

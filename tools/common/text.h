@@ -1,4 +1,4 @@
-// Text: printf into a string, and quoting for a shell and for HTML.
+// Text: printf into a string, long numbers, and quoting for a shell and for HTML.
 #pragma once
 
 #include <string>
@@ -8,6 +8,9 @@ namespace common {
 // printf into a new string, and at the end of one. Any length.
 [[gnu::format(printf, 1, 2)]] std::string format(const char *format, ...);
 [[gnu::format(printf, 2, 3)]] void append(std::string &to, const char *format, ...);
+
+// 12345.6 as 12,346.
+std::string thousands(double value);
 
 // A word as a shell reads it: in quotes where it needs them.
 std::string shellWord(const std::string &word);

@@ -19,7 +19,7 @@ static std::string cannot(const char *what, const std::string &path) {
 
 using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE *)>;
 
-// Only a regular file: a device or a pipe may never end, and opening a pipe may take as long.
+// Regular files only: a device or a pipe may never end, and opening a pipe may block for ever.
 static OpenFile openRegular(const std::string &path, struct stat &s) {
     if (stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode))
         throw Refused("cannot read " + path + ": it is not a regular file");

@@ -1,6 +1,8 @@
 // Reads whole files, and writes them whole or not at all.
 #pragma once
 
+#include "tools/common/command_line.h"
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -21,6 +23,21 @@ WholeFile readWholeFile(const std::string &path);
 
 // Its first `size` bytes, or all if it has fewer.
 std::string readStart(const std::string &path, size_t size);
+
+// Calls `body`, and puts the file's name in front of the errors that it throws.
+template <class Body> auto inFile(const std::string &path, Body body) {
+    try {
+        return body();
+    } catch (const Refused &e) {
+        throw Refused(path + ": " + e.what());
+    }
+}
+
+// Reads and parses a file. Errors of `parse` begin with the file's name.
+template <class Parse> auto parseFile(const std::string &path, Parse parse) {
+    std::string text = readWhole(path);
+    return inFile(path, [&] { return parse(text); });
+}
 
 // Throws Refused if a file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);

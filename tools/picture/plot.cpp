@@ -1,5 +1,6 @@
 #include "tools/picture/plot.h"
 
+#include "tools/common/text.h"
 #include "tools/picture/labels.h"
 
 #include <algorithm>
@@ -31,18 +32,7 @@ constexpr const char *kMarks[] = {
 };
 constexpr int kMarkCount = sizeof kMarks / sizeof *kMarks, kColourCount = sizeof kColours / sizeof *kColours;
 
-std::string format(const char *pattern, auto... values) {
-    char text[600];
-    std::snprintf(text, sizeof text, pattern, values...);
-    return text;
-}
-
-std::string escaped(const std::string &text) {
-    std::string out;
-    for (char c : text)
-        out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-    return out;
-}
+using common::format;
 
 // One axis: maps values to positions, and finds round values to write on it.
 struct Axis {
@@ -65,7 +55,7 @@ struct Axis {
                 for (double m : {1.0, 2.0, 5.0})
                     if (double v = m * std::pow(10, decade); inside(v)) all.push_back(v);
         if (all.size() > 2) return all;
-        // Of a part of a decade, equal steps are told, too
+        // A part of a decade also gets equal steps
         all.clear();
         double first = logarithmic ? std::pow(10, low) : low, last = logarithmic ? std::pow(10, high) : high,
                step = std::pow(10, std::floor(std::log10((last - first) / 4)));
@@ -125,7 +115,7 @@ double Drawing::most(int axis) const {
 void Drawing::text(double px, double py, const char *anchor, const std::string &what,
                    const std::string &more) {
     out += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\"%s>", px, py, anchor, more.c_str()) +
-           escaped(what) + "</text>\n";
+           common::htmlText(what) + "</text>\n";
 }
 
 void Drawing::mark(double px, double py, int series, double size, const char *kind) {

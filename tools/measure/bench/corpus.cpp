@@ -37,11 +37,7 @@ Bytes instructions(const std::string &path) {
 
 Program programIn(const std::string &path) {
     Bytes file = readBytes(path);
-    try {
-        return readProgram(file);
-    } catch (const common::Refused &e) {
-        throw common::Refused(path + ": " + e.what());
-    }
+    return common::inFile(path, [&] { return readProgram(file); });
 }
 
 std::vector<Sample> corpus(const std::string &film, std::vector<std::string> &missing) {

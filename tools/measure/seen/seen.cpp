@@ -50,7 +50,7 @@ void check(const common::CommandLine &line, Options &o) {
     if (several && !o.judged.width && !o.onlySummary) line.refuse("several screens need --judged");
     for (const char *option : {"--list", "--pictures"})
         goes(option, o.screens.size() * o.machines.size() <= 1, "one machine and one screen");
-    goes("--scene", o.at.empty(), "windows of its own: leave out --at");
+    goes("--scene", o.at.empty(), "its own windows: leave out --at");
     if (!o.traced.width) o.traced = sizeFrom(o.screens[0]);
     if (!o.judged.width) o.judged = sizeFrom(o.screens[0]);
     if (o.scenes.empty() && o.at.empty())
@@ -102,18 +102,8 @@ Options read(common::CommandLine &line) {
     return o;
 }
 
-// A file, parsed; errors name it.
-template <class Parse> auto parsed(const std::string &path, Parse parse) {
-    std::string text = common::readWhole(path);
-    try {
-        return parse(text);
-    } catch (const common::Refused &why) {
-        throw common::Refused(path + ": " + why.what());
-    }
-}
-
 CostOf costsOf(const Options &o) {
-    Costs costs = parsed(o.costs, [](const std::string &text) { return Costs(text); });
+    Costs costs = common::parseFile(o.costs, [](const std::string &text) { return Costs(text); });
     return [=](const Pictured &p) { return costs.of(p); };
 }
 
@@ -151,7 +141,7 @@ std::vector<Player> playersOf(const Options &o, double from, double to, const Co
         players.push_back(
             {"", screen, machineOf(o, 0, size),
              o.rate ? steady(from, to, o.rate, o.every, (float)o.level, o.traced.width, o.traced.height)
-                    : parsed(o.list, parseShown)});
+                    : common::parseFile(o.list, parseShown)});
     }
     return players;
 }
