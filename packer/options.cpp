@@ -38,8 +38,8 @@ bool sameFile(const std::string &a, const std::string &b) {
            !fs::is_character_file(a, ignored);
 }
 
-// No output replaces an input or another output; but a model may be replaced by the one that was found, and a
-// report by the new one.
+// No output may replace an input or another output. But a found model may replace the given one, and a report
+// the earlier one.
 void checkPaths(const Options &o) {
     const std::string outputs[] = {o.out, o.report, o.html, o.text, o.saveModel},
                       inputs[] = {o.in, o.unpack, o.map, o.symbols, o.rooms};
@@ -94,10 +94,10 @@ Options parseOptions(common::CommandLine &line) {
         "--effort", "fast|normal|best|SECONDS", [&](const std::string &text) { o.seconds = secondsOf(text); },
         "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
         "fast if not given");
-    line.option("--model", "FILE", o.model, "start with the contexts in FILE instead of ordinary ones");
+    line.option("--model", "FILE", o.model, "start with the contexts in FILE instead of the default ones");
     line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
     line.option("--name", "NAME", o.names.program,
-                "what the packed program calls itself when it cannot start; up to 10 letters");
+                "the packed program's name in its messages, if it cannot start; up to 10 letters");
     line.option(
         "--safe-name", "NAME", o.names.safe,
         "the name of the same program, not packed, for users whose system does not let written memory "

@@ -19,7 +19,7 @@ struct Options {
     std::string model, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
-// Throws common::Refused for what makes no sense.
+// Throws common::Refused for options that do not go together.
 Options parseOptions(common::CommandLine &line);
 
 } // namespace pack

@@ -1,5 +1,5 @@
-// pack_film: packs the film in its build. It does what pack does with the same parts, and needs no library,
-// so the film can be built where those of pack are not installed.
+// pack_film: packs the film in its build. It works like pack, with the same code, but needs no library, so
+// the film can be built where pack's libraries are not installed.
 #include "packer/model/model_parameters.h"
 #include "packer/read/elf_reader.h"
 #include "packer/report/report.h"
@@ -15,8 +15,8 @@ namespace {
 constexpr char kUsage[] =
     "usage: pack_film elf|pe IN OUT MODEL SAFE-NAME BUDGET MAP SYMBOLS REPORT\n"
     "       pack_film pe-plain IN OUT\n"
-    "Packs the film in its build, for Linux or Windows; or writes it for Windows, not packed. For what the\n"
-    "words mean see pack --help: -o and the options of their names. SAFE-NAME may be empty.\n";
+    "Packs the film in its build, for Linux or Windows; or writes it for Windows, not packed. The\n"
+    "arguments are the options of these names in pack --help; OUT is -o. SAFE-NAME may be empty.\n";
 
 void packFilm(char **words) {
     std::string how = words[0], in = words[1], out = words[2], model = words[3], safeName = words[4],

@@ -1,7 +1,7 @@
 // The smallest program that pack takes; build.sh makes it. The contract, in short (all of it is in
-// ../README.md): a fixed-base executable that starts at _start without crt1, keeps what is written on pages
-// of its own behind code and constants, has no constructors and no thread-local storage, and imports dlopen
-// and dlsym, nothing else. Libraries are opened by name; libc is there, because the program has an
+// ../README.md): a fixed-base executable that starts at _start without crt1, keeps written data on separate
+// pages after code and constants, has no constructors and no thread-local storage, and imports dlopen and
+// dlsym, nothing else. Libraries are opened by name; libc is there, because the program has an
 // interpreter.
 extern "C" {
 __attribute__((noplt)) void *dlopen(const char *name, int mode);

@@ -1,4 +1,4 @@
-// The linker's messages as one line with what to do.
+// Turns the linker's messages into one line with advice.
 #include "packer/link/linker.h"
 
 #include <set>
@@ -8,7 +8,7 @@ namespace pack::linking {
 
 namespace {
 
-// Where names that begin so are found.
+// Advice for a missing name, by its prefix.
 const char *libraryOf(const std::string &name) {
     static const struct {
         const char *begins, *advice;
@@ -70,10 +70,9 @@ std::string explainLink(const std::string &messages, bool isStatic) {
                     twice = between(line, "multiple definition of `", "'");
         if (!library.empty())
             return "there is no library for -l" + library.substr(0, library.find(':')) + " that " +
-                   (isStatic
-                        ? "can be linked statically (.a)"
-                        : "can be linked: install what programs need for that (its -dev package), or say "
-                          "where it is with -L");
+                   (isStatic ? "can be linked statically (.a)"
+                             : "can be linked: install its -dev package, or "
+                               "name its folder with -L");
         if (twice == "_start") return "an object has _start: pack-link adds its own; begin with main()";
         if (!twice.empty()) return "'" + twice + "' is defined twice: " + line;
         if (!name.empty() && missing.insert(name).second && first.empty()) first = name;

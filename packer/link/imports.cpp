@@ -10,7 +10,7 @@ namespace {
 
 using Libraries = std::vector<DynamicFile>;
 
-// Parts of glibc define some functions twice, the same.
+// The libraries of glibc. Several of them may define the same function, identically.
 bool isLibc(const std::string &soname) {
     for (const char *part : {"libc.so.6", "libm.so.6", "libmvec.so.1", "libpthread.so.0", "librt.so.1",
                              "libdl.so.2", "ld-linux-x86-64.so.2"})
@@ -50,7 +50,7 @@ void checkExports(const std::vector<Object> &objects, const DynamicFile &program
         }
 }
 
-// Libraries that replace what libc has must be found before it, and it is always there first.
+// A library that replaces a function of libc would have to be searched first, but libc always is.
 void checkOrder(const Libraries &libraries, const DynamicFile &from, const std::string &name) {
     if (isLibc(from.soname)) return;
     for (const DynamicFile &library : libraries)
@@ -58,9 +58,9 @@ void checkOrder(const Libraries &libraries, const DynamicFile &from, const std::
              from.soname + " replaces '" + name + "' of libc");
 }
 
-// Which kinds of references there are to a name in all objects.
+// How the objects refer to a name: for each kind, one object that does, or "".
 struct Uses {
-    std::string direct, got; // an object with such a reference
+    std::string direct, got;
 };
 void addUse(Uses &uses, const Object &object, const Reference &r) {
     switch (r.type) {
@@ -93,7 +93,7 @@ std::map<std::string, Uses> allUses(const std::vector<Object> &objects, const Dy
     return uses;
 }
 
-// Data may be copied if it is never written; those three are pointers that only programs change.
+// Data can be copied if it does not change afterwards. Only programs change the three pointers.
 bool mayCopy(const std::string &name, const DynamicSymbol &symbol) {
     return symbol.constant || name == "stdin" || name == "stdout" || name == "stderr";
 }

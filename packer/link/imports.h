@@ -1,4 +1,4 @@
-// What a program imports, and how it can find that by itself: the plan of the way `imports`.
+// The plan of the way `imports`: what a program imports, and in which form.
 #pragma once
 
 #include "packer/link/libraries.h"
@@ -6,10 +6,10 @@
 
 namespace pack::linking {
 
-// All names are looked up when the program starts, each into a slot of eight bytes. Each has one of three
-// forms in the program: the slot itself, for objects that reach it by way of the GOT (-fno-plt, -fPIC); a
-// jump through the slot, for functions that are called or named directly; or, for data that is named
-// directly, a copy made at the start.
+// All names are looked up when the program starts, each into a slot of eight bytes. In the program a name is
+// one of three things: the slot itself, for objects that use the GOT (-fno-plt, -fPIC); a jump through the
+// slot, for functions that are called or named directly; a copy made at the start, for data that is named
+// directly.
 struct Import {
     enum Form { kSlot, kJump, kCopy } form;
     std::string name;
@@ -18,18 +18,19 @@ struct Import {
 
 struct Plan {
     std::vector<std::string> libraries; // to open, by soname
-    std::vector<Import> imports;        // sorted by name: so they pack best
+    std::vector<Import> imports;        // sorted by name, which packs best
     bool constructors, destructors;
-    bool whole; // start by libc's own function: see needsWholeStart
+    bool whole; // needsWholeStart()
 };
 
-// `program` is the same program linked dynamically, `libraries` what it took. Throws common::Refused, with a
-// line that names what stands in the way.
+// `program` is the same program linked dynamically, with `libraries`. Throws common::Refused with the reason
+// if the program cannot be linked this way.
 Plan planImports(const std::vector<Object> &objects, const DynamicFile &program,
                  const std::vector<DynamicFile> &libraries);
 
-// Whether the program must start and end by __libc_start_main: the thread of main() may end alone, or a
-// library that is not of the system has destructors. Else exit() at the end is enough.
+// Whether the program must start and end through __libc_start_main: the thread of main() may end before the
+// process does, or a library outside the system's folders has destructors. Otherwise calling exit() is
+// enough.
 bool needsWholeStart(const DynamicFile &program, const std::vector<DynamicFile> &libraries);
 
 } // namespace pack::linking

@@ -32,7 +32,7 @@ struct Reader {
             if (d.d_tag == DT_NEEDED) file.needed.push_back(in.text(linked(s), d.d_un.d_val));
             if (d.d_tag == DT_SONAME) file.soname = in.text(linked(s), d.d_un.d_val);
             file.ownFolders |= d.d_tag == DT_RPATH || d.d_tag == DT_RUNPATH;
-            // The compiler adds one of its own to every library
+            // The compiler adds one destructor to every library
             if (d.d_tag == DT_FINI_ARRAYSZ) file.destructors = d.d_un.d_val > sizeof(uint64_t);
         }
     }

@@ -10,16 +10,16 @@ namespace pack::linking {
 
 struct DynamicSymbol {
     bool defined, function, threadLocal;
-    bool constant; // it lies where nothing is written once the loader is done
+    bool constant; // nothing writes it after the loader
     uint64_t size;
 };
 
 struct DynamicFile {
     std::string path, soname;
     std::vector<std::string> needed;
-    std::map<std::string, DynamicSymbol> symbols; // without versions that only old programs get
-    bool ownFolders;                              // it has a list of folders to find libraries in
-    bool destructors;                             // others than those that every library has
+    std::map<std::string, DynamicSymbol> symbols; // without versions kept for old programs
+    bool ownFolders;                              // it has an -rpath
+    bool destructors;                             // besides the one in every library
 };
 
 // Throws common::Refused.

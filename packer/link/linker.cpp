@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Nothing that a packed program does not need
+// Leave out everything that a packed program can do without
 const Words kLean = {"-no-pie",
                      "-Wl,--gc-sections,--as-needed,-O1,--build-id=none,--no-ld-generated-unwind-info",
                      "-Wl,-z,norelro,-z,noseparate-code,-z,noexecstack"};
@@ -27,10 +27,10 @@ bool holdsObjects(const std::string &path) {
     return kind == FileKind::kObject || kind == FileKind::kArchive || kind == FileKind::kBitcode;
 }
 
-// What is given, read ahead of the first link to choose the compiler.
+// Read from the inputs before the first link, to choose the compiler.
 struct Given {
     Code code = Code::kMachine;
-    bool cpp = false; // objects of -flto have no symbols that show it: they are linked as C++
+    bool cpp = false; // gcc's LTO objects do not show it: they are linked as C++
 };
 Given lookAhead(const Words &inputs) {
     Given given;
@@ -50,7 +50,7 @@ std::string compilerFor(const Given &given) {
     return given.cpp || given.code == Code::kGcc ? "c++" : "cc";
 }
 
-// Replaces the first object of -flto by the machine code of all, and drops the others.
+// Replaces the first LTO object by the LTO output and drops the others.
 Words replaceIntermediate(const Words &inputs, const Words &intermediate, const Words &compiled) {
     Words replaced;
     bool done = false;
@@ -70,7 +70,7 @@ bool isAmong(const Taken &taken, const Object &object) {
                      std::make_pair(object.path, object.member)) != taken.members.end();
 }
 
-// Sorts what the link took into objects, archives and libraries.
+// Adds a file of the link to the objects, archives or libraries.
 void takeFile(const std::string &path, const Taken &taken, bool optimised, Facts &facts) {
     FileKind kind = kindOf(path);
     if (kind == FileKind::kLibrary) facts.libraries.push_back(readDynamic(path));
@@ -135,7 +135,7 @@ std::string Linker::assemble(const std::string &name, const std::string &source)
 
 Facts Linker::linkFirst() {
     Linked to = linked("first");
-    // The code that -flto makes is kept, to be linked again
+    // Keep the LTO output, which the later links use
     std::string optimised = file("program.ltrans.o"), start = assemble("start", startDynamic(true));
     Words words = command(to, {"-nostartfiles", start});
     if (code == Code::kClang) add(words, {"-flto", "-Wl,-plugin-opt,obj-path=" + optimised});
@@ -187,7 +187,7 @@ Linked Linker::linkStatic(const Facts &facts) {
     return to;
 }
 
-// A file in a folder of its own, under the name by which the report calls it.
+// Each file gets a new folder, so that it keeps the name that reports print.
 std::string Linker::saveObject(const std::string &path, const Bytes &bytes) const {
     std::string folder = file("objects/" + std::to_string(slotted.size()));
     fs::create_directories(folder);
@@ -196,7 +196,7 @@ std::string Linker::saveObject(const std::string &path, const Bytes &bytes) cons
     return to;
 }
 
-// Writes the program's objects again, with slots in place of entries of the GOT.
+// Writes copies of the program's objects that use slots instead of GOT entries.
 void Linker::saveSlots(const Facts &facts, const Plan &plan) {
     std::set<std::string> names;
     for (const Import &import : plan.imports)
@@ -225,7 +225,7 @@ Linked Linker::linkImports(const Facts &facts, const Plan &plan, const std::stri
         saveSlots(facts, plan);
         common::writeWhole(file("imports.ld"), kImportsScript);
         assemble("imports", startImports(plan));
-        // What the linker sees of the library
+        // A stub of libdl for the linker
         assemble("libdl", ".globl dlopen, dlsym\n.type dlopen, @function\n.type dlsym, @function\ndlopen:\n"
                           "dlsym: ret\n.section .note.GNU-stack, \"\", @progbits\n");
         link({compiler, "-shared", "-nostdlib", "-Wl,-soname,libdl.so.2", file("libdl.o"), "-o",

@@ -1,4 +1,4 @@
-// Links a program in each of the ways, by the compiler.
+// Links a program in each way, by running the compiler.
 #pragma once
 
 #include "packer/link/imports.h"
@@ -6,20 +6,20 @@
 
 namespace pack::linking {
 
-// A program that was linked: the files it lies in.
+// The files of a linked program.
 struct Linked {
     std::string program, map;
 };
 
-// What is known of a program once it was linked dynamically.
+// What the first, dynamic link shows about a program.
 struct Facts {
-    Words inputs;                // as given, with machine code in place of what -flto kept
-    std::vector<Object> objects; // all that were taken, in their order; last those from archives
-    Words archives;              // those with objects that were taken
+    Words inputs;                // as given, with the LTO output instead of LTO objects
+    std::vector<Object> objects; // all that were linked, in order; archive members last
+    Words archives;              // those with linked members
     DynamicFile program;
     std::vector<DynamicFile> libraries;
-    Words intermediate;        // objects of -flto
-    bool ownStart, exceptions; // it can start without crt1; it needs its tables for unwinding
+    Words intermediate;        // LTO objects
+    bool ownStart, exceptions; // it can start without crt1; it needs unwind tables
 };
 
 class Linker {
@@ -29,7 +29,8 @@ public:
     // The first link; throws common::Refused if it fails, with the reason in one line.
     Facts linkFirst();
 
-    // These throw common::Refused if it cannot be linked so. `name` names the files.
+    // These throw common::Refused if the program cannot be linked that way. `name`: of the files, without
+    // ending.
     Linked linkDynamic(const Facts &facts, const std::string &name, const Words &flags);
     Linked linkStatic(const Facts &facts);
     Linked linkImports(const Facts &facts, const Plan &plan, const std::string &name, const Words &flags);
@@ -46,11 +47,11 @@ private:
 
     const Options &options;
     std::string folder, compiler;
-    Code code;     // what is optimised when it is linked, or kMachine if nothing is
-    Words slotted; // what the way `imports` links: the objects of the program, with slots, and archives
+    Code code;     // the kind of LTO objects; kMachine without any
+    Words slotted; // the inputs of the way `imports`: objects that use slots, and archives
 };
 
-// The messages of a failed link as one line. `isStatic`: of static libraries.
+// The messages of a failed link as one line. `isStatic`: linked with -static.
 std::string explainLink(const std::string &messages, bool isStatic = false);
 
 } // namespace pack::linking

@@ -12,7 +12,7 @@ constexpr char kLoad[] = "LOAD ", kMembers[] = "Archive member included";
 // "archive.a(member.o)   because.o (symbol)", where the second half may stand on the next line
 void takeMember(const std::string &line, Taken &taken) {
     size_t end = line.find(".o)"), open = line.rfind('(', end);
-    if (end == std::string::npos) { // members of the C library end in .oS, others as they like
+    if (end == std::string::npos) { // the C library's members end in .oS; any ending is allowed
         end = line.find(')');
         open = line.rfind('(', end);
     } else

@@ -1,4 +1,4 @@
-// What a link took, by GNU ld's map of it.
+// What a link used, by GNU ld's map.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 namespace pack::linking {
 
 struct Taken {
-    std::vector<std::string> files;                           // all that were opened, in their order
-    std::vector<std::pair<std::string, std::string>> members; // archive and member, of those that were needed
+    std::vector<std::string> files;                           // all that were opened, in order
+    std::vector<std::pair<std::string, std::string>> members; // archive and member, of those linked
 };
 
-// Of the text of a map; nothing in it if it is not GNU ld's.
+// Empty if the text is not a map of GNU ld.
 Taken readLinkerMap(const std::string &map);
 
 } // namespace pack::linking

@@ -1,4 +1,4 @@
-// Object files, alone or in archives, as far as imports are concerned.
+// Object files, alone or in archives: what links and imports need of them.
 #pragma once
 
 #include "packer/read/bytes.h"
@@ -17,17 +17,17 @@ struct Reference {
     size_t place;  // of the relocation's entry in the object
 };
 
-// What an object holds: machine code, or what -flto of gcc or of clang keeps instead, or neither.
+// What an object holds: machine code, the LTO code of gcc or clang, or neither.
 enum class Code { kMachine, kGcc, kClang, kNone };
 
 struct Object {
     std::string path, member; // member: in the archive `path`; empty if the file is the object
     size_t offset;            // of its bytes in the file
     Bytes bytes;
-    std::vector<Reference> references; // of what is loaded, .eh_frame apart
+    std::vector<Reference> references; // from loaded sections, except .eh_frame
     std::set<std::string> defines;     // global symbols
     bool constructors, destructors, exceptions, threadLocal;
-    bool indirect;        // functions that are chosen at the start
+    bool indirect;        // it has ifuncs, which are chosen at the start
     bool oldConstructors; // in .ctors, .dtors, .init or .fini
     Code code;
     std::string name() const { return member.empty() ? path : path + "(" + member + ")"; }
@@ -39,8 +39,8 @@ FileKind kindOf(const std::string &path);
 // An object file, or the members of an archive. Throws common::Refused if one cannot be read.
 std::vector<Object> readObjects(const std::string &path);
 
-// Makes references by way of the GOT to one of `symbols` plain: what has the symbol's name is the slot
-// itself. Returns whether there were any.
+// Turns GOT references to `symbols` into direct ones, because these symbols are the slots themselves. Returns
+// whether there were any.
 bool makeSlots(Object &object, const std::set<std::string> &symbols);
 
 } // namespace pack::linking

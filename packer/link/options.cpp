@@ -10,7 +10,7 @@ namespace pack::linking {
 namespace {
 
 const Words kTwoWords = {"-l", "-L", "-u",
-                         "-Xlinker"}; // options of the compiler that the next word belongs to
+                         "-Xlinker"}; // compiler options with a value that may be the next word
 
 bool isAmong(const std::string &word, const Words &words) {
     return std::find(words.begin(), words.end(), word) != words.end();
@@ -20,7 +20,7 @@ bool beginsWithOneOf(const std::string &word, const Words &beginnings) {
                        [&](const std::string &b) { return word.rfind(b, 0) == 0; });
 }
 
-// Words of the compiler that would make something else of the program.
+// Refuses compiler options that packing cannot go with.
 void refuseForeign(const std::string &word) {
     if (isAmong(word, {"-static-pie", "-pie", "-shared", "-r", "-c", "-nostdlib", "-nostartfiles"}))
         throw common::Refused(word + " is not for pack-link, which chooses how to link: see --way in "
@@ -32,7 +32,7 @@ void refuseForeign(const std::string &word) {
         throw common::Refused("a program with " + word + " cannot be packed: link it without");
 }
 
-// Words that often stand beside cc -o and change nothing here.
+// Options that are usual with cc -o and change nothing here.
 bool isIgnored(const std::string &word) {
     return isAmong(word, {"-s", "-no-pie", "-pipe"}) ||
            (beginsWithOneOf(word, {"-W", "-std=", "-I", "-D", "-U"}) && word.size() > 2 &&
@@ -66,7 +66,7 @@ DividedWords divide(int argc, char **argv) {
     DividedWords words;
     for (int i = 1; i < argc; ++i) {
         std::string word = argv[i];
-        // All of its own options but two have a value, which may be the next word
+        // All of pack-link's own options but two have a value, which may be the next word
         bool flag = word == "--help" || word == "-v";
         bool own = flag || word == "-o" || word.rfind("--", 0) == 0;
         bool two = own ? !flag && word.find('=') == word.npos : isAmong(word, kTwoWords);
@@ -80,7 +80,7 @@ DividedWords divide(int argc, char **argv) {
 Options parseOptions(common::CommandLine &line, const Words &compiler) {
     Options o;
     line.about("Links objects of C or C++ (.o, .a) in the ways that are possible, packs each, and keeps the\n"
-               "smallest. It stands in place of cc -o:\n"
+               "smallest. Use it in place of cc -o:\n"
                "  pack-link main.o -lSDL2 -lGL -o intro");
     line.option("-o", "OUT", o.out, "the packed program");
     line.option(
@@ -91,13 +91,13 @@ Options parseOptions(common::CommandLine &line, const Words &compiler) {
             o.way = way;
         },
         "link in this way alone. dynamic: as cc does, without what a packed program does not need; imports: "
-        "made for the packer: it opens its libraries by itself; static: libraries become a part of it "
+        "made for the packer: it opens its libraries itself; static: libraries become part of it "
         "(-static)");
     line.option("--cc", "COMPILER", o.compiler, "link with this one; c++ for C++ and for -flto, else cc");
     line.option("--keep", "FOLDER", o.keep,
                 "keep the program as linked, the linker's map and the generated source there");
     line.flag("-v", o.verbose, "print the commands");
-    line.group("As for pack, for the way that was taken");
+    line.group("As for pack, for the way that is kept");
     for (auto [name, value] : {std::pair("--effort", "fast|normal|best|SECONDS"),
                                {"--model", "FILE"},
                                {"--save-model", "FILE"},
@@ -115,9 +115,10 @@ Options parseOptions(common::CommandLine &line, const Words &compiler) {
                 to.insert(to.end(), {option, given});
             },
             "");
-    line.notes("Words for the compiler: -l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc;\n"
-               "-W..., -std=, -I, -D, -s and -no-pie change nothing.\n"
-               "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.");
+    line.notes(
+        "Options for the compiler: -l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc;\n"
+        "-W..., -std=, -I, -D, -s and -no-pie change nothing.\n"
+        "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.");
     line.parse();
     o.budget = line.has("--budget");
     bool files = false;

@@ -1,4 +1,4 @@
-// The command line of pack-link: that of a compiler which links, and options of its own.
+// The command line of pack-link: a compiler's options for linking, and its own options.
 #pragma once
 
 #include "packer/link/process.h"
@@ -6,7 +6,7 @@
 
 namespace pack::linking {
 
-// The words of a command line, divided: those for the compiler, and pack-link's own.
+// A command line, divided into words for the compiler and pack-link's own.
 struct DividedWords {
     Words compiler, own;
 };
@@ -15,8 +15,8 @@ DividedWords divide(int argc, char **argv);
 struct Options {
     Words inputs; // for the compiler, in their order: files, -l, -L and other words for linking
     std::string out = "a.out", way, keep, compiler; // empty if not given
-    Words model, packing;                           // for `pack`: with every try; with the last one alone
-    bool budget = false;                            // is one of `packing`
+    Words model, packing;                           // options for pack: in every try; in the last run only
+    bool budget = false;                            // `packing` has --budget
     bool verbose = false;                           // print the commands
 };
 

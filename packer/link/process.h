@@ -9,18 +9,18 @@ namespace pack::linking {
 using Words = std::vector<std::string>; // a command, or a part of one
 
 struct Outcome {
-    int status;         // as a shell's: 128 and the signal's number for a program that a signal ended
+    int status;         // as in a shell: 128 plus the signal's number if a signal ended it
     std::string output; // on stdout and stderr, if it was kept
 };
 
 enum class Output { kKept, kShown };
 
-// Waits for the command to end. With `verbose` the command is printed first, on stderr. Throws
-// common::Refused if there is no such program, and std::runtime_error if a signal asks this program to end
-// meanwhile (blockSignals); the command is ended then, too. SIGINT is left to a command that is shown.
+// Runs a command and waits for its end. With `verbose` it first prints the command on stderr. Throws
+// common::Refused if there is no such program. If SIGINT, SIGTERM or SIGHUP comes meanwhile (blockSignals),
+// it ends the command and throws std::runtime_error; but with kShown the command handles SIGINT itself.
 Outcome run(const Words &command, Output output, bool verbose);
 
-// From now on SIGINT, SIGTERM and SIGHUP have an effect in run() alone, so that no temporary file stays.
+// From now on SIGINT, SIGTERM and SIGHUP take effect only in run(), so that no temporary file is left over.
 void blockSignals();
 
 } // namespace pack::linking

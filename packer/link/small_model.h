@@ -1,10 +1,10 @@
-// Four contexts for programs of some kilobytes: 36 bytes fewer than the 16 ordinary ones take.
+// Four contexts for programs of a few kilobytes: they take 36 bytes fewer than the default 16.
 #pragma once
 
 namespace pack::linking {
 
-// In the form of model_parameters.h; found by a search from those of pack --fast, with an intro of 4
-// KB that uses SDL2 and OpenGL.
+// In the format of model_parameters.h; found by a search that began with those of pack --fast, with an intro
+// of 4 KB that uses SDL2 and OpenGL.
 inline constexpr char kSmallModel[] = R"(slots 21
 code byte1
 code function+mode

@@ -4,8 +4,8 @@ namespace pack::linking {
 
 namespace {
 
-// Destructors are registered for the object that has the address of __dso_handle, and atexit() for the one
-// with its value. It is a variable of crtbegin.o; exit() calls what is registered for any.
+// __dso_handle, which crtbegin.o would define. Destructors are registered under its address, functions of
+// atexit() under its value; exit() calls both.
 constexpr char kEnd[] = R"(
 .globl __dso_handle
 .hidden __dso_handle
@@ -39,8 +39,8 @@ constexpr char kCallMain[] = R"(
     call *END(%rip)
 )";
 
-// Looks up the names, which follow each other; those of libraries are no functions' names. edi: RTLD_DEFAULT,
-// esi: RTLD_LAZY | RTLD_GLOBAL, as ld.so opens libraries.
+// Looks up the names, which follow each other. A name that dlsym() does not find is a library's. edi:
+// RTLD_DEFAULT, esi: RTLD_LAZY | RTLD_GLOBAL, as ld.so opens libraries.
 constexpr char kLookup[] = R"(
     mov $names, %ebx
     mov $slots, %ebp
@@ -63,7 +63,7 @@ constexpr char kLookup[] = R"(
     jne 1b
 )";
 
-// Names what is missing, in a line on standard error: write() and exit_group().
+// Prints the missing name as a line on standard error, by write(), and ends by exit_group().
 constexpr char kMissing[] = R"(
 missing:
     mov %ebx, %esi
@@ -84,7 +84,7 @@ missing:
     syscall
 )";
 
-// Constructors and main; destructors are registered first, to run last. ATEXIT is __cxa_atexit.
+// Runs constructors and main(). Destructors are registered first, to run last. ATEXIT is __cxa_atexit.
 constexpr char kRun[] = R"(
 run:
     push %rbx
@@ -129,20 +129,20 @@ finish:
     ret
 )";
 
-// The text with a value in place of a name in capitals.
+// Replaces a name in capitals by a value.
 std::string with(std::string text, const std::string &name, const std::string &value) {
     for (size_t at; (at = text.find(name)) != text.npos;) text.replace(at, name.size(), value);
     return text;
 }
 
-// The names to look for, libraries first, and where each one's slot is.
+// The names to look up, libraries first, and their slots.
 class Slots {
 public:
     explicit Slots(const Plan &plan) {
         for (const std::string &library : plan.libraries) place(library);
         for (const Import &import : plan.imports) place(import.name);
     }
-    // Takes a slot if the name has none yet.
+    // A name's slot; a new one if it has none.
     std::string place(const std::string &name) {
         size_t i = 0;
         while (i < names.size() && names[i] != name) ++i;
@@ -166,7 +166,7 @@ struct Forms {
     Forms(const Plan &plan, Slots &slots) {
         for (const Import &import : plan.imports) {
             std::string label = import.name, slot = slots.place(label), size = std::to_string(import.size);
-            // The linker's --wrap gives this name to what the program calls dlopen or dlsym
+            // By --wrap the program's calls of dlopen and dlsym go to this name
             if (label == "dlopen" || label == "dlsym") label = "__wrap_" + label;
             code += ".globl " + label + "\n";
             if (import.form == Import::kSlot) code += label + " = " + slot + "\n";
@@ -238,7 +238,7 @@ SECTIONS {
         *(.data .data.*)
     } :data
     .bss : { *(.bss .bss.*) *(COMMON) } :data
-    /* pack reads these and leaves zeros, which take no space at the end */
+    /* pack reads these and zeroes them; zeros at the end take no space */
     .got : { *(.got) } :data
     .got.plt : { *(.got.plt) } :data
     .interp : { *(.interp) } :data :interpreter

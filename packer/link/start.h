@@ -1,20 +1,20 @@
-// The source, in assembler, of what starts a program in place of crt1.
+// Assembler source of the code that starts a program instead of crt1.
 #pragma once
 
 #include "packer/link/imports.h"
 
 namespace pack::linking {
 
-// For a dynamic program: the least that glibc 2.34 or later needs, which runs constructors by itself; without
-// `whole`, for a program without constructors: main() and exit().
+// For a dynamic program: with `whole`, __libc_start_main, which from glibc 2.34 on runs constructors; else,
+// for a program without constructors, only main() and exit().
 std::string startDynamic(bool whole);
 
-// For the way `imports`. It opens libraries and looks for all names, in one loop: what is not a function's
-// name is a library's. What is missing is named on standard error, and the exit status is 127. Then come
-// copies, constructors, main() and exit().
+// For the way `imports`. It opens the libraries and looks up all names in one loop, makes the copies, and
+// runs constructors, main() and exit(). If a name is not found, it prints it on standard error and exits with
+// status 127.
 std::string startImports(const Plan &plan);
 
-// ... and how its sections lie: a script for the linker.
+// The linker script that goes with it.
 extern const char kImportsScript[];
 
 } // namespace pack::linking

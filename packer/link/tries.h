@@ -1,4 +1,4 @@
-// Links and packs a program in all ways that are possible, to see which file is the smallest.
+// Links and packs a program in every way that is possible, to find the smallest file.
 #pragma once
 
 #include "packer/link/linker.h"
@@ -9,7 +9,7 @@ namespace pack::linking {
 struct Try {
     std::string way, detail; // detail: how it was linked; or, if it was not packed, why not
     Linked linked = {};
-    Words model = {};                // the contexts that it is packed with, as words for pack
+    Words model = {};                // the contexts that it is packed with, as options of pack
     uint64_t before = 0, packed = 0; // bytes of memory, and of the file; 0 if it was not packed
 };
 
@@ -20,11 +20,11 @@ public:
 
     // Throws common::Refused if the program cannot be linked at all, or not in the way that was asked for.
     void run();
-    // The smallest; one at least is packed.
+    // The smallest; at least one is packed.
     const Try &best() const;
     // A line for each way.
     std::string print() const;
-    // Packs the best one again, to `options.out`, with what the user asks for, and reports what it costs.
+    // Packs the best one again, to `options.out`, with the user's options, which may ask for reports.
     // Returns pack's exit status.
     int finish() const;
 
@@ -32,12 +32,12 @@ private:
     void tryDynamic();
     void tryImports();
     void tryStatic();
-    // Makes a way, if it is asked for; notes why it is not possible.
+    // Tries a way, unless another one was asked for; if it is not possible, keeps the reason.
     void tryWay(const char *way, void (Tries::*make)());
     void pack(Try &made) const;
     Words namesOfIntermediate() const;
     void keepFiles(const Try &taken) const;
-    // Packs a linked program. Returns whether it is quick enough for variants.
+    // Packs a linked program. Returns whether that is quick enough to try variants.
     bool add(const std::string &way, const std::string &detail, const Linked &linked);
 
     const Options &options;

@@ -1,5 +1,5 @@
-// Decoding, which defines the format. The encoder runs the same code with another coder, which knows the bits
-// and writes them.
+// Decoding, which defines the format. The encoder runs the same code with another coder, which has the
+// bits and writes them.
 #pragma once
 
 #include "packer/model/model.h"

@@ -9,7 +9,7 @@ namespace pack {
 
 namespace {
 
-// Hands out the bits of the bytes to encode.
+// The bits of the bytes to encode, one by one.
 struct Known {
     const uint8_t *bytes;
     uint32_t position = 0;
@@ -102,7 +102,7 @@ struct CarefulDecoder {
 
 void *Workspace::zeroed(uint64_t size) {
     constexpr uint64_t kPageSize = 4096;
-    // Take fresh pages from the kernel instead of clearing old ones: a short run touches few of them
+    // Fresh pages instead of clearing old ones, since a short run touches few
     memory.reset();
     memory.reset(std::calloc(size + kPageSize, 1));
     if (!memory) throw std::bad_alloc();

@@ -21,7 +21,7 @@ constexpr float kUnit = 1 << 13; // a step of the inputs, in a float's last bits
 constexpr float kRate = kLearning * kUnit, kEarlyRate = kEarlyLearning * kUnit,
                 kFinalRate = kFinalLearning * kUnit;
 
-// What is known about every byte, whatever the parameters.
+// What is known about a byte, independent of the parameters.
 struct Known {
     uint32_t fields[kFields];
     uint8_t byte, type;
@@ -138,7 +138,7 @@ struct Rows {
 [[gnu::always_inline]] inline void mixAny(Mixer &m, const Sources &from, const Known *all, uint32_t at,
                                           uint32_t end) {
     if (from.contexts == 16)
-        mixBytes(m, from, all, at, end, 9); // the usual number, all loops unrolled
+        mixBytes(m, from, all, at, end, 9); // the default number, with all loops unrolled
     else
         mixBytes(m, from, all, at, end, from.contexts * kLanes / 8 + 1);
 }

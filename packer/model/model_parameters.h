@@ -25,7 +25,7 @@ std::string printParameters(const ModelParameters &parameters);
 // Throws common::Refused with the number of the line that is wrong.
 ModelParameters parseParameters(const std::string &text);
 
-// ... of a file, whose name begins the error.
+// The same of a file; its name begins the error.
 ModelParameters readParameters(const std::string &path);
 
 } // namespace pack

@@ -27,7 +27,7 @@ struct Change {
         for (Setting s : settings) parameters.masks[type][s.i] = s.mask;
         return parameters;
     }
-    // It must change something, and must not make two contexts alike, which would be a waste
+    // Whether it changes something and leaves no two contexts equal
     bool sensible(const ModelParameters &before) const {
         ModelParameters parameters = of(before);
         const uint32_t *masks = parameters.masks[type], *selectors = masks + parameters.contexts;
@@ -45,7 +45,7 @@ struct Change {
     }
 };
 
-// Mostly adds, removes or replaces a field; sometimes takes another mask altogether, or swaps two selectors.
+// Mostly adds, removes or replaces a field; sometimes takes a new mask, or swaps two selectors.
 Change propose(const ModelParameters &parameters, const Layout &layout, std::mt19937 &random) {
     uint32_t data = layout.size - layout.codeSize;
     Change change = {data && (!layout.codeSize || random() % 5 == 0), {}};
@@ -101,7 +101,7 @@ ModelParameters search(const std::vector<uint8_t> &filtered, const Layout &layou
     if (filtered.empty()) return start;
     constexpr double kWorthIt = 0.5;    // bytes that a change must save
     constexpr double kSlack = 24;       // bytes that it may be behind while it is being estimated
-    constexpr double kMeasureEvery = 8; // times the time that one measurement takes
+    constexpr double kMeasureEvery = 8; // measurement times from one measurement to the next
     constexpr int kForget = 10;         // kept changes after which a change may be tried again
     auto began = std::chrono::steady_clock::now();
     auto passed = [&] {

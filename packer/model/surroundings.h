@@ -1,5 +1,5 @@
-// What is known at a place in the program before its byte is decoded: the fields, and what a jump to
-// somewhere would mean.
+// What is known at a place in the program before its byte is decoded: the fields, and how likely the targets
+// of a relative operand are.
 //
 // The parser finds where instructions begin and which places they name; both are noted beside the bytes.
 // Since jumps go forward, too, places are known that are not decoded yet.

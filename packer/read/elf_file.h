@@ -1,4 +1,4 @@
-// An ELF file that may be cut short or lie about itself, read with bounds.
+// An ELF file that may be cut short or damaged, read with checked bounds.
 #pragma once
 
 #include "packer/read/program.h"
@@ -13,7 +13,7 @@ inline bool within(uint64_t address, uint64_t size, uint64_t base, uint64_t span
     return address >= base && size <= span && address - base <= span - size;
 }
 
-// All of these throw common::Refused where the file does not hold what is asked for.
+// All functions throw common::Refused where the file lacks what they read.
 struct ElfFile {
     const Bytes &bytes;
 
@@ -23,7 +23,7 @@ struct ElfFile {
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
     }
-    // And `header`, the ELF header. Only an executable for x86-64 has any.
+    // Also reads `header`, the ELF header. Refuses all files but executables for x86-64.
     std::vector<Elf64_Phdr> programHeaders(Elf64_Ehdr &header) const {
         need(bytes.size() >= 4 && !std::memcmp(bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
         need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64,

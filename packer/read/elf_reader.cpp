@@ -128,7 +128,7 @@ void findImports(Dynamic &dynamic, const Memory &memory, const System &system, P
          "the slots of its two imports do not lie side by side: link it without other GOT entries");
 }
 
-// Zeros in place of what only the loader reads.
+// Zeroes what only the loader reads.
 void wipeDynamic(const Elf64_Phdr &segment, Dynamic &dynamic, Memory &memory) {
     memory.wipe(dynamic.value[DT_RELA], dynamic.value[DT_RELASZ]);
     memory.wipe(dynamic.value[DT_SYMTAB], 3 * sizeof(Elf64_Sym));
@@ -138,7 +138,7 @@ void wipeDynamic(const Elf64_Phdr &segment, Dynamic &dynamic, Memory &memory) {
     memory.wipe(segment.p_vaddr, segment.p_memsz);
 }
 
-// Where the instructions are and what is to run early, by the section headers if there are any.
+// Finds the instructions and the early part, by the section headers if there are any.
 void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector<Elf64_Phdr> &headers,
                   Program &program) {
     uint64_t begin = UINT64_MAX, end = 0, afterEarly = UINT64_MAX;
@@ -167,7 +167,7 @@ void readSections(const ElfFile &in, const Elf64_Ehdr &header, const std::vector
     if (!end)
         for (const Elf64_Phdr &h : headers)
             if (h.p_type == PT_LOAD && h.p_flags & PF_X && h.p_memsz) extend(h.p_vaddr, h.p_filesz);
-    // Within the bytes there are; code that is all zeros at the end is none
+    // Zeros at the end of the program are not among its bytes, even if they are code
     uint64_t all = program.bytes.size();
     program.codeBegin = (uint32_t)std::min(begin - program.base, all);
     program.codeSize = (uint32_t)std::min(end - program.base, all) - program.codeBegin;

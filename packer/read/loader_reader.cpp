@@ -77,14 +77,14 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
     for (const Elf64_Phdr &h : loads)
         std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
                     program.bytes.begin() + (long)(h.p_vaddr - base));
-    // There are no section headers any more, and nothing should look for them
+    // The section headers are not kept
     Elf64_Ehdr without = header;
     without.e_shoff = without.e_shnum = without.e_shstrndx = 0;
     std::memcpy(program.bytes.data(), &without, sizeof without);
     while (!program.bytes.back()) program.bytes.pop_back();
 }
 
-// The stretch from the first instruction to the last: by section headers, or else whole segments.
+// Finds the stretch from the first instruction to the last: by section headers, or else whole segments.
 void findCode(const ElfFile &in, const Headers &headers, Program &program) {
     uint64_t begin = UINT64_MAX, end = 0, all = program.bytes.size();
     auto extend = [&](uint64_t address, uint64_t size) {

@@ -9,16 +9,16 @@
 
 namespace pack {
 
-inline constexpr uint64_t kMostMemory = 64 << 20; // no program of ours is larger
+inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 
-// Throws common::Refused unless the condition holds: the line names what makes a file unsuitable.
+// Throws common::Refused unless the condition holds. `otherwise`: what makes the file unsuitable.
 inline void need(bool condition, const std::string &otherwise) {
     if (!condition) throw common::Refused(otherwise);
 }
 inline constexpr char kDamaged[] = "damaged: get it afresh";
 inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 
-// What a program may take for granted where it runs: one library, and its two functions that find all others.
+// What a program made for packing can rely on: one library, whose two functions find all others.
 struct System {
     const char *library, *functions[2]; // open a library, and find a function in it
     const char *interpreter;            // null where there is none
@@ -26,7 +26,7 @@ struct System {
 inline constexpr System kLinux = {"libdl.so.2", {"dlopen", "dlsym"}, kInterpreter};
 inline constexpr System kWindows = {"kernel32.dll", {"LoadLibraryA", "GetProcAddress"}, nullptr};
 
-// As it lies in memory when it starts.
+// The program in memory as it starts.
 struct Program {
     uint32_t base;     // address of the first byte; page-aligned
     Bytes bytes;       // up to the last one that is not 0, at least one; the loader's tables are zeroed

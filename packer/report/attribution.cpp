@@ -14,10 +14,10 @@ namespace pack {
 namespace {
 
 constexpr char kMapBegins[] = "Linker script and memory map";
-constexpr uint64_t kMostSymbolBytes = 1ull << 40; // more is no program's
+constexpr uint64_t kMostSymbolBytes = 1ull << 40; // larger values make no sense
 
 std::string demangle(const std::string &name) {
-    if (name.rfind("_Z", 0) != 0) return name; // a function i of C is no int
+    if (name.rfind("_Z", 0) != 0) return name; // else a C function i would become "int"
     int status;
     std::unique_ptr<char, void (*)(void *)> plain(
         abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status), std::free);
@@ -67,7 +67,7 @@ Homes readSymbols(const std::string &symbols) {
     return homes;
 }
 
-// " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a line of its own if it is long.
+// " .text.name  0xaddress  0xsize  lib.a(object.o)", the first word on a separate line if it is long.
 std::vector<Claim> readMap(const std::string &map) {
     std::vector<Claim> objects;
     std::istringstream lines(map.substr(std::min(map.size(), map.find(kMapBegins))));
@@ -109,7 +109,7 @@ private:
     const Claim *at, *end;
 };
 
-// All that begins or ends in the program, with its own ends.
+// The addresses in the program where a claim begins or ends, and the program's own ends.
 std::vector<uint64_t> boundaries(uint64_t base, uint64_t end,
                                  std::initializer_list<const std::vector<Claim> *> lists) {
     std::vector<uint64_t> all = {base, end};
@@ -133,7 +133,7 @@ std::string sectionWithout(const std::vector<Claim> &sections, const Program &pr
 std::vector<Claim> exclusive(std::vector<Claim> claims) {
     std::sort(claims.begin(), claims.end(), [](const Claim &a, const Claim &b) { return a.begin < b.begin; });
     std::vector<uint64_t> edges = boundaries(0, UINT64_MAX, {&claims});
-    // Those that have begun, the one that comes first on top
+    // Claims that have begun, the one that wins on top
     auto later = [&](size_t i, size_t j) {
         const Claim &a = claims[i], &b = claims[j];
         if (a.begin != b.begin) return a.begin < b.begin;
@@ -195,7 +195,7 @@ std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const s
             stretch.room = o ? o->room : kNothingNamed;
         }
         if (o && o->name == kWholeProgram && f) {
-            // Of name.constprop.0 the file that defines `name`
+            // name.constprop.0 belongs to the file that defines `name`
             auto home = homes.find(f->name.substr(0, f->name.find('.')));
             if (home != homes.end()) {
                 stretch.object = home->second.object;

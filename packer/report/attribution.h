@@ -8,9 +8,9 @@
 namespace pack {
 
 inline constexpr char kNothingNamed[] = "(nothing named)";
-inline constexpr char kWholeProgram[] = "(optimised as a whole)"; // an object that -flto makes of all others
+inline constexpr char kWholeProgram[] = "(optimised as a whole)"; // the object that LTO makes of all others
 
-// Whether a map means that by an object's name, which differs at every link.
+// Whether an object in a map is that one; its name differs at every link.
 inline bool isWholeProgram(const std::string &object) { return object.find(".ltrans") != std::string::npos; }
 
 // Neighbouring bytes of a program that belong to the same parts.
@@ -32,7 +32,7 @@ struct Claim {
 // at one address the shortest; if that is the same, the first by name.
 std::vector<Claim> exclusive(std::vector<Claim> claims);
 
-// An object file, and the archive or folder that it lies in, of a path like folder/lib.a(object.o) or
+// An object file, and the archive or folder that it is in, from a path like folder/lib.a(object.o) or
 // folder/object.o.
 struct Home {
     std::string object, room;
@@ -44,8 +44,8 @@ bool isMap(const std::string &text);
 
 // The stretches of the whole program, in order. `elf`: the program as it was read, for its sections and, if
 // it is not stripped, its functions and objects. `map`: the linker's, for the object files; may be empty.
-// `symbols`: what `nm -A` prints of the object files that are optimised as a whole when they are linked,
-// which the map shows as one; may be empty. Throws common::Refused.
+// `symbols`: what `nm -A` prints of LTO object files, which the map shows as one; may be empty. Throws
+// common::Refused.
 std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const std::string &symbols,
                                const Program &program);
 

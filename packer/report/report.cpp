@@ -73,7 +73,7 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
     }
     if (rooms) {
         report.shares = rooms->shares;
-        report.roomOf = rooms->of; // of what is gone, too
+        report.roomOf = rooms->of; // also of objects that are gone
         auto stub = rooms->of.find(kStub);
         if (stub != rooms->of.end()) report.stubRoom = stub->second;
     }

@@ -13,12 +13,12 @@ struct Cost {
 };
 using Costs = std::map<std::string, Cost>;
 
-// Whether any part has a name of its own.
+// Whether any part is named.
 bool hasNames(const Costs &costs);
 
-// Costs are counted in sixteenths of a bit, so that they add up: 8 bits for each byte of the file are
-// `overhead` bytes, what all sections cost, and `rest`; instead of sections, so do objects, rooms or symbols.
-// (There are no objects and no rooms if there was no map.)
+// Costs are multiples of a sixteenth of a bit, so that they add up: the file's bits are those of `overhead`,
+// the costs of all sections, and `rest`. Objects, rooms and symbols add up in the same way. (Without a map
+// there are no objects and no rooms.)
 struct Report {
     size_t fileSize = 0, overhead = 0; // of the packed file; overhead: what is not payload
     double rest = 0;                   // bits: the payload's end, and zeros up to a multiple of bytes
@@ -29,7 +29,7 @@ struct Report {
     std::vector<Stretch> stretches = {};            // of the program, all of it
     std::vector<uint16_t> sixteenths = {};          // the cost of each byte of the program
 };
-inline constexpr int kUnit = 16; // units of a bit
+inline constexpr int kUnit = 16; // units in a bit
 
 // A file of rooms, a line each: ROOM SHARE OBJECT..., the share in bytes or -. The room of "(stub)"
 // is that of stub and headers.

@@ -57,7 +57,7 @@ public:
     json rows = json::array();
 
 private:
-    // So that the earlier costs add up, too, even if parts overlapped then
+    // Makes the earlier costs add up, even if parts overlapped in them
     double restOf(Costs Report::*costs) const {
         double bits = 8.0 * (double)(before->fileSize - before->overhead);
         for (auto &[name, cost] : before->*costs) bits -= cost.bits;
@@ -96,10 +96,10 @@ Code readCode(const char *path, const Program &program) {
     };
     std::vector<Place> places;
     std::unordered_map<std::string, uint32_t> known;
-    std::vector<std::pair<uint32_t, const std::string *>> forms; // how often, and which
+    std::vector<std::pair<uint32_t, const std::string *>> forms; // count, form
     disassemble(path, [&](const Instruction &i) {
         uint64_t begin = i.address - program.base, all = program.bytes.size();
-        // (not what is in the file alone, or lies elsewhere)
+        // Leave out what is not part of the program in memory
         if (begin >= all || all - begin < i.bytes.size() ||
             std::memcmp(&program.bytes[begin], i.bytes.data(), i.bytes.size()))
             return;
@@ -110,7 +110,7 @@ Code readCode(const char *path, const Program &program) {
     });
     std::stable_sort(places.begin(), places.end(),
                      [](const Place &a, const Place &b) { return a.begin < b.begin; });
-    // The commonest get the lowest numbers
+    // The most frequent forms get the lowest numbers
     std::vector<uint32_t> order(forms.size()), numbers(forms.size());
     for (uint32_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),

@@ -6,7 +6,7 @@
 
 namespace pack {
 
-// A page of a program that is larger has tables and treemap, but not its bytes.
+// Bytes of a program; the page of a larger one has tables and treemap, but no bytes.
 inline constexpr size_t kMostShown = 16 << 20;
 
 struct Page {
@@ -18,9 +18,9 @@ struct Page {
 };
 
 // The page has four elements of data, packed by zlib, in base64. "tables" is JSON: the report, in its units
-// (tables in report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for what stands
-// in "high" of the tables; "code": for each instruction of which the tables have "forms" (disassembly.h), the
-// form's number, seven bits a byte, low ones first.
+// (tables in report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for those
+// listed in "high" of the tables; "code": for each instruction of which the tables have "forms"
+// (disassembly.h), the form's number, seven bits a byte, low ones first.
 std::string printHtml(const Page &page, const Report &report, const Program &program);
 
 // What printJson() printed, without stretches. Sections must be there, other parts may be missing. There

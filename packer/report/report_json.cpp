@@ -1,5 +1,5 @@
-// Reports as JSON. Written here, because the film's build writes one and needs no library; read_report.cpp
-// reads them.
+// Reports as JSON, written without a library, because the film's build needs none. read_report.cpp reads
+// them.
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 
@@ -9,7 +9,7 @@ namespace pack {
 
 namespace {
 
-// Rounds numbers so that their sum is rounded, too: what one gains, another loses.
+// Rounds numbers so that the results add up to the rounded sum.
 class Rounding {
 public:
     double operator()(double value) {

@@ -22,8 +22,8 @@
 // lies between segments stays RW. If the program names an interpreter, that is read into fresh memory. In the
 // auxiliary vector AT_PHDR, AT_PHNUM, AT_ENTRY and AT_BASE become those of the program and the interpreter.
 // The stub jumps to the interpreter, or to the program if it names none, with the stack as the kernel made
-// it. ld.so, or the start of a static program,
-// does relocations, libraries, thread-local storage and constructors as always. The file stays mapped.
+// it. ld.so, or the start code of a static program, does relocations, libraries, thread-local storage and
+// constructors as always. The file stays mapped.
 //
 // ERRORS are as in format.h, after the name by which the program was called; one more is for a missing
 // interpreter.

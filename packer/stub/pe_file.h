@@ -1,4 +1,4 @@
-// The tables of a PE file (PE32+, x86-64), as far as our programs use them. Names and values are those of
+// The tables of a PE file (PE32+, x86-64), as far as packed programs use them. Names and values are those of
 // Microsoft's "PE Format"; addresses in them (RVA) count from the image's base.
 #pragma once
 

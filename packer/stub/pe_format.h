@@ -30,7 +30,7 @@
 namespace pack {
 
 // The stub's messages (messages.h), and the names of the function that shows a box and its library. They fill
-// room that the file has anyway.
+// space that the file has anyway.
 struct PeMessages {
     char mayNotRun[24], damaged[24], noMemory[24], user32[7], messageBox[25];
 };

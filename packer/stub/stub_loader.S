@@ -1,6 +1,7 @@
-// The code in front of a program of any kind: checks the file, decodes the program, and does with it what the kernel
-// would have done. Position-independent, baseline x86-64, no library. loader_format.h describes its input, its actions
-// and its results; the decoder is that of stub.S. The kernel starts it directly, so rdx is 0 as for any static program.
+// The code in front of a program of any kind: checks the file, decodes the program, and loads and starts it as the
+// kernel would have done. Position-independent, baseline x86-64, no library. loader_format.h describes its input, its
+// actions and its results; the decoder is that of stub.S. The kernel starts it directly, so rdx is 0 as for any static
+// program.
 //
 // Registers: rbx the payload header, r12 the program as it lies in memory, xmm15 the stack as the kernel made it, which
 // the decoder leaves alone.
@@ -45,7 +46,7 @@ no_memory:
 refuse: // "NAME: text"
     movq rax, xmm15
 .globl stubLoaderName
-stubLoaderName: // four bytes, which messages.cpp replaces if the texts have a name of their own
+stubLoaderName: // four bytes, which messages.cpp replaces if the texts contain a name
     mov rsi, [rax + 8]
     call print
     pop rsi

@@ -17,7 +17,7 @@ NamedStub namedStub() {
 }
 
 LoaderFront makeFront(const Program &program, size_t size) {
-    // Alignment and stack, by the program's own headers, which are part of it
+    // Alignment and stack are those of the program's own headers, which are part of it
     ElfFile own = {program.bytes};
     Elf64_Ehdr header;
     uint64_t alignment = kPage;
@@ -58,7 +58,7 @@ Bytes writePlain(const Program &program) {
     ElfFile own = {program.bytes};
     Elf64_Ehdr header;
     std::vector<Elf64_Phdr> headers = own.programHeaders(header);
-    // In this file all lies as in memory
+    // The file is laid out like memory
     for (Elf64_Phdr &h : headers)
         if (h.p_filesz) h.p_offset = h.p_vaddr - program.base;
     std::memcpy(out.data() + header.e_phoff, headers.data(), headers.size() * sizeof headers[0]);

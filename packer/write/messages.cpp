@@ -12,9 +12,9 @@ constexpr size_t kMostOfName = 10, kMostOfSafeName = 14;
 constexpr char kTooLong[] =
     "a name is too long for the messages of the packed program: --name takes up to 10 letters, "
     "--safe-name up to 14";
-constexpr uint8_t kNoName[] = {0x31, 0xf6, 0x66, 0x90}; // xor esi, esi; two bytes that do nothing
+constexpr uint8_t kNoName[] = {0x31, 0xf6, 0x66, 0x90}; // xor esi, esi; a nop of two bytes
 
-// The lines that may stand in place of the usual one, the best first.
+// The lines that can replace the usual one, the best first.
 std::vector<std::string> lines(const Message &message, const Names &names) {
     const std::string &program = names.program, &safe = names.safe;
     if (message.what == Message::kMayNotRun && !safe.empty()) {

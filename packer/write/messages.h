@@ -38,7 +38,7 @@ inline constexpr Message kLoaderMessages[] = {
     {Message::kNoInterpreter, ": interpreter missing\n", true},
 };
 
-// A stub, in which the messages may be others.
+// A stub whose messages can be replaced.
 class NamedStub {
 public:
     // `named`: where the stub has the four bytes that take the name by which the program was called; 0 if it

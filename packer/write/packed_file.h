@@ -1,11 +1,11 @@
-// Packed files of all kinds: written, proved, opened, and made plain again.
+// Packed files of all kinds: writes, checks, opens and unpacks them.
 #pragma once
 
 #include "packer/write/messages.h"
 
+#include "packer/write/payload_section.h"
 #include <algorithm>
 #include <cstring>
-#include "packer/write/payload_section.h"
 
 namespace pack {
 
@@ -54,7 +54,7 @@ Bytes decodeWithStub(const PackedKind &kind, const Bytes &packed);
 // Opens a packed file and decodes it, without reading beyond the payload. Throws common::Refused.
 Program readPacked(const PackedKind &kind, const Bytes &file);
 
-// A program packed, and proved: the stub and the C++ decoder give it back.
+// A packed program that was checked: the stub and the C++ decoder both decode it.
 struct PackedFile {
     Bytes bytes;
     size_t overhead;         // bytes that are not payload

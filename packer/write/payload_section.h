@@ -25,8 +25,8 @@ void appendPayloadSection(Bytes &out, const Program &program, const ModelParamet
                           const Bytes &payload, size_t checkedFrom, size_t size);
 
 // Takes apart the section that begins at `from` in the file; its program takes `span` bytes of memory. Throws
-// common::Refused if the section is damaged. The program's slots are in order of address; the caller knows
-// which is whose.
+// common::Refused if the section is damaged. The program's slots are in order of address; the caller
+// assigns them to functions.
 Packed openPayloadSection(const Bytes &file, size_t at, size_t checkedFrom, uint64_t span);
 
 // Decodes the section at `at` with a stub's own code: stubDecode or stubDecodeWindows of stub.h.

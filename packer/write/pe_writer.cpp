@@ -186,7 +186,7 @@ Packed open(const Bytes &file) {
 }
 
 Bytes writePlain(const Program &program) {
-    // The section of the imports fills what is left between the header and the program
+    // The section of the imports fills the space between the header and the program
     uint32_t base = (program.base - kFirst - (uint32_t)kPage) & ~(kPeBaseAlign - 1),
              codeAt = program.base - base, dataAt = codeAt + program.readOnly,
              end = codeAt + (uint32_t)wholePages(program.span);

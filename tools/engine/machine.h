@@ -6,7 +6,7 @@
 
 namespace odraz {
 
-// For Workers::abort and other flags that stop work early: this one never does.
+// For Workers::abort and other flags that stop work early; it is never set.
 inline constexpr int kNever = 0;
 
 // A thread for every processor; they end with the process. Throws std::runtime_error with a line that says

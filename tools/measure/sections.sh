@@ -101,7 +101,7 @@ hash_sources() {
         [ "${name% missing}" != "$name" ] || hash_now[$path]=${name:0:12}
     done 3<"$WORK/sources" 4<"$WORK/hashes"
 }
-# verdict SECTION: prints nothing if its sources are what they were; else one line with the reason
+# verdict SECTION: prints nothing if its sources are unchanged; else one line with the reason
 verdict() {
     local path record changed=()
     describe "$1"

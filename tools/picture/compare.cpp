@@ -53,7 +53,7 @@ int run(common::CommandLine &line) {
     line.option("--diff", "OUT.png", diff, "write the differences, times eight");
     line.flag(
         "--seen", seen,
-        "also print what the eye sees: mean FLIP at 67 pixels per degree, PSNR in linear light and in sRGB");
+        "also print what a viewer sees: mean FLIP at 67 pixels per degree, PSNR in linear light and in sRGB");
     line.flag("--png", toPng, "instead, write the picture A as PNG to B");
     line.flag("--linear", toLinear,
               "instead, read A as a PNG of 16 bits that are linear, and write it as sRGB to B");

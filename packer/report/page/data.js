@@ -1,5 +1,5 @@
 'use strict';
-// What the page knows. Costs are whole numbers of units, `report.unit` to a bit, so that sums are exact.
+// The page's data. Costs are whole numbers of units, `report.unit` to a bit, so that sums are exact.
 let report;        // the tables, as report_html.cpp writes them
 let bytes, costs;  // of the program, one of each for each byte; empty if the program is too large to show
 let instructions;  // {at, form}: where each begins, and the number of its form

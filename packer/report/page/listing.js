@@ -66,7 +66,7 @@ function scrollListingTo(at) {
     $('listing').scrollTop = Math.ceil(Math.min(1, wanted / most) * (listingHeight() - $('listing').clientHeight));
 }
 
-// The text of an instruction, with the numbers that stand in its bytes; see disassembly.h.
+// The text of an instruction, with the numbers from its bytes; see disassembly.h.
 function textOf(number) {
     const at = instructions.at[number], end = at + instructions.sizes[instructions.form[number]];
     const view = new DataView(bytes.buffer, bytes.byteOffset);
@@ -177,7 +177,7 @@ function startListing() {
         if (event.key !== 'Enter' || !text) return;
         const at = /^(0x)?[0-9a-f]+$/i.test(text) ? parseInt(text.replace(/^0x/i, ''), 16) - report.base : -1;
         if (at >= 0 && at < bytes.length) return goTo(at);
-        // Again: the next name that has the text in it
+        // The same text again goes to the next name that has it
         next = text === last ? next + 1 : 0;
         last = text;
         const found =

@@ -69,7 +69,7 @@ function countRooms() {
         row.counted = own.includes(row) ? inBytes(row.units / sum * rest) : stub(row) ? inBytes(row.units) : 0;
 }
 
-// Instructions by their names; what is none of them, so that the sum is the file.
+// Instructions by name, and a row for all else, so that the sum is the file.
 let kindRows;
 function kinds() {
     if (kindRows) return kindRows;

@@ -1,6 +1,6 @@
 // Measures how a packed film decodes itself, from the start of its process to the entry of the program.
-// Runs the film under ptrace with --doctor, which opens no window, and ends it where the decoder gives its
-// memory back: its last call of the kernel before it jumps to the program. Cycles are those of the time-stamp
+// Runs the film under ptrace with --doctor, which opens no window, and ends it where the decoder frees its
+// memory, the last system call before it jumps to the program. Cycles are those of the time-stamp
 // counter while the process had a processor.
 #include "tools/common/command_line.h"
 #include "tools/common/statistics.h"
@@ -56,7 +56,7 @@ struct Spent {
 struct Child {
     pid_t pid;
     bool ended = false;
-    // Waits until it stops or ends; how it did.
+    // Waits until it stops or ends, and returns the status.
     int wait() {
         int status;
         while (waitpid(pid, &status, 0) < 0)
@@ -89,7 +89,7 @@ Spent decodeOnce(const std::string &film, uint64_t modelMemory) {
         ptrace(PTRACE_SYSCALL, pid, nullptr, (void *)(long)signal);
         status = child.wait();
         if (child.ended) throw std::runtime_error(film + " ended before it was decoded");
-        // A stop that is not at a call of the kernel is a signal, which is passed on
+        // A stop that is not at a system call is a signal, which is passed on
         signal = WSTOPSIG(status) == (SIGTRAP | 0x80) ? 0 : WSTOPSIG(status);
         if (signal) continue;
         user_regs_struct r;

@@ -31,7 +31,7 @@ constexpr Effort kWhole = {64, 2000}, kQuick = {8, 250};
 
 using Radiances = std::vector<Vec3d>;
 
-// The film's tracer on a scene of our own.
+// The film's tracer on one of the small scenes.
 struct Film {
     Workers workers = allProcessors();
     HeapArena memory{kTileScratchBytes * (size_t)workers.count + (64u << 20)};

@@ -43,7 +43,7 @@ long packedSize(const Peer &peer, const std::string &path) {
     return (long)std::filesystem::file_size(out);
 }
 
-// Packs the sample and decodes it with the stub's own code, as a program does. Prints the rest of its line.
+// Packs the sample, decodes it with the stub's code, and prints the rest of the sample's line.
 void packSample(const Sample &s, ModelParameters parameters, double effort, const long (&sizes)[4]) {
     static Workspace workspace;
     const Layout &layout = s.layout;

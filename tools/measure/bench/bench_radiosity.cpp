@@ -52,8 +52,8 @@ struct Size {
 };
 constexpr Size kThesis[] = {{26360, 280}, {136512, 3500}, {546048, 34980}};
 
-// The area that gives a model at least this many triangles, and 0.5 % more at most where its steps allow
-// that; curved models get about as many.
+// The area that gives a model at least this many triangles, and at most 0.5 % more where its steps allow;
+// curved models get about as many.
 double areaFor(const std::string &kind, size_t triangles) {
     if (kind == "vault") return 27600 * 0.06 / (double)triangles;
     if (kind == "terrain") return 27400 * 0.02 / (double)triangles;

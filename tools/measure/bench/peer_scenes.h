@@ -1,9 +1,10 @@
-// The two scenes that compare tracers, ours and POV-Ray.
+// The two scenes on which odraz and POV-Ray are compared.
 //
 //   A  ten balls on a checker with noise, two lights, three mirrors, glass of constant reflectance
 //   B  the "balls" sphereflake of Haines' Standard Procedural Databases, level 4: 7,381 balls and a plane
 //
-// Their lights do not fade with distance. Ours do; they are equally bright in the middle of the scene.
+// POV-Ray's lights do not fade with distance. Those of odraz do, and are as bright in the middle of the
+// scene.
 #pragma once
 
 #include "timeline/camera.h"

@@ -53,7 +53,7 @@ void *map(const std::string &file, size_t bytes, bool make) {
     return place;
 }
 
-// What may run on other threads is counted under this name.
+// Work that other threads can share runs in a function of this name, by which it is counted.
 [[gnu::noinline]] void inParallel(Workers &w, int count, int size, void (*body)(const void *, int, int, int),
                                   const void *context) {
     serialWorkers().run(w, count, size, body, context);

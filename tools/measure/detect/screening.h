@@ -26,7 +26,7 @@ public:
     // Prepares the film from one second to another; solves the hall if it is shown there. Throws
     // std::runtime_error.
     Screening(IntroSettings settings, double from, double to);
-    // The picture as a dump has it.
+    // The picture as --dump writes it.
     Picture picture(double seconds, const Quality &quality) {
         return odraz::picture(*film.intro, 0, seconds, quality);
     }
@@ -51,10 +51,10 @@ struct Span {
 // if it is not played.
 std::vector<Span> shots();
 std::vector<Span> shotsOf(const std::string &scene);
-// `count` windows of a length, evenly spaced; each as much of it as lies within the span.
+// `count` windows of a length, evenly spaced; clipped to the span.
 std::vector<Span> windowsIn(const Span &span, int count, double length);
 
-// The options that all programs that look at the film share: --size, --quality.
+// The options common to all programs that look at the film: --size, --quality.
 struct ScreeningOptions {
     IntroSettings size = {1280, 720};
     QualityName quality = QualityName::Play;

@@ -5,7 +5,7 @@
 
 namespace odraz::measure {
 
-// A model of generateObj(), written to a file and read back, as users do. The kind "cave" is a hollow of
+// A model of generateObj(), written to a file and read back. The kind "cave" is a hollow of
 // triangles, no two of them in one plane, some of which emit light. Throws std::runtime_error.
 radiosity::Mesh generatedMesh(const std::string &kind, double area);
 

@@ -1,4 +1,4 @@
-// The film's hall, solved as a tool or a test asks for it.
+// The film's hall, solved for a tool or a test.
 #pragma once
 
 #include "show/hall.h"

@@ -34,8 +34,8 @@ public:
     // Throws Refused, with the number of the line that is wrong.
     explicit Costs(const std::string &csv);
 
-    // Linear in time within a shot and in the gap of in-betweens, and constant beyond what was counted.
-    // Logarithms are linear in level between counted ones, the same beyond them, and linear in the logarithm
+    // Linear in time within a shot and in the gap of in-betweens; constant outside the counted range.
+    // The logarithm is linear in the level, constant outside the counted levels, and linear in the logarithm
     // of pixels. A level counted at one size grows as level 1 does. Throws Refused if no moment of this shot
     // was counted.
     Cost of(const Pictured &asked) const;

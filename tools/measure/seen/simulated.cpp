@@ -30,7 +30,7 @@ public:
         Governor governor;
         governor.width = machine.width, governor.height = machine.height;
         makePictures(*this, governor, from);
-        if (begin < 0) begin = moment; // so short that it never got ahead
+        if (begin < 0) begin = moment; // too short to get ahead of the clock
         showUntil(begin + nanosecondsOf(to - from));
         return list;
     }
@@ -74,7 +74,7 @@ private:
         looked += nanosecondsOf(presenting(machine) / core());
         double sixtieths = std::ceil((filmAt(looked) - from) * kScreenRate - 0.5);
         list[number].at = from + (sixtieths + 0.5) / kScreenRate;
-        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // nobody saw it
+        if (presented++ && list[last].at == list[number].at) list[last].at = -1; // it was never visible
         last = number;
     }
 

@@ -32,7 +32,7 @@ using CostOf = std::function<Cost(const Pictured &)>;
 // Plays the film from one second to another and returns which pictures were made and when they were shown, in
 // order. All cores share the parallel part of making a picture; one core does the serial part. Showing takes
 // time of one core, which is lost to tracing. The screen shows a picture from its next sixtieth of a second
-// on; the screen's sixtieths begin half-way between the film's. All else that the system does costs nothing.
+// on; the screen's sixtieths begin half-way between the film's. Nothing else costs time.
 std::vector<Shown> simulate(const CostOf &costOf, const Machine &machine, double from, double to);
 
 // What was done for a scene, by the pictures' own times.

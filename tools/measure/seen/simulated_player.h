@@ -31,8 +31,7 @@ public:
     }
     void await(unsigned number) {
         while (!queue.removed(number)) {
-            if (begin < 0 || queue.shown == queue.made)
-                throw std::logic_error("the player would wait for ever");
+            if (begin < 0 || queue.shown == queue.made) throw std::logic_error("the player waits for ever");
             moment = std::max(moment, nextDue());
             showUntil(moment);
         }

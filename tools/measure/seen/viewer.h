@@ -1,5 +1,5 @@
 // Compares the picture on the screen, in the middle of every sixtieth of a second, with the film's picture of
-// that moment. So late and missing pictures count, as well as coarse ones.
+// that moment. So late and missing pictures lower the result, as well as coarse ones.
 #pragma once
 
 #include "tools/measure/detect/screening.h"

@@ -103,7 +103,7 @@ std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> 
                               const std::vector<uint8_t> &reference) {
     pictures::SeenPicture truth = pictures::see(reference, subject.width(), subject.height());
     std::vector<Measured> all(settings.size());
-    // Take turns in every round, so that what disturbs the machine disturbs all settings
+    // All settings in each round, so that a disturbance of the machine affects them alike
     for (int round = 0; round < rounds; ++round)
         for (size_t i = 0; i < settings.size(); ++i) {
             Measured &m = all[i];
@@ -112,8 +112,8 @@ std::vector<Measured> measure(Subject &subject, const std::vector<TraceSetting> 
             std::vector<uint8_t> picture = subject.picture();
             m.samples = subject.samplesPerPixel();
             m.flip = pictures::meanFlip(truth, pictures::see(picture, subject.width(), subject.height()));
-            m.linear =
-                std::min(pictures::linearPsnr(picture, reference), 99.); // equal pictures shall be drawn too
+            m.linear = std::min(pictures::linearPsnr(picture, reference),
+                                99.); // finite, so that equal pictures are plotted, too
             m.shown = std::min(pictures::psnr(picture, reference), 99.);
         }
     return all;

@@ -1,5 +1,5 @@
-// A window of SDL2 with a turning triangle that OpenGL draws: what a maker begins with. With a number of
-// pictures it ends after these, and prints the colour in its middle.
+// An SDL2 window with a turning triangle drawn by OpenGL, as intros begin. With an argument N it ends after N
+// pictures and prints the colour in the middle.
 #define GL_GLEXT_PROTOTYPES
 #include <SDL2/SDL.h>
 #include <SDL2/SDL_opengl.h>
