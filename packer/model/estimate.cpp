@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 
 namespace pack {
@@ -29,7 +28,7 @@ struct Known {
 };
 
 // The mixer's state, and the payload's bits so far.
-struct Mixer {
+struct alignas(64) Mixer {
     Counter corrections[1 << kCorrectionRowBits][1 << kCorrectionBits];
     Float8 finalWeights[kPhases], weights[kSets][kRows][kMost8];
     double bits;
@@ -151,25 +150,13 @@ __attribute__((target("avx2,fma"))) void mixAvx2(Mixer &m, const Sources &from, 
 }
 const auto mix8 = __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") ? mixAvx2 : mixPlain;
 
-struct Free {
-    void operator()(void *memory) const { std::free(memory); }
-};
-template <class T> using Zeroed = std::unique_ptr<T, Free>;
-
-template <class T> Zeroed<T> zeroed(size_t count = 1) {
-    void *memory = std::aligned_alloc(64, (count * sizeof(T) + 63) / 64 * 64);
-    if (!memory) throw std::bad_alloc();
-    std::memset(memory, 0, count * sizeof(T));
-    return Zeroed<T>((T *)memory);
-}
-
 } // namespace
 
 struct Estimator::Work {
     Layout layout;
     std::vector<Known> all;
-    Zeroed<Mixer> mixer = zeroed<Mixer>();
-    Zeroed<Context> context = zeroed<Context>();
+    std::unique_ptr<Mixer> mixer{new Mixer()};
+    std::unique_ptr<Context> context{new Context()};
     std::vector<Slot> slots;
     std::vector<int16_t> nothing;
 

@@ -40,6 +40,23 @@ struct ElfFile {
                                          "cut short: program headers are missing"));
         return all;
     }
+    // Checks a segment to load, which must not begin before `end`, where the one before ends.
+    void checkSegment(const Elf64_Phdr &h, uint64_t end) const {
+        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
+                 h.p_filesz <= h.p_memsz,
+             "a segment is over 64 MiB, or beyond 2 GiB: it cannot be packed");
+        need(within(h.p_offset, h.p_filesz, 0, bytes.size()),
+             "cut short: a segment's bytes are missing: get it afresh");
+        need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X),
+             "a segment is both writable and executable: link it without -N or -z rwx");
+        need(h.p_vaddr >= end, "its segments overlap or are out of order: link it afresh");
+    }
+    // Copies the bytes of checked segments to their places in `memory`, which begins at the address `base`.
+    void copySegments(const std::vector<Elf64_Phdr> &loads, uint64_t base, Bytes &memory) const {
+        for (const Elf64_Phdr &h : loads)
+            std::copy_n(bytes.begin() + (long)h.p_offset, h.p_filesz,
+                        memory.begin() + (long)(h.p_vaddr - base));
+    }
     // Empty for a file without section headers; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
         constexpr char kCut[] = "cut short: its section headers are incomplete";

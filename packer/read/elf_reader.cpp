@@ -46,12 +46,7 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
     std::sort(loads.begin(), loads.end(), [](auto &a, auto &b) { return a.p_vaddr < b.p_vaddr; });
     uint64_t end = 0, fileEnd = 0, codeEnd = 0, firstWritten = UINT64_MAX;
     for (const Elf64_Phdr &h : loads) {
-        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
-                 h.p_filesz <= h.p_memsz,
-             "a segment of an absurd size or address: over 64 MiB, or beyond 2 GiB");
-        need(within(h.p_offset, h.p_filesz, 0, in.bytes.size()), "cut short: a segment's bytes are missing");
-        need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X), "a segment is both writable and executable");
-        need(h.p_vaddr >= end, "its segments overlap");
+        in.checkSegment(h, end);
         end = h.p_vaddr + h.p_memsz;
         fileEnd = std::max(fileEnd, h.p_vaddr + h.p_filesz);
         if (h.p_flags & PF_W)
@@ -70,9 +65,7 @@ void loadSegments(const ElfFile &in, const std::vector<Elf64_Phdr> &headers, Pro
     program.span = (uint32_t)(end - base);
     program.bytes.assign(fileEnd - base, 0);
     program.readOnly = (uint32_t)wholePages(codeEnd - base);
-    for (const Elf64_Phdr &h : loads)
-        std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
-                    program.bytes.begin() + (long)(h.p_vaddr - base));
+    in.copySegments(loads, base, program.bytes);
 }
 
 // The entries of the dynamic section that matter here.

@@ -41,17 +41,6 @@ std::vector<std::string> libraries(const ElfFile &in, const Headers &headers) {
     return names;
 }
 
-void checkSegment(const ElfFile &in, const Elf64_Phdr &h, uint64_t end) {
-    need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
-             h.p_filesz <= h.p_memsz,
-         "a segment is over 64 MiB, or beyond 2 GiB: it cannot be packed");
-    need(within(h.p_offset, h.p_filesz, 0, in.bytes.size()),
-         "cut short: a segment's bytes are missing: get it afresh");
-    need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X),
-         "a segment is both writable and executable: link it without -N or -z rwx");
-    need(h.p_vaddr >= end, "its segments overlap or are out of order: link it afresh");
-}
-
 // Lays the segments out as they will lie in memory.
 void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &headers, Program &program) {
     Headers loads = headers;
@@ -59,7 +48,7 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
     need(!loads.empty(), "nothing to load in it: it is no program");
     uint64_t end = 0, fileEnd = 0;
     for (const Elf64_Phdr &h : loads) {
-        checkSegment(in, h, end);
+        in.checkSegment(h, end);
         end = h.p_vaddr + h.p_memsz;
         fileEnd = std::max(fileEnd, h.p_vaddr + h.p_filesz);
     }
@@ -74,9 +63,7 @@ void loadSegments(const ElfFile &in, const Elf64_Ehdr &header, const Headers &he
     program.base = (uint32_t)base;
     program.readOnly = program.span = (uint32_t)wholePages(end - base);
     program.bytes.assign(fileEnd - base, 0);
-    for (const Elf64_Phdr &h : loads)
-        std::copy_n(in.bytes.begin() + (long)h.p_offset, h.p_filesz,
-                    program.bytes.begin() + (long)(h.p_vaddr - base));
+    in.copySegments(loads, base, program.bytes);
     // The section headers are not kept
     Elf64_Ehdr without = header;
     without.e_shoff = without.e_shnum = without.e_shstrndx = 0;

@@ -11,10 +11,7 @@ namespace pack {
 
 inline constexpr uint64_t kMostMemory = 64 << 20; // bytes; larger programs are refused
 
-// Throws common::Refused unless the condition holds. `otherwise`: what makes the file unsuitable.
-inline void need(bool condition, const std::string &otherwise) {
-    if (!condition) throw common::Refused(otherwise);
-}
+using common::need; // in packer/: `otherwise` is what makes a file unsuitable
 inline constexpr char kDamaged[] = "damaged: get it afresh";
 inline constexpr char kForeign[] = "not packed by this version of pack, or damaged at its beginning";
 

@@ -252,7 +252,7 @@ std::vector<double> numbersOf(const std::string &option, const std::string &text
 }
 
 // Prints one line, even if the message repeats arguments of the user that have line breaks.
-static int complain(const char *name, const std::exception &e, int status) {
+static int printError(const char *name, const std::exception &e, int status) {
     std::string line = e.what();
     std::replace_if(
         line.begin(), line.end(), [](unsigned char c) { return c < ' '; }, '?');
@@ -272,9 +272,9 @@ int runProgram(const char *name, int argc, char **argv, int (*body)(CommandLine 
             throw std::runtime_error(std::string("cannot write the output: ") + std::strerror(errno));
         return status;
     } catch (const Refused &e) {
-        return complain(name, e, 2);
+        return printError(name, e, 2);
     } catch (const std::exception &e) {
-        return complain(name, e, 1);
+        return printError(name, e, 1);
     }
 }
 

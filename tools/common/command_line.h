@@ -22,6 +22,10 @@ namespace common {
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
+// Throws Refused unless the condition holds.
+inline void need(bool condition, const std::string &otherwise) {
+    if (!condition) throw Refused(otherwise);
+}
 
 // What a number may be, both ends included.
 struct Range {

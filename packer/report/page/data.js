@@ -85,17 +85,22 @@ const signed = (value, digits = 0) => {
 const hex = (value, digits = 0) => value.toString(16).padStart(digits, '0');
 const address = at => hex(report.base + at);
 
+// How many of `count` ascending values are below `limit`.
+function countBelow(limit, count, valueOf) {
+    let low = 0, high = count;
+    while (low < high) {
+        const middle = (low + high) >> 1;
+        if (valueOf(middle) < limit)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
 // The stretch that holds a byte.
 function stretchAt(at) {
-    let low = 0, high = report.stretches.length - 1;
-    while (low < high) {
-        const middle = (low + high + 1) >> 1;
-        if (report.stretches[middle].begin <= at)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    return report.stretches[low];
+    const behind = countBelow(at + 1, report.stretches.length, i => report.stretches[i].begin);
+    return report.stretches[Math.max(0, behind - 1)];
 }
 // "name+0x12", of an offset in the program.
 function place(at, named = name => name) {
@@ -105,17 +110,7 @@ function place(at, named = name => name) {
         (at > first && !stretch.symbol.name.startsWith('(') ? '+0x' + hex(at - first) : '');
 }
 // The number of the instruction that begins there, or of the first one behind.
-function instructionFrom(at) {
-    let low = 0, high = instructions.at.length;
-    while (low < high) {
-        const middle = (low + high) >> 1;
-        if (instructions.at[middle] < at)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    return low;
-}
+const instructionFrom = at => countBelow(at, instructions.at.length, i => instructions.at[i]);
 
 // A name for where there is little room: without parameters and the namespace that most have.
 let commonSpace;

@@ -53,15 +53,8 @@ function listed() {
 const listingHeight = () => Math.min(lineAt.length * lineHeight, 8e6);
 
 function scrollListingTo(at) {
-    let low = 0, high = lineAt.length - 1;
-    while (low < high) {
-        const middle = (low + high + 1) >> 1;
-        if (lineAt[middle] <= at)
-            low = middle;
-        else
-            high = middle - 1;
-    }
-    const wanted = Math.max(0, low - Math.floor(linesInView() / 3)),
+    const line = Math.max(0, countBelow(at + 1, lineAt.length, i => lineAt[i]) - 1);
+    const wanted = Math.max(0, line - Math.floor(linesInView() / 3)),
           most = Math.max(1, lineAt.length - linesInView());
     $('listing').scrollTop = Math.ceil(Math.min(1, wanted / most) * (listingHeight() - $('listing').clientHeight));
 }

@@ -40,18 +40,16 @@ Costs::Costs(const std::string &csv) {
         double seconds, gap, level, serial, parallel;
         char behind;
         int width, height;
-        auto require = [](bool right, const std::string &wrong) {
-            if (!right) throw common::Refused(wrong);
-        };
-        require(std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width,
-                            &height, &serial, &parallel, &behind) == 7,
-                "it needs the seven values \"" + std::string(kHead) + "\"");
-        require(gap == 0 || (gap >= 1 && gap <= 60), "a gap is 0, or 1 to 60 sixtieths");
-        require(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
-        require(seconds >= 0 && seconds < duration(), "no moment of the film");
-        require(width >= 16 && height >= 16, "no size of a picture");
-        require(serial > 0 && parallel > 0 && std::isfinite(serial + parallel), "no count");
-        require(moments.empty() || seconds >= moments.back().seconds, "it is earlier than the one before");
+        common::need(std::sscanf(line.c_str(), "%lf,%lf,%lf,%d,%d,%lf,%lf%c", &seconds, &gap, &level, &width,
+                                 &height, &serial, &parallel, &behind) == 7,
+                     "it needs the seven values \"" + std::string(kHead) + "\"");
+        common::need(gap == 0 || (gap >= 1 && gap <= 60), "a gap is 0, or 1 to 60 sixtieths");
+        common::need(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
+        common::need(seconds >= 0 && seconds < duration(), "no moment of the film");
+        common::need(width >= 16 && height >= 16, "no size of a picture");
+        common::need(serial > 0 && parallel > 0 && std::isfinite(serial + parallel), "no count");
+        common::need(moments.empty() || seconds >= moments.back().seconds,
+                     "it is earlier than the one before");
         if (moments.empty() || seconds > moments.back().seconds)
             moments.push_back({seconds, shotAt(seconds), {}});
         moments.back().gaps[gap][(float)level][(double)width * height] = {serial * 1e3, parallel * 1e3};

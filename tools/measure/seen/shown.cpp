@@ -48,28 +48,25 @@ std::vector<Shown> parseShown(const std::string &csv) {
         Shown s = {};
         char kind[16], behind;
         double level;
-        auto require = [](bool right, const std::string &wrong) {
-            if (!right) throw common::Refused(wrong);
-        };
-        require(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level,
-                            &s.width, &s.height, &behind) == 6,
-                "it needs the six values \"" + std::string(kHead) + "\"");
+        common::need(std::sscanf(line.c_str(), "%lf,%lf,%15[a-z],%lf,%d,%d%c", &s.at, &s.time, kind, &level,
+                                 &s.width, &s.height, &behind) == 6,
+                     "it needs the six values \"" + std::string(kHead) + "\"");
         s.between = std::string(kind) == "between";
         s.level = (float)level;
-        require(s.between || std::string(kind) == "traced",
-                "a picture is traced or between, not '" + std::string(kind) + "'");
-        require(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0, "no moment of the film");
-        require(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
-        require(s.width >= 16 && s.height >= 16 && s.width <= kMostPixels && s.height <= kMostPixels,
-                "no size of a picture");
-        require(s.at < 0 || s.at >= lastAt, "it came on the screen earlier than the one before");
+        common::need(s.between || std::string(kind) == "traced",
+                     "a picture is traced or between, not '" + std::string(kind) + "'");
+        common::need(std::isfinite(s.at) && std::isfinite(s.time) && s.time >= 0, "no moment of the film");
+        common::need(level >= 0 && level <= Governor::kSteps, "levels are 0 to 2");
+        common::need(s.width >= 16 && s.height >= 16 && s.width <= kMostPixels && s.height <= kMostPixels,
+                     "no size of a picture");
+        common::need(s.at < 0 || s.at >= lastAt, "it came on the screen earlier than the one before");
         lastAt = std::max(s.at, lastAt);
-        require(!s.between || !list.empty(), "an in-between needs a traced picture before it");
+        common::need(!s.between || !list.empty(), "an in-between needs a traced picture before it");
         if (!list.empty()) {
             const Shown &before = list.back();
-            require(s.time >= before.time, "it is earlier than the one before");
-            require(!before.between || (before.width == s.width && before.height == s.height),
-                    "the in-between before it must have its size");
+            common::need(s.time >= before.time, "it is earlier than the one before");
+            common::need(!before.between || (before.width == s.width && before.height == s.height),
+                         "the in-between before it must have its size");
         }
         list.push_back(s);
     });
