@@ -2,7 +2,7 @@
 //
 // A context's inputs depend on its own masks and on the bits coded; other contexts change them only where
 // slots collide. So the inputs are kept, 16 bits each. For parameters that differ in one context, only that
-// context's inputs are computed anew, with a table of slots of its own; then all are mixed, eight floats at a
+// context's inputs are computed again, with a separate table of slots; then all are mixed, eight floats at a
 // time (by AVX2 where the processor has it). The estimate is within 1 % of measure(), and the difference of
 // two estimates is much more accurate.
 #pragma once
@@ -34,8 +34,8 @@ public:
     Estimator(const std::vector<uint8_t> &filtered, const Layout &layout);
     ~Estimator();
 
-    // Reuses what is the same in `like`. If `slack` is given, abandons the estimate where it is more than
-    // that many bytes larger than `like`.
+    // Reuses what is the same in `like`. Abandons the estimate where it is more than `slack` bytes larger
+    // than `like`.
     Estimate operator()(const ModelParameters &parameters, const Estimate *like = nullptr,
                         double slack = kTooMany);
 

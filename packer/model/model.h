@@ -5,10 +5,10 @@
 // last bits seen in the slot; and one selected by the last byte seen there. The latter two are shared by all
 // slots of the context in one phase of the parser. Each probability p is an input as ln(p / (1 - p)), and the
 // slot's own also as p - 1/2. One more input comes from the marked places that an operand may name
-// (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; fields and bits of its own
-// select one. A ninth set, whose row the phase selects, mixes the eight results. A last table, selected by
-// fields and bits too, corrects the mixed probability. The weights are trained by the error (as in Mahoney's
-// PAQ), a row that was used often more slowly.
+// (surroundings.h). Eight sets of weights mix all inputs. Each set has many rows; for each set, other fields
+// and bits select one. A ninth set, whose row the phase selects, mixes the eight results. A last table,
+// selected by fields and bits too, corrects the mixed probability. The weights are trained by the error (as
+// in Mahoney's PAQ), a row that was used often more slowly.
 //
 // This is the definition; stub.S does the same in fewer bytes, and the packer runs both before it writes
 // anything. They must agree to the last bit: single-precision floats, one operation at a time in the order

@@ -1,6 +1,6 @@
 // The stub as the packer runs it: the decoder in stub.S, stub_windows.S and stub_loader.S, called with what a
-// packed file contains. Also checks that the numbers in stub_numbers.h, which the assembler uses,
-// equal those of C++.
+// packed file contains. Also checks that the numbers in stub_numbers.h, which the assembler
+// uses, equal those of C++.
 #pragma once
 
 #include "packer/stub/loader_format.h"

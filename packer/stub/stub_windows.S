@@ -5,7 +5,7 @@
 
 #include "stub_memory.S"
 
-// Slots of what is imported
+// Slots of the imports
 #define IMPORT(number) [rip + start - PE_START + 8 * (number)]
 #define LOAD_LIBRARY IMPORT(PE_LOAD_LIBRARY)
 #define GET_PROC_ADDRESS IMPORT(PE_GET_PROC_ADDRESS)

@@ -1,4 +1,5 @@
-# Reads intro/film.conf: every KEY of it becomes a variable. Writes generated/film.h: the name and the texts of the film.
+# Reads intro/film.conf: every KEY of it becomes a variable. Writes generated/film.h with the name and the texts of the
+# film.
 set(CONF ${CMAKE_CURRENT_SOURCE_DIR}/intro/film.conf)
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CONF})
 file(STRINGS ${CONF} lines REGEX "^[A-Z]")

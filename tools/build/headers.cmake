@@ -2,8 +2,8 @@
 # every file took a third of the build time.
 
 # headers(NAME "PROCESSOR;..." "OPTION;..." HEADER...): sets the variable HEADERS_NAME to the options that include these
-# headers before all others. They are compiled for each of these processors, with these options. The compiler takes those that
-# match the options of a file, and reads the headers themselves where none match.
+# headers before all others. They are compiled for each of these processors, with these options. The compiler takes those
+# that match the options of a file, and reads the headers themselves where none match.
 function(headers name processors more)
     set(header ${GENERATED}/headers/${name}.h)
     list(TRANSFORM ARGN REPLACE "(.+)" "#include <\\1>\n" OUTPUT_VARIABLE lines)

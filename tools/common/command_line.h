@@ -18,7 +18,7 @@
 
 namespace common {
 
-// The user gave something wrong: options, or files that are not what they should be.
+// An error of the user: wrong options, or files that cannot be used.
 struct Refused : std::runtime_error {
     using std::runtime_error::runtime_error;
 };

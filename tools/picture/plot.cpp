@@ -211,7 +211,7 @@ bool Drawing::names(const std::vector<Line> &avoid) {
         mark(x.place(p.x), y.place(p.y), p.series, p.shipped ? kShippedMark : kMark, "mark");
     for (size_t i = 0; i < labels.size(); ++i) {
         const Box &b = labels[i].box;
-        // The width is set to the estimate, whatever the font; a white rim covers lines below
+        // The width is the estimate in any font; a white rim covers lines below
         text(b.x0, b.y1 - 2.5, "start", named[i].name,
              format(" class=\"name\" font-size=\"%g\" textLength=\"%.1f\" lengthAdjust=\"spacingAndGlyphs\" "
                     "paint-order=\"stroke\" stroke=\"white\" stroke-width=\"2\"%s",

@@ -1,4 +1,4 @@
-// Plots as SVG: points with their names. Each series has a mark and a colour of its own.
+// Plots as SVG: points with their names. Each series has its own mark and colour.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ struct Plot {
     std::vector<PlotPoint> points;
     bool logarithmicX = false, logarithmicY = false;
     bool lessIsBetterX = true, lessIsBetterY = true; // which corner the front faces
-    bool frontOfEach = false;                        // every series has a front of its own
+    bool frontOfEach = false;                        // one front for each series
     bool joined = false; // instead of fronts: the points of each series are joined in their order
 };
 

@@ -59,7 +59,7 @@ function goToHash() {
 }
 
 async function start() {
-    if (!window.DecompressionStream) throw new Error('this browser is too old: it must know DecompressionStream');
+    if (!window.DecompressionStream) throw new Error('this browser is too old: it lacks DecompressionStream');
     await readData();
     $('problem').textContent = '';
     const wrong = wrongSums();

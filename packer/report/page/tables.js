@@ -34,7 +34,7 @@ const columns = {
         title: 'counted',
         value: row => row.counted,
         show: row => number(row.counted),
-        tip: 'packed bytes, with its part of what no room names: what its share is for'
+        tip: 'packed bytes, with its part of what no room names; to compare with its share'
     },
     share: {
         title: 'share',

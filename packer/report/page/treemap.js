@@ -1,4 +1,4 @@
-// The treemap: rooms, in them files, in them functions; or sections and functions, if there was no map.
+// The treemap: rooms of files of functions; or sections and functions, if there was no map.
 let root, shownNode, byChange = false;
 
 function buildTree() {
@@ -31,7 +31,7 @@ function buildTree() {
     const sort = at => {
         at.children = [...at.children.values()].sort((a, b) => b.units - a.units);
         at.children.forEach(sort);
-        // Skip a level that holds one thing without a name of its own
+        // Skip a level that holds one thing without another name
         const [only, ...others] = at.children;
         if (only && !others.length && (only.name === at.name || only.name.startsWith('(nothing named')))
             at.children = only.children;
@@ -144,7 +144,7 @@ function chooseNode(node) {
         choose(node.name, node.stretches);
 }
 
-// A group is shown larger, a part its bytes.
+// Zooms to a group, and shows the bytes of any part.
 function openNode(node) {
     if (node.children.length) showTree(node);
     chooseNode(node);

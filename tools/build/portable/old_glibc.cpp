@@ -83,7 +83,7 @@ extern "C" int __wrap__dl_find_object(void *pc, dl_find_object *to) {
     return s.table ? 0 : -1;
 }
 
-// Since 2.34 __libc_start_main calls the program's constructors by itself; before, crt1.o gave it a function
+// Since 2.34 __libc_start_main calls the program's constructors itself; before, crt1.o gave it a function
 // that did.
 extern "C" {
 using Entry = void (*)(int, char **, char **);

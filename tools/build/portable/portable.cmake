@@ -17,7 +17,7 @@ function(portable program how)
         return()
     endif()
     target_sources(${program}-portable PRIVATE ${CMAKE_SOURCE_DIR}/tools/build/portable/old_glibc.cpp)
-    # Until 2.34 threads and dlopen were libraries of their own
+    # Until 2.34 threads and dlopen were in separate libraries
     target_link_options(${program}-portable PRIVATE -static-libstdc++ -static-libgcc
         -Wl,--no-as-needed -l:libpthread.so.0 -l:libdl.so.2 -Wl,--as-needed)
     foreach(name arc4random dlopen dlsym fstat fstat64 hypot lstat pthread_create pthread_detach pthread_getspecific pthread_join

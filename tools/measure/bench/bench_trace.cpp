@@ -44,7 +44,7 @@ struct Rays {
                 primary.push_back(r);
                 hits.push_back(hit);
                 if (any(hit.shape < 0)) continue;
-                // Mirrored by what the primary rays hit
+                // Mirrored where the primary rays hit
                 Ray8 m = r;
                 const Shape &shape = s.scene().shapes[hit.shape[0]];
                 Surface8 at = surfaceAt(shape, r, hit.t);

@@ -9,7 +9,7 @@ namespace odraz::measure {
 // they cover about the same part of the picture.
 void poseBalls(Scene &scene, int count);
 
-// Peer scene A with 1 .. kMaxLights lights; it has 2 of its own.
+// Peer scene A with 1 .. kMaxLights lights; A itself has 2.
 void poseLights(Scene &scene, int count);
 
 } // namespace odraz::measure

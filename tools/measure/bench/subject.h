@@ -11,7 +11,7 @@
 
 namespace odraz::measure {
 
-// How a subject is seen: by the film's camera at a time, or by a camera of its own.
+// How a subject is seen: by the film's camera at a time, or by another camera.
 struct SubjectCamera {
     double seconds;                    // into the film, for its scenes
     const CameraKey *camera = nullptr; // null: the film's camera

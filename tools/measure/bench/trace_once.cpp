@@ -120,10 +120,10 @@ int film(common::CommandLine &line) {
     return 0;
 }
 
-// A process can start one set of threads only: each number of threads needs a run of its own.
+// A process can start one set of threads only: each number of threads needs a separate run.
 int time(common::CommandLine &line) {
     std::string scene, setting, threads;
-    line.about("Traces a scene of 1280x720 again and again. Prints the medians: ms of the clock and of all "
+    line.about("Traces a scene of 1280x720 repeatedly. Prints the medians: ms of the clock and of all "
                "processors.");
     line.argument("SCENE", scene, kSceneHelp);
     line.argument("SETTING", setting, kSettingHelp);

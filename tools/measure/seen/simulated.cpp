@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kScreenRate = 60;
 
-// What making a picture takes, with scaling it up; `from` is what it is made from.
+// The cost of making a picture, with scaling it up, from the pictures `from`.
 Cost costWith(const CostOf &costOf, const Machine &machine, const Shown &s, const MadeFrom &from) {
     Cost cost = costOf({s.time, s.level, (double)s.width * s.height, from.gap()});
     if (s.width < machine.width) cost.parallel += machine.enlarging * machine.width * machine.height;

@@ -52,7 +52,7 @@ private:
         Shown shown;
         Picture picture;
     } held[kSlots] = {};
-    // The film's pictures by sixtieths: lists that are looked at one after the other have the same ones
+    // The film's pictures by sixtieths, kept because several lists are compared with the same ones
     struct Truth {
         std::vector<uint8_t> rgb;
         pictures::SeenPicture perceived;

@@ -38,7 +38,7 @@ private:
     std::string csv;
 };
 
-// Settings of the tracer: time against what is seen.
+// Settings of the tracer: time against FLIP and PSNR.
 int tradeoffTrace(common::CommandLine &line);
 // The hall's transfer, compressed in several ways: time against error.
 int tradeoffTransfer(common::CommandLine &line);

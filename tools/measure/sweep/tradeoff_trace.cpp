@@ -151,7 +151,7 @@ int tradeoffTrace(common::CommandLine &line) {
     line.flag("--named", sweep.named, "only the named qualities and plain grids");
     line.option("--width", "PIXELS", sweep.width, {64, 3840}, "the pictures' width");
     line.option("--references", "FOLDER", sweep.references,
-                "keep there what is compared with, for runs of one commit");
+                "keep the reference pictures there, for further runs of the same commit");
     sweep.read(line);
     std::vector<Asked> names = askedPictures(sweep);
     std::vector<TraceSetting> all = askedSettings(sweep);
