@@ -1,4 +1,4 @@
-# The steps of tools/CI.md, as they stand there, in a project of another kind, with the tools as the archive has them.
+# The steps of tools/CI.md, word for word, in a project that is no film, with the tools as the archive has them.
 . "$(dirname "$0")/common.sh"
 skip_unless g++ tar
 for program in pack compare; do needs_built portable/$program; done

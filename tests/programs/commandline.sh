@@ -27,7 +27,7 @@ small=(--size 64x36 --from 2 --to 2.2 --quality draft)
 check "--dump reports a full disk" refuses 1 "cannot write standard output: no space left" bash -c 'exec "$0" --dump - "$@" >/dev/full' "$film" "${small[@]}"
 check "... a closed pipe" refuses 1 "cannot write standard output: the pipe was closed" bash -c 'set -o pipefail; "$0" --dump - --size 320x180 --quality draft | head -c 99 >/dev/null' "$film"
 check "... a closed stdout" refuses 1 "cannot write standard output: it is closed" bash -c 'exec "$0" --dump - "$@" >&-' "$film" "${small[@]}"
-not_to_terminal() { # pictures must not go there either
+not_to_terminal() { # no picture may be written there
     script -qec "${film@Q} --dump - ${small[*]}" /dev/null >"$WORK/terminal" </dev/null
     [ $? != 0 ] && grep -q 'not to the terminal' "$WORK/terminal" && lacks P6 "$WORK/terminal"
 }

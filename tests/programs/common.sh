@@ -1,7 +1,7 @@
 # Sourced by the end-to-end tests: bash tests/programs/NAME.sh BUILD [ARGUMENT...]
 #
-# A test fails for a wrong result, not for a busy machine: it waits for what must happen, however long that takes, and
-# gives up after PATIENCE seconds. ctest's time-out stands beside the test's name in CMakeLists.txt.
+# A test fails for a wrong result, not for a busy machine: it waits for a condition, not for a fixed time, and gives up
+# after PATIENCE seconds. ctest's time-out is beside the test's name in CMakeLists.txt.
 BUILD=$(cd "$1" && pwd) || exit 1
 SOURCE=$(cd "$(dirname "$0")/../.." && pwd)
 [ -d "$SOURCE/intro" ] || SOURCE=$(cd "$(dirname "$0")/../../.." && pwd) # from long/, windows/
@@ -44,13 +44,13 @@ skip_unless() { # programs that the test needs; a test with a failed check fails
         exit 77
     done
 }
-# lacking LIBRARY: a folder for LD_LIBRARY_PATH that hides the library: its file of that name is not a library
+# lacking LIBRARY: prints a folder for LD_LIBRARY_PATH that hides the library behind a file that is no library
 lacking() {
     mkdir -p "$WORK/$1.d"
     echo "not a library" >"$WORK/$1.d/$1"
     echo "$WORK/$1.d"
 }
-# copy_sources FOLDER: the files that git tracks; one may have been removed and that not committed
+# copy_sources FOLDER: copies the files that git tracks, except any that were removed without a commit
 copy_sources() {
     mkdir -p "$1"
     (cd "$SOURCE" && git ls-files -z | xargs -0 cp --parents -t "$1") 2>"$WORK/copied" || true
@@ -59,11 +59,11 @@ copy_sources() {
 flip() {
     printf "\\x$(printf %02x $(($(od -An -tu1 -j "$2" -N 1 "$1") ^ ${3-255})))" | dd of="$1" bs=1 seek="$2" conv=notrunc status=none
 }
-# "${UNWRITTEN[@]}" COMMAND...: runs it where memory that was written may not be executed (PR_SET_MDWE); status 77
-# before Linux 6.3
+# "${UNWRITTEN[@]}" COMMAND...: runs it where written memory may not be executed (PR_SET_MDWE); status 77 before
+# Linux 6.3
 UNWRITTEN=(perl -e 'syscall(157, 65, 1, 0, 0, 0) == 0 or exit 77; exec { $ARGV[0] } @ARGV')
 can_be_unwritten() {
-    "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid what was written to run"; false; }
+    "${UNWRITTEN[@]}" true || { echo "not checked: this kernel cannot forbid the execution of written memory"; false; }
 }
 needs_built() { [ -x "$BUILD/$1" ] || { echo "SKIPPED: $1 is not built"; exit 77; }; }
 
@@ -133,7 +133,8 @@ ended() {
     await gone "$1" || kill -KILL "$1"
     wait "$1"
 }
-# worked PID HUNDREDTHS: waits until the process has used that much more processor time; false if it ends before
+# worked PID HUNDREDTHS: waits until the process has used HUNDREDTHS of a second more of processor time; false if it
+# ends first
 worked() {
     local until=$(($(ticks "$1") + $2))
     await eval "[ \"\$(ticks $1)\" -ge $until ] || gone $1"

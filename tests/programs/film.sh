@@ -1,5 +1,5 @@
-# The packed film: its size, and one question of each kind that other tests ask the film that is not packed, which is the
-# same program and need not unpack itself for seconds. tools/test --long asks the packed film all of them.
+# The packed film: its size, and one check of each kind. Other tests run all checks on the unpacked film, which is the
+# same program and starts seconds sooner; tools/test --long runs them on the packed one.
 . "$(dirname "$0")/common.sh"
 unset DISPLAY WAYLAND_DISPLAY
 packed=$BUILD/$FILM safe=$BUILD/$FILM-safe

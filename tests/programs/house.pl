@@ -1,6 +1,6 @@
 # house.pl SOURCE [FILE INCLUDED]: compares all includes and all links of the tree with the knows() lines of its
-# CMakeLists.txt (tools/build/rooms.cmake). Prints each violation on a line; exit status 1 if there is one. FILE INCLUDED
-# plants an include, as if it stood in the file. Only tests may know everything, and nothing knows them.
+# CMakeLists.txt (tools/build/rooms.cmake). Prints each violation on a line; exit status 1 if there is one.
+# FILE INCLUDED plants an include in the file. Tests may know every room, and no room may know tests.
 use strict;
 use warnings;
 
@@ -32,7 +32,7 @@ for my $list (grep { m{(^|/)CMakeLists\.txt$} && !m{^(tests|tools/new_film)/} } 
     }
 }
 
-# --- What a room reaches; a circle ends here ---
+# --- The rooms that a room reaches; circles are reported ---
 my (%reach, %entered);
 sub reach {
     my ($room) = @_;

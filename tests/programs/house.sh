@@ -1,10 +1,10 @@
-# The house's first rule: code includes and links what its room knows, and no room knows itself by a circle.
+# The house's first rule: code includes and links only rooms that its room knows, and there is no circle.
 . "$(dirname "$0")/common.sh"
 
 house() { perl "$SOURCE/tests/programs/house.pl" "$SOURCE" "$@"; }
 check "every include and every link goes to a room that is known" house
 
-# Planted includes are found, in every part of the tree
+# Finds planted includes in every part of the tree
 finds() { [ "$(house "$@" | grep -c includes)" = 1 ]; }
 while read -r file included; do
     check "(it would be found that $file includes $included)" finds "$file" "$included"
@@ -38,7 +38,7 @@ tools/measure/oracle/sampler.cpp tools/measure/bench/subject.h
 tools/picture/flip.cpp tests/support/open_room.h
 PLANTED
 
-# One name, one definition. Both programs find what is planted
+# One name, one definition; a planted second one is found
 check "every type is defined once, in a namespace" perl "$SOURCE/tests/programs/definitions.pl" "$SOURCE"
 mkdir -p "$WORK/tree" && cp -r "$SOURCE"/{intro,tools,packer} "$WORK/tree" && git -C "$WORK/tree" init -q
 twin() { perl "$SOURCE/tests/programs/definitions.pl" "$WORK/tree" | grep -qx 'odraz::Arena is defined in intro/base/arena.h tools/engine/twin.h'; }

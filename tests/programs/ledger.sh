@@ -1,4 +1,4 @@
-# tools/ledger: the table of rooms and its warning. And what tools/measure/sweep/flags refuses.
+# tools/ledger: the table of rooms and its warning; and what tools/measure/sweep/flags refuses.
 . "$(dirname "$0")/common.sh"
 ledger=$SOURCE/tools/ledger
 # report BYTES: a report on a film of two objects, of which the second lies in the sky's room

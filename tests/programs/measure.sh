@@ -20,7 +20,7 @@ check "... which take no longer than half an hour together" \
     less "$(awk '{ sum += $2 } END { print sum }' "$WORK/list")" 30.01
 check "... and they are twenty at most" test "$(wc -l <"$WORK/list")" -le 20
 check "... and every one is there" test "$(grep -c '^## ' "$to")" = "$(wc -l <"$WORK/list")"
-check "what was not measured says how" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
+check "what was not measured has its command" grep -q 'Not measured yet: `tools/measure/all --only pack`' "$to"
 check "the film's size is printed" \
     grep -qF "| \`odraz\`: packed | $(stat -c %s "$BUILD/odraz") | $(stat -c %s "$BUILD/odraz.exe") |" "$to"
 check "... with the command that makes it" prints 'By `cmake --build build --target film film_windows`:' section size
@@ -116,7 +116,7 @@ check "... as does a commit" reports 0 '^stale: one: since then intro/trace$'
 git revert -q --no-edit HEAD 2>/dev/null || git -c user.name=test -c user.email=test revert --no-edit HEAD >/dev/null
 check "... until it is taken back" reports 0 ''
 commit --amend --allow-empty -m "another name"
-check "what commits are called does not matter" reports 0 ''
+check "the commit's message does not matter" reports 0 ''
 git clone -q . "$WORK/clone"
 check "... nor which clone it is" test "$("$WORK/clone/tools/measure/all" --check)" = '2 sections, 0 of them stale'
 echo new >intro/base/new.h
@@ -136,7 +136,7 @@ section two >"$WORK/two"
 echo >>"$quality"
 check "what is stale is measured" measures --stale
 check "... and nothing is left" reports 0 ''
-check "... and nothing else was" cmp "$WORK/two" <(section two)
+check "... and nothing else was measured" cmp "$WORK/two" <(section two)
 check "then nothing is stale" prints 'nothing is stale' "$all" --built --stale
 git checkout -q "$quality"
 cp "$WORK/before" "$to"

@@ -23,7 +23,7 @@ not_copied() { # headers of tools and tests that the copy includes and does not 
     cd "$1" && grep -rhoE '^#include "(tools|tests)/[^"]*"' intro packer tools tests/unit | cut -d'"' -f2 | sort -u |
         while read -r header; do [ -e "$header" ] || echo "$header"; done
 }
-interrupted() { # while it builds, when all is copied; children of the terminal's group end, too
+interrupted() { # while it builds, after all was copied; the signal goes to its process group
     setsid "$new" "$1" mira --no-test >/dev/null 2>&1 &
     local pid=$!
     await test -e "$1/build/build.log" && missing=$(not_copied "$1") && kill -TERM -- -$pid 2>/dev/null

@@ -1,4 +1,4 @@
-# The packer with programs as compilers make them: packed, they must do what they did before.
+# The packer with programs as compilers make them: packed, they must behave as before.
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 pack=$BUILD/pack
@@ -16,7 +16,7 @@ same() {
 }
 
 # Constructors before main, destructors after it, thread-local storage, the heap, the environment and the auxiliary
-# vector: all that a loader deals with. A page of bss must be zeros. The vector must describe the program itself
+# vector: everything that a loader handles. A page of bss must be zeros. The vector must describe the program itself
 cat >c.c <<'END'
 #include <stdio.h>
 #include <stdlib.h>
@@ -147,7 +147,7 @@ transcript ./c.fast x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
 
-# What is not packed
+# Files that it refuses to pack
 check "a packed one is refused" refuses 2 "packed already" "$pack" c.packed -o x
 cp c setuid && chmod u+s setuid
 check "one with setuid" refuses 2 "setuid" "$pack" setuid -o x
@@ -170,7 +170,7 @@ fi
 cp c appended && head -c 1000 /dev/zero | tr "\0" x >>appended
 check "a line warns of what is appended and left out" prints '1000 bytes appended' "$pack" appended -o "$WORK/y"
 cp c padded && head -c 1000 /dev/zero >>padded
-check "... but no padding" eval '"$pack" padded -o y >said && ! grep appended said'
+check "... but no padding" eval '"$pack" padded -o y >padded.out && ! grep appended padded.out'
 check "over a budget" refuses 1 "over budget" bash -c "'$pack' c -o x --budget 1000 >/dev/null"
 check "nothing is left behind" test ! -e x
 finish

@@ -1,4 +1,4 @@
-# pack-link with programs as their makers write them: they must do what they do when cc links them.
+# pack-link with programs of many kinds: they must behave as when cc links them.
 . "$(dirname "$0")/common.sh"
 skip_unless gcc
 needs_built pack-link
@@ -10,11 +10,11 @@ sed -n 's/.*"(slots 21/slots 14/p; /^\(code\|data\)/p' "$SOURCE/packer/link/smal
 few=(--model few.model)
 
 did() { # did COMMAND...: what it prints, on each output, and its exit status
-    timeout "$PATIENCE" "$@" >said.1 2>said.2
-    echo "status $?" >>said.2
-    cat said.1 said.2
+    timeout "$PATIENCE" "$@" >did.out 2>did.err
+    echo "status $?" >>did.err
+    cat did.out did.err
 } 2>/dev/null # where the shell reports signals
-# takes WAY WORD...: pack-link links them to packed/run, in that way, without a word on stderr
+# takes WAY WORD...: pack-link links them to packed/run, in that way, and prints nothing on stderr
 takes() {
     local way=$1
     shift
@@ -33,14 +33,14 @@ same() {
     (cd packed && did ./run a 'b c') >got
     cmp wanted got && [ "$(wc -l <got)" -gt 1 ]
 }
-# every OBJECT...: the program is the same by each way that is possible
+# ways WORD...: the program is the same by each way that is possible
 ways() {
     local way
     for way in dynamic imports; do takes $way --way $way "$@" && same "gcc -no-pie" "$@" || return 1; done
 }
 
-# All that a start has to do with: arguments, environment, constructors in their order, atexit and destructors in
-# theirs, data of libc, exit through main() with what is still in stdout's buffer, pointers to functions of libraries
+# All that start-up code handles: arguments, environment, constructors in their order, atexit and destructors in
+# theirs, data of libc, return from main() with text still in stdout's buffer, pointers to library functions
 cat >c.c <<'END'
 #include <errno.h>
 #include <stdio.h>
@@ -89,7 +89,7 @@ check "... static, too, which is too large" prints '^static .* far too large$' c
 check "... and what each object costs" prints '^c.o +[0-9]+ +[0-9]+$' cat printed.txt
 few=(--model few.model)
 
-# Libraries: of maths, of threads, of one's own
+# Libraries: maths, threads, one's own
 cat >libraries.c <<'END'
 #include <dlfcn.h>
 #include <math.h>

@@ -58,7 +58,7 @@ flipped() {
     done
 }
 check "a flipped bit anywhere is refused" flipped
-numbers() { # wild numbers where the check reads what it shall look at
+numbers() { # wild numbers in the fields that the check reads
     local wild from=$((528 + $(stat -c %s "$BUILD/generated/stub.bin")))
     for wild in '\x55\x55\x55\x55' '\xa9\xcb\xed\x0f' '\xff\xff\xff\xff' '\0\0\0\0'; do
         cp "$hello" "$broken"

@@ -4,7 +4,7 @@ skip_unless objdump
 pack=$BUILD/pack in=$BUILD/odraz-safe model=$SOURCE/intro/odraz.model
 bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" >/dev/null || exit 1
 hello=$WORK/bare size=$(stat -c %s "$WORK/hello")
-strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # without symbols: of which pack reports
+strip -s -o "$hello" "$WORK/hello.elf" || exit 1 # pack would report on symbols
 
 # (binary.sh packs the stripped one)
 check "packs to the same bytes again, with a report" prints '^adaptive.cpp.o ' "$pack" "$BUILD/odraz.elf" -o "$WORK/b" --model "$model" --safe-name odraz-safe --map "$BUILD/odraz.map" --symbols "$BUILD/generated/symbols" --report "$WORK/report"
@@ -51,10 +51,10 @@ check "the ledger prints what a search would save" prints '^1 s of search save [
 keeps() {
     local seconds
     for seconds in 2 10 60; do
-        BUILD=$WORK/tiny MODEL=$WORK/suits "$ledger" renew-model $seconds 2>/dev/null >"$WORK/said"
-        grep -qE "^$seconds s of search save [1-9][0-9]* bytes of [0-9]+: renewed " "$WORK/said" && return 0
+        BUILD=$WORK/tiny MODEL=$WORK/suits "$ledger" renew-model $seconds 2>/dev/null >"$WORK/renewed"
+        grep -qE "^$seconds s of search save [1-9][0-9]* bytes of [0-9]+: renewed " "$WORK/renewed" && return 0
     done
-    cat "$WORK/said" >&2
+    cat "$WORK/renewed" >&2
     return 1
 }
 check "... and keeps what it finds" keeps
@@ -95,7 +95,7 @@ check "what is for packing alone" refuses 2 "--plain is for packing alone" "$pac
 check "a hosted program, for Windows" refuses 2 "constructors" "$pack" "$BUILD/pack" -o "$WORK/x" --pe
 head -c 3000 "$in" >"$WORK/short"
 check "a file cut short" refuses 2 "cut short" "$pack" "$WORK/short" -o "$WORK/x"
-# An output that is a pipe or a device stays one
+# An output that is a pipe or a device is not replaced by a file
 cat "$WORK/fifo" >"$WORK/piped" &
 PIDS+=($!)
 check "a report into a pipe" "$pack" "$hello" -o "$WORK/again" --report "$WORK/fifo" >/dev/null

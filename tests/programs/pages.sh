@@ -1,5 +1,5 @@
-# What the pages tell their readers to do can be done: the commands of their code blocks run, but for those in NOT_RUN.
-# What the pages name is there, and their lines fit the width: bash tests/programs/pages.sh BUILD
+# The commands in the pages' code blocks run, except those in NOT_RUN. What the pages name is there, and their lines
+# fit the width: bash tests/programs/pages.sh BUILD
 . "$(dirname "$0")/common.sh"
 skip_unless perl git ninja
 for program in odraz-safe pack radiosity; do needs_built $program; done
@@ -8,7 +8,7 @@ HOUSE=$WORK/house
 # (RESULTS.md is figures alone; those of a new film are templates)
 PAGES=$(cd "$SOURCE" && git ls-files '*.md' | grep -vE '^tools/(measure/RESULTS\.md$|new_film/)')
 
-# These take minutes, install something, open a window, or are about files of the reader's. Most have a test of their own
+# These take minutes, install something, open a window, or need files of the reader's. Most have their own test
 NOT_RUN='^(tools/(watch|test|render|release|golden|new-film|engine/contact_sheet)|build/(game|pack-link|radiosity (view|study)))\b
 ^build/odraz --dump|^build/radiosity transfer|\bvault\.prt\b|\bbash\b|--effort|--model hello\.model'
 
@@ -54,7 +54,7 @@ check "every program and script has a --help" all_help
 check "... $(wc -w <<<"$PROGRAMS") of them" [ "$(wc -w <<<"$PROGRAMS")" -ge 25 ]
 
 # --- What the pages name is there, and their lines fit the width ---
-wide() { # what is not seen does not count, and a table or an address cannot be wrapped
+wide() { # comments do not count, and a table or an address cannot be wrapped
     perl -CSD -ne 'chomp; s/<!--.*?-->//g; if (length > 120 && !/^\||https?:/) { print STDERR "    $ARGV:$.: ", length, "\n"; $bad = 1 }
         close ARGV if eof; END { exit($bad ? 1 : 0) }' "$@"
 }
@@ -66,7 +66,7 @@ grep -rhoIE --exclude='*.md' --exclude=pages.sh --exclude-dir=pages --exclude-di
 all_there() { perl "$PARTS/named.pl" "$1" "$WORK/files" "$WORK/targets" "$WORK/words" "$WORK/help"; }
 for page in $PAGES; do check "what $page names is there" all_there "$page"; done
 
-# What is wrong would be found
+# Planted mistakes are found
 for wrong in '`intro/nothing.h`' '`build/nothing`' '[a link](nothing.md)' '`tools/test --nothing`' '`--nothing`' '`kNoSuchTable`' \
     '`noSuchThing()`' '    cmake --build build --target nothing'; do
     echo "$wrong" >"$WORK/wrong.md"

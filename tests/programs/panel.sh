@@ -1,5 +1,5 @@
-# The panel of odraz-debug, by keys and mouse, in a window. What it shows is judged by the window's title and by pictures
-# of it; panel_test and panel_parts_test judge the parts.
+# The panel of odraz-debug, by keys and mouse, in a window: its title and pictures of it are checked. panel_test and
+# panel_parts_test check the parts.
 #   panel.sh BUILD [all [PICTURES]]
 # With `all`, every part is shown. PICTURES is a folder for pictures of what was seen, for a look at them.
 . "$(dirname "$0")/display.sh"
@@ -15,10 +15,10 @@ title() { xdotool getwindowname "$window"; }
 shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
 titled() { title | grep -q -- "$1"; }
 at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, as the title writes them
-near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS HOW
+near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS TOLERANCE
 key() { xdotool key --window "$window" "$@"; }
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
-# Two pictures later everything that was asked for is shown: the title has the time that the last one took
+# Two pictures later every request is shown: the title has the time that the last picture took
 drawn() {
     local before now i
     for i in 1 2; do

@@ -1,6 +1,6 @@
 # Dumped pictures: a frame depends only on its number, rate, size and quality.
 . "$(dirname "$0")/common.sh"
-odraz=$BUILD/odraz-safe # which need not unpack; below, the packed one must draw the same
+odraz=$BUILD/odraz-safe # it starts sooner; below, the packed one must draw the same
 sums() { (cd "$1" && cksum ./*.ppm); }
 dump() { # dump NAME OPTION...
     local to=$WORK/$1
@@ -78,7 +78,7 @@ else
     echo "skipped: ffmpeg is not installed"
 fi
 
-# The tool that compares finds differences
+# compare finds differences
 printf 'P6\n2 1\n255\nabcdef' >"$WORK/a.ppm"
 printf 'P6\n2 1\n255\nabcdez' >"$WORK/b.ppm"
 check "compare finds equal pictures equal" prints 'largest difference 0,' "$BUILD/compare" "$WORK/a.ppm" "$WORK/a.ppm"

@@ -9,7 +9,7 @@ for kind in cube columns corner; do
     check "generate $kind" prints polygons "$radiosity" generate $kind -o $kind.obj
     check "... whose materials are beside it" grep -q "^Ke 20 18 15" $kind.mtl
 done
-check "triangles of at most the area asked" prints 'fine.obj: [0-9]* triangles' "$radiosity" generate cube -o fine.obj --area 0.5
+check "triangles of at most the area given" prints 'fine.obj: [0-9]* triangles' "$radiosity" generate cube -o fine.obj --area 0.5
 check "... a hundred times as many as there were squares" test "$(grep -c '^f' fine.obj)" -ge 1200
 check "solve" bash -c "'$radiosity' solve cube.obj -o cube.rad >out 2>err && [ ! -s err ]"
 check "... prints elements, sites and times" bash -c "grep -q 'elements, [0-9]* sites with [0-9]* rays' out && grep -q '^processor seconds' out && grep -q 'sweeps, residual' out"
@@ -75,7 +75,7 @@ done
 sed 's/^v .*/&/; s/^v \([^ ]*\) \([^ ]*\) \([^ ]*\)/v \1e-15 \2e-15 \3e-15/' furnace.obj >tiny.obj
 check "a model too small for floats" refuses 2 "is smaller than 1e-10: give --scale" "$radiosity" solve tiny.obj -o x.rad
 printf 'newmtl all\nKd 1 1 1\nKe 1 1 1\n' >furnace.mtl
-check "light without an end is reported" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
+check "light that does not converge is reported" prints 'does not converge' bash -c "'$radiosity' solve lit.obj -o f.rad --rays 8 --element 40 2>&1"
 
 # Light given by options, against closed forms
 printf 'newmtl grey\nKd 0.5 0.25 0.8\nnewmtl black\nKd 0 0 0\nnewmtl old\nKd 0 0 0\nKa 3 2 1\n' >out.mtl
@@ -143,7 +143,7 @@ for bad in "--sky 1,2" "--sky none.hdr" "--sky out.mtl" "--sun 1,2,3,4" "--sun 1
     check "$bad is refused" refuses 2 "${bad#--sky }" bash -c "'$radiosity' solve out.obj -o x.rad $bad 2>&1 >/dev/null | sed 's/^radiosity: /radiosity: $bad: /' >&2; exit \${PIPESTATUS[0]}"
 done
 
-# A camera that nobody placed shows all of the plate, which fills the picture; also where z is up
+# Without --eye and --at the camera shows all of the plate, which fills the picture; also where z is up
 sees_all() { # OPTION...: nothing touches the picture's edges, and some of it comes near
     "$radiosity" render out.rad -o all.png --size 160x90 "$@" >out && grep -q '^--eye .* --at ' out &&
         [ "$(convert all.png -threshold 2% -format '%@' info: | awk -F '[x+]' '{ print ($3 > 0 && $4 > 0 && $1 + $3 < 160 && $2 + $4 < 90 && ($3 < 8 || $4 < 5 || $1 + $3 > 152 || $2 + $4 > 85)) }')" = 1 ]
@@ -236,7 +236,7 @@ model 'f 1 4 3 2\n' bad.mtl
 check "a reflectance below 0" refuses 2 "Kd must lie between 0 and 1" "$radiosity" solve m.obj -o x.rad
 check "none of them left a file" test ! -e x.rad
 
-# What else users may do
+# Wrong use
 check "a missing model" refuses 2 "cannot read" "$radiosity" solve none.obj -o x.rad
 check "it prints how much memory it needs" prints 'needs about [1-9][0-9]* MB' "$radiosity" solve cube.obj -o k.rad
 check "too little memory" refuses 1 "more than the 3 of --memory" "$radiosity" solve cube.obj -o x.rad --memory 3

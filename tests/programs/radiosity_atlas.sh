@@ -7,13 +7,13 @@ cd "$WORK" || exit 1
 check "a model" "$radiosity" generate columns -o m.obj
 check "... solved" prints 'processor seconds' "$radiosity" solve m.obj -o m.rad
 check "its lightmaps" prints '^114 polygons in 1 page, .* 1 stands for ' "$radiosity" export m.rad --atlas light
-check "... tell their size" prints '^light-0: [0-9]+ x [0-9]+ texels$' "$radiosity" export m.rad --atlas again
+check "... with their size printed" prints '^light-0: [0-9]+ x [0-9]+ texels$' "$radiosity" export m.rad --atlas again
 check "... with all that belongs to them" test "$(cd light && echo *)" = "light-0.hdr light-0.png model.bin model.gltf model.mtl model.obj"
 check "... equal each time" diff -r light again
 check "radiosity" prints '^radiosity-0: ' "$radiosity" export m.rad --atlas shown --map radiosity
 check "several pages" prints 'polygons in [2-9] pages' "$radiosity" export m.rad --atlas pages/ --texels 30 --page 1024 --padding 4
-check "... as many as it says" test -s pages/light-1.hdr
-check "polygons larger than a page are told" prints 'polygons have fewer texels than asked for' "$radiosity" export m.rad --atlas small --texels 30 --page 256
+check "... as many as it prints" test -s pages/light-1.hdr
+check "polygons larger than a page are reported" prints 'polygons have fewer texels than asked for' "$radiosity" export m.rad --atlas small --texels 30 --page 256
 
 # Every file that glTF names is there, and every number is within its bounds
 cat >gltf.py <<'END'

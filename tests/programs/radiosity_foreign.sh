@@ -1,14 +1,15 @@
-# A model that is unlike the house's own, as modelling programs export them, for `radiosity transfer` and `study`: it is
-# read whole, its light at once is that of solutions for each light, and its study is a whole page.
+# A model as modelling programs export them, unlike those of `generate`, for `radiosity transfer` and `study`: it is
+# read whole, its relit light equals a solution for each light, and its study is a whole page.
 . "$(dirname "$0")/common.sh"
 radiosity=$BUILD/radiosity
 needs_built radiosity
 skip_unless convert perl
 cd "$WORK" || exit 1
 
-# foreign_room NAME: writes NAME.obj, "NAME of it.mtl" and a picture, as modelling programs export them: centimetres, lines
-# that end with CR LF, quads, triangles and polygons of many points, points given again for each thing, negative numbers,
-# materials that change within a group, polygons without area and twice, a lamp by Ka alone, and a picture on the floor
+# foreign_room NAME: writes NAME.obj, "NAME of it.mtl" and a picture, as modelling programs export them: centimetres,
+# lines that end with CR LF, quads, triangles and polygons of many points, points repeated for each object, negative
+# numbers, materials that change within a group, polygons without area and twice, a lamp by Ka alone, and a picture on
+# the floor
 foreign_room() {
     convert -size 64x64 pattern:checkerboard -depth 8 -type TrueColor "$1.png"
     perl -e '

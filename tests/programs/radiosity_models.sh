@@ -34,7 +34,7 @@ one_line() { # one_line WHAT TEXT WHY
 sound "no material file" "${square}f 1 2 3 4\n"
 check "... reflects 0.7" reflects 0.7 0.7
 sound "one that is missing" "mtllib none.mtl\nusemtl m\n${square}f 1 2 3 4\n" 'its materials cannot be read: cannot read none.mtl'
-sound "a material nobody knows" "mtllib m.mtl\nusemtl who\n${square}f 1 2 3 4\n"
+sound "an undefined material" "mtllib m.mtl\nusemtl who\n${square}f 1 2 3 4\n"
 sound "usemtl without a name" "mtllib m.mtl\nusemtl\n${square}f 1 2 3 4\n"
 sound "mtllib without a name" "mtllib\nusemtl m\n${square}f 1 2 3 4\n"
 sound "mtllib behind its use" "usemtl red\n${square}f 1 2 3 4\nmtllib m.mtl\n"
@@ -64,8 +64,8 @@ sound "weights behind the points" "v 0 0 0 1.0\nv 0 0 1 1.0\nv 1 0 1 1.0\nv 1 0 
 sound "coordinates and normals in all forms" "${square}vt 0\nvt 0 1\nvt 1 1 0\nvn 0 1 0\nf 1/1 2/2 3/3\nf 1//1 3//-1 4//1\n"
 sound "... that are not there" "${square}f 1/7 2/8/9 3//9 4/1\n"
 sound "groups, objects, smoothing, without names too" "o\ng\ng a b c\no thing\ns off\ns 1\n${square}g\nf 1 2 3\ns\nf 1 3 4\n"
-sound "words that nobody knows" "mg 1 0.5\nbevel on\nc_interp on\nlod 3\nshadow_obj x\n${square}f 1 2 3 4\ncall x.obj\n\$!?\n"
-sound "faces as they were once called" "${square}fo 1 2 3 4\n"
+sound "unknown keywords" "mg 1 0.5\nbevel on\nc_interp on\nlod 3\nshadow_obj x\n${square}f 1 2 3 4\ncall x.obj\n\$!?\n"
+sound "faces by their old keyword" "${square}fo 1 2 3 4\n"
 check "... are there" area 1
 sound "bytes of 0" "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\0\nf 1 2 3 4\n"
 
@@ -75,12 +75,12 @@ sound "polygons of one and two points" "${square}f 1 2\nf 3\nf\nf 1 2 3 4\n" '3 
 sound "free-form curves beside a polygon" "${square}vp 0 1\ncstype bezier\ndeg 3 3\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nend\nf 1 2 3 4\n"
 sound "a polygon that is not convex" "v 0 0 0\nv 0 0 3\nv 1 0 3\nv 1 0 1\nv 3 0 1\nv 3 0 0\nf 1 2 3 4 5 6\n"
 check "... as large as it is" area 5
-sound "one like a star" "$(awk 'BEGIN { for (k = 0; k < 16; ++k) { r = k % 2 ? 1 : 2; printf "v %.6f 0 %.6f\\n", r * cos(k * .3926990817), -r * sin(k * .3926990817) } printf "f"; for (k = 1; k <= 16; ++k) printf " %d", k; print "\\n" }')"
+sound "a star" "$(awk 'BEGIN { for (k = 0; k < 16; ++k) { r = k % 2 ? 1 : 2; printf "v %.6f 0 %.6f\\n", r * cos(k * .3926990817), -r * sin(k * .3926990817) } printf "f"; for (k = 1; k <= 16; ++k) printf " %d", k; print "\\n" }')"
 check "... as large as it is" area 6.1229
 sound "polygons given twice" "${square}f 1 2 3 4\nf 1 2 3 4\n" '2 triangles given twice left out'
 sound "polygons without area" "${square}f 1 1 2\nf 1 2 2\nf 1 2 3 4\n" 'without area left out'
 sound "points given twice" "$square${square}f 1 2 3 4\n"
-sound "points that nobody uses" "${square}v 5 5 5\nf 1 2 3 4\n"
+sound "unused points" "${square}v 5 5 5\nf 1 2 3 4\n"
 sound "a triangle alone" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 sound "... that faces away" "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 3 2\n"
 sound "a floor seen from below alone" "${square}f 4 3 2 1\n"

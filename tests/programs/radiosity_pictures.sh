@@ -22,7 +22,7 @@ even() { # even FILE COLUMN VALUE: the mean over the area, within 0.8 %
 }
 check "a furnace of checks" room 'Kd 1 1 1\nKe 1 1 1\nmap_Kd checks.png\n'
 check "... has their mean" even room.csv 9 1.3359
-check "... without a word" test ! -s err
+check "... silently" test ! -s err
 for kind in jpg tga bmp; do
     convert checks.png -quality 100 -compress None -type TrueColor ${kind/bmp/bmp3}:checks.$kind
     check "... as $kind" room "Ke 1 1 1\nmap_Kd checks.$kind\n"
@@ -44,7 +44,7 @@ floor() { # floor MTL-LINES [OPTION...]: floor.csv
     rm -f floor.rad floor.csv
     "$radiosity" solve floor.obj -o floor.rad "${@:2}" >out 2>err && "$radiosity" export floor.rad --csv floor.csv
 }
-shows() { # shows RED BLUE: conditions on a place X, Y of the floor, -1 .. 1 from below; but for what lies within 0.02 of a border
+shows() { # shows RED BLUE: conditions on a place X, Y of the floor, -1 .. 1 from below; not within 0.02 of a border
     table floor.csv "X = \$2; Y = -\$4; if (X * X > 0.0004 && Y * Y > 0.0004 && (X - 0.5) ^ 2 > 0.0004 && (X + 0.5) ^ 2 > 0.0004 && (Y - 0.5) ^ 2 > 0.0004 && (Y + 0.5) ^ 2 > 0.0004) {
         ++n; off += \$9 < ($1) - 0.005 || \$9 > ($1) + 0.005 || \$11 < ($2) - 0.005 || \$11 > ($2) + 0.005 || \$10 > 0.005 }" 'n > 1000 && off == 0'
 }
@@ -86,7 +86,7 @@ check "... with final gathering" board --final 256
 check "... as red" beneath 9
 check "... and as blue" beneath 11
 
-# What cannot be read: a line, and Kd
+# For a picture that cannot be read a line is printed, and Kd is used
 unread() { # unread TEXT PICTURE
     { floor "Kd 0.25 0.25 0.25\nmap_Kd $2\n" --sky 1,1,1 && grep -q -- "$1" err && grep -q "the material's Kd is used" err &&
         table floor.csv 'if ($9 < 0.2499 || $9 > 0.2501) ++off' 'off + 0 == 0'; } || { head -c 400 err >&2; false; }

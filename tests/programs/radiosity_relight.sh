@@ -119,7 +119,7 @@ done
 check "rows of hemicubes" solve columns.obj -o base.rad --keep-rows --hemicube 16
 cp base.rad.rows whole.rows
 
-# What does not belong together
+# Files that do not belong together
 "$radiosity" generate corner -o other.obj >/dev/null
 relight=("$radiosity" solve columns.obj --relight base.rad -o x.rad)
 check "another model" refuses 2 "belongs to another model, or other.obj has changed" "$radiosity" solve other.obj --relight base.rad -o x.rad
@@ -169,7 +169,7 @@ check "a wrong bit anywhere is found" flips
 cp whole.rows base.rad.rows
 check "none of them left a file" test ! -e x.rad
 
-# No place to write, and the like
+# Failing outputs
 mkdir full.rad.rows
 check "rows that cannot be written" bash -c "! '$radiosity' solve cube.obj -o full.rad --keep-rows --element 4 >out 2>err && grep -q '^radiosity: cannot write full.rad.rows' err && [ \$(wc -l <err) = 1 ]"
 check "a full disk" bash -c "! '$radiosity' solve columns.obj --relight base.rad -o /dev/full >out 2>err && grep -q 'cannot write /dev/full' err"

@@ -41,7 +41,7 @@ goes_on() { # SIGNAL STATES WORDS...
     check "... to the same bytes" cmp whole.rad part.rad
     check "... and leaves no state" test ! -e part.rad.state
 }
-check "a solution that nobody stops" "$radiosity" solve terrain.obj -o whole.rad
+check "a solution that is not stopped" "$radiosity" solve terrain.obj -o whole.rad
 check "... leaves no state" test ! -e whole.rad.state
 for how in "INT 4" "KILL 9"; do
     # shellcheck disable=SC2086

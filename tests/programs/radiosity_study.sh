@@ -13,19 +13,19 @@ check "its study" prints '^page/index.html: [0-9.]+ minutes, [1-9][0-9]* solutio
 
 # --- The page ---
 PAGE=page/index.html
-parts() { # parts FOLDER LEAST: what its page shows or links to is there, so many files at least, and nothing else is
+parts() { # parts FOLDER LEAST: the files that its page shows or links to are there, LEAST or more, and no others
     grep -oE '(src|href)="[^"]*"' "$1/index.html" | sed 's/.*="//; s/"$//' | sort -u >parts
     (echo index.html && cat parts) | sort >wanted
     [ "$(wc -l <parts)" -ge "$2" ] && ls "$1" | sort | diff - wanted >&2
 }
 check "a page with all its parts, and nothing else" parts page 25
-check "... that asks nothing of the network" eval '! grep -rlE "(https?:)?//[a-z]|@import|url\(" page --include=*.html >&2'
+check "... that needs no network" eval '! grep -rlE "(https?:)?//[a-z]|@import|url\(" page --include=*.html >&2'
 check "... nor its plots, but for the name of SVG" eval '! sed "s|http://www.w3.org/2000/svg||" page/*.svg | grep -E "https?://|href|@import|url\(" >&2'
 check "... light: below 3 MB" less "$(cat page/* | wc -c)" 3000000
 if command -v xmllint >/dev/null; then
     check "... well-formed" xmllint --noout $PAGE
     check "... with plots that are" xmllint --noout page/*.svg
-    outline() { # what HTML asks of a page: one title and heading, pictures described, tables with heads
+    outline() { # what HTML requires of a page: one title and heading, pictures described, tables with heads
         [ "$(xmllint --xpath 'concat(count(//title), count(//h1), count(//img[not(@alt)]), count(//table[not(.//th)]), count(//body//script))' $PAGE)" = 11000 ]
     }
     check "... and described pictures" outline
@@ -40,7 +40,7 @@ check "its plots name their axes" test "$(grep -l 'rotate(-90)' page/*.svg | wc 
 
 # --- Figures ---
 cell() { awk -F, -v n="$2" "$3 { print \$n; exit }" "page/$1.csv"; } # cell TABLE COLUMN CONDITION
-check "passes: what came and what is left are all" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
+check "passes: the light that came and the light that is left add up" table page/passes.csv 'if ($2 != "") { all += $2; d = all + $3 - 100; if (d < 0) d = -d; if (d > 1) bad = 1 }' '!bad'
 check "... less is left with each" table page/passes.csv 'if ($3 != "") { if (NR > 2 && $3 > last) bad = 1; last = $3 }' '!bad'
 check "... at once is ahead of the next pass" less "$(cell passes 7 'NR == 3')" "$(cell passes 4 'NR == 3')"
 check "gathering converges" less "$(cell methods_within 5 '/^gathering/')" 0.01
@@ -64,7 +64,7 @@ legend() { # every size that has a row, and no other
     cut -d, -f1 page/table.csv | sed 1d | sort -u >sizes && grep -oE '>[0-9]+ patches<' page/table.svg | tr -dc '0-9\n' | sort -u | diff - sizes >&2
 }
 check "... which the plot names" legend
-# A command of the page gives what the page says: as many patches
+# A command on the page makes the solution of its row: it has the same number of patches
 follow() { # the first row of solutions.csv that matches
     local row
     row=$(grep -m1 -E "^\"[0-9]+ $1" page/solutions.csv) || return
@@ -82,7 +82,7 @@ same_front() { # the front's solutions are among all of them
     sort page/solutions.csv >all && sort page/front.csv | comm -23 - all | wc -l | grep -qx 0
 }
 check "what nothing beats was measured" same_front
-check "the advice counts" test "$(grep -c '^<li>' $PAGE)" -ge 5
+check "there is advice" test "$(grep -c '^<li>' $PAGE)" -ge 5
 
 # --- What is refused ---
 check "no model" refuses 2 "name a model" "$radiosity" study -o x
@@ -100,10 +100,10 @@ check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cub
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.1"
 
 interrupted() { # in this chapter, with this line
-    "$radiosity" study cube.obj -o x --progress --minutes 0.2 2>said &
+    "$radiosity" study cube.obj -o x --progress --minutes 0.2 2>lines &
     local pid=$!
     PIDS+=($pid)
-    await grep -q "^progress: $1.* %" said && kill -INT $pid && ! ended $pid && grep -qx "radiosity: $2" said
+    await grep -q "^progress: $1.* %" lines && kill -INT $pid && ! ended $pid && grep -qx "radiosity: $2" lines
 }
 for chapter in reference methods; do
     check "an interrupt ends its $chapter, with a line" interrupted $chapter "interrupted: no page is written"
@@ -113,24 +113,23 @@ check "an interrupt ends its rasters" interrupted rasters "interrupted: x/index.
 PAGE=x/index.html
 check "... and leaves the chapters that are done" test -s x/methods.csv -a -s x/table.csv -a ! -e x/rasters.csv
 check "... on a page" grep -q '<h2>Three sizes by three rasters</h2>' $PAGE
-check "... which says what is missing" eval 'grep -q "<li>rasters: interrupted" $PAGE && grep -q "<li>elements: interrupted" $PAGE && ! grep -q "<h2>Rasters" $PAGE'
+check "... which lists what is missing" eval 'grep -q "<li>rasters: interrupted" $PAGE && grep -q "<li>elements: interrupted" $PAGE && ! grep -q "<h2>Rasters" $PAGE'
 check "... and has all its parts, and nothing else" parts x 1
 rm -rf x
 
 # The thesis's table, with the options of reading; after its first cell it is interrupted
 table41() {
-    "$radiosity" study --table41 -o x --reflectance 0.5 --scale 2 >said 2>err &
+    "$radiosity" study --table41 -o x --reflectance 0.5 --scale 2 >lines 2>err &
     local pid=$!
     PIDS+=($pid)
-    await grep -q '^[0-9]* patches by 100 pixels: ' said && kill -INT $pid && ! ended $pid && grep -q '^radiosity: interrupted: x/index.html' err
+    await grep -q '^[0-9]* patches by 100 pixels: ' lines && kill -INT $pid && ! ended $pid && grep -q '^radiosity: interrupted: x/index.html' err
 }
 check "the thesis's table" table41
 check "... is written as far as it came" table x/table.csv 'rows += $2 == 100 && $11 == 4.667' 'rows == 1'
 check "... its command has the options" grep -q 'radiosity solve columns.obj -o OUT.rad --reflectance 0.5 --scale 2 --direct hemicube --hemicube 100' x/solutions.csv
 
 # --- Extremes ---
-# Each takes its whole time, so they run at once. What does not leave a surface, in a colour that it does not reflect,
-# arrives nevertheless
+# Each takes its whole time, so they run at once. Light arrives at a surface even in a colour that it does not reflect
 altered() { sed "$2" cube.mtl >"$1.mtl" && sed "s/cube.mtl/$1.mtl/" cube.obj >"$1.obj"; } # altered NAME SED
 altered pure 's/^Kd 0.65 .*/Kd 0.65 0 0/; s/^Kd 0.12 .*/Kd 0 0.5 0/'
 altered black 's/^Kd .*/Kd 0 0 0/'

@@ -1,5 +1,5 @@
-# `radiosity transfer`: rooms that are lit by any environment and their lamps, against solutions for that light; what
-# --check tells; pictures of the bands; gloss; and what is refused.
+# `radiosity transfer`: rooms lit by any environment and their lamps, against solutions for that light; the output of
+# --check; pictures of the bands; gloss; and what is refused.
 . "$(dirname "$0")/common.sh"
 . "$SOURCE/tests/programs/room.sh"
 radiosity=$BUILD/radiosity
@@ -8,8 +8,9 @@ needs_built compare
 skip_unless convert perl
 cd "$WORK" || exit 1
 
-# A picture of all directions, 64 x 32: a bright spot at the azimuth of so many degrees from the middle, over an even sky
-sky() { # sky FILE DEGREES
+# sky FILE DEGREES: a picture of all directions, 64 x 32: a bright spot over an even sky, DEGREES of azimuth from the
+# middle
+sky() {
     perl -e 'print "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 32 +X 64\n";
         for $j (0 .. 31) { for $i (0 .. 63) {
             $down = 3.14159265 * ($j + .5) / 32; $around = 2 * 3.14159265 * (($i + .5) / 64 - .5 - $ARGV[0] / 360);
@@ -23,7 +24,7 @@ sky ahead.hdr 0
 open_room room
 fine=(--element 0.01 --rays 64)
 check "transfer" prints '^5 bands, 25 functions; lamps 1 lamp, 2 spot$' "$radiosity" transfer room.obj -o room.prt "${fine[@]}"
-check "... tells clusters and times" grep -qE '^[0-9]+ clusters of 24 axes: [0-9.]+ MB instead of' printed
+check "... prints its clusters" grep -qE '^[0-9]+ clusters of 24 axes: [0-9.]+ MB instead of' printed
 size=(--size 240x160 --eye 0,1.5,7 --at 0,1.5,0)
 
 # What solve gives for the same light from the same rays
@@ -74,42 +75,42 @@ check "... the same picture" like tall.png turned.png 50
 # Without --up the camera stands as the room does
 for up in "" "--up z" "--up y"; do
     # shellcheck disable=SC2086 # options are several words
-    "$radiosity" render tall.prt -o "tall$up.png" --size 240x160 $up >"told$up"
+    "$radiosity" render tall.prt -o "tall$up.png" --size 240x160 $up >"camera$up"
 done
 check "... and without --up" cmp "tall.png" "tall--up z.png"
-check "... from the same place" cmp told "told--up z"
-check "... unlike where y is up" eval '! cmp -s told "told--up y"'
+check "... from the same place" cmp camera "camera--up z"
+check "... unlike where y is up" eval '! cmp -s camera "camera--up y"'
 "$radiosity" render tall.prt --pictures tall --size 240x160 >out && "$radiosity" render tall.prt --pictures upright --size 240x160 --up z >out
 check "... in pictures of the bands" cmp tall/bands.png upright/bands.png
 
-# What --check tells: errors, and a table of clusters and one subspace
+# The output of --check: errors, and a table of clusters and one subspace
 for bands in 1 2 3 4 5 6; do
-    check "--check, $bands bands" "$radiosity" transfer room.obj -o b.prt --element 0.04 --rays 64 --bands $bands --check --sky east.hdr >told
-    errors() { awk '/^    (even|gradient|glow|two lights|random) / { sub(/two /, ""); if ($2 + 0 > rows) rows = $2; if ($3 + 0 > most) most = $3; ++n } END { print n, rows + 0, most + 0 }' told; }
+    check "--check, $bands bands" "$radiosity" transfer room.obj -o b.prt --element 0.04 --rays 64 --bands $bands --check --sky east.hdr >checked
+    errors() { awk '/^    (even|gradient|glow|two lights|random) / { sub(/two /, ""); if ($2 + 0 > rows) rows = $2; if ($3 + 0 > most) most = $3; ++n } END { print n, rows + 0, most + 0 }' checked; }
     echo "    skies, worst by rows, by clusters, %: $(errors)"
     check "... five skies: rows within .01 %, clusters within 1 %" eval '[ "$(errors | awk "{ print (\$1 == 5 && \$2 <= 0.01 && \$3 <= 1) }")" = 1 ]'
     # (a lamp alone gets more shadow rays than beside a larger one)
-    check "... and the lamps within .3 %" eval '[ "$(awk "/all lamps/ { print (\$3 <= 0.3 && \$4 <= 1) }" told)" = 1 ]'
-    check "... and what the bands lose" grep -qE "east.hdr: $bands bands hold [0-9.]+ %" told
+    check "... and the lamps within .3 %" eval '[ "$(awk "/all lamps/ { print (\$3 <= 0.3 && \$4 <= 1) }" checked)" = 1 ]'
+    check "... and what the bands lose" grep -qE "east.hdr: $bands bands hold [0-9.]+ %" checked
 done
-"$radiosity" transfer room.obj -o b.prt "${fine[@]}" --clusters 40 --check >told
-check "clusters beat one subspace of the same memory" eval '[ "$(awk "/CPCA/ { on = 1 } on && NF == 7 && \$2 > 0 { ++n; bad += \$3 >= \$6 } END { print (n >= 4 && !bad) }" told)" = 1 ]'
+"$radiosity" transfer room.obj -o b.prt "${fine[@]}" --clusters 40 --check >checked
+check "clusters beat one subspace of the same memory" eval '[ "$(awk "/CPCA/ { on = 1 } on && NF == 7 && \$2 > 0 { ++n; bad += \$3 >= \$6 } END { print (n >= 4 && !bad) }" checked)" = 1 ]'
 
 for rank in 1 3 6; do # also where it is no multiple of four
-    "$radiosity" transfer room.obj -o b.prt --element 0.04 --rays 64 --rank $rank --check >told
-    table_rows() { awk '/CPCA/ { on = 1 } on && /^ +[0-9.]+ +[0-9]+ / { all = all $2 " " } END { print all }' told; }
+    "$radiosity" transfer room.obj -o b.prt --element 0.04 --rays 64 --rank $rank --check >checked
+    table_rows() { awk '/CPCA/ { on = 1 } on && /^ +[0-9.]+ +[0-9]+ / { all = all $2 " " } END { print all }' checked; }
     check "--rank $rank: the table ends with it" eval '[ "$(table_rows)" = "$([ $rank = 6 ] && echo "4 ")$rank " ]'
 done
-check "the room's own clusters are in it" eval '[ "$(awk "/^    [a-z]/ && \$NF ~ /[0-9]/ { sub(/two /, \"\"); if (\$3 > most) most = \$3 } /CPCA/ { on = 1 } on && \$2 == 6 { print (most == \$4) }" told)" = 1 ]'
+check "the room's own clusters are in it" eval '[ "$(awk "/^    [a-z]/ && \$NF ~ /[0-9]/ { sub(/two /, \"\"); if (\$3 > most) most = \$3 } /CPCA/ { on = 1 } on && \$2 == 6 { print (most == \$4) }" checked)" = 1 ]'
 # Ctrl-C while it compares: the room is there
-"$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check >told 2>err &
+"$radiosity" transfer room.obj -o stopped.prt --element 0.004 --rays 128 --check >checked 2>err &
 PIDS+=($!)
-check "a check that takes long" await grep -qs '^processor seconds' told
+check "a check that takes long" await grep -qs '^processor seconds' checked
 kill -INT ${PIDS[-1]}
 ended ${PIDS[-1]}
 check "Ctrl-C ends it with status 1" test $? = 1
-check "... before its end" eval '! grep -q "^of the rows" told'
-check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]'
+check "... before its end" eval '! grep -q "^of the rows" checked'
+check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is not whole; stopped.prt is saved" ]'
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 # The lecture's figures, and gloss

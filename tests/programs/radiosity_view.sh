@@ -99,7 +99,7 @@ view cube.rad --size 480x300 "${at[@]}" --tone log --screenshot log.png
 view cube.rad --size 480x300 "${at[@]}" --exposure 0.5 --screenshot bright.png
 check "a window" begin "$radiosity" view cube.rad --size 480x300 "${at[@]}"
 check "... has the keyboard" await focused
-check "... is of the size asked" measures 480 300
+check "... has the size given" measures 480 300
 check "... prints its keys" await grep -q '1 patches, 2 elements' out
 check "... shows the picture" await shows plain.png
 number=0
@@ -144,8 +144,8 @@ check "... and none" await shows plain.png
 camera() { grep -e '^--eye' out | tail -n 1; }
 lines=0
 printed() { [ "$(grep -ce '^--eye' out)" -gt $lines ]; }
-asks() { lines=$(grep -ce '^--eye' out); xdotool key c; await printed; }
-check "key C prints the camera" asks
+prints_camera() { lines=$(grep -ce '^--eye' out); xdotool key c; await printed; }
+check "key C prints the camera" prints_camera
 check "... where it was put" eval '[ "$(camera)" = "${at[*]} --up y --exposure 0 --tone film --size 480x300" ]'
 flies() { # KEY COORDINATE: until that is another one
     await rests
@@ -158,9 +158,9 @@ flies() { # KEY COORDINATE: until that is another one
 rests() {
     local was
     was=$(camera)
-    asks && [ "$(camera)" = "$was" ]
+    prints_camera && [ "$(camera)" = "$was" ]
 }
-flown() { asks && [ "$(place "$1")" != "$from" ]; }
+flown() { prints_camera && [ "$(place "$1")" != "$from" ]; }
 place() { camera | awk -v k="$1" '{ split($2, eye, ","); split($4, at, ","); print (k > 3 ? at[k - 3] : eye[k]) }'; }
 ahead() { [ $1 = 1 ] && less "$2" "$3" || { [ $1 = -1 ] && less "$3" "$2"; }; } # SIGN FROM TO
 for move in "w 3 -1" "s 3 1" "a 1 -1" "d 1 1" "e 2 1" "q 2 -1"; do
@@ -176,7 +176,7 @@ xdotool mousemove --window "$window" 200 150 mousedown 1 mousemove --window "$wi
 check "the mouse looks around" await alters plain.png
 flies w 3
 sleep 0.5
-check "... and prints where" asks
+check "... and prints where" prints_camera
 check "... to the right and up" eval 'less 0 "$(place 4)" && less 4 "$(place 5)"'
 same() {
     # shellcheck disable=SC2046
@@ -188,12 +188,12 @@ check "... of render, too" "$radiosity" render cube.rad -o render.png $(camera)
 check "... alike" like shot.png render.png 40
 xdotool windowsize "$window" 600 200
 check "another size" await measures 600 200
-wide() { asks && [[ $(camera) = *"--size 600x200" ]] && same; }
+wide() { prints_camera && [[ $(camera) = *"--size 600x200" ]] && same; }
 check "... shows as much" await wide
 xdotool key Escape
 ended $pid
 check "ESC ends it with status 0" test $? = 0
-check "... without a word" test ! -s err
+check "... silently" test ! -s err
 check "a plate from behind" begin "$radiosity" view plate.rad --eye 0,0,-2 --at 0,0,0 --size 200x200
 await focused
 check "... is black" await is_black 200x200+0+0
@@ -202,7 +202,7 @@ check "... and with B it is not" await eval '! is_black 200x200+0+0'
 xdotool key Escape
 ended $pid
 
-# Direct light is shown while form factors are computed; who leaves does not wait for them
+# Direct light is shown while form factors are computed, and ESC does not wait for them
 "$radiosity" solve columns.obj -o direct.rad --bounces 0 >out
 view direct.rad --size 300x200 --eye -18,6,13 --at 4,3,-6 --screenshot direct.png
 shot_like() { shot && like shot.png "$1" 40; } 2>/dev/null
@@ -211,7 +211,7 @@ check "... gets form factors" await titled 'form factors'
 check "... and shows direct light then" await shot_like direct.png
 xdotool key Escape
 check "... ends on ESC without delay" eval 'ended $pid'
-check "... without a word" test ! -s err
+check "... silently" test ! -s err
 
 # What is missing or wrong
 check "no name" refuses 2 "name a solution or a model" "$radiosity" view

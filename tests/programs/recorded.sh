@@ -38,7 +38,7 @@ record() { # record FILE: sets recorder
     PIDS+=($recorder)
     await test -s "$1"
 }
-# into_server TO SECONDS MOST [LOST]: the film, played until TO by play(), is its music at the server, in one of ten tries
+# into_server TO SECONDS MOST [LOST]: play() plays the film until TO; in one of ten tries the server records its music
 into_server() {
     local to=$1
     shift

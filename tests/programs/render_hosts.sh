@@ -8,7 +8,8 @@ check "GNU parallel makes the frames" rendered "${small[@]}" --shard 4 --hosts "
 check "... the same" same_frames "$to/hosts"
 check "GNU parallel makes the video" rendered "${small[@]}" --shard 4 --hosts "$WORK/hosts" "$to/hosts film.mp4"
 check "... the same" same_video "$to/hosts film.mp4"
-# What answers like ssh, and fails for one host when it is to draw; another one draws nothing before that
+# A stand-in for ssh: the host `broken` fails when it should draw, `patient` draws only after that, and `deaf` cannot be
+# reached
 cat >"$WORK/ssh" <<END
 #!/usr/bin/env bash
 echo "\$1" >>"$WORK/reached"
@@ -46,7 +47,7 @@ if sshd=$(command -v sshd || command -v /usr/sbin/sshd) && command -v ssh-keygen
     ssh-keygen -q -t ed25519 -N '' -f "$WORK/keys/host"
     ssh-keygen -q -t ed25519 -N '' -f "$WORK/keys/user"
     [ "$(id -u)" != 0 ] || mkdir -p /run/sshd
-    # A port that is free: the server says so
+    # Try ports until the server listens on one
     for port in $(shuf -i 20000-50000 -n 20); do
         printf '%s\n' "ListenAddress 127.0.0.1" "Port $port" "HostKey $WORK/keys/host" "AuthorizedKeysFile $WORK/keys/user.pub" \
             "StrictModes no" "UsePAM no" "PasswordAuthentication no" "PidFile none" >"$WORK/keys/sshd"

@@ -1,4 +1,4 @@
-# tools/render: what was interrupted, lost or damaged is made again, to the same bytes.
+# tools/render: shards that were interrupted, lost or damaged are made again, to the same bytes.
 . "$(dirname "$0")/rendering.sh"
 check "a video in one shard" rendered "${small[@]}" --shard 30 "$to/one.mp4"
 keep() { # keep OUT: with what it was made from
@@ -32,7 +32,7 @@ check "... nor of another commit" refuses 1 "was made otherwise, 'odraz 0.1.0 01
     "$render" --film "$film" "${small[@]}" --shard 7 --resume "$to/r.mp4"
 rm -r "$parts"
 
-# A film that fails in the middle of a shard, or stays away
+# A film that breaks off in the middle of a shard, with status 1 or 0
 cat >"$WORK/film" <<END
 #!/usr/bin/env bash
 case "\$*" in

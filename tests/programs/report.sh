@@ -25,7 +25,7 @@ json_sums() { # of a report, in whole bits
             $all == 8 * $r->{file} or die "$part: $all bits\n"; ++$n }
         exit($n < 2)' "$1"
 }
-check "a page, a report and a text" "${packs[@]}" --html a.html --report a.json --text a.md --budget 5000 >said
+check "a page, a report and a text" "${packs[@]}" --html a.html --report a.json --text a.md --budget 5000 >printed
 check "the page adds up to the file" prints '^[0-9]+ bytes of [0-9]+, [0-9]{2} stretches, [1-9][0-9]+ instructions$' sums a.html
 check "... which is as large as on the page" grep -q " of $(stat -c %s packed), " printed
 check "the report adds up, too" json_sums a.json

@@ -60,7 +60,7 @@ order delete table.camera.tableWide:eye.y 160
 check "a key is deleted" comes '! is before'
 order key table.camera.tableWide:eye.y 160 1.3203125 2
 check "... and set again" comes 'is before'
-# Interpolations that the film has not
+# Interpolations that the film does not have
 order row 2
 check "it seeks to the light" comes 'titled "row 2.0 "'
 sleep 0.5

@@ -1,10 +1,10 @@
 # Sourced by the tests of rooms that are lit anew, after common.sh.
 
-# like A B DB: pictures that differ by no more
+# like A B DB: two pictures with a PSNR above DB
 like() { less "$3" "$("$BUILD/compare" "$1" "$2" | sed -E 's/psnr (inf|[0-9.]+).*/\1/; s/inf/999/')"; }
 
-# open_room NAME: writes NAME.obj and NAME.mtl, a room without its front wall, with a lamp below its ceiling and another at
-# its left wall
+# open_room NAME: writes NAME.obj and NAME.mtl, a room without its front wall, with a lamp below its ceiling and another
+# at its left wall
 open_room() {
     cat >"$1.mtl" <<'END'
 newmtl grey

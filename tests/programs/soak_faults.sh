@@ -1,4 +1,4 @@
-# tests/support/soak finds what it looks for: stand-ins for the film that leak, speak or fail.
+# tests/support/soak finds faults: stand-ins for the film leak, print or fail.
 . "$(dirname "$0")/common.sh"
 skip_unless Xvfb c++
 soak=$SOURCE/tests/support/soak
@@ -26,7 +26,7 @@ int main() {
 }
 END
 c++ -O0 -pthread "$WORK/film.cpp" -o "$WORK/film" 2>"$WORK/err" || { cat "$WORK/err"; exit 1; }
-# A run of five seconds in a time that allows one, of all faults at once: it mostly waits
+# One run of five seconds each. All faults run at once, because they mostly wait
 runs=()
 for fault in nothing memory descriptors threads words signal; do
     { FAULT=$fault "$soak" 0.12 --every 0.2 --film "$WORK/film" >"$WORK/report.$fault" 2>"$WORK/err.$fault"; echo $? >"$WORK/status.$fault"; } &
@@ -35,7 +35,7 @@ done
 wait "${runs[@]}"
 soaks() { cp "$WORK/report.$1" "$WORK/report" && [ "$(cat "$WORK/status.$1")" = 0 ]; }
 finds() { ! soaks "$1" && grep -qxF -- "- $2" <(sed 's/took [0-9.]* MB/took some MB/' "$WORK/report"); }
-check "one that does as it should" soaks nothing
+check "one without a fault" soaks nothing
 check "... its run is in the table" \
     grep -qE '^\| 1 \| 0 to [67] \| 0.10 \| [0-9]+ \| [0-9]+ / [0-9]+ / [0-9]+ \| [0-9.]+ \|' "$WORK/report"
 check "... and that it is well" \
@@ -43,7 +43,7 @@ check "... and that it is well" \
 check "memory that grows" finds memory "run 1 took some MB more after its first third"
 check "descriptors that stay open" finds descriptors "run 1 took more descriptors"
 check "threads that stay" finds threads "run 1 took more threads"
-check "a word on standard error" finds words "run 1 printed something on standard error"
+check "text on standard error" finds words "run 1 printed something on standard error"
 check "... is repeated" grep -qx 'Run 1 printed: a word' "$WORK/report"
 check "a signal" finds signal "run 1 ended with status 134"
 check "... ends it all" test "$(grep -c '^| [0-9]' "$WORK/report")" = 1

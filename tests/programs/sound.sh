@@ -10,7 +10,6 @@ wav=$WORK/film.wav
 check "the whole music is written" "$packed" --wav "$wav"
 check "... 162 seconds of it" test "$(stat -c %s "$wav")" = $((162 * 48000 * 4 + 44))
 check "... and nothing else" test "$(ls "$WORK"/*.part 2>/dev/null | wc -l)" = 0
-check "it is the golden one" "$SOURCE/tools/golden" hear "$BUILD"
 check "odraz-safe writes the same, whatever the number of threads" cmp "$wav" <("$odraz" --wav - --threads 5)
 format() { ffprobe -v error -show_entries stream=codec_name,sample_rate,channels,duration -of csv=p=0 "$1"; }
 check "it is a WAV of 48 kHz, 16 bits, stereo" test "$(format "$wav")" = pcm_s16le,48000,2,162.000000
@@ -67,9 +66,9 @@ check "every scene has noise: its flatness is 0.05 at least" heard scene '$5 >= 
 check "hits have their full strength within 10 ms" heard hit '$3 <= 10'
 check "... and two of them come out of silence" test "$(awk -F, '$1 == "hit" && $4 < -80' "$WORK/heard" | wc -l)" = 2
 onset='$4 >= -20 && $4 <= 20 && $5 >= 2.5'
-check "every cut and every event that is heard is heard, within 20 ms" heard onset "$onset"
+check "every cut and every audible event is heard, within 20 ms" heard onset "$onset"
 check "... 47 of them" test "$(grep -c '^onset' "$WORK/heard")" -ge 40
-# The test would hear it if they were a row late
+# Music that is a row late is found
 (head -c 44 "$wav"; head -c 24000 /dev/zero; body "$wav" | head -c -24000) >"$WORK/late.wav"
 "$BUILD/listen" "$WORK/late.wav" >"$WORK/late"
 late() { [ "$(awk -F, "/^onset/ && !($onset)" "$WORK/late" | wc -l)" -ge 15 ]; }

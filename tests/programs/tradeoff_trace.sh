@@ -3,7 +3,7 @@
 . "$(dirname "$0")/common.sh"
 needs_built tradeoff
 tradeoff=$BUILD/tradeoff
-# what is swept, the scenes that it has, those of them in which qualities are told apart, points of its plot
+# the sweep's options, its scenes, those in which qualities are compared, and the points of its plot
 sweep=(--scene A --scene table) scenes=(A table) apart=(A table) points=10
 if [ "${2-}" = all ]; then
     sweep=() scenes=(A B field point table flake patches hall odraz credits) apart=(A B field table flake hall) points=50

@@ -1,13 +1,13 @@
-# The film in a window: it starts, draws, resizes, fills the screen, and leaves at once when asked.
+# The film in a window: it starts, draws, resizes, fills the screen, and leaves at once.
 . "$(dirname "$0")/display.sh"
 skip_unless xprop openbox wmctrl
 packed=$BUILD/odraz odraz=$BUILD/odraz-safe # the same program, which need not be unpacked for seconds
-# A viewer who asks waits 100 ms at most; the bound is one that a busy machine keeps, too
+# Leaving takes 100 ms at most on a quiet machine; the bound in ms is for a busy one
 LIMIT=20000
 
 fills_the_screen() { xprop -id "$window" _NET_WM_STATE | grep -q FULLSCREEN; }
 load() { begin "$@" && await focused; } # load PROGRAM OPTION...
-leaves() { # leaves COMMAND...: asks by the command; the film ends with status 0
+leaves() { # leaves COMMAND...: the command ends the film, with status 0
     local end=$((SECONDS + PATIENCE)) began=${EPOCHREALTIME/[.,]/} took status
     "$@" >/dev/null 2>&1
     until gone $pid || [ $SECONDS -gt $end ]; do sleep 0.001; done
@@ -82,7 +82,7 @@ check "a dump reports it to its script, without a window" refuses 1 "not enough 
 # Under a window manager
 start_window_manager
 check "plays under it" play "$odraz" --from 100
-check "it asks for the full screen" await fills_the_screen
+check "it requests the full screen" await fills_the_screen
 check "it gets it" await measures 1000 700
 check "it draws there" await is_bright
 check "ESC leaves there" leaves xdotool key Escape
@@ -105,7 +105,7 @@ check "... and one line" grep -qx 'odraz: the display went away' "$WORK/err"
 # Displays that lack something
 start_display 640x360 -extension MIT-SCREEN-SAVER
 check "plays where no screen saver can be held off" "$odraz" --window --mute --from 4 --to 4.5 2>"$WORK/err"
-check "... without a word" test ! -s "$WORK/err"
+check "... silently" test ! -s "$WORK/err"
 start_display 640x360x16
 check "a screen of 16 bits opens a small window" begin "$odraz" --window --mute --from 4
 check "... which a click ends with status 1" leaves_by_click

@@ -32,7 +32,7 @@ struct Exported {
     std::vector<ExportedPage> pages;
     std::string gltf, binary;
 
-    // `name`: of the pages, light or radiosity. Fails the calling test if something cannot be read.
+    // `name` of the pages: light or radiosity. Fails the calling test if something cannot be read.
     Exported(const std::string &folder, const std::string &name);
 
     // The radiance that a viewer shows at a place of a chart; false if no triangle of the chart lies there.

@@ -1,4 +1,4 @@
-// Rooms of rectangles whose transfer the tests find.
+// Rooms of rectangles for tests of transfer.
 #pragma once
 
 #include "tests/support/random.h"

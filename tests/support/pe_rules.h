@@ -1,5 +1,5 @@
-// The rules of Windows 10 and 11 for executables, as far as our files could break them: Wine accepts much
-// more. From Microsoft's "PE Format" and the known checks of the kernel and ntdll.
+// The rules of Windows 10 and 11 for executables, as far as the packer's files could break them. Wine accepts
+// much more. From Microsoft's "PE Format" and the known checks of the kernel and ntdll.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Sweeps test fewer cases under sanitizers, where everything takes five times as long: there they look for
-// misused memory, not for figures. Without sanitizers they test all cases.
+// Under sanitizers, which take five times as long, tests look for misused memory, not for figures: sweeps
+// test fewer cases there.
 #pragma once
 
 namespace odraz {
@@ -11,6 +11,6 @@ constexpr bool kSanitized = false;
 #endif
 
 // The GTEST_SKIP() message of tests that only check figures of code which other tests run too.
-constexpr const char *kFiguresAlone = "it looks at figures, which sanitizers do not change";
+constexpr const char *kFiguresAlone = "it checks figures, which sanitizers do not change";
 
 } // namespace odraz

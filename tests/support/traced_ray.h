@@ -11,7 +11,7 @@ inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
 
-// A surface that shows the light that falls on it.
+// A diffuse surface.
 inline Material matte(Rgb colour) {
     Material m = {};
     m.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}};

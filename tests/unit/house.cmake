@@ -49,7 +49,7 @@ if(EIGEN_INCLUDE AND TARGET solving)
 elseif(NOT EIGEN_INCLUDE)
     message(STATUS "clustered_pca_test is left out: Eigen (libeigen3-dev) is not installed")
 endif()
-# The same tests where OpenGL has no reversed depth: under sanitizers the one that calls all of it
+# The same tests where OpenGL has no reversed depth; under sanitizers only the one that covers all of that code
 set(without_clip_control hemicube)
 if(NOT ODRAZ_SANITIZE)
     list(APPEND without_clip_control form_factor)
@@ -70,8 +70,8 @@ target_compile_options(pe_test PRIVATE -march=x86-64)
 odraz_test(packer report_test 1 reporting)
 odraz_test(packer disassembly_test 1 reporting)
 
-# The proof of the maths is a program of its own, and not run under sanitizers. Here it tests one float of 61; with
-# tools/test --long it tests all, some billions of calls, and the whole film
+# The proof of the maths is not run under sanitizers. Here it tests one float of 61; with tools/test --long it tests
+# all, some billions of calls, and the whole film
 if(NOT ODRAZ_SANITIZE)
     odraz_program(base maths_exhaustive_test engine)
     set_source_files_properties(base/maths_exhaustive_test.cpp PROPERTIES COMPILE_OPTIONS -O3)

@@ -1,6 +1,6 @@
 // replay SEED...: gives a reader each file, then damaged copies of it, which are the same in every run: cut
-// short, with bytes changed, removed, repeated or taken from another seed. Whatever the reader does wrong,
-// the sanitizers report; the input is then in the file `input`.
+// short, with bytes changed, removed, repeated or taken from another seed. The sanitizers report
+// what the reader does wrong; the input is then in the file `input`.
 
 #include <algorithm>
 #include <cstdio>
@@ -20,11 +20,11 @@ void give(const std::string &input) {
     LLVMFuzzerTestOneInput((const uint8_t *)input.data(), input.size());
 }
 
-// One to four wounds. Numbers at the edges of their ranges are likelier to do harm than others
+// Changes the text in one to four places. Numbers at the edges of their ranges are likelier to do harm
 std::string damaged(std::string text, const std::string &other, std::mt19937 &chance) {
     auto below = [&](size_t n) { return n ? chance() % n : 0; };
     static const uint8_t kEdges[] = {0x00, 0x01, 0x7f, 0x80, 0xff, '0', '-', '/', ' ', '\n'};
-    for (size_t wounds = 1 + below(4); wounds && !text.empty(); --wounds) {
+    for (size_t changes = 1 + below(4); changes && !text.empty(); --changes) {
         size_t at = below(text.size()), length = std::min(1 + below(16), text.size() - at);
         switch (below(6)) {
         case 0:

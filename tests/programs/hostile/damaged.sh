@@ -2,8 +2,8 @@
 # never runs, never hangs, and leaves nothing behind.
 #   damaged.sh BUILD [TRIES] [SEED]
 # The first 656 bytes cannot be guarded: the header that the system and its loader read, and the code of the check
-# itself (packer/README.md). A changed byte there could make the program do anything, so these bytes are only cut off, not changed.
-# tests/programs/packed.sh looks at every place of a small program.
+# itself (packer/README.md). A changed byte there could make the program do anything, so these bytes are only cut off,
+# not changed. tests/programs/packed.sh damages a small program everywhere.
 . "$(dirname "$0")/../common.sh"
 tries=${2:-100} seed=${3:-$((EPOCHSECONDS % 30000))}
 needs_built odraz

@@ -1,5 +1,5 @@
-# A dump that is killed at any moment leaves whole frames, and the one that it was writing under a name of its own,
-# FRAME.PID.part. A killed process cannot clean up; a later dump ignores such a file like any other.
+# A dump that is killed at any moment leaves whole frames, and the one that it was writing as FRAME.PID.part. A killed
+# process cannot clean up; a later dump ignores such a file like any other.
 #   killed.sh BUILD [KILLS] [SEED]
 . "$(dirname "$0")/../common.sh"
 kills=${2:-50} seed=${3:-$((EPOCHSECONDS % 30000))}

@@ -10,7 +10,7 @@ unset DISPLAY WAYLAND_DISPLAY
 echo "    seed $seed"
 RANDOM=$seed
 
-# --- What they are made of ---
+# --- The words ---
 pick() { local n=$(($# > 0 ? RANDOM * 32768 + RANDOM : 0)); picked=${@:n % $# + 1:1}; } # sets picked
 long=$(printf '%0100000d' 0)
 junk=('' ' ' - -- 0 -1 1e999 -nan inf 99999999999999999999 0x10 +1 .5 1. '٣' 'žluťoučký kůň' $'\xff\xfe\x01' $'two\nlines' $'\e[31mred' %n%s%x "$long"
@@ -108,7 +108,7 @@ begin() { # sets bounds for the next one
     esac
 }
 
-# --- What lies there ---
+# --- The files that are there ---
 mkdir "$WORK/given" "$WORK/run"
 echo "a text" >"$WORK/given/file"
 mkfifo "$WORK/given/fifo"

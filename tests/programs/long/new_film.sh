@@ -1,5 +1,5 @@
-# tools/new-film from its begin to its end: a film with a long name is made, built, packed and tested, and nothing in it
-# is called odraz.
+# tools/new-film from beginning to end: a film with a long name is made, built, packed and tested, and nothing in it is
+# called odraz.
 . "$(dirname "$0")/../common.sh"
 skip_unless git strings zip unzip perl
 name=wunderkmr film=$WORK/film # nine letters: with -safe as many as the packer's stub has room for
@@ -45,7 +45,7 @@ check "... they compile, and the film with a lamp and a note is packed" cmake --
 check "... in which the lamp is seen to come on" less "$(mean 48)" "$(awk "BEGIN { print $(mean 53) - 5 }")"
 git -C "$film" checkout -q intro/show
 
-# The tests find what they must
+# The tests find faults
 check "another picture is found" eval 'sed -i "s/{2.6f, 0.9f, 0.27f}/{0.9f, 2.6f, 0.27f}/" "$film/intro/show/scenes/stage.cpp" && cmake --build "$film/build" --target film >/dev/null && ! "$film/tools/golden" compare >/dev/null'
 check "... kept, it is the right one" eval '"$film/tools/golden" renew >/dev/null && "$film/tools/golden" compare >/dev/null'
 check "a budget that is too small stops the build" eval 'sed -i "s/^FILM_BUDGET=.*/FILM_BUDGET=30000/" "$film/intro/film.conf" && ! cmake --build "$film/build" --target film >"$WORK/log"'

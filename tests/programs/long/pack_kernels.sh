@@ -40,9 +40,9 @@ chmod +x root/init
 (cd root && find . | busybox cpio -o -H newc) 2>/dev/null | gzip -1 >initrd
 # An emulated processor takes a minute
 timeout $((PATIENCE * 2)) qemu-system-x86_64 -M q35 -cpu max,la57=on -m 512 -nographic -no-reboot -kernel kernel/boot/vmlinuz-* -initrd initrd \
-    -append "console=ttyS0 quiet panic=-1" 2>&1 </dev/null | tr -d '\r' >said
-check "the kernel has 5-level paging" grep -q '^.*kernel .*, la57$' said
-sed -n 's/.*kernel /kernel /p' said
-check "all four run" test "$(grep -c '^/bin/packed.*: status 5$' said)" = 4 -a "$(grep -c '^word 43 0$' said)" = 4
-check "one made for the packer, too" grep -q '^/bin/hello: status 7$' said
+    -append "console=ttyS0 quiet panic=-1" 2>&1 </dev/null | tr -d '\r' >log
+check "the kernel has 5-level paging" grep -q '^.*kernel .*, la57$' log
+sed -n 's/.*kernel /kernel /p' log
+check "all four run" test "$(grep -c '^/bin/packed.*: status 5$' log)" = 4 -a "$(grep -c '^word 43 0$' log)" = 4
+check "one made for the packer, too" grep -q '^/bin/hello: status 7$' log
 finish

@@ -1,4 +1,4 @@
-# Programs of many makers, packed: they do what they did, and are smaller than xz makes them. The table at the end is
+# Programs of many compilers, packed: they behave as before, and are smaller than xz makes them. The table at the end is
 # that of packer/README.md.
 . "$(dirname "$0")/../common.sh"
 skip_unless gcc g++ xz
@@ -27,7 +27,7 @@ same() {
         name, file, small, packed, packed / small, took / 1e6, quick, quick / small, fast / 1e6 }' >>table
     [ "$(stat -c %s stripped)" -lt 100000 ] || echo "$small $packed $(noise stripped) $name" >>large
 }
-# noise FILE: bytes in blocks of 4 KB that nothing makes smaller, as of curl's manual, which is compressed in the program
+# noise FILE: bytes in blocks of 4 KB that xz cannot compress, such as curl's manual, which is compressed already
 noise() { split -b 4096 --filter='xz -9e | wc -c' "$1" | awk '$1 > 4000 { sum += 4096 } END { print sum + 0 }'; }
 # try NAME PROGRAM COMMAND: the same, if the program is there
 try() {

@@ -1,5 +1,5 @@
-# The page of tools/ledger html in a browser: it opens, adds up, answers mouse and keys, shows what objdump says, and says
-# nothing on its console.
+# The page of tools/ledger html in a browser: it opens, adds up, answers mouse and keys, shows the instructions of
+# objdump, and prints nothing on its console.
 . "$(dirname "$0")/../common.sh"
 skip_unless chromium objdump convert perl
 page=$WORK/film.html

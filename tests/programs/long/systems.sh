@@ -7,7 +7,7 @@ shift
 skip_unless debootstrap unshare
 needs_built compare
 [ "$(id -u)" = 0 ] || { echo "SKIPPED: it needs root"; exit 77; }
-# In a mount namespace of its own: the mounts disappear with this process, however it ends
+# In a new mount namespace: the mounts disappear with this process, however it ends
 [ -n "${ODRAZ_OWN_MOUNTS-}" ] || ODRAZ_OWN_MOUNTS=1 exec unshare --mount --propagation private bash "$0" "$BUILD" "$@"
 declare -A SUITES=([debian11]=bullseye [debian13]=trixie [sid]=sid)
 [ $# -gt 0 ] || set -- debian11 sid

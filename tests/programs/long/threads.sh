@@ -1,5 +1,5 @@
-# The whole film, a picture a second, in draft, play and film, is the same with one thread, its own and OpenGL's, and with
-# many.
+# The whole film, a picture a second, in draft, play and film, is the same with one thread and with many, of the film
+# and of OpenGL.
 . "$(dirname "$0")/../common.sh"
 for threads in 1 7; do
     printf '#!/bin/sh\nLP_NUM_THREADS=%d exec "%s" "$@" --threads %d\n' $threads "$BUILD/odraz-safe" $threads >"$WORK/with$threads"

@@ -1,4 +1,4 @@
-# The film, which is optimised as a whole when it is linked, makes the pictures and the music that its files make when each
+# The film, which is optimised as a whole when it is linked, makes the same pictures and music as its files do when each
 # is optimised alone, as in tools and tests.
 . "$(dirname "$0")/../common.sh"
 check "the film is linked file by file" cmake --build "$BUILD" --target odraz-parts.elf

@@ -1,4 +1,4 @@
-# apply.pl PAGE FOLDER: does in FOLDER what the steps of intro/show/README.md say, and prints the files it changed.
+# apply.pl PAGE FOLDER: carries out the steps of PAGE, intro/show/README.md, in FOLDER, and prints the files it changed.
 # A step ends in one of these, and the lines follow as a block:
 #   Make a new file, `FILE`:
 #   In `FILE`, before|below|above|last in|instead of `TEXT`:

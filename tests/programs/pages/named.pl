@@ -1,5 +1,5 @@
-# named.pl PAGE FILES TARGETS WORDS HELPS: prints what the page names, by `...` or as a link, that is not there: a file, a
-# target or program, an option, a function. FILES: what git tracks; TARGETS: what can be built; WORDS: all words of the
+# named.pl PAGE FILES TARGETS WORDS HELPS: prints what the page names, by `...` or as a link, that is not there: a file,
+# a target or program, an option, a function. FILES: what git tracks; TARGETS: what can be built; WORDS: all words of the
 # sources; HELPS: a folder of what programs print for --help.
 use strict;
 use warnings;
@@ -32,33 +32,33 @@ sub has_option {
     return scalar grep { defined && /(?<![\w-])\Q$option\E(?![\w-])/ } $program ? $help{$program} : values %help;
 }
 my ($checked, $missing) = (0, 0);
-sub want { my ($there, $what) = @_; ++$checked; return if $there; print STDERR "    $what\n"; $missing = 1 }
+sub need { my ($there, $what) = @_; ++$checked; return if $there; print STDERR "    $what\n"; $missing = 1 }
 
 my $text = join("\n", lines($page));
 while ($text =~ /\]\((?!https?:)([^)#]+)[^)]*\)/g) {
     my $link = $1;
     my $path = "$here$link";
     1 while $path =~ s/[^\/]+\/\.\.\///;
-    want(scalar($file{$path} || $folder{$path =~ s/\/$//r}), "a link to $link");
+    need(scalar($file{$path} || $folder{$path =~ s/\/$//r}), "a link to $link");
 }
-want($target{$_}, "--target $_") for map { split ' ' } $text =~ /--target ((?:[\w.-]+ ?)+)/g;
+need($target{$_}, "--target $_") for map { split ' ' } $text =~ /--target ((?:[\w.-]+ ?)+)/g;
 $text =~ s/a new file, `[^`]*`//g; # which is to be made
 while ($text =~ /`([^`\n]+(?:\n\s*[^`\n]+)?)`/g) {
     (my $span = $1) =~ s/\s+/ /g;
     my ($first, @rest) = split / /, $span;
     (my $program = $first) =~ s/.*\///;
     if ($help{$program} && @rest) { # a command
-        for (@rest) { want(has_option($1, $program), "$span: $first has no $1") if /^(--?[a-z][a-z-]*)/ }
+        for (@rest) { need(has_option($1, $program), "$span: $first has no $1") if /^(--?[a-z][a-z-]*)/ }
     } elsif ($span =~ /^(--[a-z][a-z-]*)/) {
-        want(has_option($1), "$span: no program has $1");
+        need(has_option($1), "$span: no program has $1");
     } elsif ($span =~ /^(\S+)(\.\w+)\/(\.\w+)$/) { # NAME.h/.cpp
         my @both = ("$1$2", "$1$3");
-        want(is_there($_), $_) for @both;
+        need(is_there($_), $_) for @both;
     } elsif (!@rest && ($span =~ /^[\w.-]+(?:\/[\w.*-]*)+$/ || $span =~ /\.(?:h|cpp|S|sh|pl|md|ld|py|txt|model|json|cmake)$/) && $span !~ /[A-Z]{2,}[^\/]*\.(?!md|txt)|\*|^\/|OUT|DIR|NAME|libdl|kernel32/) {
-        want(is_there($span), $span);
-    } else { # code: what looks like a name of ours
-        want($word{$1}, "$span: $1") while $span =~ /\b(k[A-Z]\w*|[A-Za-z_]\w+(?=[(<]))/g;
-        want($word{$span} || $target{$span} || is_there($span), $span) if $span =~ /^[A-Za-z]\w+$/;
+        need(is_there($span), $span);
+    } else { # code: whatever looks like a name in the sources
+        need($word{$1}, "$span: $1") while $span =~ /\b(k[A-Z]\w*|[A-Za-z_]\w+(?=[(<]))/g;
+        need($word{$span} || $target{$span} || is_there($span), $span) if $span =~ /^[A-Za-z]\w+$/;
     }
 }
 die "nothing was named in $page\n" if !$checked;

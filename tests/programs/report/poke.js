@@ -1,4 +1,4 @@
-// Uses the page as its readers do, and notes in <body data-checked data-failed> what came of it. Runs in the page.
+// Uses the page as its readers do, and writes the outcome into <body data-checked data-failed>. Runs in the page.
 (async () => {
     while (!document.body.dataset.ready) await new Promise(done => setTimeout(done, 10));
     const failed = [];
@@ -13,8 +13,8 @@
         column => [...$('table').querySelectorAll(`tbody tr td:nth-child(${column})`)].map(c => c.textContent);
 
     check('all adds up', document.body.dataset.ready === 'yes' && !$('problem').textContent);
-    check('the size is told', $('size').textContent === `${report.file.toLocaleString('en')} bytes`);
-    check('the change is told', /since size_ledger.json/.test($('change').textContent));
+    check('the size is shown', $('size').textContent === `${report.file.toLocaleString('en')} bytes`);
+    check('the change is shown', /since size_ledger.json/.test($('change').textContent));
     check('the budget has parts for rooms', $('budget').children.length > 10);
 
     // Tables
@@ -62,7 +62,7 @@
     const box = $('heat').getBoundingClientRect(),
           mouse = {clientX: box.left + gutter + 20.5 * cell, clientY: box.top + 10.5 * cell, bubbles: true};
     $('heat').dispatchEvent(new MouseEvent('mousemove', mouse));
-    check('the mouse tells a byte', $('tip').textContent.startsWith(`${address(10 * columnCount + 20)}: `));
+    check('the mouse shows a byte', $('tip').textContent.startsWith(`${address(10 * columnCount + 20)}: `));
     $('heat').dispatchEvent(new MouseEvent('click', mouse));
     check(
         'a click goes there', cursor === 10 * columnCount + 20 && $('lines').querySelector('.cursor')?.at === cursor);

@@ -1,7 +1,7 @@
 // An editor of GNU Rocket that takes orders, for rocket.sh.
 //   rocket_editor
-// Listens on a free port of 127.0.0.1, and prints "port N". A film that connects must greet as the
-// protocol has it; then its messages are printed, a line each: "track NAME", "row N". Orders are lines on
+// Listens on a free port of 127.0.0.1, and prints "port N". A film that connects must send the
+// protocol's greeting; then its messages are printed, a line each: "track NAME", "row N". Orders are lines on
 // standard input:
 //   key NAME ROW VALUE INTERPOLATION   sets a key
 //   delete NAME ROW

@@ -1,4 +1,4 @@
-# The film on Windows if its output is closed, full, or a console: status and line are as on Linux, nothing crashes or
+# The film on Windows if its output is closed, full, or a console: status and line are those of Linux, nothing crashes or
 # hangs, and no file is half-written. The probe starts the film as Windows does (probe start, probe console), because
 # Wine would reuse descriptors that were closed on Linux.
 . "$(dirname "$0")/wine.sh"
@@ -83,7 +83,7 @@ full="cannot write standard output: no space left on the device"
 check "--help into a full disk" refused_alike 1 "$full" 'exec $film --help >/dev/full'
 check "--version, too" refused_alike 1 "$full" 'exec $film --version >/dev/full'
 check "--stats, too" refused_alike 1 "$full" 'exec $film --window --mute --stats --size 64x36 --from 161 >/dev/full'
-check "--stats into a pipe that nobody reads" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --window --mute --stats --size 64x36 --from 161; } | true'
+check "--stats into a closed pipe" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --window --mute --stats --size 64x36 --from 161; } | true'
 check "music into one" refused_alike 1 "the pipe was closed" '{ sleep 0.2; $film --wav -; } | true'
 
 mkdir disk

@@ -1,5 +1,5 @@
-# Checks on Windows what the film's host and start promise, from inside a program that is made like the film (probe/),
-# packed and not packed.
+# Checks the film's host and start on Windows, from inside a program that is made like the film (probe/), packed and not
+# packed.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 start_display 640x400

@@ -1,5 +1,4 @@
-# The film's window on Windows under all that viewers may do: tiny, odd sizes, quick resizing, moving, minimising; and
-# on a display of another aspect.
+# The film's window on Windows: tiny and odd sizes, quick resizing, moving, minimising; and a display of another aspect.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 skip_unless openbox wmctrl

@@ -1,10 +1,10 @@
-# The film on Windows in a window, shown by Wine: it starts, draws, resizes, fills the screen, and ends when asked.
+# The film on Windows in a window, shown by Wine: it starts, draws, resizes, fills the screen, and ends.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
 film=$BUILD/odraz.exe
 
 load() { begin "$wine" "$film" "$@"; }
-leaves() { # leaves COMMAND...: the command asks the film to end; it ends with status 0
+leaves() { # leaves COMMAND...: the command ends the film, with status 0
     "$@" >/dev/null 2>&1
     ended $pid
 }
@@ -48,7 +48,7 @@ check "... one without opengl32.dll, too" refuses 1 "no OpenGL 3.3 on this displ
 MESA_GL_VERSION_OVERRIDE=2.1 "$wine" "$film" 2>&- &
 pid=$!
 PIDS+=($pid)
-check "... in a box where nobody sees it" await eval "xdotool search --onlyvisible --class 'odraz-safe.exe' >/dev/null"
+check "... in a box where there is no standard error" await eval "xdotool search --onlyvisible --class 'odraz-safe.exe' >/dev/null"
 closes() {
     xdotool search --onlyvisible --class 'odraz-safe.exe' windowfocus key Return 2>/dev/null
     gone $pid

@@ -38,7 +38,7 @@ std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) 
     traceFrame(intro.tracer, *intro.workers, *intro.film.scene, view, quality, intro.frame);
     return planes(intro.frame);
 }
-// From two pictures `gap` sixtieths apart, of which the first is `before` sixtieths earlier.
+// An in-between made from two pictures `gap` sixtieths apart, the first of them `before` sixtieths earlier.
 std::vector<float> made(Intro &intro, double seconds, double gap = 2, double before = 1) {
     picture(intro, 0, seconds - before * kStep, named(QualityName::Play));
     picture(intro, 1, seconds + (gap - before) * kStep, named(QualityName::Play));
@@ -154,7 +154,7 @@ TEST(Between, GoesFromOneToTheOther) {
     }
 }
 
-// A player keeps several: each has a place.
+// A player keeps several in-betweens; each has its place.
 TEST(Between, StaysInItsPlace) {
     Intro &intro = film();
     picture(intro, 0, 30, named(QualityName::Draft));
@@ -169,7 +169,7 @@ TEST(Between, StaysInItsPlace) {
         EXPECT_TRUE(std::equal(first[k].begin(), first[k].end(), pictures[k].rgba)) << k;
 }
 
-// Beside a cut it shows its own shot, made of the picture that is in it.
+// Beside a cut it shows its own shot, and is made from the picture of that shot alone.
 TEST(Between, BesideACutIsOfItsOwnShot) {
     Intro &intro = film();
     double cut = kFilm.shots[4].row / kRowsPerSecond; // to another scene

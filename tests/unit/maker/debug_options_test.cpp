@@ -33,7 +33,7 @@ TEST(DebugOptions, TakesItsOwn) {
     EXPECT_NE(Taken({"--tracks", "a", "--rocket"}).wrong.find("one at a time"), std::string::npos);
 }
 
-TEST(DebugOptions, KnowsHosts) {
+TEST(DebugOptions, ParsesHosts) {
     auto at = [](const char *host) {
         Taken t({"--rocket", host});
         return t.wrong.empty() ? t.options.host + " " + std::to_string(t.options.port) : "";

@@ -80,7 +80,7 @@ std::string read(const std::string &file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// A folder like the show's, with one file.
+// A folder of the show's layout, with one file.
 struct Fixture : testing::Test {
     std::string folder = testing::TempDir() + "keys_test." + std::to_string(getpid());
     std::string file = folder + "/scenes/one.keys";
@@ -234,7 +234,7 @@ TEST(KeyFile, WhatIsWrongIsReportedWithItsLine) {
 
 // --- The film's own ---
 
-// As a scene includes them: all are in the list of KeyTable
+// Included as scenes include them, so that KeyTable's list has them all
 namespace {
 namespace film {
 #include "show/film.keys"
@@ -259,7 +259,7 @@ namespace credits {
 }
 } // namespace
 
-TEST(KeysOfTheFilm, AreForTheMakerWhatTheyAreForTheProgram) {
+TEST(KeysOfTheFilm, AreTheSameForMakerAndProgram) {
     Events rows;
     for (const EventInfo &e : contentOf(inspector()).events) rows[e.name] = e.row;
     std::set<std::vector<KeyNumbers>> paths;
@@ -350,7 +350,7 @@ TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
     EXPECT_EQ(at("kDoor").keys[0][0], 6) << "an edit is not lost with its file";
 }
 
-TEST_F(KeyTablesTest, WhoWroteTheSameTableKeepsIt) {
+TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
     tables.change(find("kDoor"), {{5, 1, 0}});
     tables.change(find("kGrow"), {{5, 1, 0}});
     std::string theirs = replaced("{72, 1, Linear}", "{72, 2, Linear}");

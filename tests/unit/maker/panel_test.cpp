@@ -160,7 +160,7 @@ TEST(Panel, HiddenItShowsThePictureAlone) {
     EXPECT_NE(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
 }
 
-// All that can be shown, in pictures from the smallest on, every way it can be seen; sanitizers look on
+// Draws every part of the panel in pictures of all sizes, for sanitizers to check
 TEST(Panel, ServesPicturesOfAllSizes) {
     for (auto [width, height] : {std::pair{1, 1}, {16, 9}, {239, 200}, {320, 180}, {100, 500}, {500, 100}}) {
         Loaded film(width, height);
@@ -271,7 +271,7 @@ TEST(Panel, LoopsAStretch) {
     h.time = h.panel.loop().to + 0.01;
     h.steer();
     EXPECT_EQ(h.time, h.panel.loop().from);
-    // Paused one may look elsewhere
+    // While it is paused, times outside the loop can be shown
     h.paused = true;
     h.time = 10;
     h.steer();
@@ -303,7 +303,7 @@ TEST(Panel, LeavesTheMouseToTheHostElsewhere) {
     EXPECT_FALSE(h.panel.grabs());
 }
 
-// --- What it knows of the film ---
+// --- The film's content ---
 
 TEST(Content, IsInOrderAndInTheFilm) {
     Content c = contentOf(inspector());

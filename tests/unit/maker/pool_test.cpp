@@ -8,7 +8,7 @@ using namespace odraz::maker;
 
 namespace {
 
-// The sum of the numbers below `count`, in pieces of `size`, and how many workers there were.
+// The sum of the numbers below `count`, in pieces of `size`.
 long sum(Workers &workers, int count, int size) {
     long parts[kMaxWorkers] = {};
     parallelRanges(workers, count, size, [&](int first, int end, int worker) {
@@ -32,7 +32,7 @@ TEST(Pool, DoesAllWorkOnce) {
     EXPECT_EQ(Pool(1000).workers().count, kMaxWorkers);
 }
 
-// What ended in a segfault when the host's workers did it.
+// The host's workers ended in a segfault here.
 TEST(Pool, SeveralAtOnce) {
     std::thread others[2];
     std::atomic<int> wrong = 0;

@@ -42,7 +42,7 @@ public:
     common::TemporaryFolder folder;
 };
 
-// The next news other than that a build has begun, waiting for a minute at most.
+// The next event other than the begin of a build; waits for a minute at most.
 Event next(Rebuilder &r, double &now) {
     for (int i = 0; i < 6000; ++i) {
         Event what = r.poll(now += 0.01);
@@ -51,7 +51,7 @@ Event next(Rebuilder &r, double &now) {
     }
     return Event::None;
 }
-// Polls for some time in which nothing may happen.
+// Polls for a while; true if nothing happens.
 bool quiet(Rebuilder &r, double &now) {
     for (int i = 0; i < 20; ++i, usleep(5000))
         if (r.poll(now += 0.01) != Event::None) return false;

@@ -64,7 +64,7 @@ private:
     sockaddr_in address = {};
 };
 
-// Lets the client work until `done`, for a minute at most, while its own clock stands.
+// Updates the client until `done`, for a minute at most; its clock stands at `now`.
 template <class Done> bool until(Client &client, double now, Done done) {
     for (int i = 0; i < 60000; ++i) {
         if (done()) return true;
@@ -91,7 +91,7 @@ void meet(Editor &editor, Client &client, double now = 0) {
 
 } // namespace
 
-TEST(RocketClient, UnderstandsEveryMessage) {
+TEST(RocketClient, ParsesEveryMessage) {
     Editor editor;
     Client client("127.0.0.1", editor.port(), kNames);
     meet(editor, client);
@@ -125,13 +125,13 @@ TEST(RocketClient, UnderstandsEveryMessage) {
 TEST(RocketClient, SendsItsRowOnce) {
     Editor editor;
     Client client("127.0.0.1", editor.port(), kNames);
-    client.sendRow(5); // to nobody
+    client.sendRow(5); // not connected yet
     meet(editor, client);
     client.sendRow(7);
     EXPECT_EQ(editor.receive(5), setRow(7));
     client.sendRow(7);
     EXPECT_TRUE(editor.silent());
-    // What the editor said is not said back
+    // A row from the editor is not sent back
     editor.send(setRow(9));
     ASSERT_TRUE(until(client, 0, [&] { return client.takeRow() == 9u; }));
     client.sendRow(9);
@@ -140,11 +140,11 @@ TEST(RocketClient, SendsItsRowOnce) {
     EXPECT_EQ(editor.receive(5), setRow(10));
 }
 
-TEST(RocketClient, LeavesWhenItHearsGarbage) {
+TEST(RocketClient, DisconnectsOnGarbage) {
     const std::string garbage[] = {
         "\x06",
         "\xff",
-        "\x02" + number(1) + "a", // is never said to a client
+        "\x02" + number(1) + "a", // no message for a client
         setKey(2, 0, 0, 0),       // there are two tracks
         setKey(0xffffffff, 0, 0, 0),
         setKey(0, 0, std::bit_cast<float>(0x7fc00000), 0),
@@ -183,7 +183,7 @@ TEST(RocketClient, ComesBack) {
     EXPECT_EQ(client.problem(), "");
 }
 
-TEST(RocketClient, ReportsWhoIsNotThere) {
+TEST(RocketClient, ReportsAMissingEditor) {
     int port;
     {
         Editor nobody;
@@ -199,7 +199,7 @@ TEST(RocketClient, ReportsWhoIsNotThere) {
     EXPECT_NE(nowhere.problem().find("no.such.host.invalid:1: "), std::string::npos);
 }
 
-TEST(RocketClient, WantsAnEditor) {
+TEST(RocketClient, ReportsAServerThatIsNoEditor) {
     // One with another greeting, in pieces; and a silent one
     for (bool silent : {false, true}) {
         Editor editor;

@@ -132,7 +132,7 @@ TEST_F(Fixture, TakesWhatAnEditorHas) {
     EXPECT_EQ(path[2].row, 16);
     EXPECT_EQ(path[2].eye.y, 9); // holds
     EXPECT_EQ(path[2].eye.x, 2);
-    // It lets go of them
+    // The editor releases them
     tracks.takeFromEditor(kTheLamp, {});
     tracks.takeFromEditor(kEyeY, {});
     tracks.show();
@@ -153,7 +153,7 @@ TEST_F(Fixture, HasKeysSetByHand) {
     EXPECT_EQ(tracks.setView(16, nullptr), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}}));
     EXPECT_EQ(tracks.setView(16, nullptr), "there is no key");
-    // An editor that changes a key of these has the last word; others stay
+    // An editor's change to one of these keys wins; the others stay
     tracks.takeFromEditor(kEyeX, {{16, {3, kSmooth}}});
     EXPECT_EQ(tracks.setView(4, &kView), "");
     EXPECT_EQ(tracks.track(kEyeX), (rocket::Track{{4, {8, kSmooth}}, {16, {3, kSmooth}}}));
@@ -231,7 +231,7 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
     std::string wrong = tracks.save(message);
     EXPECT_NE(wrong.find("start:lamp: the film has no steps and ramps"), std::string::npos) << wrong;
     EXPECT_EQ(read("scenes/start.keys"), kStartKeys);
-    // A file that somebody else wrote meanwhile stays theirs, and the edit stays to be seen
+    // A file that was changed meanwhile is not overwritten, and the edit is still shown
     write("film.keys", std::string(kFilmKeys) + "// mine\n");
     tracks.setView(4, &kView);
     EXPECT_NE(tracks.save(message).find("film.keys was changed meanwhile"), std::string::npos);

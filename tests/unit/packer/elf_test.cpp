@@ -266,7 +266,7 @@ TEST(Reader, FindsCodeAndWhatIsEarlyBySections) {
     EXPECT_EQ(readProgram(other.file()).early, kNothingEarly);
 }
 
-TEST(Reader, WantsTheEarlyPartOnPagesOfItsOwn) {
+TEST(Reader, NeedsTheEarlyPartOnItsOwnPages) {
     Sectioned s;
     s.sections[1].sh_size -= 100; // fine: the page ends behind it
     EXPECT_EQ(readProgram(s.file()).early, 8192u);
@@ -275,7 +275,7 @@ TEST(Reader, WantsTheEarlyPartOnPagesOfItsOwn) {
 }
 
 // Found by the fuzzer: sums of addresses and sizes that wrap around.
-TEST(Reader, IsNotFooledByAddressesThatWrapAround) {
+TEST(Reader, RefusesAddressesThatWrapAround) {
     Sectioned s;
     s.sections[2].sh_addr = UINT64_MAX - 15;
     EXPECT_NE(complaint(s.file()).find("outside the segments"), std::string::npos);

@@ -112,7 +112,7 @@ std::vector<int> lengths(const Bytes &code) {
 
 } // namespace
 
-TEST(Parser, KnowsWhereInstructionsEnd) {
+TEST(Parser, FindsWhereInstructionsEnd) {
     const Bytes code = {0x55,                                           // push
                         0x48, 0x89, 0xe5,                               // mov
                         0x48, 0x8d, 0x05, 1,    2,    3, 4,             // lea rip
@@ -204,7 +204,7 @@ TEST(Coder, HundredsOfSmallImages) {
     }
 }
 
-TEST(Coder, KnowsWhatEachByteCosts) {
+TEST(Coder, CountsTheBitsOfEachByte) {
     Bytes b = realCode(20000);
     Encoded e = encode(b, allCode(b), smallParameters(), workspace);
     double sum = 0;

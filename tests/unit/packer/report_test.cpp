@@ -29,7 +29,7 @@ double sum(const Costs &costs) {
     return all;
 }
 
-// Whether it reads the text, or refuses it.
+// Whether the text is read as a report, not refused.
 bool reads(const std::string &text) {
     try {
         readJson(text);
@@ -41,7 +41,7 @@ bool reads(const std::string &text) {
 
 } // namespace
 
-// --- To whom each byte belongs ---
+// --- The symbol of each byte ---
 
 TEST(Attribution, GivesWhatOverlapsToOne) {
     EXPECT_EQ(text(exclusive({})), "");

@@ -27,7 +27,7 @@ protected:
 
 TEST_P(Sweep, EveryPictureIsOne) {
     ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
-    const char *from = std::getenv("SWEEP_FROM"); // to try a part of it
+    const char *from = std::getenv("SWEEP_FROM"); // for a part of the film
     int pictures = 0;
     double before = -1, darkest = 1e9;
     for (double t = from ? std::atof(from) : 0; t < duration(); t += 0.25) {
@@ -41,13 +41,13 @@ TEST_P(Sweep, EveryPictureIsOne) {
                     ASSERT_TRUE(v >= 0 && v < 1e6f) << t << " s, pixel " << x << ' ' << y << ": " << v;
                     sum += (double)v;
                 }
-        // As it is exposed: at night the hall is as dark as night, and the camera's eye is wide open. Only
-        // the cut to black on the last beat exposes nothing
+        // As exposed: the hall at night is dark, and its exposure high. Only the cut to black on the last
+        // beat has no exposure
         double exposure = (double)intro->film.scene->exposure,
                mean = sum / (3. * kWidth * kHeight) * exposure,
                fade = (double)momentAt(kFilm, t * kRowsPerSecond).fade;
         if (fade > 0.05 && (exposure > 0 || t < duration() - 0.5)) {
-            // (The hall before light is black with thin lines, and before the light comes they go out)
+            // (The unlit hall is black with thin lines, which go out before the light comes)
             EXPECT_GT(mean / fade, 0.007) << t << " s is black";
             EXPECT_NE(mean, before) << t << " s is as the picture before";
             darkest = std::fmin(darkest, mean / fade);

@@ -1,4 +1,4 @@
-// The film's music, listened to: hits are on time and come out of silence, there is noise, nothing clips.
+// Measures the film's music: hits are on time and come out of silence, there is noise, nothing clips.
 #include "show/show.h"
 #include "tools/measure/detect/hits.h"
 

@@ -156,7 +156,7 @@ TEST(Rules, APictureDependsOnItsTimeAlone) {
     EXPECT_EQ(bytes(0.19 * end), first);
 }
 
-TEST(Rules, LoadingSaysNoWhenTheArenaIsTooSmall) {
+TEST(Rules, LoadingFailsWhenTheArenaIsTooSmall) {
     Workers workers = serialWorkers();
     Intro *intro = nullptr;
     alignas(64) static unsigned char block[4096];

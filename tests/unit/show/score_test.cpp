@@ -43,7 +43,7 @@ char chordAt(int row) {
     return kChords[m.shot->scene][(int)m.storyRow / 16];
 }
 
-// Whether someone plays a key, in any octave, from a row on.
+// Whether the piano or the voice plays a key, in any octave, from a row on.
 bool isPlayed(int row, int key) {
     for (const Note &n : notesOf(row))
         if ((n.instrument == &kInstruments[kPiano] || n.instrument == &kInstruments[kVoice]) &&
@@ -52,7 +52,7 @@ bool isPlayed(int row, int key) {
     return false;
 }
 
-// Beats of the tune, from one on, that are not heard from a row on.
+// The number of beats of the tune, counted from the beat `from`, that are not played from a row on.
 int missing(int row, int from, int beats) {
     int count = 0;
     for (int i = 0; i < beats; ++i)

@@ -31,7 +31,7 @@ Intro &film() {
 
 } // namespace
 
-// As many as the treatment asks for.
+// The number in the treatment.
 constexpr int kLeastCuts = 14;
 
 TEST(Film, HasTheCutsAndTheLengthOfItsTreatment) {
@@ -100,7 +100,7 @@ TEST(Film, CamerasMoveEvenly) {
 
 // Levels fit the treatment: pictures are not dark or bright for long, hardly anything is clipped, and colours
 // are moderate.
-TEST(Film, LevelsAreAsTheTreatmentWantsThem) {
+TEST(Film, LevelsAreThoseOfTheTreatment) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     std::printf("scene     pictures   mean level      clipped, most   saturation\n");
     for (int scene = 0; scene < kSceneCount; ++scene) {
@@ -185,8 +185,8 @@ TEST(Film, BallsDoNotRollThroughThings) {
     }
 }
 
-// Detail, gloss and the light that travels along belong to the camera that looks: the script's or a flyer's.
-TEST(Film, IsPosedForTheCameraThatLooks) {
+// Detail, gloss and the light at the camera depend on the camera in use: the script's or a flown one.
+TEST(Film, IsPosedForTheCameraInUse) {
     const Film &f = film().film;
     auto gloss = [&] {
         const Glossy &g = f.hall->gloss;

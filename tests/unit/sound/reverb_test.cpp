@@ -58,14 +58,14 @@ double designed(double hertz) {
 
 TEST(Reverb, DecaysAsDesigned) {
     auto room = std::make_unique<Reverb>();
-    std::vector<double> heard = impulse(*room, 6, 2);
+    std::vector<double> response = impulse(*room, 6, 2);
     for (double hertz : {125., 250., 500., 1000., 2000., 4000.}) {
-        double took = decayTime(band(heard, hertz));
+        double took = decayTime(band(response, hertz));
         std::printf("%5.0f Hz: %.2f s, designed %.2f s\n", hertz, took, designed(hertz));
         EXPECT_NEAR(took / designed(hertz), 1, 0.15) << hertz;
     }
     // Interpolation between samples also damps high frequencies
-    double high = decayTime(band(heard, 12000));
+    double high = decayTime(band(response, 12000));
     EXPECT_GT(high, 0.5 * (double)kDecayHigh);
     EXPECT_LT(high, designed(12000) * 1.1);
     EXPECT_NEAR(designed(1), (double)kDecay, 0.02);
@@ -75,7 +75,7 @@ TEST(Reverb, IsDenseAndOnBothSides) {
     for (int lane : {0, 5}) {
         auto room = std::make_unique<Reverb>();
         double left = 0, right = 0;
-        int heard = 0;
+        int loud = 0;
         for (int block = 0; block < 200; ++block) {
             Float8 in[kBlock] = {}, out[kBlock] = {};
             if (block == 0) in[0][lane] = 1;
@@ -83,11 +83,11 @@ TEST(Reverb, IsDenseAndOnBothSides) {
             for (Float8 x : out) {
                 for (int i = 0; i < 8; ++i)
                     if (block > 50) (i < 4 ? left : right) += (double)x[i] * (double)x[i];
-                heard += block >= 120 && std::fabs(x[0]) > 1e-7f;
+                loud += block >= 120 && std::fabs(x[0]) > 1e-7f;
             }
         }
         EXPECT_NEAR(std::log2(left / right), 0, 0.6) << lane;
-        EXPECT_GT(heard, 80 * kBlock / 2) << "half a second later it is a room and no echoes any more";
+        EXPECT_GT(loud, 80 * kBlock / 2) << "half a second later single echoes are no longer heard";
     }
 }
 

@@ -76,10 +76,10 @@ Plot plotOf(int count, int series, double spread) {
 void expectAllNamed(const Plot &plot) {
     Drawn d = read(svg(plot));
     EXPECT_EQ(d.marks.size(), plot.points.size());
-    std::multiset<std::string> names, told;
+    std::multiset<std::string> names, drawn;
     for (const PlotPoint &p : plot.points) names.insert(p.name);
-    for (const Text &t : d.names) told.insert(t.words);
-    EXPECT_EQ(told, names);
+    for (const Text &t : d.names) drawn.insert(t.words);
+    EXPECT_EQ(drawn, names);
     EXPECT_EQ(overprints(d), 0);
 }
 
@@ -104,7 +104,7 @@ TEST(Plot, PointsAtOnePlaceAreAllNamed) {
     expectAllNamed(plot);
 }
 
-TEST(Plot, WaysAreToldApartByTheirMarks) {
+TEST(Plot, SeriesDifferByTheirMarks) {
     for (int series : {2, 6, 10}) EXPECT_EQ(read(svg(plotOf(40, series, 1))).shapes.size(), (size_t)series);
 }
 

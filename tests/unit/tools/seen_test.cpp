@@ -72,7 +72,7 @@ TEST(Shown, SteadyPlayersTraceOneOfN) {
 }
 
 // Each in-between is made from the traced ones on both sides, however many lie between them.
-TEST(Shown, InBetweensKnowTheirGap) {
+TEST(Shown, InBetweensHaveTheirGap) {
     std::vector<Shown> list = steady(10, 10.2, 60, 4, 2, 64, 36);
     for (size_t i = 0; i < list.size(); ++i) {
         MadeFrom from = madeFrom(list, i);

@@ -52,7 +52,7 @@ TEST(Srgb, FollowsTheStandard) {
 
 namespace {
 
-// The developed values of some radiances: each has a row of its own, in which every pixel holds it.
+// The developed values of some radiances, each of which fills one row of pixels.
 struct Developed {
     static constexpr int kWidth = 512;
     Canvas canvas;
@@ -177,7 +177,7 @@ TEST(Develop, ExtremesAreBlackOrWhite) {
     EXPECT_EQ(Developed({kInfinity}, 0).mean(0), 0); // the dark end of a fade
 }
 
-TEST(Develop, ColoursHaveNoiseOfTheirOwn) {
+TEST(Develop, ColoursHaveIndependentNoise) {
     std::vector<double> noise[3];
     for (int c = 0; c < 3; ++c) noise[c] = noiseOf(0, c);
     EXPECT_LT(std::fabs(correlation(noise[0], noise[1])), 0.01); // of 131,072 pixels: 0.0028 is usual

@@ -126,7 +126,7 @@ TEST(Glare, IsSeenInTheDevelopedPicture) {
     EXPECT_NEAR(at(dark, 128, 64), at(plain, 128, 64), 1);
     EXPECT_LT(at(dark, 0, 0), at(plain, 0, 0) - 25);
     EXPECT_NEAR(at(dark, 0, 0), at(dark, 255, 127), 2);
-    // Grain: as wide as asked for, with the right mean, equal in all colours; white and black stay in range
+    // Grain: of the width given, with the right mean, equal in all colours; white and black stay in range
     std::vector<uint8_t> grain = developed(nullptr, {0, 0, 96});
     double sum = 0, square = 0;
     int most = 0;

@@ -67,7 +67,7 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
             }
     };
     double sum, most, widerSum, widerMost;
-    float tenth = 0.1f / 500 / 0.728f; // pixels, of an ell at the ball
+    float tenth = 0.1f / 500 / 0.728f; // in pixels: 0.1 at the ball's distance
     look(1e-6f, sum, most);
     look(tenth, widerSum, widerMost);
     EXPECT_LT(widerMost, most * 0.25);
@@ -274,8 +274,8 @@ TEST(View, PutsTheTargetInTheMiddleAndUpOnTop) {
     EXPECT_NEAR(rolled.direction(50.f, 0.f).y, 0, 1e-5);
 }
 
-// A lamp's size softens shadows only where balls block light in closed form. Elsewhere shadows are hard, and
-// what stands nearer to the floor than the lamp is large casts one too.
+// A lamp's size softens shadows only where balls block light in closed form. Elsewhere shadows are hard, also
+// those of things that are nearer to the floor than the lamp's radius.
 TEST(Shadow, OfALargeLampReachesTheFloor) {
     auto s = emptyScene();
     s->add(matte({0.5f, 0.5f, 0.5f}));

@@ -30,11 +30,6 @@ CommandLine &split() {
     return commandLine();
 }
 
-bool same(const char *a, const char *b) {
-    while (*a && *a == *b) ++a, ++b;
-    return *a == *b;
-}
-
 // Whether the line is split as Windows splits it.
 bool asWindows() {
     static const auto reference =
@@ -46,12 +41,12 @@ bool asWindows() {
     bool good = values && a.count == count;
     for (int i = 0; good && i < count; ++i) {
         WideCharToMultiByte(windows::kUtf8, 0, values[i], -1, text, sizeof text, nullptr, nullptr);
-        good = same(text, a.values[i]);
+        good = is(text, a.values[i]);
     }
     return good && !a.values[count];
 }
 
-bool is(const char *arguments) { // each with a '|' behind it
+bool splitsInto(const char *arguments) { // each with a '|' behind it
     CommandLine &a = split();
     for (int i = 0; i < a.count; ++i) {
         for (const char *p = a.values[i]; *p; ++p)
@@ -112,7 +107,7 @@ void arguments() {
     int n = 0, wrong = 0;
     for (auto &[line, arguments] : kLines) {
         put(line);
-        if (!is(arguments)) check("split as meant", false, n), ++wrong;
+        if (!splitsInto(arguments)) check("split as meant", false, n), ++wrong;
         if (!asWindows()) check("split as by CommandLineToArgvW", false, n), ++wrong;
         ++n;
     }

@@ -1,5 +1,5 @@
-// How floats are rounded and how deep the stack is, in the main thread, in workers, and in a thread of our
-// own; and the protection of the program's own memory.
+// How floats are rounded and how deep the stack is, in the main thread, in workers, and in another thread;
+// and the protection of the program's memory.
 #include "probe.h"
 
 #include "host/process.h"
@@ -15,7 +15,7 @@ struct Found {
     uint32_t mxcsr;
     bool denormals;
     int64_t off;       // misalignment of the stack
-    int64_t committed; // bytes of the stack below, up to what is asked
+    int64_t committed; // bytes of the stack below, up to 2 kFrame
     int deep;          // result of a function with a large frame
     bool done;
 };
@@ -48,7 +48,7 @@ struct Memory {
 static_assert(sizeof(Memory) == 48);
 typedef PROBE_WINDOWS uint64_t Query(uint64_t address, Memory *, uint64_t size);
 
-// How much of the stack below is committed: at least kFrame.
+// The committed bytes of the stack below, counted up to 2 kFrame.
 int64_t committed() {
     Memory memory;
     auto query = (Query *)function("kernel32.dll", "VirtualQuery");
@@ -67,16 +67,16 @@ int64_t committed() {
     __atomic_store_n(&found.done, true, __ATOMIC_RELEASE);
 }
 
-void tell(const char *mxcsrName, const char *denormals, const char *committed, const char *deep,
-          const Found &f) {
+void report(const char *mxcsrName, const char *denormals, const char *committed, const char *deep,
+            const Found &f) {
     check(mxcsrName, f.mxcsr == kUsual, f.mxcsr);
     check(denormals, f.denormals);
     check(committed, f.committed >= kFrame, f.committed);
     check(deep, f.deep == kFrame / 4096, f.deep);
 }
-#define TELL(who, found)                                                                                     \
-    tell("floats are rounded as on Linux in " who, "denormal ones survive in " who,                          \
-         "the stack is committed in " who, "a large frame is written to in " who, found)
+#define REPORT(who, found)                                                                                   \
+    report("floats are rounded as on Linux in " who, "denormal ones survive in " who,                        \
+           "the stack is committed in " who, "a large frame is written to in " who, found)
 
 // Counts regions of the program's pages that are executable, and those that are executable and writable.
 void countPages(uint64_t begin, uint64_t end, int &code, int &both) {
@@ -146,7 +146,7 @@ void workBody(const void *context, int piece, int, int worker) {
 void floats() {
     static Found main, thread;
     look(main);
-    TELL("the main thread", main);
+    REPORT("the main thread", main);
 
     static Work work;
     static Workers workers;
@@ -161,24 +161,24 @@ void floats() {
         check("threads start", !missing && theStarted == kWorkers, theStarted);
     }
     while (!__atomic_load_n(&thread.done, __ATOMIC_ACQUIRE)) Sleep(1);
-    TELL("a thread", thread);
+    REPORT("a thread", thread);
     check("the stack is aligned for the engine in a thread", !thread.off, thread.off);
     workers.run(workers, kWorkers, 1, workBody, &work);
     for (int i = 1; i < kWorkers; ++i) {
-        TELL("a worker", work.found[i]);
+        REPORT("a worker", work.found[i]);
         check("the stack is aligned for the engine in a worker", !work.found[i].off, work.found[i].off);
     }
 
-    // The file asks for the stack of the main thread and of every other, all of it committed
+    // The header sets the size of the main thread's stack and of every other, all of it committed
     auto module = (PROBE_WINDOWS char *(*)(const char *))function("kernel32.dll", "GetModuleHandleA");
     char *image = module(nullptr), *header = image + *(uint32_t *)(image + 0x3c) + 24;
-    uint64_t reserved = *(uint64_t *)(header + 72), asked = *(uint64_t *)(header + 80);
-    check("the file asks for a stack of 1 MB", reserved >= 1 << 20, (int64_t)reserved);
-    check("... committed whole", asked == reserved, (int64_t)asked);
+    uint64_t reserved = *(uint64_t *)(header + 72), commits = *(uint64_t *)(header + 80);
+    check("the file reserves a stack of 1 MB", reserved >= 1 << 20, (int64_t)reserved);
+    check("... committed whole", commits == reserved, (int64_t)commits);
 
     int code = 0, both = 0;
     countPages((uint64_t)image, (uint64_t)image + *(uint32_t *)(header + 56), code, both);
-    check("pages of its own may be executed", code > 0, code);
+    check("some of its pages may be executed", code > 0, code);
     check("... and none of these written to", !both, both);
 }
 

@@ -43,7 +43,8 @@ void **kernelSlot(const char *wanted) {
     endProcess(3);
 }
 
-static bool is(const char *a, const char *b) {
+bool is(const char *a, const char *b) {
+    if (!a) return false;
     while (*a && *a == *b) ++a, ++b;
     return *a == *b;
 }

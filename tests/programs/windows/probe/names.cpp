@@ -1,4 +1,4 @@
-// Files are whole or absent, whatever goes wrong. ../probe.sh knows which files must remain in the folder.
+// Files are whole or absent, whatever goes wrong. ../probe.sh checks which files remain in the folder.
 #include "probe.h"
 
 #include "base/text.h"
@@ -18,12 +18,6 @@ void *theUsual;
 
 void setError(uint32_t error) {
     ((PROBE_WINDOWS void (*)(uint32_t))function("kernel32.dll", "SetLastError"))(error);
-}
-
-bool says(const char *said, const char *wanted) {
-    if (!said) return false;
-    while (*said && *said == *wanted) ++said, ++wanted;
-    return *said == *wanted;
 }
 
 // Real Windows, unlike Wine, limits names without a manifest to 259 units, and folders to 247
@@ -68,17 +62,17 @@ void names(const char *folder) {
     check("... over what is there", !writeFile(a.data, "three", 5));
     below(part, "b.");
     part << (int64_t)GetCurrentProcessId() << ".part";
-    check("somebody else has the name beside it", !writeFile(part.data, "somebody's", 10));
-    check("... and keeps it", !writeFile(below(b, "b"), "ours", 4));
+    check("the name beside it is taken", !writeFile(part.data, "somebody's", 10));
+    check("... and stays as it is", !writeFile(below(b, "b"), "ours", 4));
     check("nothing is written to NUL", !writeFile("NUL", "x", 1));
 
-    check("a folder keeps its place", says(writeFile(folder, "x", 1), "it is a directory"));
-    check("there is nothing below nowhere",
-          says(writeFile(below(c, "no/where"), "x", 1), "no such directory"));
+    check("a folder keeps its place", is(writeFile(folder, "x", 1), "it is a directory"));
+    check("a folder that is missing is reported",
+          is(writeFile(below(c, "no/where"), "x", 1), "no such directory"));
     WCHAR wide[600];
     MultiByteToWideChar(windows::kUtf8, 0, below(d, "held"), -1, wide, 600);
     HANDLE held = CreateFileW(wide, 0x40000000, 0, nullptr, 1, 0, nullptr);
-    check("what another has open is left to it", says(writeFile(d.data, "x", 1), "permission denied"));
+    check("what another has open is left to it", is(writeFile(d.data, "x", 1), "permission denied"));
     CloseHandle(held);
 
     const char *wrong, *over;
@@ -87,14 +81,14 @@ void names(const char *folder) {
         wrong = writeFile(below(e, "full"), "x", 1);
         over = writeFile(a.data, "x", 1);
     }
-    check("a full disk is told", says(wrong, kFull));
-    check("... where something is there, too", says(over, kFull));
+    check("a full disk is reported", is(wrong, kFull));
+    check("... where something is there, too", is(over, kFull));
     {
         Instead close(kernelSlot("CloseHandle"), (void *)fullAtLast);
         theUsual = close.usual;
         wrong = writeFile(below(f, "late"), "x", 1);
     }
-    check("one that is full only when it is closed, too", says(wrong, kFull));
+    check("one that is full only when it is closed, too", is(wrong, kFull));
 
     // Long names
     below(g, "");
@@ -106,17 +100,17 @@ void names(const char *folder) {
         theUsual = create.usual;
         wrong = writeFile(g.data, "x", 1);
     }
-    check("a name that is too long for Windows is told", says(wrong, kLong));
+    check("a name that is too long for Windows is reported", is(wrong, kLong));
     {
         Instead create(kernelSlot("CreateDirectoryW"), (void *)createDirectory);
         theUsual = create.usual;
         wrong = makeDirectory(g.data);
     }
-    check("... a folder's, too", says(wrong, kLong));
-    check("one that is too long for anybody is told", says(writeFile(h.data, "x", 1), kLong));
-    check("... a folder's, too", says(makeDirectory(h.data), kLong));
+    check("... a folder's, too", is(wrong, kLong));
+    check("one that is too long for the film is reported", is(writeFile(h.data, "x", 1), kLong));
+    check("... a folder's, too", is(makeDirectory(h.data), kLong));
     check("a folder that is there is fine", !makeDirectory(folder));
-    check("one in a file's place is not", says(makeDirectory(a.data), "not a directory"));
+    check("one in a file's place is not", is(makeDirectory(a.data), "not a directory"));
 }
 
 } // namespace probe

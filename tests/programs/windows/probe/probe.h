@@ -11,6 +11,8 @@ namespace probe {
 // "ok: WHAT", or "FAILED: WHAT" with what was found, on standard output. From the main thread only.
 void check(const char *what, bool good, int64_t found = 0);
 extern int failures;
+// Whether two texts are equal; false if the first is null.
+bool is(const char *text, const char *other);
 
 // A function of Windows that the film does not use; cast it to its type with ms_abi. Never null.
 void *function(const char *library, const char *name);
@@ -60,7 +62,7 @@ struct Early {
 };
 extern Early theEarly;
 
-// What the other files look at
+// The parts, one in each file
 void arguments();
 void floats();
 void names(const char *folder);
@@ -68,10 +70,9 @@ void passing();
 void shown();
 void times();
 
-// starting.cpp: the status of a program that is started by a command line, without the standard handles
-// `which`
-// ("012"), as `how` says: null, invalid, stale. In a console of its own: its screen is written to standard
-// output.
+// starting.cpp: start a program by a command line without the standard handles `which`, such as "012", and
+// return its status. `how` these handles are missing: null, invalid or stale. startInConsole() starts it in a
+// new console, and writes the console's screen to standard output.
 uint32_t start(const char *how, const char *which, const char *line);
 uint32_t startInConsole(const char *which, const char *line);
 

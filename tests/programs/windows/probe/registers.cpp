@@ -1,4 +1,4 @@
-// Calls functions with every register that must be kept set to a number of its own.
+// Calls functions with a different number in every register that must be kept.
 #include "probe.h"
 
 namespace probe {
@@ -11,8 +11,8 @@ bool wholeIs(const Kept &k, int i) { return k.whole[i] == kWhole + (uint64_t)i; 
 
 } // namespace
 
-// A Kept and the arguments to set registers from, the function; the stack before. Used by the assembler
-// below.
+// Used by the assembler below: the result, the function, its arguments, the stack before the call, and the
+// registers to set.
 extern "C" {
 Kept *probeAfter;
 void *probeFunction;
@@ -25,7 +25,7 @@ void probeCallAsWindows();
 #define SAVE_OWN                                                                                             \
     "push %rbp\n push %rbx\n push %r12\n push %r13\n push %r14\n push %r15\n mov %rsp, probeStack\n"
 #define LOAD_OWN "mov probeStack, %rsp\n pop %r15\n pop %r14\n pop %r13\n pop %r12\n pop %rbx\n pop %rbp\n"
-// After a call: rsp that was meant is in probeFunction's place
+// After a call; probeFunction then holds rsp from before it
 #define KEEP                                                                                                 \
     "push %rax\n mov probeAfter, %rax\n"                                                                     \
     "mov %rbx, (%rax)\n mov %rbp, 8(%rax)\n mov %rdi, 16(%rax)\n mov %rsi, 24(%rax)\n"                       \

@@ -12,7 +12,7 @@ namespace {
 uint32_t theState, theAnswer, theCalls;
 void *theUsual;
 
-// GetProcAddress, as this program imports it; what it finds for SetProcessDpiAwarenessContext is ours
+// Replaces GetProcAddress, which this program imports: it returns beAware() for SetProcessDpiAwarenessContext
 typedef PROBE_WINDOWS void *FindFunction(void *library, const char *name);
 void *theUsualFind;
 typedef PROBE_WINDOWS int AwareFunction(int64_t);
@@ -55,13 +55,13 @@ void shown() {
         if (wrong) return;
         for (int i = 0; i < 5000 && (film.width != 320 || film.height != 180); ++i) Sleep(2);
     }
-    check("it is as wide as asked for", film.width == 320, film.width);
-    check("... as high", film.height == 180, film.height);
+    check("it has the width given", film.width == 320, film.width);
+    check("... and the height", film.height == 180, film.height);
     check("display and machine are asked to stay awake, once, until it ends",
           theState == 0x80000003 && theCalls == 1, theState);
     check("... which is granted", theAnswer != 0);
     check("pixels are the display's", aware() && theAwareness == -4, theAwareness);
-    check("OpenGL tells what it is", film.gl.glGetString(GL_VERSION) != nullptr);
+    check("OpenGL reports its version", film.gl.glGetString(GL_VERSION) != nullptr);
 
     auto findWindow =
         (PROBE_WINDOWS HANDLE(*)(const char *, const char *))function("user32.dll", "FindWindowA");

@@ -23,8 +23,8 @@ struct Started {
     uint32_t ids[2];
 };
 
-// Returns the program's status, or 125 if it did not start. It has no console: Windows gives a new one only
-// to programs without windows, Wine to all.
+// Returns the program's status, or 125 if it did not start. DETACHED_PROCESS (8) leaves it without a console:
+// Wine would give every program a new one.
 uint32_t run(const char *line, HANDLE standard[3]) {
     static WCHAR wide[32768];
     MultiByteToWideChar(windows::kUtf8, 0, line, -1, wide, 32768);

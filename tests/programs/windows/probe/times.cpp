@@ -39,22 +39,22 @@ void times() {
     }
     check("... and no faster", outer < tickPassed + 40000000, outer - tickPassed);
 
-    for (int64_t asked : {1, 1000000, 1000001, 5500000, 70000000}) {
+    for (int64_t least : {1, 1000000, 1000001, 5500000, 70000000}) {
         first = nanoseconds();
-        sleepFor(asked);
-        check("sleep lasts what is asked, or more", nanoseconds() - first >= asked, nanoseconds() - first);
+        sleepFor(least);
+        check("sleep lasts long enough", nanoseconds() - first >= least, nanoseconds() - first);
     }
 
     int64_t worked = processorNanoseconds(), from = nanoseconds();
     sleepFor(1000000000);
     int64_t idle = processorNanoseconds() - worked;
-    check("who sleeps does not work", idle >= 0 && idle < 500000000, idle);
+    check("sleep takes no processor time", idle >= 0 && idle < 500000000, idle);
     worked = processorNanoseconds();
     from = nanoseconds();
     while (processorNanoseconds() - worked < 300000000 && nanoseconds() - from < 100000000000) {
     }
     worked = processorNanoseconds() - worked;
-    check("who works does", worked >= 300000000, worked);
+    check("work does", worked >= 300000000, worked);
     check("... not longer than time passes", worked < nanoseconds() - from + 40000000, worked);
 }
 
