@@ -94,6 +94,13 @@ prints() {
     echo "printed: $(head -c 300 "$WORK/printed")" >&2
     return 1
 }
+# exits STATUS TEXT COMMAND...: exits with the status; prints the text on stdout, nothing on stderr
+exits() {
+    local status=$1 text=$2 got
+    shift 2
+    got=$("$@" 2>"$WORK/err")
+    [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
+}
 # lacks PATTERN FILE: the file is not empty, and none of its lines matches
 lacks() {
     [ -s "$2" ] || { echo "$2 is empty" >&2; return 1; }

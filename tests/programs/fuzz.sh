@@ -43,11 +43,15 @@ seeds_for_obj() {
     options=(-max_len=8192 -dict="$SOURCE/tests/programs/fuzz/obj.dict")
 }
 
+small_model() { # a square and a lamp over it
+    printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
+    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
+}
+
 # The smallest solutions, without their header of 18 bytes and their checksum of 8
 seeds_for_rad() {
     local option
-    printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
-    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
+    small_model
     for option in "--patch 1 --element 1" "--patch 0.5 --element 0.2" "--patch 1 --element 0.01 --adaptive"; do
         # shellcheck disable=SC2086 # options are several words
         "$programs/radiosity" solve m.obj -o m.rad $option >/dev/null || return
@@ -61,8 +65,7 @@ seeds_for_rad() {
 # The smallest rooms, without their header of 17 bytes and their checksum of 8
 seeds_for_prt() {
     local option
-    printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl l\nKe 5 5 5\n' >m.mtl
-    printf 'mtllib m.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 0 1\nv 0 0 1\nv 0 1 0\nv 1 1 0\nv 1 1 1\nf 1 4 3 2\nusemtl l\nf 5 6 7\n' >m.obj
+    small_model
     for option in "--bands 1 --rank 1" "--bands 2 --rank 2 --clusters 2" "--bands 1 --rank 1 --glossy m" "--bands 2 --rank 1 --up z"; do
         # shellcheck disable=SC2086 # options are several words
         "$programs/radiosity" transfer m.obj -o m.prt --rays 8 --element 1 $option >/dev/null 2>&1 || return

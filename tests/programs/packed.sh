@@ -2,12 +2,6 @@
 . "$(dirname "$0")/common.sh"
 pack=$BUILD/pack hello=$WORK/hello
 check "the example is built and packed" prints 'bytes left' bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK"
-exits() { # exits STATUS TEXT COMMAND...: exit status and standard output
-    local status=$1 text=$2 got
-    shift 2
-    got=$("$@" 2>"$WORK/err")
-    [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
-}
 check "it runs" exits 7 "hello, 1 words, 42" "$hello"
 check "it gets its arguments" exits 7 "hello, 3 words, 42" "$hello" a b
 check "it costs its payload and 3,149 bytes" prints '\(3149 of them stub and headers\)' "$pack" "$WORK/hello.elf" -o "$WORK/h"

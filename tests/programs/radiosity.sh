@@ -1,9 +1,6 @@
 # The radiosity program as its users run it: good and bad models, and results that are known.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
+. "$(dirname "$0")/radiosity_program.sh"
 skip_unless script
-cd "$WORK" || exit 1
 
 for kind in cube columns corner; do
     check "generate $kind" prints polygons "$radiosity" generate $kind -o $kind.obj

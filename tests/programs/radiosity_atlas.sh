@@ -1,8 +1,5 @@
 # radiosity export --atlas, as its users run it: what lies in the folder, and what is refused.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_program.sh"
 
 check "a model" "$radiosity" generate columns -o m.obj
 check "... solved" prints 'processor seconds' "$radiosity" solve m.obj -o m.rad

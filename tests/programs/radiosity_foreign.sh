@@ -1,10 +1,7 @@
 # A model as modelling programs export them, unlike those of `generate`, for `radiosity transfer` and `study`: it is
 # read whole, its relit light equals a solution for each light, and its study is a whole page.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
+. "$(dirname "$0")/radiosity_program.sh"
 skip_unless convert perl
-cd "$WORK" || exit 1
 
 # foreign_room NAME: writes NAME.obj, "NAME of it.mtl" and a picture, as modelling programs export them: centimetres,
 # lines that end with CR LF, quads, triangles and polygons of many points, points repeated for each object, negative

@@ -1,8 +1,5 @@
 # radiosity --reflectance and --power: other materials than the model's, for generate and solve.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_program.sh"
 
 # solved NAME MODEL OPTION...: NAME.rad and NAME.csv
 solved() {

@@ -1,10 +1,7 @@
 # Odd models, as other programs write them: every valid one gives a lit picture, unchanged; every other one gives one
 # line.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
+. "$(dirname "$0")/radiosity_program.sh"
 skip_unless convert
-cd "$WORK" || exit 1
 printf 'newmtl m\nKd 0.5 0.5 0.5\nnewmtl red\nKd 0.8 0.1 0.1\n' >m.mtl
 square='v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\n'
 

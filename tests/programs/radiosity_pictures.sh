@@ -1,9 +1,6 @@
 # Materials with pictures (map_Kd): what elements reflect, against closed forms. And pictures that cannot be read.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
+. "$(dirname "$0")/radiosity_program.sh"
 skip_unless convert
-cd "$WORK" || exit 1
 
 # A furnace of fine checks, black and sRGB 188, which is 0.5029: all surfaces emit 1, so all have 1 / (1 - 0.2514)
 convert -size 512x512 pattern:gray50 +level 0,73.7255% -depth 8 -type TrueColor checks.png

@@ -1,9 +1,6 @@
 # radiosity solve --progress: lines for scripts, a bar on a terminal, nothing without the option.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
+. "$(dirname "$0")/radiosity_program.sh"
 skip_unless script
-cd "$WORK" || exit 1
 
 "$radiosity" generate columns -o m.obj >/dev/null
 check "without --progress" bash -c "'$radiosity' solve m.obj -o m.rad --hemicube 64 >out 2>quiet"

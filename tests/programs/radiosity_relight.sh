@@ -1,8 +1,5 @@
 # radiosity solve --keep-rows and --relight: other materials with the same form factors, like a solution made for them.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_program.sh"
 
 for kind in cube columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
 solve() { "$radiosity" solve "$@" >out 2>err; }

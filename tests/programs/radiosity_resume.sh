@@ -1,8 +1,5 @@
 # radiosity solve --resume: a solution that was stopped goes on, and ends with the bytes of one that was not.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_program.sh"
 
 for kind in terrain columns; do "$radiosity" generate $kind -o $kind.obj >/dev/null; done
 sed -i 's/^Kd .*/Kd 0.95 0.95 0.95/' columns.mtl # solving it takes some 170 sweeps

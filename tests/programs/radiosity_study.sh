@@ -1,8 +1,5 @@
 # radiosity study, as its users run it: the page, its tables and pictures, and what is refused.
-. "$(dirname "$0")/common.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
-cd "$WORK" || exit 1
+. "$(dirname "$0")/radiosity_program.sh"
 
 check "a model" prints polygons "$radiosity" generate cube -o cube.obj
 # Half a minute; as much more on a busy machine as a solution takes longer there than its processor time

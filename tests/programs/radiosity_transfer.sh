@@ -1,12 +1,9 @@
 # `radiosity transfer`: rooms lit by any environment and their lamps, against solutions for that light; the output of
 # --check; pictures of the bands; gloss; and what is refused.
-. "$(dirname "$0")/common.sh"
+. "$(dirname "$0")/radiosity_program.sh"
 . "$SOURCE/tests/programs/room.sh"
-radiosity=$BUILD/radiosity
-needs_built radiosity
 needs_built compare
 skip_unless convert perl
-cd "$WORK" || exit 1
 
 # sky FILE DEGREES: a picture of all directions, 64 x 32: a bright spot over an even sky, DEGREES of azimuth from the
 # middle
@@ -110,7 +107,7 @@ kill -INT ${PIDS[-1]}
 ended ${PIDS[-1]}
 check "Ctrl-C ends it with status 1" test $? = 1
 check "... before its end" eval '! grep -q "^of the rows" checked'
-check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is not whole; stopped.prt is saved" ]'
+check "... with one line" eval '[ "$(cat err)" = "radiosity: interrupted: the check is incomplete; stopped.prt is saved" ]'
 check "... which is true" "$radiosity" render stopped.prt -o stopped.png --size 80x60
 
 # The lecture's figures, and gloss

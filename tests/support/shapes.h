@@ -3,6 +3,8 @@
 
 #include "trace/scene/scene.h"
 
+#include <cmath>
+#include <gtest/gtest.h>
 #include <memory>
 
 namespace odraz {
@@ -33,6 +35,28 @@ inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {
         break;
     }
     __builtin_unreachable();
+}
+
+// The distance of a point from a shape; 0 or less inside it. A new kind needs a case in the switch.
+inline float distanceFrom(const Shape &s, Vec3 p) {
+    Vec3 q = s.frame * (p - s.centre);
+    auto over = [](float x, float half) { return std::fmax(std::fabs(x) - half, 0.f); };
+    switch (s.kind) {
+    case ShapeKind::Sphere:
+        return length(q) - s.half.x;
+    case ShapeKind::Plane:
+        return q.y;
+    case ShapeKind::Box:
+    case ShapeKind::Rect: // whose half.y is 0
+        return length(Vec3{over(q.x, s.half.x), over(q.y, s.half.y), over(q.z, s.half.z)});
+    case ShapeKind::Cylinder:
+        return std::hypot(over(std::hypot(q.x, q.z), s.half.x), over(q.y, s.half.y));
+    case ShapeKind::Triangle:
+    case ShapeKind::Count:
+        break;
+    }
+    ADD_FAILURE() << "distanceFrom() has no case for shapes of kind " << (int)s.kind;
+    return 0;
 }
 
 } // namespace odraz

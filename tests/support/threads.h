@@ -13,7 +13,9 @@ namespace odraz {
 struct Threads {
     Workers workers;
     int abort = 0;
-    explicit Threads(int count) {
+    explicit Threads(int count) : workers(serialWorkers()) {
+        workers.abort = &abort;
+        if (count == 1) return;
         workers = {count,
                    [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
                       const void *context) {

@@ -17,6 +17,17 @@ namespace odraz {
 constexpr CameraKey kTableView = {0, {2, 2.5f, 5.9f}, {0, 0.4f, 0}, 0, 36};
 inline const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
+// A scene with nothing but one emitting shape.
+inline std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
+    auto s = emptyScene();
+    Material bright = {};
+    bright.emit = radiance;
+    s->add(bright);
+    s->add(shape);
+    s->finish();
+    return s;
+}
+
 struct TracedPicture {
     HeapArena memory;
     std::vector<uint16_t> shapes;

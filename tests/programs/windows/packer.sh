@@ -3,18 +3,12 @@
 . "$(dirname "$0")/../display.sh"
 pack=$BUILD/pack
 check "the example is built" bash "$SOURCE/packer/example/build.sh" "$pack" "$WORK" --pe
-runs() { # runs STATUS TEXT COMMAND...: exit status and standard output
-    local status=$1 text=$2 got
-    shift 2
-    got=$("$@" 2>"$WORK/err")
-    [ $? = "$status" ] && [ "$got" = "$text" ] && [ ! -s "$WORK/err" ]
-}
 exe=$WORK/hello.exe
-check "it runs" runs 7 "hello, 42" "$wine" "$exe"
-check "by another path" runs 7 "hello, 42" bash -c "cd '$WORK' && exec '$wine' ./hello.exe"
+check "it runs" exits 7 "hello, 42" "$wine" "$exe"
+check "by another path" exits 7 "hello, 42" bash -c "cd '$WORK' && exec '$wine' ./hello.exe"
 check "--test finds it whole" prints ': whole; ' "$pack" --test "$exe"
 check "-d gives it back" "$pack" -d "$exe" -o "$WORK/plain.exe"
-check "... and that runs" runs 7 "hello, 42" "$wine" "$WORK/plain.exe"
+check "... and that runs" exits 7 "hello, 42" "$wine" "$WORK/plain.exe"
 check "... as --plain makes it" "$pack" "$WORK/hello_windows.elf" -o "$WORK/again.exe" --pe --plain
 check "... to the byte" cmp "$WORK/plain.exe" "$WORK/again.exe"
 
@@ -32,7 +26,7 @@ flipped() {
 }
 check "a flipped bit anywhere is refused" flipped
 { cat "$exe"; echo "more bytes"; } >"$broken"
-check "bytes behind its end do not matter" runs 7 "hello, 42" "$wine" "$broken"
+check "bytes behind its end do not matter" exits 7 "hello, 42" "$wine" "$broken"
 
 # Without standard error a box shows the message
 start_display 640x480

@@ -57,7 +57,7 @@ template <class Right> double absoluteError(Float8 x, Float8 y, Right right) {
     return largestError(x, y, right, [](double) { return 1.; });
 }
 
-// Prints the error that was found, for the table of results.
+// Prints the error and returns it.
 double printed(const char *what, double found) {
     std::printf("%s: %.2e\n", what, found);
     return found;

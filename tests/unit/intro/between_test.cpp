@@ -48,6 +48,9 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
     return planes(intro.frame);
 }
 
+using Bytes = std::vector<uint8_t>;
+Bytes bytesOf(const Picture &p) { return {p.rgba, p.rgba + kWidth * kHeight * 4}; }
+
 // PSNR in linear light, exposed and clipped at white.
 double decibels(const Intro &intro, const std::vector<float> &a, const std::vector<float> &b) {
     double squares = 0, exposure = intro.film.scene->exposure;
@@ -134,13 +137,9 @@ TEST(Between, IsNearAtEveryFraction) {
 // The nearer a moment is to one of the pictures, the more it shows of it.
 TEST(Between, GoesFromOneToTheOther) {
     Intro &intro = film();
-    picture(intro, 0, 30, named(QualityName::Play));
-    picture(intro, 1, 30 + 4 * kStep, named(QualityName::Play));
-    auto slot = [&](int k) {
-        const uint8_t *p = intro.slots[k].traced.frame.rgba;
-        return std::vector<uint8_t>(p, p + kWidth * kHeight * 4);
-    };
-    auto differs = [](const std::vector<uint8_t> &a, const Picture &b) {
+    const Bytes first = bytesOf(picture(intro, 0, 30, named(QualityName::Play))),
+                last = bytesOf(picture(intro, 1, 30 + 4 * kStep, named(QualityName::Play)));
+    auto differs = [](const Bytes &a, const Picture &b) {
         double sum = 0;
         for (size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b.rgba[i]);
         return sum;
@@ -148,9 +147,9 @@ TEST(Between, GoesFromOneToTheOther) {
     double fromFirst = 0, fromLast = 1e9;
     for (double share : {0.25, 0.5, 0.75}) {
         Picture p = between(intro, 0, 1, share, (int)(share * 4));
-        EXPECT_GT(differs(slot(0), p), fromFirst) << share;
-        EXPECT_LT(differs(slot(1), p), fromLast) << share;
-        fromFirst = differs(slot(0), p), fromLast = differs(slot(1), p);
+        EXPECT_GT(differs(first, p), fromFirst) << share;
+        EXPECT_LT(differs(last, p), fromLast) << share;
+        fromFirst = differs(first, p), fromLast = differs(last, p);
     }
 }
 
@@ -159,14 +158,13 @@ TEST(Between, StaysInItsPlace) {
     Intro &intro = film();
     picture(intro, 0, 30, named(QualityName::Draft));
     picture(intro, 1, 30 + 6 * kStep, named(QualityName::Draft));
-    std::vector<std::vector<uint8_t>> first;
+    std::vector<Bytes> first;
     std::vector<Picture> pictures;
     for (int k = 0; k < kPlaces; ++k) {
         pictures.push_back(between(intro, 0, 1, (k + 1) / 6., k));
-        first.emplace_back(pictures[(size_t)k].rgba, pictures[(size_t)k].rgba + kWidth * kHeight * 4);
+        first.push_back(bytesOf(pictures.back()));
     }
-    for (size_t k = 0; k < kPlaces; ++k)
-        EXPECT_TRUE(std::equal(first[k].begin(), first[k].end(), pictures[k].rgba)) << k;
+    for (size_t k = 0; k < kPlaces; ++k) EXPECT_TRUE(first[k] == bytesOf(pictures[k])) << k;
 }
 
 // Beside a cut it shows its own shot, and is made from the picture of that shot alone.
@@ -178,8 +176,7 @@ TEST(Between, BesideACutIsOfItsOwnShot) {
     for (double share : {0.25, 0.5, 0.75}) {
         if (kSanitized && share != 0.5) continue;
         double seconds = cut + (share * 4 - 2.5) * kStep;
-        Picture p = between(intro, 0, 1, share);
-        std::vector<uint8_t> shown(p.rgba, p.rgba + kWidth * kHeight * 4);
+        Bytes shown = bytesOf(between(intro, 0, 1, share));
         LoadedFilm other(1, kWidth, kHeight, true);
         Picture q = picture(*other.intro, 0, seconds, named(QualityName::Play));
         double squares = 0;
@@ -191,17 +188,16 @@ TEST(Between, BesideACutIsOfItsOwnShot) {
 // Slots belong to the caller: any slot may hold the earlier picture, and making one between changes neither.
 TEST(Between, IsOfTheSlotsThatAreNamed) {
     Intro &intro = film();
-    auto bytes = [](const Picture &p) { return std::vector<uint8_t>(p.rgba, p.rgba + kWidth * kHeight * 4); };
     auto trace = [&](int slot, double seconds) { picture(intro, slot, seconds, named(QualityName::Play)); };
     trace(0, 30 - kStep);
     trace(1, 30 + kStep);
-    std::vector<uint8_t> first = bytes(between(intro, 0, 1));
-    EXPECT_EQ(bytes(between(intro, 0, 1)), first);
+    Bytes first = bytesOf(between(intro, 0, 1));
+    EXPECT_EQ(bytesOf(between(intro, 0, 1)), first);
     trace(0, 30 + 3 * kStep);
-    EXPECT_NE(bytes(between(intro, 1, 0)), first) << "a later moment";
+    EXPECT_NE(bytesOf(between(intro, 1, 0)), first) << "a later moment";
     trace(1, 30 - kStep);
     trace(0, 30 + kStep);
-    EXPECT_EQ(bytes(between(intro, 1, 0)), first);
+    EXPECT_EQ(bytesOf(between(intro, 1, 0)), first);
 }
 
 // The result does not depend on the number of threads: at moments of the whole film, the gaps in turn.

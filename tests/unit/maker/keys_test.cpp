@@ -2,6 +2,8 @@
 #include "maker/panel/content.h"
 #include "show/events.h"
 #include "show/show.h"
+#include "tests/support/thrown.h"
+#include "tools/common/whole_file.h"
 #define ODRAZ_LIVE
 #include "timeline/keys.h"
 
@@ -14,6 +16,7 @@
 
 using namespace odraz;
 using namespace odraz::maker;
+using common::readWhole;
 
 namespace {
 
@@ -67,17 +70,7 @@ std::string replaced(const std::string &from, const std::string &to) {
     return text.replace(at, from.size(), to);
 }
 std::string problemOf(const std::string &text) {
-    try {
-        KeyFile("one.keys", text, kRows);
-    } catch (const std::runtime_error &e) {
-        return e.what();
-    }
-    return "";
-}
-
-std::string read(const std::string &file) {
-    std::ifstream in(file);
-    return {std::istreambuf_iterator<char>(in), {}};
+    return thrown([&] { KeyFile("one.keys", text, kRows); });
 }
 
 // A folder of the show's layout, with one file.
@@ -266,7 +259,7 @@ TEST(KeysOfTheFilm, AreTheSameForMakerAndProgram) {
     int count = 0;
     for (const KeyTable *t = KeyTable::newest; t; t = t->next, ++count) {
         std::filesystem::path path = t->file;
-        KeyFile file(path.filename(), read(ODRAZ_SOURCE / path), rows);
+        KeyFile file(path.filename(), readWhole(ODRAZ_SOURCE / path), rows);
         std::vector<KeyNumbers> keys;
         for (int i = 0; i < t->count; ++i)
             keys.push_back(t->camera ? numbersOf(t->poses[i]) : numbersOf(t->keys[i]));
@@ -316,7 +309,7 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     tables.change(find("kDoor"), keys);
     tables.change(find("kGrow"), {{3, 0.5f, 1}, {4, 1, 0}});
     EXPECT_EQ(save(), "");
-    std::string text = read(file);
+    std::string text = readWhole(file);
     EXPECT_NE(text.find("{72, 0.95, Linear},\n"), std::string::npos) << text;
     EXPECT_NE(text.find("    {3, 0.5, Smooth},\n    {4, 1, Linear},\n"), std::string::npos) << text;
     EXPECT_EQ(tables.edited(), 0);
@@ -325,7 +318,7 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     tables.undo();
     EXPECT_EQ(tables.edited(), 2);
     EXPECT_EQ(save(), "");
-    EXPECT_EQ(read(file), replaced("1e-3", "0.001"));
+    EXPECT_EQ(readWhole(file), replaced("1e-3", "0.001"));
 }
 
 TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
@@ -333,14 +326,14 @@ TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
     std::string theirs = kFile + std::string("// mine\n");
     std::ofstream(file) << theirs;
     EXPECT_NE(save().find("one.keys was changed meanwhile"), std::string::npos);
-    EXPECT_EQ(read(file), theirs);
+    EXPECT_EQ(readWhole(file), theirs);
     EXPECT_EQ(tables.edited(), 1);
     // Once it was read again, the edit goes on top of it
     load();
     EXPECT_EQ(tables.edited(), 1);
     EXPECT_EQ(save(), "");
-    EXPECT_NE(read(file).find("    {5, 1, Linear}, // shut\n    // ajar\nEND"), std::string::npos);
-    EXPECT_NE(read(file).find("// mine"), std::string::npos);
+    EXPECT_NE(readWhole(file).find("    {5, 1, Linear}, // shut\n    // ajar\nEND"), std::string::npos);
+    EXPECT_NE(readWhole(file).find("// mine"), std::string::npos);
     std::filesystem::remove(file);
     tables.change(find("kDoor"), {{6, 1, 0}});
     EXPECT_NE(save(), "");
@@ -358,7 +351,7 @@ TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
     load();
     EXPECT_EQ(at("kDoor").keys[0][0], 5) << "it is still seen";
     EXPECT_NE(save().find("one.keys was changed meanwhile, with other keys in kDoor"), std::string::npos);
-    EXPECT_EQ(read(file), theirs);
+    EXPECT_EQ(readWhole(file), theirs);
     // Once it is undone, what the other wrote is taken
     EXPECT_TRUE(tables.undo());
     EXPECT_TRUE(tables.undo());

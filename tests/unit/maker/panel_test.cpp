@@ -1,6 +1,6 @@
 // The panel over pictures of the film, as odraz-debug uses it.
 #include "maker/panel/panel.h"
-#include "tools/engine/heap_arena.h"
+#include "tests/support/loaded_film.h"
 
 #include <chrono>
 #include <cstring>
@@ -16,15 +16,8 @@ namespace {
 int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
 // The film without its hall
-struct Loaded {
-    Workers workers = serialWorkers();
-    IntroSettings settings;
-    HeapArena memory;
-    Intro *intro = nullptr;
-
-    Loaded(int width, int height) : settings{width, height}, memory(memoryNeeded(settings, 1, false)) {
-        EXPECT_EQ(load(intro, settings, memory.arena, workers), nullptr);
-    }
+struct Loaded : LoadedFilm {
+    Loaded(int width, int height) : LoadedFilm(1, width, height, false) {}
 };
 
 const Quality &kDraft = kQualities[(int)QualityName::Draft];

@@ -1,6 +1,7 @@
 #include "maker/rebuilder.h"
 
 #include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
 
 #include <filesystem>
 #include <fstream>
@@ -34,10 +35,7 @@ public:
     void write(const std::string &name, const std::string &text) const {
         std::ofstream(folder / name) << text;
     }
-    std::string read(const std::string &name) const {
-        std::ifstream in(folder / name);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string read(const std::string &name) const { return common::readWhole(folder / name); }
     std::string build() const { return folder / "build"; }
     common::TemporaryFolder folder;
 };

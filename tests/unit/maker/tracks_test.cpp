@@ -1,4 +1,5 @@
 #include "maker/tracks.h"
+#include "tools/common/whole_file.h"
 
 #include <cstring>
 #include <filesystem>
@@ -79,10 +80,7 @@ struct Fixture : testing::Test {
     void write(const std::string &name, const std::string &text) const {
         std::ofstream(folder + "/" + name) << text;
     }
-    std::string read(const std::string &name) const {
-        std::ifstream in(folder + "/" + name);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
+    std::string read(const std::string &name) const { return common::readWhole(folder + "/" + name); }
     bool has(const char *name, const char *what) const { return read(name).find(what) != std::string::npos; }
 };
 

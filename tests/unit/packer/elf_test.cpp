@@ -2,6 +2,7 @@
 #include "packer/read/elf_reader.h"
 #include "packer/read/loader_reader.h"
 #include "packer/write/packed_file.h"
+#include "tests/support/thrown.h"
 
 #include <cstring>
 #include <elf.h>
@@ -74,18 +75,17 @@ struct Example {
 };
 
 std::string complaint(const Bytes &file, const System &system = kLinux) {
-    try {
-        readProgram(file, system);
-    } catch (const common::Refused &e) {
-        return e.what();
-    }
-    return "";
+    return thrown<common::Refused>([&] { readProgram(file, system); });
 }
 
-template <class Change> std::string complaintAfter(Change change) {
+using Change = void (*)(Example &);
+// Expects that the changed example is refused with this text, as a program made for packing or as any
+// program.
+void expectRefused(const char *text, Change change, bool any = false) {
     Example e;
     change(e);
-    return complaint(e.file());
+    std::string why = any ? thrown<common::Refused>([&] { readAnyProgram(e.file()); }) : complaint(e.file());
+    EXPECT_NE(why.find(text), std::string::npos) << text << ": " << why;
 }
 
 } // namespace
@@ -104,75 +104,40 @@ TEST(Reader, TakesAProgramAsWeLinkIt) {
 TEST(Reader, ThrowsWhatIsUnsuitable) {
     EXPECT_EQ(complaint({}), "not an ELF file");
     EXPECT_EQ(complaint(Bytes(5000, 'x')), "not an ELF file");
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; }).find("32-bit"),
-        std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; }).find("big-endian"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_machine = EM_AARCH64; }).find("x86-64"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_DYN; }).find("no-pie"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_type = ET_REL; }).find("link it"),
-              std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode + 64; }).find("overlap"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.image.segments[2].p_flags |= PF_X;
-              }).find("both writable and executable"),
-              std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; }).find("over 64 MiB"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  for (int i : {0, 1}) e.image.segments[i].p_vaddr += 0x7fc00000;
-              }).find("beyond 2 GiB"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.image.header.e_phnum = 5;
-                  e.image.segments[4] = {PT_GNU_STACK, PF_R | PF_W | PF_X, 0, 0, 0, 0, 0, 16};
-              }).find("executable stack"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[2].p_offset = 1 << 20; }).find("cut short"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }).find("statically"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.segments[0].p_type = PT_TLS; }).find("thread-local"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.interpreter[3] = 'x'; }).find("interpreter"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }).find("entry"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[3] = 'c'; }).find("libdl.so.2"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.strings[13] = 'c'; }).find("dlopen and dlsym"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[4].d_un.d_val = 72; }).find("nothing else"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.data.dynamic[6] = {DT_INIT_ARRAY, {0}};
-              }).find("constructors"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT);
-              }).find("GLOB_DAT"),
-              std::string::npos);
-    EXPECT_NE(
-        complaintAfter([](Example &e) { e.data.relocations[0].r_offset = Example::kCode; }).find("slot"),
-        std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.relocations[1].r_offset += 8; }).find("side by side"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.image.header.e_shnum = 3; }).find("section headers"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.image.segments[1].p_vaddr = 0x10000;
-                  e.image.segments[0].p_vaddr = 0x10000;
-              }).find("linked below"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; }).find("outside"),
-              std::string::npos);
+    expectRefused("32-bit", [](Example &e) { e.image.header.e_ident[EI_CLASS] = ELFCLASS32; });
+    expectRefused("big-endian", [](Example &e) { e.image.header.e_ident[EI_DATA] = ELFDATA2MSB; });
+    expectRefused("x86-64", [](Example &e) { e.image.header.e_machine = EM_AARCH64; });
+    expectRefused("no-pie", [](Example &e) { e.image.header.e_type = ET_DYN; });
+    expectRefused("link it", [](Example &e) { e.image.header.e_type = ET_REL; });
+    expectRefused("overlap", [](Example &e) { e.image.segments[2].p_vaddr = Example::kCode + 64; });
+    expectRefused("both writable and executable", [](Example &e) { e.image.segments[2].p_flags |= PF_X; });
+    expectRefused("over 64 MiB", [](Example &e) { e.image.segments[2].p_memsz = 1ull << 40; });
+    expectRefused("beyond 2 GiB", [](Example &e) {
+        for (int i : {0, 1}) e.image.segments[i].p_vaddr += 0x7fc00000;
+    });
+    expectRefused("executable stack", [](Example &e) {
+        e.image.header.e_phnum = 5;
+        e.image.segments[4] = {PT_GNU_STACK, PF_R | PF_W | PF_X, 0, 0, 0, 0, 0, 16};
+    });
+    expectRefused("cut short", [](Example &e) { e.image.segments[2].p_offset = 1 << 20; });
+    expectRefused("statically", [](Example &e) { e.image.segments[0].p_type = PT_NULL; });
+    expectRefused("thread-local", [](Example &e) { e.image.segments[0].p_type = PT_TLS; });
+    expectRefused("interpreter", [](Example &e) { e.image.interpreter[3] = 'x'; });
+    expectRefused("entry", [](Example &e) { e.image.header.e_entry = Example::kData; });
+    expectRefused("libdl.so.2", [](Example &e) { e.data.strings[3] = 'c'; });
+    expectRefused("dlopen and dlsym", [](Example &e) { e.data.strings[13] = 'c'; });
+    expectRefused("nothing else", [](Example &e) { e.data.dynamic[4].d_un.d_val = 72; });
+    expectRefused("constructors", [](Example &e) { e.data.dynamic[6] = {DT_INIT_ARRAY, {0}}; });
+    expectRefused("GLOB_DAT",
+                  [](Example &e) { e.data.relocations[0].r_info = ELF64_R_INFO(1, R_X86_64_JUMP_SLOT); });
+    expectRefused("slot", [](Example &e) { e.data.relocations[0].r_offset = Example::kCode; });
+    expectRefused("side by side", [](Example &e) { e.data.relocations[1].r_offset += 8; });
+    expectRefused("section headers", [](Example &e) { e.image.header.e_shnum = 3; });
+    expectRefused("linked below", [](Example &e) {
+        e.image.segments[1].p_vaddr = 0x10000;
+        e.image.segments[0].p_vaddr = 0x10000;
+    });
+    expectRefused("outside", [](Example &e) { e.data.dynamic[1].d_un.d_ptr = 5; });
 }
 
 TEST(Reader, TakesAProgramForWindows) {
@@ -279,16 +244,14 @@ TEST(Reader, RefusesAddressesThatWrapAround) {
     Sectioned s;
     s.sections[2].sh_addr = UINT64_MAX - 15;
     EXPECT_NE(complaint(s.file()).find("outside the segments"), std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.data.relocations[0].r_offset = UINT64_MAX - 7;
-                  e.data.relocations[1].r_offset = UINT64_MAX - 15;
-              }).find("not in writable memory"),
-              std::string::npos);
-    EXPECT_NE(complaintAfter([](Example &e) {
-                  e.image.segments[1].p_vaddr = 0xfffff000;
-                  e.image.segments[2].p_vaddr = 0x100000000;
-              }).find("over 64 MiB"),
-              std::string::npos);
+    expectRefused("not in writable memory", [](Example &e) {
+        e.data.relocations[0].r_offset = UINT64_MAX - 7;
+        e.data.relocations[1].r_offset = UINT64_MAX - 15;
+    });
+    expectRefused("over 64 MiB", [](Example &e) {
+        e.image.segments[1].p_vaddr = 0xfffff000;
+        e.image.segments[2].p_vaddr = 0x100000000;
+    });
     // A segment of size 0 is not loaded, whatever its address
     Example e;
     e.image.header.e_phnum = 5;
@@ -299,14 +262,18 @@ TEST(Reader, RefusesAddressesThatWrapAround) {
 
 // --- Writer ---
 
-TEST(Writer, WritesWhatReadsBack) {
-    Program p = readProgram(Sectioned().file());
+static Bytes packed(const PackedKind &kind, const Program &p, const Names &names = {}) {
     Workspace workspace;
     ModelParameters parameters = defaultParameters();
-    Bytes packed = kElf.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
-    EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
-    EXPECT_EQ(decodeWithStub(kElf, packed), p.bytes);
-    Program q = readPacked(kElf, packed);
+    return kind.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, names);
+}
+
+TEST(Writer, WritesWhatReadsBack) {
+    Program p = readProgram(Sectioned().file());
+    Bytes file = packed(kElf, p);
+    EXPECT_EQ(checksum(file.data(), file.size() / 4), 0u);
+    EXPECT_EQ(decodeWithStub(kElf, file), p.bytes);
+    Program q = readPacked(kElf, file);
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.readOnly, p.readOnly);
@@ -323,12 +290,9 @@ TEST(Writer, WritesWhatReadsBack) {
 }
 
 TEST(Writer, NothingDamagedIsOpened) {
-    Program p = readProgram(Sectioned().file());
-    Workspace workspace;
-    ModelParameters parameters = defaultParameters();
-    Bytes packed = kElf.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
-    for (size_t i = 0; i < packed.size(); ++i) {
-        Bytes broken = packed;
+    Bytes file = packed(kElf, readProgram(Sectioned().file()));
+    for (size_t i = 0; i < file.size(); ++i) {
+        Bytes broken = file;
         broken[i] ^= (uint8_t)(1 << i % 8);
         EXPECT_THROW(kElf.open(broken), common::Refused) << i;
         broken.resize(i);
@@ -337,21 +301,6 @@ TEST(Writer, NothingDamagedIsOpened) {
 }
 
 // --- Programs of any kind ---
-
-namespace {
-
-template <class Change> std::string loaderComplaintAfter(Change change) {
-    Example e;
-    change(e);
-    try {
-        readAnyProgram(e.file());
-    } catch (const common::Refused &u) {
-        return u.what();
-    }
-    return "";
-}
-
-} // namespace
 
 TEST(Loader, FindsWhatWasMadeForPacking) {
     EXPECT_TRUE(isMadeForPacking(Example().file()));
@@ -364,46 +313,34 @@ TEST(Loader, FindsWhatWasMadeForPacking) {
     EXPECT_FALSE(isMadeForPacking({}));
 }
 
+static void expectAnyRefused(const char *text, Change change) { expectRefused(text, change, true); }
+
 TEST(Loader, ThrowsWhatIsUnsuitable) {
-    auto contains = [](const std::string &complaint, const char *text) {
-        return complaint.find(text) != std::string::npos;
-    };
-    EXPECT_EQ(loaderComplaintAfter([](Example &) {}), "");
-    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[0].p_type = PT_NULL; }),
-                         "names no interpreter"));
-    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.header.e_entry = Example::kData; }),
-                         "no entry point"));
-    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_flags |= PF_W; }),
-                         "both writable and executable"));
-    EXPECT_TRUE(contains(
-        loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; }), "overlap"));
-    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[1].p_filesz = 64; }),
-                         "lacks its headers"));
-    EXPECT_TRUE(contains(
-        loaderComplaintAfter([](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; }),
-        "cut short"));
-    EXPECT_TRUE(contains(loaderComplaintAfter([](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; }),
-                         "more than 64 MiB"));
+    EXPECT_NO_THROW(readAnyProgram(Example().file()));
+    expectAnyRefused("names no interpreter", [](Example &e) { e.image.segments[0].p_type = PT_NULL; });
+    expectAnyRefused("no entry point", [](Example &e) { e.image.header.e_entry = Example::kData; });
+    expectAnyRefused("both writable and executable", [](Example &e) { e.image.segments[1].p_flags |= PF_W; });
+    expectAnyRefused("overlap", [](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; });
+    expectAnyRefused("lacks its headers", [](Example &e) { e.image.segments[1].p_filesz = 64; });
+    expectAnyRefused("cut short",
+                     [](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; });
+    expectAnyRefused("more than 64 MiB", [](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; });
 }
 
 TEST(Loader, WritesWhatReadsBack) {
     Program p = readAnyProgram(Example().file());
-    Workspace workspace;
-    ModelParameters parameters = defaultParameters();
-    Bytes packed =
-        kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload, {});
-    EXPECT_TRUE(isPacked(kLoader, packed));
-    EXPECT_FALSE(isPacked(kElf, packed));
-    EXPECT_EQ(checksum(packed.data(), packed.size() / 4), 0u);
-    EXPECT_EQ(decodeWithStub(kLoader, packed), p.bytes);
-    Program q = readPacked(kLoader, packed);
+    Bytes file = packed(kLoader, p);
+    EXPECT_TRUE(isPacked(kLoader, file));
+    EXPECT_FALSE(isPacked(kElf, file));
+    EXPECT_EQ(checksum(file.data(), file.size() / 4), 0u);
+    EXPECT_EQ(decodeWithStub(kLoader, file), p.bytes);
+    Program q = readPacked(kLoader, file);
     EXPECT_EQ(q.bytes, p.bytes);
     EXPECT_EQ(q.base, p.base);
     EXPECT_EQ(q.span, p.span);
     // Names stand in the texts' room, and nothing else changes
-    Bytes named = kLoader.write(p, parameters, encode(p.bytes, p.layout(), parameters, workspace).payload,
-                                {"example", "plain-one"});
-    EXPECT_EQ(named.size(), packed.size());
+    Bytes named = packed(kLoader, p, {"example", "plain-one"});
+    EXPECT_EQ(named.size(), file.size());
     EXPECT_TRUE(isPacked(kLoader, named));
     EXPECT_EQ(readPacked(kLoader, named).bytes, p.bytes);
     EXPECT_NE(std::string(named.begin(), named.end()).find("example is damaged\n"), std::string::npos);
@@ -411,8 +348,8 @@ TEST(Loader, WritesWhatReadsBack) {
     Program again = readAnyProgram(kLoader.writePlain(q));
     EXPECT_EQ(again.bytes.size(), p.bytes.size());
     EXPECT_EQ(again.entry, p.entry);
-    for (size_t i = 0; i < packed.size(); i += 7) {
-        Bytes broken = packed;
+    for (size_t i = 0; i < file.size(); i += 7) {
+        Bytes broken = file;
         broken[i] ^= (uint8_t)(1 << i % 8);
         EXPECT_THROW(readPacked(kLoader, broken), common::Refused) << i;
     }

@@ -3,6 +3,7 @@
 #include "packer/model/search.h"
 #include "packer/write/packed_file.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/thrown.h"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -39,8 +40,8 @@ ModelParameters smallParameters(uint32_t slotBits = 14) {
 
 Workspace workspace;
 
-// Decodes with the code of the stub.
-Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
+// A program's file around a payload.
+Bytes fileAround(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
     Program program = {};
     program.base = 0x400000;
     program.span = 1 << 20;
@@ -50,7 +51,12 @@ Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParame
     program.bytes.resize(layout.size);
     program.codeBegin = layout.codeBegin;
     program.codeSize = layout.codeSize;
-    return decodeWithStub(kElf, kElf.write(program, parameters, payload, {}));
+    return kElf.write(program, parameters, payload, {});
+}
+
+// Decodes with the code of the stub.
+Bytes decodeByStub(const Bytes &payload, const Layout &layout, const ModelParameters &parameters) {
+    return decodeWithStub(kElf, fileAround(payload, layout, parameters));
 }
 
 // Every opcode of every map with every ModRM byte, and operands that are often extreme.
@@ -276,13 +282,8 @@ TEST(Coder, KeepsMasksInAFile) {
     for (int type = 0; type < 2; ++type)
         for (uint32_t i = 0; i < parameters.hashes(); ++i)
             parameters.masks[type][i] = (uint32_t)randomBytes(4, i)[type] * 0x4321 & kMayUse[type];
-    Program program = {};
-    program.base = 0x400000;
-    program.span = 1 << 20;
-    program.slots[0] = program.base;
-    program.slots[1] = program.base + 8;
-    program.bytes = b;
-    Bytes file = kElf.write(program, parameters, encode(b, {100, 0, 0}, parameters, workspace).payload, {});
+    Layout layout = {100, 0, 0};
+    Bytes file = fileAround(encode(b, layout, parameters, workspace).payload, layout, parameters);
     ModelParameters read = kElf.open(file).parameters;
     for (int type = 0; type < 2; ++type)
         for (uint32_t i = 0; i < parameters.hashes(); ++i)
@@ -296,12 +297,7 @@ namespace {
 
 // What is wrong with a text, or "".
 std::string complaint(const std::string &text) {
-    try {
-        parseParameters(text);
-    } catch (const common::Refused &e) {
-        return e.what();
-    }
-    return "";
+    return thrown<common::Refused>([&] { parseParameters(text); });
 }
 
 } // namespace

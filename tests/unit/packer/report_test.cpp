@@ -1,4 +1,5 @@
 #include "packer/report/report_html.h"
+#include "tests/support/thrown.h"
 
 #include <gtest/gtest.h>
 #include <random>
@@ -31,12 +32,7 @@ double sum(const Costs &costs) {
 
 // Whether the text is read as a report, not refused.
 bool reads(const std::string &text) {
-    try {
-        readJson(text);
-        return true;
-    } catch (const common::Refused &) {
-        return false;
-    }
+    return thrown<common::Refused>([&] { readJson(text); }).empty();
 }
 
 } // namespace

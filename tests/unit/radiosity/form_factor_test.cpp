@@ -70,26 +70,27 @@ TEST(DeltaFormFactors, SumToOneAndAreTheIntegralOfTheKernel) {
     }
 }
 
-// Both closed forms: Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", C-11 and C-14.
-TEST(FormFactor, ParallelUnitSquares) {
+// Unit squares at the distance 1, or with a common edge. The closed forms: Howell, "A Catalog of Radiation
+// Heat Transfer Configuration Factors", C-11 and C-14.
+static const struct Squares {
+    const char *name;
+    Vec3 corner, u, v; // of the second one
+    double exact;
+} kSquares[] = {{"parallel", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.19982490},
+                {"perpendicular", {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.20004378}};
+static double rmsError(const Squares &squares, int px, int turns) {
     HemicubeBench b;
     b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f); // facing up
-    b.model->addRect({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 1 / 16.f); // facing down
-    b.open(64, 1);
-    ASSERT_EQ(b.model->patchCount, 512);
-    double rms = rmsError(b, 0.19982490, 32);
-    std::printf("parallel: rms over 32 rotations %.3f %%\n", rms * 100);
-    EXPECT_LT(rms, 0.003);
+    b.model->addRect(squares.corner, squares.u, squares.v, 0, 1 / 16.f);
+    b.open(px, 1);
+    EXPECT_EQ(b.model->patchCount, 512);
+    double rms = rmsError(b, squares.exact, turns);
+    std::printf("%s squares, %3d px: rms over %d rotations %.4f %%\n", squares.name, px, turns, rms * 100);
+    return rms;
 }
 
-TEST(FormFactor, PerpendicularUnitSquares) {
-    HemicubeBench b;
-    b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f); // facing up
-    b.model->addRect({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1 / 16.f); // facing +x, with a common edge
-    b.open(64, 1);
-    double rms = rmsError(b, 0.20004378, 32);
-    std::printf("perpendicular: rms over 32 rotations %.3f %%\n", rms * 100);
-    EXPECT_LT(rms, 0.003);
+TEST(FormFactor, OfUnitSquares) {
+    for (const Squares &squares : kSquares) EXPECT_LT(rmsError(squares, 64, 32), 0.003) << squares.name;
 }
 
 // Coaxial discs, approximated by regular polygons of many sides. Howell, C-41.
@@ -176,19 +177,10 @@ TEST(FormFactor, FromAPointToARectangle) {
 // The error is 0.3 % at 64 pixels and 0.1 % at 128, and keeps falling.
 TEST(FormFactor, FallsWithResolution) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    for (bool parallel : {true, false}) {
+    for (const Squares &squares : kSquares) {
         double last = 1;
         for (int px : {8, 16, 32, 64, 128}) {
-            HemicubeBench b;
-            b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f);
-            if (parallel)
-                b.model->addRect({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 1 / 16.f);
-            else
-                b.model->addRect({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1 / 16.f);
-            b.open(px, 1);
-            double rms = rmsError(b, parallel ? 0.19982490 : 0.20004378, 8);
-            std::printf("%s squares, %3d px: %.4f %%\n", parallel ? "parallel" : "perpendicular", px,
-                        rms * 100);
+            double rms = rmsError(squares, px, 8);
             EXPECT_LT(rms, last * 1.2) << px;
             EXPECT_LT(rms, px >= 128 ? 0.001 : px >= 64 ? 0.003 : 0.05);
             last = std::min(rms, last);

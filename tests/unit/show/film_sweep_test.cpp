@@ -2,6 +2,7 @@
 // picture is black outside a fade or the last beat, or equals the one before.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/loaded_film.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -15,18 +16,13 @@ namespace {
 
 constexpr int kWidth = 320, kHeight = 180;
 
-class Sweep : public testing::TestWithParam<QualityName> {
-protected:
-    Workers workers = serialWorkers();
-    IntroSettings settings = {kWidth, kHeight};
-    HeapArena memory{memoryNeeded(settings, 1, true)};
-    Intro *intro = nullptr;
-};
+using Sweep = testing::TestWithParam<QualityName>;
 
 } // namespace
 
 TEST_P(Sweep, EveryPictureIsOne) {
-    ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
+    LoadedFilm film(1, kWidth, kHeight, false, &headlessGl());
+    Intro *intro = film.intro;
     const char *from = std::getenv("SWEEP_FROM"); // for a part of the film
     int pictures = 0;
     double before = -1, darkest = 1e9;
@@ -67,11 +63,8 @@ INSTANTIATE_TEST_SUITE_P(Qualities, Sweep, testing::Values(QualityName::Draft, Q
 // The film ends in the word that the last ball mirrors: its strokes are a pixel or two wide, and all of them
 // are there, even in draft.
 TEST(Film, WordInTheBallIsWhole) {
-    Workers workers = serialWorkers();
-    IntroSettings settings = {1280, 720};
-    HeapArena memory{memoryNeeded(settings, 1, true)};
-    Intro *intro = nullptr;
-    ASSERT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr);
+    LoadedFilm film(1, 1280, 720, false, &headlessGl());
+    Intro *intro = film.intro;
     const Frame &f = intro->frame;
     auto glows = [&](int x, int y) { return f.plane[0][y * f.stride + x] > 0.7f; };
     for (double t : {148.5, 149.5, 150.5}) {

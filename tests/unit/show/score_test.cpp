@@ -191,16 +191,3 @@ TEST(Score, ClimbsAScaleWithTheStrips) {
         }
     }
 }
-
-TEST(Events, StandInTheirScenesInOrder) {
-    for (const Event &e : kEvents) {
-        float from = -1, to = 0;
-        for (int i = 0; i < kFilm.count; ++i)
-            if (kFilm.shots[i].scene == e.scene) {
-                if (from < 0) from = kFilm.shots[i].storyRow;
-                to = i + 1 < kFilm.count ? kFilm.shots[i + 1].row : kFilm.endRow;
-            }
-        EXPECT_GE(e.row, 0) << (int)e.id;
-        EXPECT_LT(from + (float)e.row, to) << (int)e.id;
-    }
-}

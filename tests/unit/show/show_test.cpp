@@ -2,30 +2,23 @@
 // film is in rules_test.cpp.
 #include "inside.h"
 #include "tests/support/headless_gl.h"
+#include "tests/support/loaded_film.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/shapes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <gtest/gtest.h>
-#include <memory>
 #include <vector>
 
 using namespace odraz;
 
 namespace {
 
-struct Loaded {
-    Workers workers = serialWorkers();
-    IntroSettings settings = {160, 90};
-    HeapArena memory{memoryNeeded(settings, 1, true)};
-    Intro *intro = nullptr;
-    Loaded() { EXPECT_STREQ(load(intro, settings, memory.arena, workers, &headlessGl()), nullptr); }
-};
-
 // The film, loaded once for all tests.
 Intro &film() {
-    static Loaded loaded;
+    static LoadedFilm loaded(1, 160, 90, false, &headlessGl());
     return *loaded.intro;
 }
 
@@ -141,32 +134,6 @@ TEST(Film, LevelsAreThoseOfTheTreatment) {
         EXPECT_GE(saturation, 0.12) << kScenes[scene].name;
         EXPECT_LE(saturation, 0.5) << kScenes[scene].name;
     }
-}
-
-// Tests points, in a shape's frame, against the shapes of the film. A new kind of shape needs a case in both
-// switches.
-static void unknown(const Shape &s) { ADD_FAILURE() << "the film has no shapes of kind " << (int)s.kind; }
-
-// The distance of a point from a shape; 0 or less inside it.
-static float distanceFrom(const Shape &s, Vec3 p) {
-    Vec3 q = s.frame * (p - s.centre);
-    auto over = [](float x, float half) { return std::fmax(std::fabs(x) - half, 0.f); };
-    switch (s.kind) {
-    case ShapeKind::Sphere:
-        return length(q) - s.half.x;
-    case ShapeKind::Plane:
-        return q.y;
-    case ShapeKind::Box:
-    case ShapeKind::Rect:
-        return length(Vec3{over(q.x, s.half.x), over(q.y, s.half.y), over(q.z, s.half.z)});
-    case ShapeKind::Cylinder:
-        return std::hypot(over(std::hypot(q.x, q.z), s.half.x), over(q.y, s.half.y));
-    case ShapeKind::Triangle:
-    case ShapeKind::Count:
-        break;
-    }
-    unknown(s);
-    return 0;
 }
 
 TEST(Film, BallsDoNotRollThroughThings) {

@@ -1,4 +1,5 @@
 // Tests the table of what pictures cost.
+#include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/costs.h"
@@ -79,13 +80,8 @@ TEST(Costs, NeverCrossACut) {
 }
 
 TEST(Costs, WhatIsWrongIsReported) {
-    auto wrongIn = [](const std::string &text) -> std::string {
-        try {
-            Costs costs(text);
-        } catch (const common::Refused &why) {
-            return why.what();
-        }
-        return "";
+    auto wrongIn = [](const std::string &text) {
+        return thrown<common::Refused>([&] { Costs costs(text); });
     };
     std::string good = kHead + momentAt(20, 1);
     EXPECT_EQ(wrongIn(good), "");

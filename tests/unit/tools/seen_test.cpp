@@ -1,5 +1,6 @@
 // Tests what is seen of shown pictures: their list, and the comparison with the film.
 #include "tests/support/sanitized.h"
+#include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 #include "tools/measure/seen/simulated.h"
@@ -16,12 +17,7 @@ namespace {
 constexpr char kHead[] = "at,time,kind,level,width,height\n";
 
 std::string wrongIn(const std::string &rows) {
-    try {
-        parseShown(kHead + rows);
-    } catch (const common::Refused &why) {
-        return why.what();
-    }
-    return "";
+    return thrown<common::Refused>([&] { parseShown(kHead + rows); });
 }
 
 TEST(Shown, ListsAreWrittenAndRead) {

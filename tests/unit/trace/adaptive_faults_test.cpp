@@ -68,17 +68,6 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
     EXPECT_LT(excess, usual * 1.15);
 }
 
-// A scene with nothing but one emitting shape.
-static std::unique_ptr<Scene> shining(const Rgb &radiance, const Shape &shape) {
-    auto s = emptyScene();
-    Material bright = {};
-    bright.emit = radiance;
-    s->add(bright);
-    s->add(shape);
-    s->finish();
-    return s;
-}
-
 // A bright face seen edge-on, thinner than the distance of samples, must not be hit here and there.
 TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
@@ -209,15 +198,10 @@ TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
 // of 255 it shows what a lamp just as bright as white would. The edge is steep, so that stairs would be long.
 TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
     auto edge = [](float radiance, QualityName quality) {
-        auto s = emptyScene();
-        Material lamp = {};
-        lamp.emit = {radiance, radiance, radiance};
-        s->add(lamp);
-        s->add(Shape{.kind = ShapeKind::Rect,
-                     .centre = {-100, 0, -10},
-                     .half = {100, 0, 100},
-                     .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
-        s->finish();
+        auto s = shining({radiance, radiance, radiance}, Shape{.kind = ShapeKind::Rect,
+                                                               .centre = {-100, 0, -10},
+                                                               .half = {100, 0, 100},
+                                                               .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
         return traced(*s, {0, {0, 0, 0}, {0, 0, -10}, 4, 36}, named(quality), 160, 90);
     };
     for (QualityName quality :

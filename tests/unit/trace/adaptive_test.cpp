@@ -66,15 +66,10 @@ TEST(Adaptive, TakesFewerSamplesThanPixels) {
 
 // Along an edge, the sides of squares that do not cross it are not traced again.
 TEST(Adaptive, TracesNoSideBetweenCornersThatAreAlike) {
-    auto s = emptyScene();
-    Material bright = {};
-    bright.emit = {0.02f, 0.02f, 0.02f};
-    s->add(bright);
-    s->add(Shape{.kind = ShapeKind::Rect,
-                 .centre = {0, -100, -10},
-                 .half = {200, 0, 100},
-                 .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
-    s->finish();
+    auto s = shining({0.02f, 0.02f, 0.02f}, Shape{.kind = ShapeKind::Rect,
+                                                  .centre = {0, -100, -10},
+                                                  .half = {200, 0, 100},
+                                                  .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
     CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, 22, 36};
     int64_t samples = traced(*s, camera, named(QualityName::Draft), 640, 360).samples;
     EXPECT_LT(samples, 7000); // 7776 if all were traced
