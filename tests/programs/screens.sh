@@ -2,8 +2,8 @@
 . "$(dirname "$0")/display.sh"
 odraz=$BUILD/odraz-safe
 
-# shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, and checks that the film fills the rectangle at
-# (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
+# shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, and checks that the film fills the rectangle
+# at (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
 shows() {
     local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 film
     shift 6

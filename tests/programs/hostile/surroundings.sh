@@ -102,7 +102,8 @@ hide() { # hide FOLDER...: sets HIDDEN, which runs a command where these are emp
 }
 for place in /dev /sys /run /var /proc; do hide $place; check "without $place" same plain "${HIDDEN[@]}"; done
 hide /dev /sys /run /var /proc; check "the hall, without all of these" same hall "${HIDDEN[@]}"
-# on_disk OPTIONS DUMP'S END: dumps onto a new disk; writes to \`report\` the status and stderr, then the numbers of frames and parts
+# on_disk OPTIONS COMMAND: mounts a disk, runs COMMAND, and dumps onto the disk; writes to `report` the exit status and
+# stderr, then the numbers of frames and of parts
 on_disk() {
     unshare --mount bash -c "mkdir -p disk && mount -t tmpfs -o $1 none disk && $2"' && { "$@" 2>err; echo "exit $?"; cat err; ls -R disk | grep -c ppm$; ls -R disk | grep -c part$; true; }' disk \
         "$odraz" --dump disk/d --from 20 --to 20.8 --size 64x36 >report

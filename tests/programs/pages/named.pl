@@ -1,6 +1,6 @@
 # named.pl PAGE FILES TARGETS WORDS HELPS: prints what the page names, by `...` or as a link, that is not there: a file,
-# a target or program, an option, a function. FILES: what git tracks; TARGETS: what can be built; WORDS: all words of the
-# sources; HELPS: a folder of what programs print for --help.
+# a target or program, an option, a function. FILES: what git tracks; TARGETS: what can be built; WORDS: all words of
+# the sources; HELPS: a folder of what programs print for --help.
 use strict;
 use warnings;
 my ($page, $files, $targets, $words, $helps) = @ARGV;

@@ -1,5 +1,5 @@
-# The film on Windows if its output is closed, full, or a console: status and line are those of Linux, nothing crashes or
-# hangs, and no file is half-written. The probe starts the film as Windows does (probe start, probe console), because
+# The film on Windows if its output is closed, full, or a console: status and line are those of Linux, nothing crashes
+# or hangs, and no file is half-written. The probe starts the film as Windows does (probe start, probe console), because
 # Wine would reuse descriptors that were closed on Linux.
 . "$(dirname "$0")/wine.sh"
 . "$(dirname "$0")/../display.sh"
