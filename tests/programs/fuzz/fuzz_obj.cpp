@@ -37,7 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     std::ofstream("m.mtl") << materials;
     try {
         std::vector<std::string> notes;
-        Mesh mesh = readModel("m.obj", {1, size % 2 == 1}, notes);
+        Mesh mesh = readModel("m.obj", {1, size % 2 == 1, {}}, notes);
         mustBeSound(mesh);
         // The first reader of the mesh must accept it too
         model->chartCount = model->facetCount = 0;
