@@ -119,13 +119,14 @@ void Rebuilder::readError() {
 
 Rebuilder::Event Rebuilder::poll(double now) {
     bool settled = false; // editors write in several steps
-    if (problem().empty() && now >= lookedAt + kLook) {
+    auto look = [&] {
         lookedAt = now;
         Times before = std::exchange(times, timesNow());
         settled = times == before;
         if (!settled) changedAt = now;
         dirty |= !settled;
-    }
+    };
+    if (problem().empty() && now >= lookedAt + kLook) look();
     if (compiling > 0) {
         if (dirty && !stopped) stop(); // it builds old sources
         stopped = dirty;
@@ -134,6 +135,7 @@ Rebuilder::Event Rebuilder::poll(double now) {
         if (ended == 0) return Event::None;
         compiling = -1;
         backdate();
+        look(); // at what was saved since the last look
         if (dirty) return Event::None;
         if (ended > 0 && WIFEXITED(status) && !WEXITSTATUS(status)) return Event::Built;
         readError();

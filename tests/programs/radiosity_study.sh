@@ -97,7 +97,7 @@ check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cub
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.1"
 
 interrupted() { # in this chapter, with this line
-    "$radiosity" study cube.obj -o x --progress --minutes 0.2 2>lines &
+    "$radiosity" study cube.obj -o x --progress --minutes "$minutes" 2>lines &
     local pid=$!
     PIDS+=($pid)
     await grep -q "^progress: $1.* %" lines && kill -INT $pid && ! ended $pid && grep -qx "radiosity: $2" lines
