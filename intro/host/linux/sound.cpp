@@ -24,8 +24,8 @@ namespace {
 
 #define ODRAZ_ALSA(F)                                                                                        \
     F(snd_pcm_open)                                                                                          \
-    F(snd_pcm_set_params) F(snd_pcm_writei) F(snd_pcm_delay) F(snd_pcm_recover) F(snd_pcm_close)             \
-        F(snd_lib_error_set_handler)
+    F(snd_pcm_set_params)                                                                                    \
+    F(snd_pcm_writei) F(snd_pcm_delay) F(snd_pcm_recover) F(snd_pcm_close) F(snd_lib_error_set_handler)
 
 struct Alsa {
     ODRAZ_ALSA(ODRAZ_MEMBER)

@@ -14,8 +14,8 @@ struct Frame {
     // null, or the shape that each pixel shows, kManyShapes or kSkyShown; for in-betweens, tools and tests
     uint16_t *shapes;
     uint8_t *rgba; // width * height * 4 bytes, sRGB, top row first; made by develop()
-    // null, or what the four pixels from each on show, for in-betweens: a shape, kSkyShown or kManyShapes; and
-    // above 16 bits 2 if all show it, 1 if some show kManyShapes, 0 if they show several
+    // null, or what the four pixels from each on show, for in-betweens: a shape, kSkyShown or kManyShapes;
+    // and above 16 bits 2 if all show it, 1 if some show kManyShapes, 0 if they show several
     int32_t *owners = nullptr;
 };
 

@@ -77,8 +77,7 @@ void passing() {
     ODRAZ_OPENGL32(PASSES)
     ODRAZ_WINMM(PASSES)
 #undef PASSES
-        check("each function of Windows gets what ours is given, up to 12 arguments", !wrong && slot > 50,
-              slot);
+    check("each function of Windows gets what ours is given, up to 12 arguments", !wrong && slot > 50, slot);
     int first = slot;
 #define PASSES(name)                                                                                         \
     if (!passes(odrazGlCalls + 8 * (slot - first), slot))                                                    \
