@@ -19,7 +19,7 @@ constexpr size_t kNames = 26, kWidth = 100; // characters: the column of names i
 // Lays out --help: names in one column, descriptions wrapped in another.
 class Layout : public CLI::Formatter {
     std::string make_option(const CLI::Option *option, bool positional) const override {
-        std::string name = "  " + option->get_name(positional, false), line;
+        std::string name = "  " + option->get_name(positional, false);
         if (!option->get_type_name().empty()) name += " " + option->get_type_name();
         std::string description = option->get_description();
         if (!option->get_default_str().empty()) description += " (default " + option->get_default_str() + ")";
