@@ -118,6 +118,6 @@ render_shards() {
     leave_hosts
     lacking=$(while read -r _ _ name; do [ -e "$parts/$name.sums" ] || echo "$name"; done <"$parts/shards" | wc -l)
     [ "$lacking" = 0 ] && return 0
-    [ ${#reported[@]} -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
+    [ $failures -gt 0 ] || echo "tools/render: ended with status $status: $(grep -m 1 . "$parts/engine.err" || echo "without a word")" >&2
     fail "$lacking of $total shards are not done; --resume goes on with them"
 }

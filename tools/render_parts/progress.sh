@@ -48,17 +48,17 @@ follow() {
     return $status
 }
 
-# report_failures: prints a line for every shard that failed, once
-declare -A reported=()
+# report_failures: prints a line for every shard that has failed since the last call
+failures=0
 report_failures() {
-    local failed name reason host
-    for failed in "$parts"/*.failed; do
+    local failed name host reason
+    for failed in "$parts"/failed-*; do
         [ -e "$failed" ] || continue
-        name=$(basename "$failed" .failed)
-        [ -z "${reported[$name]-}" ] || continue
-        reported[$name]=1
-        host=$(cat "$failed") reason=$(grep -m 1 . "$parts/$name.err" || true)
+        name=${failed##*/failed-} reason=
+        { read -r host && read -r reason; } <"$failed" || true
+        rm "$failed"
+        failures=$((failures + 1))
         bar_ends
-        echo "tools/render: frames $((10#${name%-*})) to $((10#${name#*-} - 1)) failed${host:+ on $host}: ${reason:-it ended without a word}" >&2
+        echo "tools/render: frames $((10#${name%%-*})) to $((10#$(cut -d - -f 2 <<<"$name") - 1)) failed${host:+ on $host}: ${reason:-it ended without a word}" >&2
     done
 }
