@@ -2,6 +2,8 @@
 
 #include "base/float8.h"
 
+#include <stddef.h>
+
 namespace odraz {
 
 namespace {
