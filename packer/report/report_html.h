@@ -18,9 +18,9 @@ struct Page {
 };
 
 // The page has four elements of data, packed by zlib, in base64. "tables" is JSON: the report, in its units
-// (tables in report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for those
-// listed in "high" of the tables; "code": for each instruction of which the tables have "forms"
-// (disassembly.h), the form's number, seven bits a byte, low ones first.
+// (report_html.cpp); "bytes": the program; "costs": what each byte costs, 255 for those listed in "high" of
+// the tables; "code": a line for each instruction, its number of bytes, one hexadecimal digit, then its text.
+// Where an instruction does not follow the one before, a line "@OFFSET" stands in front of it.
 std::string printHtml(const Page &page, const Report &report, const Program &program);
 
 // What printJson() printed, without stretches. Sections must be there, other parts may be missing. There

@@ -68,7 +68,6 @@ odraz_test(packer pe_test 1 packing)
 target_sources(pe_test PRIVATE ${CMAKE_SOURCE_DIR}/tests/support/pe_rules.cpp)
 target_compile_options(pe_test PRIVATE -march=x86-64)
 odraz_test(packer report_test 1 reporting)
-odraz_test(packer disassembly_test 1 reporting)
 
 # The proof of the maths is not run under sanitizers. Here it tests one float of 61; with tools/test --long it tests
 # all, some billions of calls, and the whole film

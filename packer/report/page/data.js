@@ -2,7 +2,7 @@
 // The page's data. Costs are whole numbers of units, `report.unit` to a bit, so that sums are exact.
 let report;        // the tables, as report_html.cpp writes them
 let bytes, costs;  // of the program, one of each for each byte; empty if the program is too large to show
-let instructions;  // {at, form}: where each begins, and the number of its form
+let instructions;  // {at, end, text} of each
 
 const $ = id => document.getElementById(id);
 
@@ -20,60 +20,74 @@ async function unpack(id) {
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
+const kinds = {rooms: 'room', objects: 'object', sections: 'section', symbols: 'symbol'};  // tables, and their parts
+
 async function readData() {
-    report = JSON.parse(new TextDecoder().decode(await unpack('tables')));
-    for (const kind of ['rooms', 'objects', 'sections', 'symbols'])
-        report[kind] = report[kind].map(
-            ([name, bytes, units, was, share]) => ({kind, name, bytes, units, was, share, stretches: []}));
-    report.stretches = report.stretches.map(([begin, size, units, section, object, room, symbol]) => {
-        const stretch = {
-            begin,
-            size,
-            units,
-            section: report.sections[section],
-            object: report.objects[object],
-            room: report.rooms[room],
-            symbol: report.symbols[symbol]
-        };
-        for (const part of [stretch.section, stretch.object, stretch.room, stretch.symbol])
-            part?.stretches.push(stretch);
-        return stretch;
-    });
+    const text = new TextDecoder();
+    report = JSON.parse(text.decode(await unpack('tables')));
+    report.stretches = report.stretches.map(([begin, size, units, section, object, room, symbol]) =>
+        ({begin, size, units, section, object, room, symbol}));
+    for (const kind in kinds) report[kind] = makeRows(kind);
     bytes = await unpack('bytes');
     costs = Uint16Array.from(await unpack('costs'));
     for (const [at, units] of report.high) costs[at] = units;
-    readInstructions(await unpack('code'));
+    readInstructions(text.decode(await unpack('code')));
 }
 
-// Form numbers come seven bits a byte, low ones first.
+// The rows of a table: parts, those of the earlier report too; stub and headers; the payload's end. Stretches get the
+// rows of their parts in place of names.
+function makeRows(kind) {
+    const rows = new Map(), before = report.before?.[kind], part = kinds[kind];
+    const row = (name, was = before?.[name]) => {
+        const share = kind === 'rooms' ? report.shares?.[name] ?? null : null;
+        if (!rows.has(name))
+            rows.set(name, {kind, name, bytes: 0, units: 0, was: before ? was ?? 0 : null, share, stretches: []});
+        return rows.get(name);
+    };
+    let rest = inUnits(report.file - report.overhead);
+    for (const stretch of report.stretches) {
+        if (!stretch[part]) return [];
+        const its = stretch[part] = row(stretch[part]);
+        its.bytes += stretch.size;
+        its.units += stretch.units;
+        its.stretches.push(stretch);
+        rest -= stretch.units;
+    }
+    let restBefore = before ? inUnits(report.before.file - report.before.overhead) : 0;
+    for (const name in before) {
+        row(name);
+        restBefore -= before[name];
+    }
+    const stub = kind === 'rooms' && report.stubRoom && !rows.has(report.stubRoom) ? report.stubRoom : '(stub)';
+    row(stub, before && inUnits(report.before.overhead)).units = inUnits(report.overhead);
+    row('(end of the payload)', restBefore).units = rest;
+    return [...rows.values()];
+}
+
+// A line is an instruction, its size in front, or the offset of the next one.
 function readInstructions(code) {
-    const at = new Uint32Array(report.instructions), form = new Uint32Array(report.instructions);
-    const sizes = report.forms.map(text => parseInt(text[0], 16));
-    let next = 0, from = 0;
-    for (let [begin, count] of report.runs)
-        for (; count--; ++next) {
-            for (let shift = 0;; shift += 7) {
-                form[next] |= (code[from] & 127) << shift;
-                if (code[from++] < 128) break;
-            }
-            at[next] = begin;
-            begin += sizes[form[next]];
-        }
-    instructions = {at, form, sizes};
+    instructions = [];
+    let end = 0;
+    for (const line of code.split('\n').slice(0, -1)) {
+        const at = end;
+        if (line[0] === '@')
+            end = parseInt(line.slice(1), 16);
+        else
+            instructions.push({at, end: end += parseInt(line[0], 16), text: line.slice(1)});
+    }
 }
 
 // All must add up to the file.
 function wrongSums() {
     const file = report.file * 8 * report.unit, sum = rows => rows.reduce((all, row) => all + row.units, 0);
-    const wrong =
-        ['rooms', 'objects', 'sections', 'symbols'].filter(kind => report[kind].length && sum(report[kind]) !== file);
+    const wrong = Object.keys(kinds).filter(kind => report[kind].length && sum(report[kind]) !== file);
     const program = sum(report.stretches);
     if (program + sum(report.sections.filter(row => !row.stretches.length)) !== file) wrong.push('stretches');
     if (report.shown && costs.reduce((all, units) => all + units, 0) !== program) wrong.push('bytes');
     return wrong;
 }
 
-const inBytes = units => units / 8 / report.unit;
+const inBytes = units => units / 8 / report.unit, inUnits = size => size * 8 * report.unit;
 const bitsEach = part => part.bytes ? part.units / report.unit / part.bytes : NaN;
 const number = (value, digits = 0) => Number.isNaN(value) ?
     '' :
@@ -110,7 +124,7 @@ function place(at, named = name => name) {
         (at > first && !stretch.symbol.name.startsWith('(') ? '+0x' + hex(at - first) : '');
 }
 // The number of the instruction that begins there, or of the first one behind.
-const instructionFrom = at => countBelow(at, instructions.at.length, i => instructions.at[i]);
+const instructionFrom = at => countBelow(at, instructions.length, i => instructions[i].at);
 
 // A name for where there is little room: without parameters and the namespace that most have.
 let commonSpace;

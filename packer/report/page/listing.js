@@ -17,13 +17,13 @@ function buildLines() {
         if (!before || before.symbol !== stretch.symbol || before.object !== stretch.object) push(at, 2);
         before = stretch;
         while (at < end) {
-            while (i < instructions.at.length && instructions.at[i] < at) ++i;
-            if (instructions.at[i] === at) {
+            while (instructions[i]?.at < at) ++i;
+            if (instructions[i]?.at === at) {
                 push(at, 1);
-                at += instructions.sizes[instructions.form[i]];
+                at = instructions[i].end;
                 continue;
             }
-            const stop = Math.min(end, instructions.at[i] ?? end);
+            const stop = Math.min(end, instructions[i]?.at ?? end);
             let zeros = at;
             while (zeros < stop && !bytes[zeros]) ++zeros;
             if (zeros - at > 4 * dataWidth) {
@@ -59,33 +59,6 @@ function scrollListingTo(at) {
     $('listing').scrollTop = Math.ceil(Math.min(1, wanted / most) * (listingHeight() - $('listing').clientHeight));
 }
 
-// The text of an instruction, with the numbers from its bytes; see disassembly.h.
-function textOf(number) {
-    const at = instructions.at[number], end = at + instructions.sizes[instructions.form[number]];
-    const view = new DataView(bytes.buffer, bytes.byteOffset);
-    const read = {
-        1: p => BigInt(view.getInt8(p)),
-        2: p => BigInt(view.getInt16(p, true)),
-        4: p => BigInt(view.getInt32(p, true)),
-        8: p => view.getBigInt64(p, true)
-    };
-    let target = null;
-    const text = report.forms[instructions.form[number]].slice(1).replace(
-        /([^ ,[]*)~(.)(.)(.)/g, (all, before, kind, width, where) => {
-            const value = read[width](at + parseInt(where, 16));
-            if (kind === 'j') {
-                target = end + Number(value);
-                return before;
-            }
-            if (kind === 's') {
-                if (before === 'rip') target = end + Number(value);
-                return `${before}${value < 0n ? '-' : '+'}0x${hex(value < 0n ? -value : value)}`;
-            }
-            return `${before}0x${hex(BigInt.asUintN({b: 8, w: 16, d: 32, q: 64}[kind], value))}`;
-        });
-    return {text, target};
-}
-
 function fillLine(line, div) {
     const kind = lineKind[line], begin = lineAt[line], stretch = stretchAt(begin);
     if (kind === 2) {
@@ -116,15 +89,17 @@ function fillLine(line, div) {
     if (kind === 3) hexes.textContent = `00, ${number(end - begin)} times`;
     const text = make('span', '', 'text');
     if (kind === 1) {
-        const {text: words, target} = textOf(instructionFrom(begin));
-        text.append(words);
-        if (target !== null && target >= 0 && target < bytes.length) {
-            const link = make('a', `${words.includes('rip') ? '  ' : ''}${place(target, shortName)}`);
+        // The address that a jump or rip leads to stands last
+        const {text: all} = instructions[instructionFrom(begin)];
+        const [, before, last] = /^(.* )([0-9a-f]+)$/.exec(all) ?? [];
+        const target = parseInt(last, 16) - report.base;
+        if (target >= 0 && target < bytes.length) {
+            const link = make('a', place(target, shortName));
             link.href = `#${address(target)}`;
             link.title = `${address(target)}: ${place(target)}`;
-            text.append(link);
-        } else if (target !== null)
-            text.append(` ${hex(report.base + target)}`);
+            text.append(before, link);
+        } else
+            text.append(all);
     } else if (kind === 0)
         text.textContent = letters;
     div.append(make('span', address(begin), 'at'), make('span', number(units / report.unit, 1), 'bits'), hexes, text);
@@ -144,8 +119,8 @@ function showListing() {
 }
 
 function startListing() {
-    $('code_note').textContent = instructions.at.length ?
-        `${number(instructions.at.length)} instructions; bits, bytes, objdump's text` :
+    $('code_note').textContent = instructions.length ?
+        `${number(instructions.length)} instructions; bits, bytes, objdump's text` :
         'no instructions: objdump was not installed, or found none';
     if (!bytes.length) return;
     buildLines();

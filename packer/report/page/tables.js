@@ -56,7 +56,7 @@ const tables = {
     objects: {title: 'files', rows: () => report.objects, columns: 'name packed bytes bits part change'},
     symbols: {title: 'symbols', rows: () => report.symbols, columns: 'name packed bytes bits part change'},
     sections: {title: 'sections', rows: () => report.sections, columns: 'name packed bytes bits part change'},
-    kinds: {title: 'instructions', rows: kinds, columns: 'name packed bytes bits part count'},
+    kinds: {title: 'instructions', rows: kindsOfInstructions, columns: 'name packed bytes bits part count'},
 };
 
 // What no room names is divided among the rooms in proportion to what they take.
@@ -71,24 +71,21 @@ function countRooms() {
 
 // Instructions by name, and a row for all else, so that the sum is the file.
 let kindRows;
-function kinds() {
+function kindsOfInstructions() {
     if (kindRows) return kindRows;
     const byName = new Map();
-    let units = report.file * 8 * report.unit, size = bytes.length;
-    instructions.at.forEach((at, i) => {
-        const form = report.forms[instructions.form[i]];
-        const name = form.slice(1).split(' ')[0];
+    let units = inUnits(report.file), size = bytes.length;
+    for (const {at, end, text} of instructions) {
+        const name = text.split(' ')[0];
         if (!byName.has(name)) byName.set(name, {name, units: 0, bytes: 0, count: 0, stretches: []});
-        const row = byName.get(name), end = at + instructions.sizes[instructions.form[i]];
+        const row = byName.get(name), cost = costs.subarray(at, end).reduce((sum, c) => sum + c, 0);
         ++row.count;
         row.bytes += end - at;
-        size -= end - at;
+        row.units += cost;
         row.stretches.push({begin: at, size: end - at});
-        for (; at < end; ++at) {
-            row.units += costs[at];
-            units -= costs[at];
-        }
-    });
+        size -= end - at;
+        units -= cost;
+    }
     return kindRows = [...byName.values(), {name: '(no instructions)', units, bytes: size, count: 0, stretches: []}];
 }
 
@@ -173,7 +170,7 @@ function fillRow(line, names, row) {
 function startTables() {
     countRooms();
     for (const name in tables) {
-        if (name !== 'kinds' ? !report[name].length : !instructions.at.length) continue;
+        if (name !== 'kinds' ? !report[name].length : !instructions.length) continue;
         const tab = make('button', tables[name].title);
         tab.setAttribute('role', 'tab');
         tab.dataset.table = name;

@@ -85,17 +85,14 @@
         'a name is found',
         $('lines').querySelector('.here') && place(cursor) === 'odrazMain(int, char**)' ||
             place(cursor) === 'odrazMain');
-    location.hash = `#${address(instructions.at[1000])}`;
+    location.hash = `#${address(instructions[1000].at)}`;
     await new Promise(done => setTimeout(done, 50));
-    check('an address in the link is found', cursor === instructions.at[1000]);
+    check('an address in the link is found', cursor === instructions[1000].at);
     const all = new Set(lineAt);
     check('lines are in order', lineAt.every((at, i) => !i || at >= lineAt[i - 1]));
-    check('every instruction has its line', instructions.at.every(at => all.has(at)));
+    check('every instruction has its line', instructions.every(({at}) => all.has(at)));
     // For comparison with objdump
-    const texts = Array.from(instructions.at, (at, i) => {
-        const {text, target} = textOf(i);
-        return `${address(at)} ${text}${text.endsWith(' ') && target !== null ? address(target) : ''}`;
-    });
+    const texts = instructions.map(({at, text}) => `${address(at)} ${text}`);
     document.body.append(make('pre', texts.join('\n'), 'instructions'));
     document.body.dataset.checked = checked;
     document.body.dataset.failed = failed.join('; ');
