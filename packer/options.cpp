@@ -1,5 +1,7 @@
 #include "packer/options.h"
 
+#include "packer/model/model_parameters.h"
+
 #include <filesystem>
 
 namespace pack {
@@ -54,7 +56,7 @@ void checkPaths(const Options &o) {
 }
 
 void check(const common::CommandLine &line, const Options &o) {
-    if (o.fast && !o.model.empty()) line.refuse("--fast and --model both choose contexts");
+    if (o.fast && o.model) line.refuse("--fast and --model both choose contexts");
     if (o.pe && o.loader) line.refuse("--loader is for Linux, --pe for Windows");
     int modes = !o.in.empty() + !o.test.empty() + !o.unpack.empty();
     if (modes != 1 || o.out.empty() != !o.test.empty())
@@ -62,13 +64,48 @@ void check(const common::CommandLine &line, const Options &o) {
     for (const std::string &given : line.given())
         if (o.in.empty() && given != "-o" && given != "-d" && given != "--test")
             line.refuse(given + " is for packing alone");
-    if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
     if (o.map.empty() && !o.symbols.empty()) line.refuse("--symbols needs --map");
     if (o.map.empty() && !o.rooms.empty()) line.refuse("--rooms needs --map");
-    checkPaths(o);
+    checkOptions(line, o);
 }
 
 } // namespace
+
+void addOptions(common::CommandLine &line, Options &o) {
+    line.option(
+        "--budget", "BYTES|none", [&o](const std::string &text) { o.budget = budgetOf(text); },
+        "write OUT only if it has at most BYTES; 65536 for a program made for packing, else none");
+    line.option(
+        "--effort", "fast|normal|best|SECONDS",
+        [&o](const std::string &text) { o.seconds = secondsOf(text); },
+        "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
+        "fast if not given");
+    line.option(
+        "--model", "FILE", [&o](const std::string &path) { o.model = readParameters(path); },
+        "start with the contexts in FILE instead of the default ones");
+    line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
+    line.option("--name", "NAME", o.names.program,
+                "the packed program's name in its messages, if it cannot start; up to 10 letters");
+    line.option(
+        "--safe-name", "NAME", o.names.safe,
+        "the name of the same program, not packed, for users whose system does not let written memory "
+        "run; up to 14 letters");
+    line.group("What each part costs");
+    line.option("--report", "FILE", o.report,
+                "write to FILE, as JSON, what each section, object file and symbol costs");
+    line.option("--html", "FILE", o.html,
+                "write to FILE a page that shows it: every byte, treemap, tables, budget");
+    line.option(
+        "--text", "FILE", o.text,
+        "write to FILE, for a comment on a change, the size and the ten largest changes; with - print "
+        "that and nothing else");
+    line.option("--than", "OLD.json", o.than, "with --html or --text, compare with an earlier --report");
+}
+
+void checkOptions(const common::CommandLine &line, const Options &o) {
+    if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
+    checkPaths(o);
+}
 
 Options parseOptions(common::CommandLine &line) {
     Options o;
@@ -86,35 +123,11 @@ Options parseOptions(common::CommandLine &line) {
     line.flag("--loader", o.loader, "pack as any program, even if IN was made for packing");
     line.flag("--pe", o.pe, "write OUT for Windows; IN must be linked for it");
     line.flag("--plain", o.plain, "do not pack: write OUT with the program as it lies in memory");
-    line.option(
-        "--budget", "BYTES|none", [&](const std::string &text) { o.budget = budgetOf(text); },
-        "write OUT only if it has at most BYTES; 65536 for a program made for packing, else none");
     line.flag("--fast", o.fast, "use few contexts: 10 % larger, starts in less than half the time");
-    line.option(
-        "--effort", "fast|normal|best|SECONDS", [&](const std::string &text) { o.seconds = secondsOf(text); },
-        "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
-        "fast if not given");
-    line.option("--model", "FILE", o.model, "start with the contexts in FILE instead of the default ones");
-    line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
-    line.option("--name", "NAME", o.names.program,
-                "the packed program's name in its messages, if it cannot start; up to 10 letters");
-    line.option(
-        "--safe-name", "NAME", o.names.safe,
-        "the name of the same program, not packed, for users whose system does not let written memory "
-        "run; up to 14 letters");
-    line.group("What each part costs");
+    addOptions(line, o);
     line.option("--map", "FILE", o.map, "print what each object file costs, by the linker's map in FILE");
     line.option("--symbols", "FILE", o.symbols,
                 "with --map, of a program linked with -flto: what `nm -A` prints of its object files");
-    line.option("--report", "FILE", o.report,
-                "write to FILE, as JSON, what each section, object file and symbol costs");
-    line.option("--html", "FILE", o.html,
-                "write to FILE a page that shows it: every byte, treemap, tables, budget");
-    line.option(
-        "--text", "FILE", o.text,
-        "write to FILE, for a comment on a change, the size and the ten largest changes; with - print "
-        "that and nothing else");
-    line.option("--than", "OLD.json", o.than, "with --html or --text, compare with an earlier --report");
     line.option(
         "--rooms", "FILE", o.rooms,
         "with --map, group object files as FILE does, a line each: ROOM SHARE OBJECT..., the share in "

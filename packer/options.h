@@ -1,4 +1,4 @@
-// The command line of pack.
+// The command line of pack, and what pack-link takes of it.
 #pragma once
 
 #include "packer/write/messages.h"
@@ -13,11 +13,18 @@ inline constexpr long kNoBudget = -1;
 struct Options {
     std::string in, test, unpack, out; // one of the first three is given
     bool pe = false, loader = false, plain = false, fast = false;
-    std::optional<long> budget; // bytes, or kNoBudget
-    double seconds = 0;         // of search
+    std::optional<long> budget;           // bytes, or kNoBudget
+    double seconds = 0;                   // of search
+    std::optional<ModelParameters> model; // contexts to start with
     Names names;
-    std::string model, saveModel, map, symbols, rooms, report, html, text, than;
+    std::string saveModel, map, symbols, rooms, report, html, text, than;
 };
+
+// How a program is packed and reported on: the options that pack-link takes, too. After line.parse()
+// checkOptions() refuses those that do not go together, and outputs that would replace an input or another
+// output.
+void addOptions(common::CommandLine &line, Options &o);
+void checkOptions(const common::CommandLine &line, const Options &o);
 
 // Throws common::Refused for options that do not go together.
 Options parseOptions(common::CommandLine &line);

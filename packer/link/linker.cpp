@@ -109,7 +109,7 @@ bool canStart(const std::vector<DynamicFile> &libraries) {
 
 } // namespace
 
-Linker::Linker(const Options &options, const std::string &folder) : options(options), folder(folder) {
+Linker::Linker(const LinkOptions &options, const std::string &folder) : options(options), folder(folder) {
     Given given = lookAhead(options.inputs);
     code = given.code;
     compiler = options.compiler.empty() ? compilerFor(given) : options.compiler;
@@ -123,7 +123,12 @@ Words Linker::command(const Linked &to, const Words &flags) const {
 }
 
 void Linker::link(const Words &words, bool isStatic) const {
-    Outcome outcome = run(words, Output::kKept, options.verbose);
+    std::string line;
+    for (const std::string &word : words) line += (line.empty() ? "" : " ") + word;
+    if (options.verbose) std::fprintf(stderr, "%s\n", line.c_str());
+    Outcome outcome = run(words);
+    need(outcome.status != 127,
+         "cannot run " + words[0] + ": install gcc or clang, or name a compiler with --cc");
     need(!outcome.status, explainLink(outcome.output, isStatic));
 }
 

@@ -24,7 +24,7 @@ struct Facts {
 
 class Linker {
 public:
-    Linker(const Options &options, const std::string &folder);
+    Linker(const LinkOptions &options, const std::string &folder);
 
     // The first link; throws common::Refused if it fails, with the reason in one line.
     Facts linkFirst();
@@ -45,7 +45,7 @@ private:
     std::string saveObject(const std::string &path, const Bytes &bytes) const;
     void saveSlots(const Facts &facts, const Plan &plan);
 
-    const Options &options;
+    const LinkOptions &options;
     std::string folder, compiler;
     Code code;     // the kind of LTO objects; kMachine without any
     Words slotted; // the inputs of the way `imports`: objects that use slots, and archives

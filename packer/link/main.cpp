@@ -2,35 +2,45 @@
 #include "packer/link/tries.h"
 #include "tools/common/temporary_folder.h"
 
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace pack::linking {
 
 namespace {
 
 Words theCompilerWords;
+std::string theFolder; // of all files that are made on the way
 
-std::string findPacker() {
-    std::error_code none;
-    auto beside = std::filesystem::read_symlink("/proc/self/exe", none).parent_path() / "pack";
-    if (std::filesystem::exists(beside)) return beside;
-    throw common::Refused("there is no " + beside.string() + ": pack must lie beside pack-link");
+// Nothing is left over. It calls what a handler of signals may call.
+void endBySignal(int) {
+    endRunning();
+    if (pid_t remover = _Fork())
+        waitpid(remover, nullptr, 0);
+    else
+        execlp("rm", "rm", "-rf", theFolder.c_str(), nullptr);
+    constexpr char kLine[] = "pack-link: ended by a signal\n";
+    [[maybe_unused]] ssize_t written = write(2, kLine, sizeof kLine - 1);
+    _exit(1);
 }
 
 int packLink(common::CommandLine &line) {
     setenv("LC_ALL", "C", 1); // the linker's messages are read
     try {
-        Options options = parseOptions(line, theCompilerWords);
-        blockSignals();
+        LinkOptions options = parseLinkOptions(line, theCompilerWords);
         common::TemporaryFolder folder;
-        std::string path = folder / "";
-        path.pop_back();
-        Tries tries(options, path, findPacker());
+        theFolder = folder / "";
+        theFolder.pop_back();
+        for (int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, endBySignal);
+        Tries tries(options, theFolder);
         tries.run();
         std::fputs(tries.print().c_str(), stdout);
-        return tries.finish();
+        tries.finish();
+        return 0;
     } catch (const std::filesystem::filesystem_error &e) {
         throw common::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +
                               e.code().message());

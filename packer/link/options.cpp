@@ -77,12 +77,14 @@ DividedWords divide(int argc, char **argv) {
     return words;
 }
 
-Options parseOptions(common::CommandLine &line, const Words &compiler) {
-    Options o;
+LinkOptions parseLinkOptions(common::CommandLine &line, const Words &compiler) {
+    LinkOptions o;
+    o.packing.out = "a.out";
+    o.packing.budget = kNoBudget;
     line.about("Links objects of C or C++ (.o, .a) in the ways that are possible, packs each, and keeps the\n"
                "smallest. Use it in place of cc -o:\n"
                "  pack-link main.o -lSDL2 -lGL -o intro");
-    line.option("-o", "OUT", o.out, "the packed program");
+    line.option("-o", "OUT", o.packing.out, "the packed program");
     line.option(
         "--way", "dynamic|imports|static",
         [&](const std::string &way) {
@@ -97,30 +99,14 @@ Options parseOptions(common::CommandLine &line, const Words &compiler) {
     line.option("--keep", "FOLDER", o.keep,
                 "keep the program as linked, the linker's map and the generated source there");
     line.flag("-v", o.verbose, "print the commands");
-    line.group("As for pack, for the way that is kept");
-    for (auto [name, value] : {std::pair("--effort", "fast|normal|best|SECONDS"),
-                               {"--model", "FILE"},
-                               {"--save-model", "FILE"},
-                               {"--budget", "BYTES"},
-                               {"--name", "NAME"},
-                               {"--safe-name", "NAME"},
-                               {"--report", "FILE"},
-                               {"--html", "FILE"},
-                               {"--text", "FILE"},
-                               {"--than", "OLD.json"}})
-        line.option(
-            name, value,
-            [&o, option = std::string(name)](const std::string &given) {
-                Words &to = option == "--model" ? o.model : o.packing;
-                to.insert(to.end(), {option, given});
-            },
-            "");
+    line.group("How to pack the program that is kept");
+    addOptions(line, o.packing);
     line.notes(
         "Options for the compiler: -l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc;\n"
         "-W..., -std=, -I, -D, -s and -no-pie change nothing.\n"
         "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.");
     line.parse();
-    o.budget = line.has("--budget");
+    checkOptions(line, o.packing);
     bool files = false;
     for (size_t i = 0; i < compiler.size(); ++i) {
         const std::string &word = compiler[i];
@@ -145,7 +131,7 @@ Options parseOptions(common::CommandLine &line, const Words &compiler) {
     }
     for (const std::string &input : o.inputs) {
         std::error_code ignored;
-        if (std::filesystem::equivalent(input, o.out, ignored))
+        if (std::filesystem::equivalent(input, o.packing.out, ignored))
             throw common::Refused(input + " would be written over: give another name with -o");
     }
     if (!files) line.refuse("it takes object files to link");

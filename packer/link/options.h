@@ -1,8 +1,8 @@
 // The command line of pack-link: a compiler's options for linking, and its own options.
 #pragma once
 
-#include "packer/link/process.h"
-#include "tools/common/command_line.h"
+#include "packer/options.h"
+#include "packer/read/process.h"
 
 namespace pack::linking {
 
@@ -12,15 +12,14 @@ struct DividedWords {
 };
 DividedWords divide(int argc, char **argv);
 
-struct Options {
+struct LinkOptions {
     Words inputs; // for the compiler, in their order: files, -l, -L and other words for linking
-    std::string out = "a.out", way, keep, compiler; // empty if not given
-    Words model, packing;                           // options for pack: in every try; in the last run only
-    bool budget = false;                            // `packing` has --budget
-    bool verbose = false;                           // print the commands
+    std::string way, keep, compiler; // empty if not given
+    bool verbose = false;            // print the commands
+    Options packing;                 // of the program that is kept: its output, model and reports
 };
 
 // `line`: of pack-link's own words. Throws common::Refused.
-Options parseOptions(common::CommandLine &line, const Words &compiler);
+LinkOptions parseLinkOptions(common::CommandLine &line, const Words &compiler);
 
 } // namespace pack::linking

@@ -1,7 +1,11 @@
 #include "packer/link/tries.h"
 
-#include "packer/link/small_model.h"
+#include "packer/model/model_parameters.h"
+#include "packer/pack_program.h"
 #include "packer/read/elf_file.h"
+#include "packer/read/elf_reader.h"
+#include "packer/read/loader_reader.h"
+#include "packer/write/packed_file.h"
 #include "tools/common/text.h"
 
 #include <cstdio>
@@ -43,34 +47,30 @@ uint64_t sizeInFile(const std::string &path) {
 } // namespace
 
 void Tries::pack(Try &made) const {
-    std::string to = folder + "/try";
-    Words words = {packer, made.linked.program, "-o", to, "--budget", "none"};
-    if (made.way != "imports") words.push_back("--loader");
-    words.insert(words.end(), made.model.begin(), made.model.end());
-    Outcome outcome = linking::run(words, Output::kKept, options.verbose);
-    if (outcome.status) {
-        made.detail = outcome.output.substr(0, outcome.output.find('\n'));
-        size_t colon = made.detail.rfind(made.linked.program + ": ");
-        if (colon != std::string::npos) made.detail.erase(0, colon + made.linked.program.size() + 2);
-        return;
+    Bytes file = readBytes(made.linked.program);
+    bool imports = made.way == "imports";
+    try {
+        Program program = imports ? readProgram(file) : readAnyProgram(file);
+        made.before = program.bytes.size();
+        made.packed =
+            makePacked(imports ? kElf : kLoader, program, made.model.value_or(defaultParameters()), {})
+                .bytes.size();
+    } catch (const common::Refused &e) {
+        made.detail = e.what();
     }
-    made.packed = fs::file_size(to);
-    // "FILE: 3332 bytes (3149 of them stub and headers) from 4416"
-    made.before = std::strtoull(outcome.output.c_str() + outcome.output.rfind(") from ") + 7, nullptr, 10);
 }
 
 bool Tries::add(const std::string &way, const std::string &detail, const Linked &linked) {
     for (const Try &t : tries) // equal, for example where there is nothing to sort
         if (t.packed && readBytes(t.linked.program) == readBytes(linked.program)) return true;
-    Try made = {way, detail, linked, options.model};
+    Try made = {way, detail, linked, options.packing.model};
     pack(made);
-    if (way == "imports" && options.model.empty() && made.packed && made.before <= kSmall) {
-        common::writeWhole(folder + "/small.model", kSmallModel);
+    if (way == "imports" && !made.model && made.packed && made.before <= kSmall) {
         Try small = made;
-        small.model = {"--model", folder + "/small.model"};
+        small.model = tinyParameters();
         small.detail += ", four contexts";
         pack(small);
-        if (small.packed && small.packed < made.packed) made = small;
+        if (small.packed < made.packed) made = small;
     }
     tries.push_back(made);
     return made.before <= kLarge;
@@ -147,19 +147,15 @@ std::string Tries::print() const {
     return text;
 }
 
-// Options of pack for its report: the symbols of LTO objects. None without gcc-nm.
-Words Tries::namesOfIntermediate() const {
-    if (facts.intermediate.empty()) return {};
+// A file with the symbols of LTO objects; "" without them or without gcc-nm.
+std::string Tries::namesOfIntermediate() const {
+    if (facts.intermediate.empty()) return "";
     Words tool = {"gcc-nm", "-A"};
     tool.insert(tool.end(), facts.intermediate.begin(), facts.intermediate.end());
-    try {
-        Outcome names = linking::run(tool, Output::kKept, options.verbose);
-        if (names.status) return {};
-        common::writeWhole(folder + "/names", names.output);
-        return {"--symbols", folder + "/names"};
-    } catch (const common::Refused &) {
-        return {};
-    }
+    Outcome names = pack::run(tool);
+    if (names.status) return "";
+    common::writeWhole(folder + "/names", names.output);
+    return folder + "/names";
 }
 
 void Tries::keepFiles(const Try &taken) const {
@@ -176,15 +172,16 @@ void Tries::keepFiles(const Try &taken) const {
     if (imports) keep(folder + "/imports.ld", "program.ld");
 }
 
-int Tries::finish() const {
+void Tries::finish() const {
     const Try &taken = best();
     if (!options.keep.empty()) keepFiles(taken);
-    Words words = {packer, taken.linked.program, "-o", options.out, "--map", taken.linked.map};
-    if (taken.way != "imports") words.push_back("--loader");
-    if (!options.budget) words.insert(words.end(), {"--budget", "none"});
-    for (const Words &more : {namesOfIntermediate(), taken.model, options.packing})
-        words.insert(words.end(), more.begin(), more.end());
-    return linking::run(words, Output::kShown, options.verbose).status;
+    Options packing = options.packing;
+    packing.in = taken.linked.program;
+    packing.map = taken.linked.map;
+    packing.symbols = namesOfIntermediate();
+    packing.loader = taken.way != "imports";
+    packing.model = taken.model;
+    packProgram(packing);
 }
 
 } // namespace pack::linking

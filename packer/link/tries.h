@@ -9,14 +9,14 @@ namespace pack::linking {
 struct Try {
     std::string way, detail; // detail: how it was linked; or, if it was not packed, why not
     Linked linked = {};
-    Words model = {};                // the contexts that it is packed with, as options of pack
-    uint64_t before = 0, packed = 0; // bytes of memory, and of the file; 0 if it was not packed
+    std::optional<ModelParameters> model = {}; // the contexts that it is packed with, if not the default ones
+    uint64_t before = 0, packed = 0;           // bytes of memory, and of the file; 0 if it was not packed
 };
 
 class Tries {
 public:
-    Tries(const Options &options, const std::string &folder, const std::string &packer)
-        : options(options), packer(packer), folder(folder), linker(options, folder) {}
+    Tries(const LinkOptions &options, const std::string &folder)
+        : options(options), folder(folder), linker(options, folder) {}
 
     // Throws common::Refused if the program cannot be linked at all, or not in the way that was asked for.
     void run();
@@ -24,9 +24,8 @@ public:
     const Try &best() const;
     // A line for each way.
     std::string print() const;
-    // Packs the best one again, to `options.out`, with the user's options, which may ask for reports.
-    // Returns pack's exit status.
-    int finish() const;
+    // Packs the best one again, as `options.packing` asks for.
+    void finish() const;
 
 private:
     void tryDynamic();
@@ -35,13 +34,13 @@ private:
     // Tries a way, unless another one was asked for; if it is not possible, keeps the reason.
     void tryWay(const char *way, void (Tries::*make)());
     void pack(Try &made) const;
-    Words namesOfIntermediate() const;
+    std::string namesOfIntermediate() const;
     void keepFiles(const Try &taken) const;
     // Packs a linked program. Returns whether that is quick enough to try variants.
     bool add(const std::string &way, const std::string &detail, const Linked &linked);
 
-    const Options &options;
-    std::string packer, folder;
+    const LinkOptions &options;
+    std::string folder;
     Linker linker;
     Facts facts;
     std::vector<Try> tries;

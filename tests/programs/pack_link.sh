@@ -6,7 +6,8 @@ link=$BUILD/pack-link
 cd "$WORK" || exit 1
 
 # A model that packs in a third of the time; few=() leaves the choice to pack-link
-sed -n 's/.*"(slots 21/slots 14/p; /^\(code\|data\)/p' "$SOURCE/packer/link/small_model.h" >few.model
+"$BUILD/pack" "$(type -P true)" -o true.packed --fast --save-model few.model >/dev/null
+sed -i 's/^slots .*/slots 14/' few.model
 few=(--model few.model)
 
 did() { # did COMMAND...: what it prints, on each output, and its exit status
@@ -293,7 +294,7 @@ ended_early() { # by a signal, while it searches: nothing stays
     rm -f err
     "$link" c.o -o made --way imports "${few[@]}" --effort 100 -v >printed.txt 2>err &
     PIDS+=($!)
-    await eval "grep -qs -e --effort err || gone $!" && kill "$1" $! && ended $!
+    await eval "grep -qs '^searching' err || gone $!" && kill "$1" $! && ended $!
     [ $? = 1 ] && ! ls -d "$(grep -m 1 -oE '/tmp/odraz-[A-Za-z0-9]{6}/' err)" 2>/dev/null
 }
 always_early() { for _ in {1..10}; do ended_early "$1" || return; done; } # now just before the search, now in it
