@@ -19,9 +19,7 @@ struct Reader {
     Object &object;
     std::vector<Elf64_Shdr> sections = in.sections();
 
-    std::string nameOf(const Elf64_Shdr &s) const {
-        return in.text(sections[in.at<Elf64_Ehdr>(0, kCut).e_shstrndx], s.sh_name);
-    }
+    std::string nameOf(const Elf64_Shdr &s) const { return in.nameOf(sections, s); }
     std::string nameOf(const Elf64_Shdr &table, const Elf64_Sym &symbol) const {
         need(table.sh_link < sections.size(), kCut);
         return in.text(sections[table.sh_link], symbol.st_name);
@@ -117,16 +115,6 @@ std::vector<Object> readArchive(const std::string &path, const Bytes &all) {
     return objects;
 }
 
-// Whether an ET_DYN file is a program.
-bool isPie(const Bytes &bytes) {
-    ElfFile in = {bytes};
-    for (const Elf64_Shdr &s : in.sections())
-        if (s.sh_type == SHT_DYNAMIC)
-            for (const Elf64_Dyn &d : in.table<Elf64_Dyn>(s, kCut))
-                if (d.d_tag == DT_FLAGS_1 && d.d_un.d_val & DF_1_PIE) return true;
-    return false;
-}
-
 } // namespace
 
 FileKind kindOf(const std::string &path) {
@@ -138,7 +126,8 @@ FileKind kindOf(const std::string &path) {
     if (!isElf(bytes)) return FileKind::kOther;
     uint16_t type = ElfFile{bytes}.at<Elf64_Ehdr>(0, kCut).e_type;
     if (type == ET_REL) return FileKind::kObject;
-    return type == ET_DYN && !isPie(bytes) ? FileKind::kLibrary : FileKind::kProgram;
+    bool library = type == ET_DYN && !(ElfProgram(bytes).dynamic()[DT_FLAGS_1] & DF_1_PIE);
+    return library ? FileKind::kLibrary : FileKind::kProgram;
 }
 
 std::vector<Object> readObjects(const std::string &path) {

@@ -28,8 +28,8 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
     std::vector<Elf64_Shdr> sections = in.sections();
     for (const Elf64_Shdr &s : sections)
         for (const std::string &name : names)
-            if (in.text(sections[in.at<Elf64_Ehdr>(0, "cut short").e_shstrndx], s.sh_name) == name &&
-                s.sh_type != SHT_NOBITS && within(s.sh_offset, s.sh_size, 0, bytes.size()))
+            if (in.nameOf(sections, s) == name && s.sh_type != SHT_NOBITS &&
+                within(s.sh_offset, s.sh_size, 0, bytes.size()))
                 std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
     writeBytes(path, bytes, true);
 }
@@ -37,10 +37,8 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
 // The bytes that a program takes before it is packed.
 uint64_t sizeInFile(const std::string &path) {
     Bytes bytes = readBytes(path);
-    Elf64_Ehdr header;
     uint64_t size = 0;
-    for (const Elf64_Phdr &h : ElfFile{bytes}.programHeaders(header))
-        if (h.p_type == PT_LOAD) size += h.p_filesz;
+    for (const Elf64_Phdr &h : ElfProgram(bytes).loads()) size += h.p_filesz;
     return size;
 }
 

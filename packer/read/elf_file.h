@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 
 namespace pack {
 
@@ -22,40 +23,6 @@ struct ElfFile {
         T value;
         std::memcpy(&value, bytes.data() + offset, sizeof value);
         return value;
-    }
-    // Also reads `header`, the ELF header. Refuses all files but executables for x86-64.
-    std::vector<Elf64_Phdr> programHeaders(Elf64_Ehdr &header) const {
-        need(bytes.size() >= 4 && !std::memcmp(bytes.data(), ELFMAG, SELFMAG), "not an ELF file");
-        need(bytes.size() > EI_DATA && bytes[EI_CLASS] == ELFCLASS64,
-             "a 32-bit ELF file: only x86-64 is packed");
-        need(bytes[EI_DATA] == ELFDATA2LSB, "a big-endian ELF file: only x86-64 is packed");
-        header = at<Elf64_Ehdr>(0, "cut short: its ELF header is incomplete");
-        need(header.e_machine == EM_X86_64, "not for x86-64: only that is packed");
-        need(header.e_type == ET_EXEC || header.e_type == ET_DYN, "not an executable: link it first");
-        need(header.e_phentsize == sizeof(Elf64_Phdr) && header.e_phnum > 0 && header.e_phnum < 64,
-             "its program headers make no sense");
-        std::vector<Elf64_Phdr> all;
-        for (uint64_t i = 0; i < header.e_phnum; ++i)
-            all.push_back(at<Elf64_Phdr>(header.e_phoff + i * sizeof(Elf64_Phdr),
-                                         "cut short: program headers are missing"));
-        return all;
-    }
-    // Checks a segment to load, which must not begin before `end`, where the one before ends.
-    void checkSegment(const Elf64_Phdr &h, uint64_t end) const {
-        need(h.p_memsz <= kMostMemory && within(h.p_vaddr, h.p_memsz, 0, kAddressEnd - kPage) &&
-                 h.p_filesz <= h.p_memsz,
-             "a segment is over 64 MiB, or beyond 2 GiB: it cannot be packed");
-        need(within(h.p_offset, h.p_filesz, 0, bytes.size()),
-             "cut short: a segment's bytes are missing: get it afresh");
-        need((h.p_flags & (PF_W | PF_X)) != (PF_W | PF_X),
-             "a segment is both writable and executable: link it without -N or -z rwx");
-        need(h.p_vaddr >= end, "its segments overlap or are out of order: link it afresh");
-    }
-    // Copies the bytes of checked segments to their places in `memory`, which begins at the address `base`.
-    void copySegments(const std::vector<Elf64_Phdr> &loads, uint64_t base, Bytes &memory) const {
-        for (const Elf64_Phdr &h : loads)
-            std::copy_n(bytes.begin() + (long)h.p_offset, h.p_filesz,
-                        memory.begin() + (long)(h.p_vaddr - base));
     }
     // Empty for a file without section headers; some tools strip them.
     std::vector<Elf64_Shdr> sections() const {
@@ -86,6 +53,45 @@ struct ElfFile {
         return {begin, end};
     }
     std::string text(const Elf64_Shdr &table, uint64_t offset) const { return text(table.sh_offset, offset); }
+    // The name of one of these sections.
+    std::string nameOf(const std::vector<Elf64_Shdr> &sections, const Elf64_Shdr &section) const {
+        return text(sections[at<Elf64_Ehdr>(0, "cut short").e_shstrndx], section.sh_name);
+    }
+};
+
+// What the dynamic section names.
+struct Dynamic {
+    std::vector<std::string> needed;   // libraries
+    std::map<int64_t, uint64_t> value; // of all other entries, by their tags
+    uint64_t operator[](int64_t tag) const { return value.count(tag) ? value.at(tag) : 0; }
+};
+
+// An executable or a shared library for x86-64.
+struct ElfProgram : ElfFile {
+    Elf64_Ehdr header;
+    std::vector<Elf64_Phdr> headers; // of segments
+
+    explicit ElfProgram(const Bytes &bytes); // refuses all other files
+
+    // The first program header of this type, or null.
+    const Elf64_Phdr *find(uint32_t type) const;
+    // The headers of what is loaded.
+    std::vector<Elf64_Phdr> loads() const;
+    // What the file has for an address in memory.
+    template <class T> T inMemory(uint64_t address) const {
+        return at<T>(offsetOf(address, sizeof(T)), "its dynamic section points outside the file");
+    }
+    std::string textInMemory(uint64_t address) const { return text(offsetOf(address, 1), 0); }
+    // Empty for a static program.
+    Dynamic dynamic() const;
+
+    // The program in memory: checked, with its base, bytes and span.
+    Program load() const;
+    // Finds the stretch from the first instruction to the last: by section headers, or else whole segments.
+    void findCode(Program &program) const;
+
+private:
+    uint64_t offsetOf(uint64_t address, uint64_t size) const;
 };
 
 } // namespace pack

@@ -34,6 +34,10 @@ struct Program {
     uint32_t early, earlyEntry;   // as in PayloadHeader
     uint32_t codeBegin, codeSize; // the stretch of `bytes` that is instructions
 
+    // Leaves out zeros at the end of the bytes.
+    void dropZeros() {
+        while (bytes.size() > 1 && !bytes.back()) bytes.pop_back();
+    }
     Layout layout() const { return {(uint32_t)bytes.size(), codeBegin, codeSize}; }
 };
 

@@ -35,10 +35,9 @@ void readElf(const Bytes &elf, std::vector<Claim> &names, std::vector<Claim> &sy
     constexpr char kOutside[] = "its symbols lie outside the file: strip it";
     ElfFile in = {elf};
     std::vector<Elf64_Shdr> sections = in.sections();
-    auto header = in.at<Elf64_Ehdr>(0, kOutside);
     for (const Elf64_Shdr &s : sections) {
         if (s.sh_flags & SHF_ALLOC && s.sh_type != SHT_NOBITS)
-            add(names, s.sh_addr, s.sh_size, in.text(sections[header.e_shstrndx], s.sh_name));
+            add(names, s.sh_addr, s.sh_size, in.nameOf(sections, s));
         if (s.sh_type != SHT_SYMTAB) continue;
         need(s.sh_link < sections.size(), kOutside);
         for (const Elf64_Sym &symbol : in.table<Elf64_Sym>(s, kOutside)) {

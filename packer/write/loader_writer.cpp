@@ -18,11 +18,11 @@ NamedStub namedStub() {
 
 LoaderFront makeFront(const Program &program, size_t size) {
     // Alignment and stack are those of the program's own headers, which are part of it
-    ElfFile own = {program.bytes};
-    Elf64_Ehdr header;
+    ElfProgram own(program.bytes);
+    const Elf64_Ehdr &header = own.header;
     uint64_t alignment = kPage;
     uint32_t stack = PF_R | PF_W;
-    for (const Elf64_Phdr &h : own.programHeaders(header)) {
+    for (const Elf64_Phdr &h : own.headers) {
         if (h.p_type == PT_LOAD && header.e_type == ET_DYN) alignment = std::max(alignment, h.p_align);
         if (h.p_type == PT_GNU_STACK) stack |= h.p_flags & PF_X;
     }
@@ -55,13 +55,11 @@ Packed open(const Bytes &file) {
 
 Bytes writePlain(const Program &program) {
     Bytes out = program.bytes;
-    ElfFile own = {program.bytes};
-    Elf64_Ehdr header;
-    std::vector<Elf64_Phdr> headers = own.programHeaders(header);
+    ElfProgram own(program.bytes);
     // The file is laid out like memory
-    for (Elf64_Phdr &h : headers)
+    for (Elf64_Phdr &h : own.headers)
         if (h.p_filesz) h.p_offset = h.p_vaddr - program.base;
-    std::memcpy(out.data() + header.e_phoff, headers.data(), headers.size() * sizeof headers[0]);
+    std::memcpy(out.data() + own.header.e_phoff, own.headers.data(), own.headers.size() * sizeof(Elf64_Phdr));
     out.resize(program.span);
     return out;
 }
