@@ -285,27 +285,25 @@ int main(int argc, char **argv) {
     if (o.help) return help(), 0;
     if (own.shown) return recordShown(o, own.shown);
     static const int never = 0;
-    Screen screen = {};
-    if (const char *missing = open(screen, o.width, o.height, !own.tracks)) return fail(missing);
-    glfwSetKeyCallback(screen.window, onKey);
     Follower follower(build, stage, [&](const std::string &word, const std::string &line) {
         message = word;
         if (!line.empty()) fail(line.c_str());
     });
     Edits edits(stage, follower.showFolder(), own.host, own.port);
-    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute || own.tracks);
+    if (own.tracks) try {
+            std::puts(edits.writeDocument(own.tracks).c_str());
+            return 0;
+        } catch (const std::runtime_error &e) {
+            return fail(e.what());
+        }
+    Screen screen = {};
+    if (const char *missing = open(screen, o.width, o.height)) return fail(missing);
+    glfwSetKeyCallback(screen.window, onKey);
+    stage.settle(o.width, o.height, o.threads ? o.threads : cpuCount(), o.mute);
     prepare(screen);
     Maker &m = theMaker;
     if (const char *problem = loadFilm(stage, screen, follower.solverHash(), m)) return fail(problem);
     if (m.closes) return glfwTerminate(), 0;
-    if (own.tracks) try {
-            std::puts(edits.writeDocument(own.tracks).c_str());
-            glfwTerminate();
-            return 0;
-        } catch (const std::runtime_error &e) {
-            glfwTerminate();
-            return fail(e.what());
-        }
     Panel panel(o.width, o.height, (double)o.fps.numerator / (double)o.fps.denominator, nanoseconds);
     listen(panel, screen.window);
 

@@ -5,12 +5,11 @@
 
 namespace odraz::maker {
 
-const char *open(Screen &s, int width, int height, bool visible) {
+const char *open(Screen &s, int width, int height) {
     if (!glfwInit()) return "no display: set DISPLAY";
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-    glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
     s.window = glfwCreateWindow(width, height, FILM_NAME "-debug", nullptr, nullptr);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     s.hidden = s.window ? glfwCreateWindow(16, 16, "", nullptr, nullptr) : nullptr;

@@ -18,8 +18,8 @@ struct Screen {
     GLuint texture, framebuffer;
 };
 
-// Opens the window, which may be invisible, and makes its context current. Returns null, or what is missing.
-const char *open(Screen &s, int width, int height, bool visible);
+// Opens the window and makes its context current. Returns null, or what is missing.
+const char *open(Screen &s, int width, int height);
 
 // Makes what show() needs.
 void prepare(Screen &s);
