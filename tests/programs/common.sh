@@ -135,6 +135,15 @@ await() {
     done
 }
 gone() { ! kill -0 "$1" 2>/dev/null; }
+# behind COMMAND...: in the background; sets pid. Its outputs are the files out and err, which are empty before: what
+# waits for a line does not find that of an earlier program
+behind() {
+    : >"$WORK/out"
+    : >"$WORK/err"
+    "$@" >"$WORK/out" 2>"$WORK/err" &
+    pid=$!
+    PIDS+=($pid)
+}
 # ended PID: waits for a process of this shell; its exit status
 ended() {
     await gone "$1" || kill -KILL "$1"

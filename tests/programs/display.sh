@@ -38,9 +38,8 @@ is_black() { shot -crop "$1" && [ "$(measured maxima)" = 0 ]; } # is_black WIDTH
 
 begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
     local began=${EPOCHREALTIME/[.,]/}
-    "$@" >"$WORK/out" 2>"$WORK/err" &
-    pid=$!
-    PIDS+=($pid)
+    await eval '! seen' # that of an earlier program, which the display removes a moment after its end
+    behind "$@"
     await eval "seen || gone $pid"
     seen && echo "    seen after $(((${EPOCHREALTIME/[.,]/} - began) / 1000)) ms"
 }

@@ -23,8 +23,15 @@ is_music() {
 }
 is_loud() { [ "$(od -An -v -td2 -w2 "$1" | awk '{ a = $1 < 0 ? -$1 : $1; if (a > most) most = a } END { print (most > 300) }')" = 1 ]; }
 
-# --- A PulseAudio server with a null sink ---
-can_serve() { command -v pulseaudio >/dev/null && command -v parec >/dev/null; }
+# --- A PulseAudio server with a null sink, and what ALSA plays to ---
+unset PULSE_SERVER
+export HOME=$WORK XDG_RUNTIME_DIR=$WORK/run XDG_CONFIG_HOME=$WORK/config
+mkdir -m 700 "$XDG_RUNTIME_DIR"
+devices() { printf '%s\n' "$@" >"$WORK/alsa.conf"; export ALSA_CONFIG_PATH=$WORK/alsa.conf; } # devices LINE...
+can_serve() {
+    command -v pulseaudio >/dev/null && command -v parec >/dev/null &&
+        ls /usr/lib/*/alsa-lib/libasound_module_pcm_pulse.so >/dev/null 2>&1
+}
 serve() { # starts the server, sets server
     pulseaudio -n --daemonize=no --exit-idle-time=-1 --disallow-exit -L module-native-protocol-unix -L module-null-sink >/dev/null 2>&1 &
     server=$!

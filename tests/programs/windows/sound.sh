@@ -5,9 +5,6 @@
 can_serve || { echo "SKIPPED: PulseAudio is not installed"; exit 77; }
 film=$BUILD/odraz-safe.exe
 start_display 640x400
-unset PULSE_SERVER
-export HOME=$WORK XDG_RUNTIME_DIR=$WORK/run XDG_CONFIG_HOME=$WORK/config
-mkdir -m 700 "$XDG_RUNTIME_DIR"
 play() { timeout "$PATIENCE" "$wine" "$film" --window --size 160x90 "$@" >"$WORK/out" 2>"$WORK/err"; }
 "$BUILD/odraz-safe" --wav - --to 8 | tail -c +45 >"$WORK/film"
 
