@@ -7,6 +7,9 @@
 
 namespace odraz {
 
+// Sets one of eight vectors.
+inline void setLane(Vec3x8 &v, int k, Vec3 to) { v.x[k] = to.x, v.y[k] = to.y, v.z[k] = to.z; }
+
 struct Dice {
     std::mt19937 engine;
 

@@ -15,6 +15,20 @@ inline std::unique_ptr<Scene> emptyScene() {
     return scene;
 }
 
+// A diffuse surface.
+inline Material matte(Rgb colour) {
+    return {.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}}, .diffuse = 1};
+}
+
+// A rectangle around a centre with unit sides u and v, lit on the side of u x v.
+inline Shape rect(Vec3 centre, Vec3 u, Vec3 v, float halfU, float halfV, int material = 0) {
+    return {.kind = ShapeKind::Rect,
+            .material = (uint8_t)material,
+            .centre = centre,
+            .half = {halfU, 0, halfV},
+            .frame = {u, cross(u, v), v}};
+}
+
 // A shape with a given centre, in the world's frame. Kinds with fewer than three sizes use the first ones. A
 // new kind needs a case in the switch.
 inline Shape shapeOf(ShapeKind kind, const Vec3 &centre, const Vec3 &half) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "show/show.h"
+#include "tests/support/planes.h"
 #include "tests/support/shapes.h"
 #include "tests/support/threads.h"
 #include "tools/engine/heap_arena.h"

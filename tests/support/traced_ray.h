@@ -11,16 +11,6 @@ inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
 
-// A diffuse surface.
-inline Material matte(Rgb colour) {
-    Material m = {};
-    m.texture = {Pattern::Plain, 1, {colour, colour, colour, colour}};
-    m.diffuse = 1;
-    m.exponent = 1;
-    m.tint = {1, 1, 1};
-    return m;
-}
-
 struct RayTracer {
     std::unique_ptr<Scene> scene = emptyScene();
     std::unique_ptr<TraceScratch> scratch = std::make_unique<TraceScratch>();

@@ -71,10 +71,7 @@ TEST(AdaptiveFaults, ShowsNoSquares) {
 // A bright face seen edge-on, thinner than the distance of samples, must not be hit here and there.
 TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
     auto face = [](float side, const Quality &quality) {
-        auto s = shining({5, 5, 5}, Shape{.kind = ShapeKind::Rect,
-                                          .centre = {side, 0, -10},
-                                          .half = {0.25f, 0, 3},
-                                          .frame = {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}});
+        auto s = shining({5, 5, 5}, rect({side, 0, -10}, {0, 0, -1}, {0, -1, 0}, 0.25f, 3));
         TracedPicture p = traced(*s, {0, {0, 0, 0}, {0.3f, 0, -10}, 5, 36}, quality, 320, 180);
         int lit = 0; // rows
         for (int y = 0; y < 180; ++y) {
@@ -100,10 +97,7 @@ TEST(AdaptiveFaults, ShowsNoDashesOfFacesSeenFromTheSide) {
 // long.
 TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    auto s = shining({1, 1, 1}, Shape{.kind = ShapeKind::Rect,
-                                      .centre = {0, -100, -10},
-                                      .half = {200, 0, 100},
-                                      .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+    auto s = shining({1, 1, 1}, rect({0, -100, -10}, {1, 0, 0}, {0, 1, 0}, 200, 100));
     for (float degrees : {0.7f, 3.f, 10.f, 22.f, 41.f, 87.f}) {
         CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, degrees, 36};
         TracedPicture truth = traced(*s, camera, named(QualityName::Reference), 320, 180);
@@ -126,23 +120,22 @@ TEST(AdaptiveFaults, SmoothsEdgesOfEverySlope) {
 
 // A camera moves by fractions of a pixel through 64 positions. Returns in how many a bright point blinks: its
 // brightest pixel is below half of its maximum.
-static int blinks(const Quality &quality, const std::function<void(Scene &)> &pose) {
+static int blinks(QualityName quality, const std::function<void(Scene &)> &pose) {
     auto s = emptyScene();
     pose(*s);
     s->finish();
     std::vector<int> bright;
     for (int i = 0; i < 64; ++i) {
         float x = (float)(i % 8) * 0.021f, y = (float)(i / 8) * 0.021f;
-        TracedPicture p = traced(*s, {0, {x, y, 10}, {x, y, 0}, 0, 36}, quality, 320, 180);
+        TracedPicture p = traced(*s, {0, {x, y, 10}, {x, y, 0}, 0, 36}, named(quality), 320, 180);
         int most = 0;
-        for (int v = 0; v < 180; ++v)
-            for (int u = 0; u < 320; ++u) most = std::max<int>(most, p.at(u, v, 1));
+        for (int k = 0; k < 320 * 180; ++k) most = std::max<int>(most, p.at(k, 0, 1));
         bright.push_back(most);
     }
     int most = *std::max_element(bright.begin(), bright.end());
     EXPECT_GT(most, 60);
     int dark = (int)std::count_if(bright.begin(), bright.end(), [&](int b) { return 2 * b < most; });
-    std::printf("%s: %d of 64\n", quality.name, dark);
+    std::printf("%s: %d of 64\n", named(quality).name, dark);
     return dark;
 }
 
@@ -151,57 +144,40 @@ static int blinks(const Quality &quality, const std::function<void(Scene &)> &po
 TEST(AdaptiveFaults, HighlightsOfSmallBallsSeldomBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     auto pose = [](Scene &s) {
-        Material m = {};
-        m.specular = 0.8f;
-        m.exponent = 90;
-        s.add(sphere({0, 0, 0}, 0.22f, s.add(m)));
+        s.add(sphere({0, 0, 0}, 0.22f, s.add(Material{.specular = 0.8f, .exponent = 90})));
         s.add(Light{{60, 50, 100}, {4e4f, 4e4f, 4e4f}});
     };
-    EXPECT_LE(blinks(named(QualityName::Draft), pose), 15);
-    EXPECT_LE(blinks(named(QualityName::Play), pose), 8);
+    EXPECT_LE(blinks(QualityName::Draft, pose), 15);
+    EXPECT_LE(blinks(QualityName::Play, pose), 8);
 }
 
 // A lamp mirrored in a small ball, less than a pixel wide, is found wherever it lies. (Where it lies in one
 // pixel alone, this is taken for a spark, and dimmed.)
 TEST(AdaptiveFaults, LampsInSmallMirrorsDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    for (QualityName name : {QualityName::Draft, QualityName::Play})
-        EXPECT_LE(blinks(named(name),
-                         [](Scene &s) {
-                             Material m = {}, glow = {};
-                             m.reflect = 0.8f;
-                             glow.emit = {60, 60, 60};
-                             s.add(sphere({0, 0, 0}, 0.5f, s.add(m)));
-                             s.add(sphere({3, 2, 5}, 0.35f, s.add(glow)));
-                         }),
-                  1);
+    auto pose = [](Scene &s) {
+        s.add(sphere({0, 0, 0}, 0.5f, s.add(Material{.reflect = 0.8f})));
+        s.add(sphere({3, 2, 5}, 0.35f, s.add(Material{.emit = {60, 60, 60}})));
+    };
+    for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), 1);
 }
 
 // A ball of two pixels is found wherever it lies, beside an edge too, where the corners that split a square
 // do so for the edge alone. (In one pixel alone it is dimmed, as above.)
 TEST(AdaptiveFaults, TinyBallsBesideEdgesDoNotBlink) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
-    for (QualityName name : {QualityName::Draft, QualityName::Play})
-        EXPECT_LE(blinks(named(name),
-                         [](Scene &s) {
-                             Material wall = {}, ball = {};
-                             wall.emit = {0.05f, 0.05f, 0.05f};
-                             ball.emit = {0.6f, 0.6f, 0.6f};
-                             int behind = s.add(wall), before = s.add(ball);
-                             s.add(box({-2, 0, -1}, {2, 4, 0.5f}, behind));
-                             s.add(sphere({0.05f, 0, 0}, 0.025f, before));
-                         }),
-                  2);
+    auto pose = [](Scene &s) {
+        s.add(box({-2, 0, -1}, {2, 4, 0.5f}, s.add(Material{.emit = {0.05f, 0.05f, 0.05f}})));
+        s.add(sphere({0.05f, 0, 0}, 0.025f, s.add(Material{.emit = {0.6f, 0.6f, 0.6f}})));
+    };
+    for (QualityName name : {QualityName::Draft, QualityName::Play}) EXPECT_LE(blinks(name, pose), 2);
 }
 
 // A pixel on the edge of a lamp is as white as the lamp covers it, however bright the lamp is: of a picture
 // of 255 it shows what a lamp just as bright as white would. The edge is steep, so that stairs would be long.
 TEST(AdaptiveFaults, EdgesOfLampsHaveNoStairs) {
     auto edge = [](float radiance, QualityName quality) {
-        auto s = shining({radiance, radiance, radiance}, Shape{.kind = ShapeKind::Rect,
-                                                               .centre = {-100, 0, -10},
-                                                               .half = {100, 0, 100},
-                                                               .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+        auto s = shining(Rgb{1, 1, 1} * radiance, rect({-100, 0, -10}, {1, 0, 0}, {0, 1, 0}, 100, 100));
         return traced(*s, {0, {0, 0, 0}, {0, 0, -10}, 4, 36}, named(quality), 160, 90);
     };
     for (QualityName quality :
@@ -246,16 +222,8 @@ TEST(AdaptiveFaults, LinesBetweenPatchesAreNotDashed) {
         dark.texture.palette[0] = {grey, grey, grey};
         s->add(dark);
     }
-    Shape side = {};
-    side.kind = ShapeKind::Rect, side.centre = {0, -8, 0}, side.half = {8, 0, 8};
-    Shape top = side;
-    side.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-    side.chart = 0;
-    top.centre = {0, 0, -8};
-    top.material = 1;
-    top.chart = 1;
-    s->add(side);
-    s->add(top);
+    s->add(rect({0, -8, 0}, {1, 0, 0}, {0, 1, 0}, 8, 8))->chart = 0;
+    s->add(rect({0, 0, -8}, {0, 0, 1}, {1, 0, 0}, 8, 8, 1))->chart = 1;
     s->lightmap = &map;
     s->lines = -16;
     s->finish();
@@ -285,12 +253,8 @@ TEST(AdaptiveFaults, SeamsOfTexturesHaveNoStairs) {
     tiles.cell = 20;
     s->add(wall);
     s->add(tiles);
-    Shape wide = {.kind = ShapeKind::Rect, .centre = {10, 0, 10}, .half = {10, 0, 10}}, tall = wide;
-    wide.material = 1;
-    tall.centre = {10, 10, 0};
-    tall.frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-    s->add(wide);
-    s->add(tall);
+    s->add(rect({10, 0, 10}, {0, 0, 1}, {1, 0, 0}, 10, 10, 1));
+    s->add(rect({10, 10, 0}, {1, 0, 0}, {0, 1, 0}, 10, 10));
     s->ambientLow = s->ambientHigh = {0.5f, 0.5f, 0.5f};
     s->finish();
     const CameraKey camera = {0, {6, 3, 9}, {10, 0, 0}, 4, 50};

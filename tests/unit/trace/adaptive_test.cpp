@@ -15,9 +15,10 @@ using namespace odraz::measure;
 TEST(Adaptive, ComesNearTheReferenceInTheOrderOfTheQualities) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     TracedPicture reference = traced(kTable, 100, kTableView, named(QualityName::Reference), 320, 180);
-    double draft = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Draft), 320, 180));
-    double play = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Play), 320, 180));
-    double film = decibels(reference, traced(kTable, 100, kTableView, named(QualityName::Film), 320, 180));
+    auto of = [&](QualityName name) {
+        return decibels(reference, traced(kTable, 100, kTableView, named(name), 320, 180));
+    };
+    double draft = of(QualityName::Draft), play = of(QualityName::Play), film = of(QualityName::Film);
     EXPECT_GT(draft, 30);
     EXPECT_GT(play, draft + 2);
     EXPECT_GT(film, play + 2);
@@ -66,10 +67,7 @@ TEST(Adaptive, TakesFewerSamplesThanPixels) {
 
 // Along an edge, the sides of squares that do not cross it are not traced again.
 TEST(Adaptive, TracesNoSideBetweenCornersThatAreAlike) {
-    auto s = shining({0.02f, 0.02f, 0.02f}, Shape{.kind = ShapeKind::Rect,
-                                                  .centre = {0, -100, -10},
-                                                  .half = {200, 0, 100},
-                                                  .frame = {{1, 0, 0}, {0, 0, 1}, {0, -1, 0}}});
+    auto s = shining({0.02f, 0.02f, 0.02f}, rect({0, -100, -10}, {1, 0, 0}, {0, 1, 0}, 200, 100));
     CameraKey camera = {0, {0, 0, 0}, {0, 0, -10}, 22, 36};
     int64_t samples = traced(*s, camera, named(QualityName::Draft), 640, 360).samples;
     EXPECT_LT(samples, 7000); // 7776 if all were traced
@@ -90,10 +88,7 @@ TEST(Adaptive, TakesEverySize) {
         for (const Quality &q :
              {named(QualityName::Draft), named(QualityName::Play), named(QualityName::Film)}) {
             TracedPicture p = traced(kFlake, 300, {0, {9, 5, 4}, {0, 1, -1}, 0, 34}, q, w, h);
-            for (int y = 0; y < h; ++y)
-                for (int x = 0; x < w; ++x)
-                    for (float *plane : p.frame.plane)
-                        ASSERT_TRUE(plane[y * p.frame.stride + x] >= 0) << w << "x" << h;
+            for (float v : planesOf(p.frame)) ASSERT_TRUE(v >= 0) << w << "x" << h;
         }
 }
 
@@ -161,20 +156,17 @@ TEST(Adaptive, TakesTheLargestFrame) {
     auto scene = emptyScene();
     posePeerA(*scene);
     scene->finish();
-    TracedPicture p = traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth, kMaxHeight);
-    TracedPicture small =
-        traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / 16, kMaxHeight / 16);
-    double sums[2] = {};
-    for (int y = 0; y < kMaxHeight; ++y)
-        for (int x = 0; x < kMaxWidth; ++x) {
-            float v = p.frame.plane[1][(size_t)y * (size_t)p.frame.stride + (size_t)x];
-            ASSERT_TRUE(v >= 0);
-            sums[0] += v;
+    auto sumAt = [&](int part) { // of the width and the height
+        TracedPicture p =
+            traced(*scene, kPeerCameraA, named(QualityName::Draft), kMaxWidth / part, kMaxHeight / part);
+        double sum = 0;
+        for (float v : planeOf(p.frame, 1)) {
+            EXPECT_GE(v, 0);
+            sum += v;
         }
-    for (int y = 0; y < small.frame.height; ++y)
-        for (int x = 0; x < small.frame.width; ++x)
-            sums[1] += small.frame.plane[1][y * small.frame.stride + x];
-    EXPECT_NEAR(sums[0] / 256 / sums[1], 1, 0.01);
+        return sum;
+    };
+    EXPECT_NEAR(sumAt(1) / 256 / sumAt(16), 1, 0.01);
 }
 
 TEST(Adaptive, AbortLeavesAtOnce) {

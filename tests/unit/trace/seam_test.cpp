@@ -9,14 +9,6 @@ using namespace odraz;
 
 namespace {
 
-Shape rect(Vec3 centre, Vec3 u, Vec3 v, float halfU, float halfV, int material) {
-    return {.kind = ShapeKind::Rect,
-            .material = (uint8_t)material,
-            .centre = centre,
-            .half = {halfU, 0, halfV},
-            .frame = {u, cross(u, v), v}};
-}
-
 // The size and place of a room, the distance of its light, and the light's height: the tangent of its angle.
 struct Pose {
     float size, away, far, height;
