@@ -3,6 +3,7 @@
 #include "tools/measure/seen/simulated_player.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -30,6 +31,9 @@ struct Machine {
     bool hiccupInBetween = false; // ... the in-between does
     int width = 0, height = 0;    // of its screen, if pixels are traded
 };
+Machine withScreen(double cores, double noise = 0) {
+    return {.cores = cores, .noise = noise, .width = 1280, .height = 720};
+}
 
 // What the governor decided after a traced picture.
 struct Decision {
@@ -41,18 +45,16 @@ struct Decision {
     TracedSize size;
 };
 using SceneAt = std::function<Scene(double)>;
-
-void setPenalty(Pace &pace, std::initializer_list<float> byCadence) {
-    std::copy(byCadence.begin(), byCadence.end(), pace.penalty);
-}
+using Penalty = std::array<float, kCadences>;
+constexpr Penalty kSomePairs = {0, 0.2f, 50, 50, 6}, kPairsAlone = {1e9, 0, 1e9, 1e9, 1e9};
 
 // Makes and shows pictures as the player does, on the clock of the test.
 class Player : public measure::SimulatedPlayer {
 public:
-    Player(const Machine &machine, SceneAt sceneAt, double length)
+    Player(const Machine &machine, double length, SceneAt sceneAt, const Penalty &penalty)
         : SimulatedPlayer(0), machine(machine), random(machine.seed), sceneAt(sceneAt), length(length) {
         governor.width = machine.width, governor.height = machine.height;
-        for (Pace &pace : paces) setPenalty(pace, {0, 0.2f, 50, 50, 6});
+        std::copy(penalty.begin(), penalty.end(), pace.penalty);
     }
 
     std::vector<Decision> play() {
@@ -71,7 +73,7 @@ public:
         return time < length;
     }
     int sceneOf(double time) const { return sceneAt(time).id; }
-    Pace paceOf(int scene) const { return paces[scene]; }
+    Pace paceOf(int) const { return pace; }
     void trace(Made &m, int, const Governor &) {
         Scene scene = sceneAt(m.time);
         all.push_back({m.time, scene, {}, 0, false, governor.size()});
@@ -82,7 +84,7 @@ public:
         spend(later.scene.make * pixels(), hiccup(later.time, true));
     }
 
-    Pace paces[4]; // of the scenes, by their ids
+    Pace pace; // of all scenes
     Governor governor;
 
 private:
@@ -111,18 +113,18 @@ private:
     std::vector<Decision> all;
 };
 
-std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt) {
-    return Player(machine, sceneAt, length).play();
-}
-// ... where the scene's penalties leave pairs alone
-std::vector<Decision> playedInPairs(const Machine &machine, double length, SceneAt sceneAt) {
-    Player player(machine, sceneAt, length);
-    for (Pace &pace : player.paces) setPenalty(pace, {1e9, 0, 1e9, 1e9, 1e9});
-    return player.play();
-}
 SceneAt always(const Scene &scene) {
     return [=](double) { return scene; };
 }
+std::vector<Decision> played(const Machine &machine, double length, SceneAt sceneAt = always(kUsual),
+                             const Penalty &penalty = kSomePairs) {
+    return Player(machine, length, sceneAt, penalty).play();
+}
+std::vector<Decision> playedInPairs(const Machine &machine, double length, SceneAt sceneAt = always(kUsual)) {
+    return played(machine, length, sceneAt, kPairsAlone);
+}
+// A costly scene between two usual ones, from 5 to 10 seconds.
+Scene costlyFromFiveToTen(double time) { return time < 5 || time >= 10 ? kUsual : kCostly; }
 
 // Statistics between two times of the film.
 struct Seen {
@@ -149,7 +151,7 @@ Seen seen(const std::vector<Decision> &all, double from, double to) {
 
 TEST(Governor, SettlesSoon) {
     for (int cores = 1; cores <= 16; ++cores) {
-        auto all = played({(double)cores}, 20, always(kUsual));
+        auto all = played({(double)cores}, 20);
         Seen first = seen(all, 0, 1), then = seen(all, 1.5, 20);
         EXPECT_LE(first.changes, 1) << cores;
         EXPECT_EQ(then.changes, 0) << cores;
@@ -163,7 +165,7 @@ TEST(Governor, SettlesSoon) {
 TEST(Governor, NeverSwingsUnderNoise) {
     for (int cores = 1; cores <= 16; ++cores)
         for (unsigned seed = 1; seed <= 10; ++seed) {
-            auto all = played({(double)cores, 0.3, seed}, 30, always(kUsual));
+            auto all = played({(double)cores, 0.3, seed}, 30);
             EXPECT_LE(seen(all, 0, 1).changes, 1) << cores << ' ' << seed;
             Seen then = seen(all, 1, 30);
             EXPECT_LE(then.changes, 1) << cores << ' ' << seed; // two cadences may be equally good
@@ -203,10 +205,7 @@ TEST(Governor, TakesSteps) {
 TEST(Governor, ForgetsAHiccup) {
     for (bool between : {false, true})
         for (int cores = 2; cores <= 16; ++cores) {
-            Machine machine = {(double)cores};
-            machine.hiccupAt = 5;
-            machine.hiccupInBetween = between;
-            auto all = played(machine, 15, always(kUsual));
+            auto all = played({.cores = (double)cores, .hiccupAt = 5, .hiccupInBetween = between}, 15);
             Seen before = seen(all, 2, 5), later = seen(all, 7.2, 15), all15 = seen(all, 2, 15);
             EXPECT_LE(all15.changes, 0) << cores << between;
             EXPECT_LT(all15.most - before.most, 0.5f) << cores << between;
@@ -216,7 +215,7 @@ TEST(Governor, ForgetsAHiccup) {
 }
 
 TEST(Governor, TracesAllSixtyWhereItCan) {
-    auto all = played({16}, 10, always(kUsual));
+    auto all = played({16}, 10);
     Seen then = seen(all, 1, 10);
     EXPECT_TRUE(then.cadences[Governor::kSixty] && !then.cadences[Governor::kPairs]);
     EXPECT_EQ(then.pictures, 540);
@@ -224,7 +223,7 @@ TEST(Governor, TracesAllSixtyWhereItCan) {
 }
 
 TEST(Governor, LeavesSixtyWhenTheyCostTooMuch) {
-    auto all = played({10}, 10, [](double time) { return time < 5 ? kUsual : kCostly; });
+    auto all = played({10}, 10, costlyFromFiveToTen);
     EXPECT_TRUE(seen(all, 4, 5).cadences[Governor::kSixty]);
     Seen then = seen(all, 6, 10);
     EXPECT_TRUE(then.cadences[Governor::kPairs] && !then.cadences[Governor::kSixty]);
@@ -240,7 +239,7 @@ TEST(Governor, ShowsThirtyWhereMakingCostsMore) {
 }
 
 TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
-    auto all = playedInPairs({1}, 20, always(kUsual));
+    auto all = playedInPairs({1}, 20);
     Seen then = seen(all, 1, 20);
     EXPECT_EQ(then.least, (float)Governor::kSteps);
     EXPECT_NEAR(then.pictures, 19 / (0.04 + 0.016 + 2 * kAlone), 10) << "no moment is lost";
@@ -250,35 +249,24 @@ TEST(Governor, LeavesPicturesOutWhereAllIsTooMuch) {
 TEST(Governor, MixesQualities) {
     Governor g;
     auto thresholdAt = [&](float level) { return g.coarseness = level, g.quality().threshold; };
-    EXPECT_EQ(thresholdAt(0), kQualities[(int)QualityName::Film].threshold);
-    EXPECT_EQ(thresholdAt(1), kQualities[(int)QualityName::Play].threshold);
-    EXPECT_EQ(thresholdAt(2), kQualities[(int)QualityName::Draft].threshold);
+    for (auto [level, name] :
+         {std::pair{0.f, QualityName::Film}, {1, QualityName::Play}, {2, QualityName::Draft}})
+        EXPECT_EQ(thresholdAt(level), kQualities[(int)name].threshold) << level;
     for (float level = 0; level < 1.99f; level += 0.01f)
         EXPECT_LT(thresholdAt(level), thresholdAt(level + 0.01f)) << level;
     // ... and has all of a named one's other knobs
-    g.coarseness = 2;
-    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Draft].fine);
-    g.coarseness = 1;
-    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Play].fine);
-    g.coarseness = 1.99f;
-    EXPECT_EQ(g.quality().fine, kQualities[(int)QualityName::Play].fine);
+    for (auto [level, like] :
+         {std::pair{1.f, QualityName::Play}, {1.99f, QualityName::Play}, {2, QualityName::Draft}}) {
+        g.coarseness = level;
+        EXPECT_EQ(g.quality().fine, kQualities[(int)like].fine) << level;
+    }
 }
 
 // --- Pixels ---
 
-namespace {
-
-Machine withScreen(double cores, double noise = 0, unsigned seed = 1) {
-    Machine m = {cores, noise, seed};
-    m.width = 1280, m.height = 720;
-    return m;
-}
-
-} // namespace
-
 TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
     for (double cores : {1., 1.5, 2., 3.}) {
-        auto all = playedInPairs(withScreen(cores), 20, always(kUsual));
+        auto all = playedInPairs(withScreen(cores), 20);
         Seen then = seen(all, 2, 20);
         const Decision &last = all.back();
         EXPECT_EQ(then.drops, 0) << cores;
@@ -294,7 +282,7 @@ TEST(Governor, TracesFewerPixelsWhereTimeIsShort) {
 TEST(Governor, DoesNotPump) {
     for (double noise : {0., 0.1, 0.3})
         for (double cores = 1; cores < 4; cores *= 1.1) {
-            auto all = playedInPairs(withScreen(cores, noise), 62, always(kUsual));
+            auto all = playedInPairs(withScreen(cores, noise), 62);
             int changes = 0, largest = 0;
             for (size_t i = 1; i < all.size(); ++i) {
                 if (all[i].time < 2) continue;
@@ -311,8 +299,7 @@ TEST(Governor, DoesNotPump) {
 // Where there is time again, pixels come back, and then quality.
 TEST(Governor, ComesBackToAllPixels) {
     for (double cores : {2., 3., 4.}) {
-        auto all = playedInPairs(withScreen(cores), 15,
-                                 [](double t) { return t < 5 || t >= 10 ? kUsual : kCostly; });
+        auto all = playedInPairs(withScreen(cores), 15, costlyFromFiveToTen);
         auto at = [&](double time) {
             return *std::find_if(all.begin(), all.end(), [=](const Decision &d) { return d.time >= time; });
         };
@@ -325,10 +312,8 @@ TEST(Governor, ComesBackToAllPixels) {
 // Pixels that were given up in one cadence come back at once in a better one.
 TEST(Governor, TakesAllPixelsInABetterCadence) {
     Scene easy = {0, .05, .02, .012, .004}, hard = {0, .36, .14, .08, .006};
-    Player player(
-        withScreen(2), [=](double t) { return t < 3 ? easy : hard; }, 10);
-    setPenalty(player.paces[0], {0, 0.2f, 0.8f, 1.5f, 6});
-    auto all = player.play();
+    auto all =
+        played(withScreen(2), 10, [=](double t) { return t < 3 ? easy : hard; }, {0, 0.2f, 0.8f, 1.5f, 6});
     auto change = std::adjacent_find(all.begin(), all.end(), [](const Decision &a, const Decision &b) {
         return a.size.width < 1280 && a.cadence < Governor::kFours && b.cadence >= Governor::kFours;
     });
@@ -339,7 +324,7 @@ TEST(Governor, TakesAllPixelsInABetterCadence) {
 // A few pixels less would be blurred for nothing.
 TEST(Governor, TracesAllPixelsOrClearlyFewer) {
     for (double cores = 1; cores < 4; cores *= 1.05)
-        for (const Decision &d : playedInPairs(withScreen(cores, 0.1), 10, always(kUsual)))
+        for (const Decision &d : playedInPairs(withScreen(cores, 0.1), 10))
             EXPECT_TRUE(d.size.width == 1280 || d.size.width <= 1248) << d.size.width << ' ' << cores;
 }
 
@@ -347,10 +332,8 @@ TEST(Governor, TracesAllPixelsOrClearlyFewer) {
 // is time.
 TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
     Scene easy = {0, .05, .02, .012, .005};
-    SceneAt easier = [=](double time) { return time < 10 ? kUsual : easy; };
-    Player player(withScreen(1), easier, 20);
-    setPenalty(player.paces[0], {0, 1, 50, 50, 4});
-    auto all = player.play();
+    auto all =
+        played(withScreen(1), 20, [=](double time) { return time < 10 ? kUsual : easy; }, {0, 1, 50, 50, 4});
     EXPECT_TRUE(seen(all, 2, 10).cadences[Governor::kThirty]);
     EXPECT_LE(seen(all, 1, 10).changes, 1);
     EXPECT_GT(all[250].size.width, 950) << "in pairs it is 832";
@@ -361,7 +344,7 @@ TEST(Governor, ShowsThirtyWhereThePenaltyIsLess) {
 // A machine twice as fast never traces coarser.
 TEST(Governor, IsNeverCoarserOnAFasterMachine) {
     auto coarsenessOf = [](double cores) {
-        Player player(withScreen(cores), always(kUsual), 10);
+        Player player(withScreen(cores), 10, always(kUsual), kSomePairs);
         player.play();
         return player.governor.coarseness + (player.governor.cadence != Governor::kSixty);
     };
@@ -371,9 +354,8 @@ TEST(Governor, IsNeverCoarserOnAFasterMachine) {
 
 // On a screen far too large for the machine the film must not begin as a slide show.
 TEST(Governor, FindsItsWayDownQuickly) {
-    Machine machine = {1};
-    machine.width = 2560, machine.height = 1440;
-    auto all = playedInPairs(machine, 10, always({0, 0.72, 0.28, 0.16, 0.064}));
+    auto all =
+        playedInPairs({.cores = 1, .width = 2560, .height = 1440}, 10, always({0, 0.72, 0.28, 0.16, 0.064}));
     Seen early = seen(all, 1.5, 2.5), late = seen(all, 8, 9);
     EXPECT_NEAR(early.most, late.most, 0.3);
     EXPECT_GT(early.pictures, 20);
@@ -381,28 +363,24 @@ TEST(Governor, FindsItsWayDownQuickly) {
 
 // Where letters would be lost, pictures are left out instead.
 TEST(Governor, KeepsTheWidthThatTheSceneNeeds) {
-    Player player(withScreen(1), always(kUsual), 10);
-    setPenalty(player.paces[0], {1e9, 0, 1e9, 1e9, 1e9});
-    player.paces[0].leastWidth = 1280;
+    Player player(withScreen(1), 10, always(kUsual), kPairsAlone);
+    player.pace.leastWidth = 1280;
     for (const Decision &d : player.play()) EXPECT_EQ(d.size.width, 1280);
     EXPECT_EQ(player.governor.level(), 2);
 }
 
 // ... and does not swing between cadences, whatever their penalties.
 TEST(Governor, StaysWithItsCadence) {
-    const std::initializer_list<float> kPenalties[] = {{0, 0.2f, 0.8f, 1.5f, 6},
-                                                       {0, 0.2f, 0.4f, 0.5f, 20},
-                                                       {0, 1, 3, 6, 2},
-                                                       {0, 4, 2, 1, 0.5f},
-                                                       {0, 0, 0, 0, 0}};
     bool taken[kCadences] = {};
-    for (auto &penalty : kPenalties)
+    for (const Penalty &penalty : {Penalty{0, 0.2f, 0.8f, 1.5f, 6},
+                                   {0, 0.2f, 0.4f, 0.5f, 20},
+                                   {0, 1, 3, 6, 2},
+                                   {0, 4, 2, 1, 0.5f},
+                                   {0, 0, 0, 0, 0}})
         for (double noise : {0., 0.1})
             for (double cores = 0.5; cores < 24; cores *= 1.1) {
-                Player player(withScreen(cores, noise), always(kUsual), 30);
-                setPenalty(player.paces[0], penalty);
-                auto all = player.play();
-                EXPECT_LE(seen(all, 3, 30).changes, 1) << penalty.begin()[1] << ' ' << noise << ' ' << cores;
+                auto all = played(withScreen(cores, noise), 30, always(kUsual), penalty);
+                EXPECT_LE(seen(all, 3, 30).changes, 1) << penalty[1] << ' ' << noise << ' ' << cores;
                 taken[all.back().cadence] = true;
             }
     for (bool one : taken) EXPECT_TRUE(one);
@@ -410,9 +388,7 @@ TEST(Governor, StaysWithItsCadence) {
 
 // Three or five are made between two where that is less work than tracing, and the penalty is small.
 TEST(Governor, TracesFewWhereMakingIsCheap) {
-    Player player(withScreen(2), always(kUsual), 10);
-    setPenalty(player.paces[0], {0, 0.1f, 0.1f, 0.1f, 9});
-    auto all = player.play();
+    auto all = played(withScreen(2), 10, always(kUsual), {0, 0.1f, 0.1f, 0.1f, 9});
     EXPECT_TRUE(all.back().cadence >= Governor::kFours && all.back().cadence <= Governor::kSixes);
     EXPECT_EQ(seen(all, 1, 10).drops, 0);
     EXPECT_LT(all.back().level, 1);
