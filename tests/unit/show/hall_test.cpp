@@ -1,10 +1,10 @@
 // The film's hall: its form factors against rays, its light over the day, and its bounces.
-#include "base/random.h"
 #include "show/hall.h"
 #include "show/materials.h"
 #include "tests/support/lens.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/traced_ray.h"
+#include "tools/measure/oracle/model_rays.h"
 
 #include <cmath>
 #include <vector>
@@ -19,9 +19,9 @@ constexpr Vec3 kEye = {0, 1.6f, 3};
 struct Solved {
     HeapArena memory{kRoomBytes + sizeof(Hall)};
     Workers workers = serialWorkers();
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
     Hall *hall = memory.arena.take<Hall>(1);
     Solved() {
+        auto scene = emptyScene();
         prepareHall(*hall, *scene);
         EXPECT_STREQ(solveRoom(*hall, *scene, hallSettings(*hall), headlessGl(), memory.arena, workers, {}),
                      nullptr);
@@ -30,6 +30,12 @@ struct Solved {
 Solved &solved() {
     static Solved s;
     return s;
+}
+// The hall in its light, to be traced.
+std::unique_ptr<Scene> posed(const HallLight &light) {
+    auto scene = emptyScene();
+    poseHall(*solved().hall, light, 0, kEye, *scene);
+    return scene;
 }
 
 } // namespace
@@ -42,9 +48,7 @@ TEST(Hall, FitsAndWastesNothing) {
     std::printf("%.3f of the arena is used\n", used);
     EXPECT_LT(used, 0.8);
     EXPECT_GT(used, 0.6);
-    auto scene = std::make_unique<Scene>();
-    scene->clear();
-    poseHall(*s.hall, {kNight, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1}, 0, kEye, *scene);
+    auto scene = posed({kNight, {1, 0.7f, 0.3f}, {1, 1, 1, 1, 1, 1, 1, 1}, 1});
     EXPECT_LE(scene->materialCount, kMaxMaterials - 8); // the others are for the balls of a scene in the hall
     EXPECT_LE(scene->lightCount, kMaxLights - 2);
 }
@@ -71,10 +75,10 @@ TEST(Hall, IsClosed) {
     std::printf("what sees nothing: at most %.6f of a hemicube\n", worst);
 }
 
-// Compares with another method: rays by the cosine law, traced through the scene.
+// Compares with another method: rays by the cosine law, in double precision.
 TEST(Hall, HemicubesAgreeWithRays) {
-    Solved &s = solved();
-    const Model &m = s.hall->model;
+    const Model &m = solved().hall->model;
+    ModelRays bench(m);
     Lens lens(64);
     double square = 0, noise = 0;
     int compared = 0;
@@ -82,8 +86,7 @@ TEST(Hall, HemicubesAgreeWithRays) {
         const Patch &p = m.patches[i];
         const Chart &c = m.charts[p.chart];
         if (p.share == 0 || c.open) continue;
-        Eye eye = hemicubeEye(p.p, c.n, (uint32_t)i);
-        std::vector<float> row = lens.row(m, eye);
+        std::vector<float> row = lens.row(m, hemicubeEye(p.p, c.n, (uint32_t)i));
         // Compare by chart, and all windows together: rays that hit nothing leave through one
         std::vector<double> hemicube((size_t)m.chartCount + 1), rays((size_t)m.chartCount + 1);
         for (int k = 0; k < m.patchCount; ++k) {
@@ -91,24 +94,9 @@ TEST(Hall, HemicubesAgreeWithRays) {
             hemicube[(size_t)(m.charts[chart].open ? m.chartCount : chart)] += (double)row[(size_t)k];
         }
         constexpr int kSide = 64; // rays: its square
-        for (int first = 0; first < kSide * kSide; first += 8) {
-            Ray8 ray;
-            ray.o = broadcast(p.p + c.n * 1e-4f);
-            for (int k = 0; k < 8; ++k) {
-                // Stratified over the disc, lifted to the hemisphere
-                uint32_t hash = pcg((uint32_t)(i * kSide * kSide + first + k));
-                float u = ((float)((first + k) % kSide) + unitFloat(hash)) / kSide,
-                      v = ((float)((first + k) / kSide) + unitFloat(pcg(hash))) / kSide;
-                float r = std::sqrt(u), a = v * 6.2831853f;
-                Vec3 d = transposeTimes(eye.frame, Vec3{r * std::cos(a), r * std::sin(a), std::sqrt(1 - u)});
-                ray.d.x[k] = d.x, ray.d.y[k] = d.y, ray.d.z[k] = d.z;
-            }
-            Hit8 hit = intersect(*s.scene, ray, kLanes < 8);
-            for (int k = 0; k < 8; ++k) {
-                int chart = hit.shape[k] < 0 ? m.chartCount : s.scene->shapes[hit.shape[k]].chart;
-                rays[(size_t)chart] += 1.0 / (kSide * kSide);
-            }
-        }
+        bench.castFan(c, p.p, kSide, (uint32_t)i, [&](int chart, Vec3, Vec3) {
+            rays[(size_t)(chart < 0 ? m.chartCount : chart)] += 1.0 / (kSide * kSide);
+        });
         for (size_t k = 0; k < rays.size(); ++k) {
             double d = rays[k] - hemicube[k];
             EXPECT_LT(std::fabs(d), 0.012) << "patch " << i << " chart " << k;
@@ -147,8 +135,7 @@ TEST(Hall, SizeDoesNotMatter) {
         for (Lamp &l : copy->r->bases.lamps) l.centre *= Vec3{scale, scale, scale}, l.radius *= scale;
         for (Vec3 &sun : copy->r->bases.suns) sun *= Vec3{scale, scale, scale};
         // The hall's own materials on the facets of the copy
-        auto scene = std::make_unique<Scene>();
-        poseHall(*solved().hall, {}, 0, kEye, *scene);
+        auto scene = posed({});
         scene->shapeCount = 0;
         copy->model->pose(*scene);
         scene->finish();
@@ -180,14 +167,12 @@ TEST(Hall, SizeDoesNotMatter) {
 }
 
 TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
-    Solved &s = solved();
-    auto scene = std::make_unique<Scene>();
+    const Hall &hall = *solved().hall;
     float noon = 0, night = 0;
     for (float hour = 0; hour <= (float)kNight; hour += kSanitized ? 1 : 0.25f) {
-        scene->clear();
-        poseHall(*s.hall, {hour, {}, {}, 1}, 0, kEye, *scene);
-        for (float *plane : s.hall->light)
-            for (int i = 0; i < s.hall->model.texelCount; ++i)
+        auto scene = posed({hour, {}, {}, 1});
+        for (float *plane : hall.light)
+            for (int i = 0; i < hall.model.texelCount; ++i)
                 ASSERT_TRUE(plane[i] >= 0 && plane[i] < 100) << hour;
         if (hour == (float)kNoon) noon = scene->ambientHigh.y;
         night = scene->ambientHigh.y;
@@ -199,9 +184,8 @@ TEST(Hall, LightIsThereAtEveryHourAndNeverNegative) {
 // The tracer draws the two strongest lanterns, the lightmap the others. When one lantern overtakes another,
 // the light of both together must change as slowly as the lanterns do: nothing pops.
 TEST(Hall, LanternsChangeHandsUnseen) {
-    Solved &s = solved();
-    auto scene = std::make_unique<Scene>();
-    const Chart &floor = s.hall->model.charts[s.hall->floor];
+    const Hall &hall = *solved().hall;
+    const Chart &floor = hall.model.charts[hall.floor];
     int texel = floor.texel(floor.across / 2, floor.down / 2);
     Vec3 place = floor.at((float)(floor.across / 2) * floor.width / (float)floor.across,
                           (float)(floor.down / 2) * floor.height / (float)floor.down);
@@ -209,9 +193,8 @@ TEST(Hall, LanternsChangeHandsUnseen) {
     int most = 0;
     for (int step = 0; step <= (kSanitized ? 100 : 1000); ++step) {
         float t = (float)step * 0.001f;
-        scene->clear();
-        poseHall(*s.hall, {kNight, {t, 0.6f, 1 - t}, {}, 1}, 0, kEye, *scene);
-        double light = (double)s.hall->light[1][texel];
+        auto scene = posed({kNight, {t, 0.6f, 1 - t}, {}, 1});
+        double light = (double)hall.light[1][texel];
         most = std::max(most, scene->lightCount);
         for (int i = 0; i < scene->lightCount; ++i) {
             const Light &l = scene->lights[i];
@@ -225,15 +208,12 @@ TEST(Hall, LanternsChangeHandsUnseen) {
         last = light;
     }
     EXPECT_LE(most, kLanterns); // those that are changing over; at night there is no sun
-    scene->clear();
-    poseHall(*s.hall, {kNight, {1, 0.7f, 0.3f}, {}, 1}, 0, kEye, *scene);
-    EXPECT_EQ(scene->lightCount, 2);
+    EXPECT_EQ(posed({kNight, {1, 0.7f, 0.3f}, {}, 1})->lightCount, 2);
 }
 
 // Each bounce adds light, less than the one before, and their sum approaches the solution.
 TEST(Hall, BouncesRunUpToTheSolution) {
-    Solved &s = solved();
-    const Hall &hall = *s.hall;
+    const Hall &hall = *solved().hall;
     double mean[kBounces + 1] = {}, solution = 0;
     const System &system = hall.radiosity.system;
     LightVector noon = lightVector({kNoon, {}, {}, 1});
@@ -280,15 +260,13 @@ TEST(Hall, WindowsReflectNothing) {
 // A ball that rests on the floor takes from its light exactly the share that it covers of what the floor
 // sees.
 TEST(Hall, ABallDarkensWhatItStandsOn) {
-    Solved &s = solved();
-    auto scene = std::make_unique<Scene>();
+    const Hall &hall = *solved().hall;
     auto scratch = std::make_unique<TraceScratch>();
     constexpr float kRadius = 0.5f;
-    Vec3 foot = s.hall->model.patches[s.hall->visited].p;
+    Vec3 foot = hall.model.patches[hall.visited].p;
     View view = lookAt(foot + Vec3{0, 3, 0}, foot, 0, 90, 64, 64); // a pixel is 6 / 64 of a metre
     auto lightAround = [&](bool ball) {
-        scene->clear();
-        poseHall(*s.hall, {kNoon, {}, {}, 0}, 0, kEye, *scene);
+        auto scene = posed({kNoon, {}, {}, 0});
         if (ball) scene->add(sphere(foot + Vec3{0, kRadius, 0}, kRadius, scene->add(kMirror)));
         scene->finish();
         std::vector<float> x(16), y(16, 32);
