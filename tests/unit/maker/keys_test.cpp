@@ -3,6 +3,7 @@
 #include "show/events.h"
 #include "show/show.h"
 #include "tests/support/thrown.h"
+#include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #define ODRAZ_LIVE
 #include "timeline/keys.h"
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -75,23 +75,30 @@ std::string problemOf(const std::string &text) {
 
 // A folder of the show's layout, with one file.
 struct Fixture : testing::Test {
-    std::string folder = testing::TempDir() + "keys_test." + std::to_string(getpid());
-    std::string file = folder + "/scenes/one.keys";
-    KeyTables tables{folder};
+    common::TemporaryFolder folder;
+    std::string file = folder / "scenes/one.keys";
+    KeyTables tables{folder / ""};
 
     Fixture() {
-        std::filesystem::create_directories(folder + "/scenes");
-        std::ofstream(file) << kFile;
+        std::filesystem::create_directory(folder / "scenes");
+        becomes(kFile);
+    }
+    // Somebody else writes the file, and it is read again.
+    void becomes(const std::string &text) {
+        common::writeWhole(file, text);
         load();
     }
-    ~Fixture() { std::filesystem::remove_all(folder); }
     void load() { tables.read({"scenes/one.keys"}, kRows); }
     int find(const std::string &name) const { return tables.find("scenes/one.keys", name); }
     const EditedTable &at(const std::string &name) const { return tables.tables()[(size_t)find(name)]; }
+    void change(const std::string &name, const std::vector<KeyNumbers> &keys) {
+        tables.change(find(name), keys);
+    }
     std::string save() {
         std::set<std::string> written;
         return tables.save(written);
     }
+    bool holds(const std::string &text) const { return readWhole(file).find(text) != std::string::npos; }
 };
 using KeyTablesTest = Fixture;
 
@@ -99,16 +106,11 @@ using KeyTablesTest = Fixture;
 
 TEST(KeyFile, HasTablesByNameAndKind) {
     KeyFile file("one.keys", kFile, kRows);
-    const char *names[] = {"kDoor", "kIn", "kSink", "kGrow"};
-    size_t counts[] = {3, 2, 1, 2};
-    ASSERT_EQ(file.tables().size(), 4u);
-    for (size_t i = 0; i < 4; ++i) {
-        const KeyFile::Table &t = file.tables()[i];
-        EXPECT_EQ(t.name, names[i]);
-        EXPECT_EQ(t.keys.size(), counts[i]);
-        EXPECT_EQ(t.camera, i == 1 || i == 2);
-        EXPECT_EQ(t.bits, i == 2 ? 12 : 24);
-    }
+    std::string all;
+    for (const KeyFile::Table &t : file.tables())
+        all += t.name + (t.camera ? " camera " : " ") + std::to_string(t.bits) + " bits, " +
+               std::to_string(t.keys.size()) + "; ";
+    EXPECT_EQ(all, "kDoor 24 bits, 3; kIn camera 24 bits, 2; kSink camera 12 bits, 1; kGrow 24 bits, 2; ");
     EXPECT_EQ(file.tables()[0].keys[1], (KeyNumbers{28, 0.8f, 0}));
     EXPECT_EQ(file.tables()[1].keys[0], (KeyNumbers{-64, 0.9f, 0.86f, 5.1f, 0, 0.6f, 0, 0, 37.8f}));
     EXPECT_EQ(file.tables()[3].keys[1], (KeyNumbers{4, 0.001f, 0}));
@@ -131,10 +133,10 @@ TEST(KeyFile, NamedRowsStayNamed) {
 }
 
 TEST(KeyFile, KeysComeAndGoAndCommentsStay) {
-    EXPECT_EQ(with("kDoor",
-                   [](auto &k) {
-                       k.insert(k.begin() + 1, {8, 0.25f, 1});
-                   }),
+    auto inserted = [](const std::string &name, int at, const KeyNumbers &key) {
+        return with(name, [&](auto &k) { k.insert(k.begin() + at, key); });
+    };
+    EXPECT_EQ(inserted("kDoor", 1, {8, 0.25f, 1}),
               replaced("// shut\n", "// shut\n    {8, 0.25, Smooth},\n"));
     EXPECT_EQ(with("kDoor", [](auto &k) { k.erase(k.begin() + 1); }),
               replaced("    {rowOf(kLamp) + 8, 0.8, Linear}, // ajar", "    // ajar"));
@@ -142,16 +144,9 @@ TEST(KeyFile, KeysComeAndGoAndCommentsStay) {
               replaced("    {0, 0, Smooth}, // shut", "    // shut"));
     EXPECT_EQ(with("kIn", [](auto &k) { k.pop_back(); }),
               replaced("    {192, {0.05, 0.64, 3.3}, {0.22, 0.5, 0}, 0, 37.8},\n", ""));
-    const std::string fresh = "    {200, {1, 2, 3}, {4, 5, 6}, 7, 50},\n";
-    EXPECT_EQ(with("kSink",
-                   [](auto &k) {
-                       k.push_back({200, 1, 2, 3, 4, 5, 6, 7, 50});
-                   }),
-              replaced("7, 40},\n", "7, 40},\n" + fresh));
-    EXPECT_EQ(with("kIn",
-                   [](auto &k) {
-                       k.insert(k.begin(), {-99, 1, 2, 3, 4, 5, 6, 7, 50});
-                   }),
+    EXPECT_EQ(inserted("kSink", 1, {200, 1, 2, 3, 4, 5, 6, 7, 50}),
+              replaced("7, 40},\n", "7, 40},\n    {200, {1, 2, 3}, {4, 5, 6}, 7, 50},\n"));
+    EXPECT_EQ(inserted("kIn", 0, {-99, 1, 2, 3, 4, 5, 6, 7, 50}),
               replaced("    {-64", "    {-99, {1, 2, 3}, {4, 5, 6}, 7, 50},\n    {-64"));
 }
 
@@ -283,35 +278,33 @@ TEST(KeysOfTheFilm, AreTheSameForMakerAndProgram) {
 
 TEST_F(KeyTablesTest, StepsAreUndoneAndDoneAgain) {
     EXPECT_EQ(find("kNone"), -1);
-    int door = find("kDoor");
     EXPECT_FALSE(tables.undo());
-    tables.change(door, {{9, 1, 0}, {3, 0, 1}});
+    change("kDoor", {{9, 1, 0}, {3, 0, 1}});
     EXPECT_EQ(at("kDoor").keys, (std::vector<KeyNumbers>{{3, 0, 1}, {9, 1, 0}}));
-    tables.change(door, {{5, 1, 0}});
+    change("kDoor", {{5, 1, 0}});
     EXPECT_EQ(tables.edited(), 1);
     EXPECT_TRUE(tables.undo());
     EXPECT_TRUE(tables.undo());
     EXPECT_FALSE(tables.undo());
     EXPECT_EQ(tables.edited(), 0);
     EXPECT_TRUE(tables.redo());
-    tables.change(door, {{7, 1, 0}});
+    change("kDoor", {{7, 1, 0}});
     EXPECT_FALSE(tables.redo()) << "the step that was undone is gone";
 }
 
 TEST_F(KeyTablesTest, KeysAreRoundedAsTheTableIs) {
-    tables.change(find("kSink"), {{144, 1.00001f, 2, 3, 4, 5, 6, 7.00001f, 40}});
+    change("kSink", {{144, 1.00001f, 2, 3, 4, 5, 6, 7.00001f, 40}});
     EXPECT_EQ(at("kSink").keys[0], (KeyNumbers{144, 1, 2, 3, 4, 5, 6, 7.00001f, 40}));
 }
 
 TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
     std::vector<KeyNumbers> keys = at("kDoor").keys;
     keys[2][1] = 0.95f;
-    tables.change(find("kDoor"), keys);
-    tables.change(find("kGrow"), {{3, 0.5f, 1}, {4, 1, 0}});
+    change("kDoor", keys);
+    change("kGrow", {{3, 0.5f, 1}, {4, 1, 0}});
     EXPECT_EQ(save(), "");
-    std::string text = readWhole(file);
-    EXPECT_NE(text.find("{72, 0.95, Linear},\n"), std::string::npos) << text;
-    EXPECT_NE(text.find("    {3, 0.5, Smooth},\n    {4, 1, Linear},\n"), std::string::npos) << text;
+    EXPECT_TRUE(holds("{72, 0.95, Linear},\n")) << readWhole(file);
+    EXPECT_TRUE(holds("    {3, 0.5, Smooth},\n    {4, 1, Linear},\n")) << readWhole(file);
     EXPECT_EQ(tables.edited(), 0);
     load(); // as when the film was built again: steps stay
     tables.undo();
@@ -322,9 +315,9 @@ TEST_F(KeyTablesTest, AreSavedAndSavedBack) {
 }
 
 TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
-    tables.change(find("kDoor"), {{5, 1, 0}});
+    change("kDoor", {{5, 1, 0}});
     std::string theirs = kFile + std::string("// mine\n");
-    std::ofstream(file) << theirs;
+    common::writeWhole(file, theirs);
     EXPECT_NE(save().find("one.keys was changed meanwhile"), std::string::npos);
     EXPECT_EQ(readWhole(file), theirs);
     EXPECT_EQ(tables.edited(), 1);
@@ -332,10 +325,10 @@ TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
     load();
     EXPECT_EQ(tables.edited(), 1);
     EXPECT_EQ(save(), "");
-    EXPECT_NE(readWhole(file).find("    {5, 1, Linear}, // shut\n    // ajar\nEND"), std::string::npos);
-    EXPECT_NE(readWhole(file).find("// mine"), std::string::npos);
+    EXPECT_TRUE(holds("    {5, 1, Linear}, // shut\n    // ajar\nEND"));
+    EXPECT_TRUE(holds("// mine"));
     std::filesystem::remove(file);
-    tables.change(find("kDoor"), {{6, 1, 0}});
+    change("kDoor", {{6, 1, 0}});
     EXPECT_NE(save(), "");
     EXPECT_FALSE(std::filesystem::exists(file));
     load();
@@ -344,11 +337,10 @@ TEST_F(KeyTablesTest, AreNotSavedOverWhatOthersWrote) {
 }
 
 TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
-    tables.change(find("kDoor"), {{5, 1, 0}});
-    tables.change(find("kGrow"), {{5, 1, 0}});
+    change("kDoor", {{5, 1, 0}});
+    change("kGrow", {{5, 1, 0}});
     std::string theirs = replaced("{72, 1, Linear}", "{72, 2, Linear}");
-    std::ofstream(file) << theirs;
-    load();
+    becomes(theirs);
     EXPECT_EQ(at("kDoor").keys[0][0], 5) << "it is still seen";
     EXPECT_NE(save().find("one.keys was changed meanwhile, with other keys in kDoor"), std::string::npos);
     EXPECT_EQ(readWhole(file), theirs);
@@ -364,16 +356,13 @@ TEST_F(KeyTablesTest, AnothersEditOfTheSameTableIsKept) {
 }
 
 TEST_F(KeyTablesTest, AFileWinsOverWhatWasNotEdited) {
-    std::ofstream(file) << replaced("{72, 1, Linear}", "{72, 2, Linear}");
-    load();
+    becomes(replaced("{72, 1, Linear}", "{72, 2, Linear}"));
     EXPECT_EQ(at("kDoor").keys[2][1], 2);
     EXPECT_EQ(tables.edited(), 0);
-    std::ofstream(file) << "TRACK(kDoor)\n";
-    load();
+    becomes("TRACK(kDoor)\n");
     EXPECT_NE(tables.problems().find("END is missing"), std::string::npos);
     EXPECT_EQ(at("kDoor").keys[2][1], 2);
-    tables.change(find("kDoor"), {{5, 1, 0}});
-    std::ofstream(file) << "TRACK(kOther)\n    {0, 1, Linear},\nEND\n";
-    load();
+    change("kDoor", {{5, 1, 0}});
+    becomes("TRACK(kOther)\n    {0, 1, Linear},\nEND\n");
     EXPECT_NE(save().find("other keys in kDoor"), std::string::npos) << "it is gone from the file";
 }

@@ -1,11 +1,11 @@
+#include "maker/keys/key_file.h"
 #include "maker/tracks.h"
+#include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 using namespace odraz;
 using namespace odraz::maker;
@@ -55,14 +55,22 @@ void setKeys(KeyTable &table, const void *keys, int count) {
 }
 Inspector theInspector = {};
 
+// What the film is shown with.
+std::vector<KeyNumbers> keysOf(const KeyTable &t) {
+    std::vector<KeyNumbers> all;
+    for (int i = 0; i < t.count; ++i) all.push_back(t.camera ? numbersOf(t.poses[i]) : numbersOf(t.keys[i]));
+    return all;
+}
+using Keys = std::vector<KeyNumbers>;
+
 struct Fixture : testing::Test {
-    std::string folder = testing::TempDir() + "tracks_test." + std::to_string(getpid());
+    common::TemporaryFolder folder;
     Live live = {};
-    Tracks tracks{folder};
+    Tracks tracks{folder / ""};
     std::string message;
 
     Fixture() {
-        std::filesystem::create_directories(folder + "/scenes");
+        std::filesystem::create_directory(folder / "scenes");
         write("film.keys", kFilmKeys);
         write("scenes/start.keys", kStartKeys);
         write("scenes/end.keys", kEndKeys);
@@ -75,12 +83,11 @@ struct Fixture : testing::Test {
         live.keyTables = [] { return KeyTable::newest; };
         find();
     }
-    ~Fixture() { std::filesystem::remove_all(folder); }
     void find() { tracks.find(live); }
     void write(const std::string &name, const std::string &text) const {
-        std::ofstream(folder + "/" + name) << text;
+        common::writeWhole(folder / name, text);
     }
-    std::string read(const std::string &name) const { return common::readWhole(folder + "/" + name); }
+    std::string read(const std::string &name) const { return common::readWhole(folder / name); }
     bool has(const char *name, const char *what) const { return read(name).find(what) != std::string::npos; }
 };
 
@@ -113,23 +120,13 @@ TEST_F(Fixture, TakesWhatAnEditorHas) {
     tracks.takeFromEditor(kTheLamp, {{1, {5, Step}}, {3, {6, Ramp}}, {9, {7, kSmooth}}});
     tracks.takeFromEditor(kEyeY, {{4, {9, kLinear}}});
     tracks.show();
-    ASSERT_EQ(kLamp.count, 3);
-    EXPECT_EQ(kLamp.keys[0].interpolation, kStep);
-    EXPECT_EQ(kLamp.keys[1].row, 2.5f); // where the film's own key is
-    EXPECT_EQ(kLamp.keys[1].interpolation, kRamp);
-    EXPECT_EQ(kLamp.keys[2].row, 9);
-    EXPECT_EQ(kLamp.keys[2].value, 7);
+    EXPECT_EQ(keysOf(kLamp), (Keys{{1, 5, (float)kStep},
+                                   {2.5f, 6, (float)kRamp}, // where the film's own key is
+                                   {9, 7, (float)Smooth}}));
     // All numbers of the camera have a key on every row that one of them has, as the film's table will
-    ASSERT_EQ(kPath.count, 3);
-    const CameraKey *path = kPath.poses;
-    EXPECT_EQ(path[0].row, -8); // which the editor cannot see: it stays
-    EXPECT_EQ(path[0].eye.y, 2);
-    EXPECT_EQ(path[1].row, 4);
-    EXPECT_EQ(path[1].eye.y, 9);
-    EXPECT_EQ(path[1].eye.x, 1.5f); // half-way
-    EXPECT_EQ(path[2].row, 16);
-    EXPECT_EQ(path[2].eye.y, 9); // holds
-    EXPECT_EQ(path[2].eye.x, 2);
+    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, // which the editor cannot see: it stays
+                                   {4, 1.5f, 9, 3.5f, 4.5f, 5.5f, 6.5f, 7.5f, 45}, // half-way
+                                   {16, 2, 9, 4, 5, 6, 7, 8, 50}}));               // holds
     // The editor releases them
     tracks.takeFromEditor(kTheLamp, {});
     tracks.takeFromEditor(kEyeY, {});
@@ -244,7 +241,7 @@ TEST_F(Fixture, WhatTheFilmHasNotIsNotSaved) {
 
 TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
     write("film.keys", "PATH(kNew, 24)\n    {0, {1, 2, 3}, {4, 5, 6}, 7, 40},\nEND\n");
-    Tracks fresh{folder};
+    Tracks fresh{folder / ""};
     fresh.find(live);
     EXPECT_EQ(fresh.names().size(), 2u);
     EXPECT_EQ(fresh.setView(4, &kView), "its path is in no file of keys");
@@ -256,16 +253,8 @@ TEST_F(Fixture, ATableThatNoFileHasIsNotEdited) {
 TEST_F(Fixture, WhatAnEditorOpenedIsTheSame) {
     for (size_t i = 0; i < tracks.names().size(); ++i) tracks.takeFromEditor(i, tracks.track(i));
     tracks.show();
-    constexpr odraz::Key kKeys[] = {{0, 1, Linear}, {2.5f, 2, Smooth}, {8, 3, Linear}};
-    for (int i = 0; i < 3; ++i) {
-        EXPECT_EQ(kLamp.keys[i].row, kKeys[i].row);
-        EXPECT_EQ(kLamp.keys[i].value, kKeys[i].value);
-        EXPECT_EQ(kLamp.keys[i].interpolation, kKeys[i].interpolation);
-    }
-    ASSERT_EQ(kPath.count, 2);
-    EXPECT_EQ(kPath.poses[0].row, -8);
-    EXPECT_EQ(kPath.poses[0].fov, 40);
-    EXPECT_EQ(kPath.poses[1].fov, 50);
+    EXPECT_EQ(keysOf(kLamp), (Keys{{0, 1, 0}, {2.5f, 2, 1}, {8, 3, 0}}));
+    EXPECT_EQ(keysOf(kPath), (Keys{{-8, 1, 2, 3, 4, 5, 6, 7, 40}, {16, 2, 3, 4, 5, 6, 7, 8, 50}}));
 }
 
 TEST_F(Fixture, WritesADocument) {
