@@ -15,16 +15,23 @@ namespace {
 
 int64_t nanosecondsNow() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 
-// The film without its hall
-struct Loaded : LoadedFilm {
-    Loaded(int width, int height) : LoadedFilm(1, width, height, false) {}
-};
-
-const Quality &kDraft = kQualities[(int)QualityName::Draft];
-size_t sumOf(const std::vector<uint32_t> &samples) {
-    return std::accumulate(samples.begin(), samples.end(), (size_t)0);
-}
+const Quality &kDraft = kQualities[(int)QualityName::Draft], &kBest = kQualities[(int)QualityName::Film];
 std::vector<uint8_t> bytesOf(const Picture &p) { return Kept::of(p).rgba; }
+
+// The film without its hall, and a panel over its pictures
+struct Shown : LoadedFilm {
+    Panel panel;
+    Shown(int width, int height)
+        : LoadedFilm(1, width, height, false), panel(width, height, 25, nanosecondsNow) {}
+    Picture plain(double time, const Quality &q = kDraft) { return odraz::picture(*intro, 0, time, q); }
+    Picture picture(double time, const Quality &q = kDraft, const CameraKey *camera = nullptr) {
+        return panel.picture(*intro, {time, q, camera});
+    }
+    size_t samples() const {
+        const std::vector<uint32_t> &all = panel.samples();
+        return std::accumulate(all.begin(), all.end(), (size_t)0);
+    }
+};
 
 } // namespace
 
@@ -32,40 +39,37 @@ std::vector<uint8_t> bytesOf(const Picture &p) { return Kept::of(p).rgba; }
 
 // Odd sizes, so that tiles are cut at the right and the lower edge
 TEST(Heat, AddsUpToTheSamplesThatTheEngineCounts) {
-    Loaded film(203, 117);
-    Panel panel(203, 117, 25, nanosecondsNow);
-    panel.act(Action::Heat);
+    Shown film(203, 117);
+    film.panel.act(Action::Heat);
     for (const Quality &q : kQualities)
         for (double time : {12., 22., 45.}) {
             if (q.grid && time != 22) continue;
-            panel.picture(*film.intro, {time, q, nullptr});
-            EXPECT_GT(panel.lastCosts().samples, 0);
-            EXPECT_EQ(sumOf(panel.samples()), (size_t)panel.lastCosts().samples) << q.name << " " << time;
+            film.picture(time, q);
+            EXPECT_GT(film.samples(), 0u);
+            EXPECT_EQ(film.samples(), (size_t)film.panel.lastCosts().samples) << q.name << " " << time;
         }
 }
 
 TEST(Heat, CountsTheSamplesOfAGridWhereTheyAre) {
-    Loaded film(203, 117);
-    Panel panel(203, 117, 25, nanosecondsNow);
-    panel.act(Action::Heat);
+    Shown film(203, 117);
+    film.panel.act(Action::Heat);
     Quality grid = kDraft;
     grid.grid = 2;
-    panel.picture(*film.intro, {22, grid, nullptr});
-    for (uint32_t n : panel.samples()) ASSERT_EQ(n, 4u);
+    film.picture(22, grid);
+    for (uint32_t n : film.panel.samples()) ASSERT_EQ(n, 4u);
 }
 
 // Anti-aliasing works at outlines: most samples are in few pixels
 TEST(Heat, IsHotWhereThereAreEdges) {
-    Loaded film(320, 180);
-    Panel panel(320, 180, 25, nanosecondsNow);
-    panel.act(Action::Heat);
-    panel.picture(*film.intro, {22, kQualities[(int)QualityName::Film], nullptr});
+    Shown film(320, 180);
+    film.panel.act(Action::Heat);
+    film.picture(22, kBest);
     size_t hot = 0, inHot = 0;
-    for (uint32_t n : panel.samples())
+    for (uint32_t n : film.panel.samples())
         if (n > 3) ++hot, inHot += n;
     EXPECT_GT(hot, 0u);
     EXPECT_LT(hot, 320u * 180 / 3);
-    EXPECT_GT(inHot, sumOf(panel.samples()) / 2);
+    EXPECT_GT(inHot, film.samples() / 2);
 }
 
 TEST(Heat, ColoursGrowBrighter) {
@@ -108,11 +112,10 @@ TEST(Heat, ShowsHowFarApartTheSamplesAre) {
 // --- What a picture costs ---
 
 TEST(Costs, PartsAreSomeOfTheWhole) {
-    Loaded film(320, 180);
-    Panel panel(320, 180, 25, nanosecondsNow);
-    panel.act(Action::Panel);
-    panel.picture(*film.intro, {22, kDraft, nullptr});
-    const Costs &c = panel.lastCosts();
+    Shown film(320, 180);
+    film.panel.act(Action::Panel);
+    film.picture(22);
+    const Costs &c = film.panel.lastCosts();
     double sum = 0;
     for (Cost part : {Cost::Posing, Cost::Tracing, Cost::Glare, Cost::Development}) {
         EXPECT_GT(c.milliseconds[(int)part], 0) << (int)part;
@@ -125,7 +128,7 @@ TEST(Costs, PartsAreSomeOfTheWhole) {
 }
 
 TEST(Probe, NotesNothingUnlessAsked) {
-    Loaded film(64, 36);
+    LoadedFilm film(1, 64, 36, false);
     Probe probe;
     probe.clock = nanosecondsNow;
     inspector().watch(&probe);
@@ -140,24 +143,24 @@ TEST(Probe, NotesNothingUnlessAsked) {
 // --- The picture ---
 
 TEST(Panel, HiddenItShowsThePictureAlone) {
-    Loaded film(320, 180);
-    std::vector<uint8_t> alone = bytesOf(picture(*film.intro, 0, 22, kDraft));
-    Panel panel(320, 180, 25, nanosecondsNow);
-    EXPECT_EQ(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
-    panel.act(Action::Panel);
-    panel.act(Action::Ghost);
-    EXPECT_NE(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
-    panel.act(Action::Panel);
-    EXPECT_EQ(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
-    panel.act(Action::Help);
-    EXPECT_NE(bytesOf(panel.picture(*film.intro, {22, kDraft, nullptr})), alone);
+    Shown film(320, 180);
+    std::vector<uint8_t> alone = bytesOf(film.plain(22));
+    auto isAlone = [&] { return bytesOf(film.picture(22)) == alone; };
+    EXPECT_TRUE(isAlone());
+    film.panel.act(Action::Panel);
+    film.panel.act(Action::Ghost);
+    EXPECT_FALSE(isAlone());
+    film.panel.act(Action::Panel);
+    EXPECT_TRUE(isAlone());
+    film.panel.act(Action::Help);
+    EXPECT_FALSE(isAlone());
 }
 
 // Draws every part of the panel in pictures of all sizes, for sanitizers to check
 TEST(Panel, ServesPicturesOfAllSizes) {
     for (auto [width, height] : {std::pair{1, 1}, {16, 9}, {239, 200}, {320, 180}, {100, 500}, {500, 100}}) {
-        Loaded film(width, height);
-        Panel panel(width, height, 25, nanosecondsNow);
+        Shown film(width, height);
+        Panel &panel = film.panel;
         double time = 161.9;
         bool paused = false, sought = false;
         for (Action a : {Action::Ghost, Action::Materials, Action::Heat, Action::Help, Action::OtherDraft,
@@ -166,19 +169,18 @@ TEST(Panel, ServesPicturesOfAllSizes) {
             panel.move(width - 1, height - 1);
             panel.wheel(width - 1, height - 1, 3);
             panel.steer(time, paused, sought);
-            panel.picture(*film.intro, {22, kDraft, nullptr});
+            film.picture(22);
         }
     }
 }
 
 TEST(Panel, FarFlownCamerasAreShown) {
-    Loaded film(320, 180);
-    Panel panel(320, 180, 25, nanosecondsNow);
-    panel.act(Action::Ghost);
-    for (CameraKey far :
-         {CameraKey{0, {1e6f, 5, 0}, {0, 0, 0}, 0, 40}, CameraKey{0, {0, 3, 0}, {0, 0, 0}, 0, 40},
-          CameraKey{0, {1, 1, 1}, {1, 1, 1}, 0, 40}})
-        panel.picture(*film.intro, {22, kDraft, &far});
+    Shown film(320, 180);
+    film.panel.act(Action::Ghost);
+    for (CameraKey far : {CameraKey{0, {1e6f, 5, 0}, {0, 0, 0}, 0, 40},
+                          {0, {0, 3, 0}, {0, 0, 0}, 0, 40},
+                          {0, {1, 1, 1}, {1, 1, 1}, 0, 40}})
+        film.picture(22, kDraft, &far);
 }
 
 // --- Keys and the mouse ---
@@ -209,20 +211,18 @@ TEST(Panel, StepsByPictureBarAndEvent) {
     Host h;
     h.steer();
     EXPECT_FALSE(h.sought);
-    h.act(Action::PictureOn);
-    EXPECT_NEAR(h.time, 30.04, 1e-9);
-    EXPECT_TRUE(h.sought && h.paused);
-    h.act(Action::PictureBack);
-    EXPECT_NEAR(h.time, 30, 1e-9);
-    h.act(Action::BarOn);
-    EXPECT_NEAR(h.time, 32, 1e-9);
-    h.act(Action::BarBack);
-    h.act(Action::BarBack);
-    EXPECT_NEAR(h.time, 28, 1e-9);
-    h.act(Action::EventOn);
-    EXPECT_NEAR(h.time, 42, 1e-9) << "the first generation of the flake";
-    h.act(Action::EventBack);
-    EXPECT_NEAR(h.time, 18, 1e-9) << "balls set off";
+    auto after = [&](Action a) {
+        h.act(a);
+        EXPECT_TRUE(h.sought && h.paused);
+        return h.time;
+    };
+    EXPECT_NEAR(after(Action::PictureOn), 30.04, 1e-9);
+    EXPECT_NEAR(after(Action::PictureBack), 30, 1e-9);
+    EXPECT_NEAR(after(Action::BarOn), 32, 1e-9);
+    EXPECT_NEAR(after(Action::BarBack), 30, 1e-9);
+    EXPECT_NEAR(after(Action::BarBack), 28, 1e-9);
+    EXPECT_NEAR(after(Action::EventOn), 42, 1e-9) << "the first generation of the flake";
+    EXPECT_NEAR(after(Action::EventBack), 18, 1e-9) << "balls set off";
     // Two presses between two pictures are two steps
     h.panel.act(Action::BarOn);
     h.panel.act(Action::BarOn);
@@ -322,7 +322,7 @@ TEST(Content, IsInOrderAndInTheFilm) {
 }
 
 TEST(Swatches, ShowEveryMaterialAndAreTracedOnlyWhenOneChanges) {
-    Loaded film(320, 180);
+    LoadedFilm film(1, 320, 180, false);
     Picture p = picture(*film.intro, 0, 22, kDraft);
     Swatches s;
     s.look(inspector(), *film.intro, 24);
@@ -366,12 +366,10 @@ TEST(Envelope, IsThatOfTheMusic) {
 // --- Two qualities ---
 
 TEST(Compare, SplitShowsTheOtherPictureOnTheRight) {
-    Loaded film(320, 180);
-    std::vector<uint8_t> draft = bytesOf(picture(*film.intro, 0, 22, kDraft)),
-                         best = bytesOf(picture(*film.intro, 0, 22, kQualities[(int)QualityName::Film]));
-    Panel panel(320, 180, 25, nanosecondsNow);
-    panel.act(Action::OtherFilm);
-    Picture p = panel.picture(*film.intro, {22, kDraft, nullptr});
+    Shown film(320, 180);
+    std::vector<uint8_t> draft = bytesOf(film.plain(22)), best = bytesOf(film.plain(22, kBest));
+    film.panel.act(Action::OtherFilm);
+    Picture p = film.picture(22);
     // Between the costs and the meter, but not where the divider is
     for (int y = 60; y < 80; ++y)
         for (int x = 150; x < 280; ++x) {
@@ -382,13 +380,13 @@ TEST(Compare, SplitShowsTheOtherPictureOnTheRight) {
 }
 
 TEST(Compare, DifferenceIsNoneBetweenEqualPicturesAndSomeBetweenQualities) {
-    Loaded film(160, 90);
-    Kept draft = Kept::of(picture(*film.intro, 0, 22, kDraft));
-    Picture again = picture(*film.intro, 0, 22, kDraft);
+    Shown film(160, 90);
+    Kept draft = Kept::of(film.plain(22));
+    Picture again = film.plain(22);
     Difference none = differenceOf(draft, again);
     EXPECT_NEAR(none.mean, 0, 1e-6);
     EXPECT_EQ(none.most, 0.05f);
-    Difference some = differenceOf(draft, picture(*film.intro, 0, 22, kQualities[(int)QualityName::Film]));
+    Difference some = differenceOf(draft, film.plain(22, kBest));
     EXPECT_GT(some.mean, 0.001);
     EXPECT_LT(some.mean, 0.3);
     EXPECT_TRUE(differenceOf({}, again).flip.empty()) << "of another size";
@@ -396,26 +394,23 @@ TEST(Compare, DifferenceIsNoneBetweenEqualPicturesAndSomeBetweenQualities) {
 
 // The reference takes long: it is not traced while the film plays
 TEST(Compare, TheReferenceWaitsForAPause) {
-    Loaded film(160, 90);
-    Panel panel(160, 90, 25, nanosecondsNow);
-    panel.act(Action::OtherReference);
-    for (double time : {20., 20.04, 20.08}) panel.picture(*film.intro, {time, kDraft, nullptr});
-    Picture p = panel.picture(*film.intro, {30, kDraft, nullptr});
-    std::vector<uint8_t> waiting = bytesOf(p);
-    std::vector<uint8_t> there = bytesOf(panel.picture(*film.intro, {30, kDraft, nullptr}));
+    Shown film(160, 90);
+    film.panel.act(Action::OtherReference);
+    for (double time : {20., 20.04, 20.08}) film.picture(time);
+    std::vector<uint8_t> waiting = bytesOf(film.picture(30)), there = bytesOf(film.picture(30));
     EXPECT_NE(waiting, there);
 }
 
 TEST(Compare, TheOtherPictureIsTracedAgainWhenTheFilmWasEdited) {
-    Loaded film(320, 180);
-    Panel panel(320, 180, 25, nanosecondsNow);
-    panel.act(Action::OtherPlay);
+    Shown film(320, 180);
+    film.panel.act(Action::OtherPlay);
     Quality edited = kDraft; // stands for a film that looks different
     edited.grid = 1;
-    for (int i = 0; i < 3; ++i) panel.picture(*film.intro, {22, kDraft, nullptr});
-    EXPECT_EQ(panel.othersTraced(), 1);
-    for (int i = 0; i < 3; ++i) panel.picture(*film.intro, {22, edited, nullptr});
-    EXPECT_EQ(panel.othersTraced(), 2);
-    panel.picture(*film.intro, {23, edited, nullptr});
-    EXPECT_EQ(panel.othersTraced(), 3);
+    auto traced = [&](double time, const Quality &q, int times) {
+        for (int i = 0; i < times; ++i) film.picture(time, q);
+        return film.panel.othersTraced();
+    };
+    EXPECT_EQ(traced(22, kDraft, 3), 1);
+    EXPECT_EQ(traced(22, edited, 3), 2);
+    EXPECT_EQ(traced(23, edited, 1), 3);
 }
