@@ -3,8 +3,10 @@
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
 #include "tests/support/room.h"
+#include "tests/support/shapes.h"
 #include "transfer/relight.h"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 
@@ -17,31 +19,23 @@ namespace {
 struct Room : ModelBench {
     std::unique_ptr<Radiosity> r = std::make_unique<Radiosity>();
 
-    float scale = 1;
-    Rgb walls = {0.5f, 0.5f, 0.5f}, floor = {0.5f, 0.5f, 0.5f};
+    Rgb walls, floor;
 
-    static Material plain(Rgb c) {
-        Material m = {};
-        for (Rgb &p : m.texture.palette) p = c;
-        m.diffuse = 1;
-        return m;
-    }
-    void addWalls() {
+    explicit Room(float grey = 0.5f) : walls{grey, grey, grey}, floor(walls) {}
+    // The room as described, with a ball that emits; all its sizes are multiplied by `scale`.
+    explicit Room(Vec3 ball, float grey = 0.5f, float radius = 0.1f, float scale = 1) : Room(grey) {
         float e = 0.25f * scale;
-        addRoom(*model, {-2 * scale, 0, -3 * scale}, {2 * scale, 3 * scale, 3 * scale}, e, 0, 1);
-        model->addBox({-0.5f * scale, 0, -0.5f * scale}, {0.5f * scale, scale, 0.5f * scale}, 0, e,
+        addRoom(*model, Vec3{-2, 0, -3} * scale, Vec3{2, 3, 3} * scale, e, 0, 1);
+        model->addBox(Vec3{-0.5f, 0, -0.5f} * scale, Vec3{0.5f, 1, 0.5f} * scale, 0, e,
                       Model::kUpright | Model::kTop);
+        r->bases.lamps[r->bases.lampCount++] = {ball * scale, radius * scale, -1};
     }
-    void addBall(Vec3 centre, float radius) {
-        r->bases.lamps[r->bases.lampCount++] = {centre * scale, radius * scale, -1};
-    }
+    void addFloor() { model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f); }
     bool solve(RadiositySettings settings = {}, const Progress &progress = {}) {
         scene->clear();
-        scene->add(plain(walls));
-        scene->add(plain(floor));
-        Material lamp = {};
-        lamp.emit = {1, 1, 1};
-        scene->add(lamp);
+        scene->add(matte(walls));
+        scene->add(matte(floor));
+        scene->add(Material{.emit = {1, 1, 1}});
         pose();
         return solveRadiosity(*r, *model, *scene, settings, headlessGl(), memory.arena, workers, progress);
     }
@@ -78,9 +72,8 @@ double parallelFormFactor(double x, double z, double x0, double x1, double z0, d
 
 TEST(Direct, ARectangularLampIsItsFormFactor) {
     for (float height : {0.1f, 0.5f, 2.5f}) {
-        Room room;
-        room.walls = room.floor = {};
-        room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+        Room room(0);
+        room.addFloor();
         int lamp = room.model->addRect({-0.5f, height, -1}, {1, 0, 0}, {0, 0, 2}, 2, 0.5f);
         room.r->bases.lamps[room.r->bases.lampCount++] = {{}, 0, lamp};
         ASSERT_TRUE(room.solve());
@@ -101,10 +94,7 @@ TEST(Direct, ARectangularLampIsItsFormFactor) {
 }
 
 TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
-    Room room;
-    room.walls = room.floor = {};
-    room.addWalls();
-    room.addBall({0, 2.5f, 0}, 0.1f);
+    Room room({0, 2.5f, 0}, 0);
     ASSERT_TRUE(room.solve());
     int lit = 0, dark = 0;
     room.forTexels(0, [&](int texel, Vec3 p) {
@@ -126,9 +116,8 @@ TEST(Direct, ABallIsItsFormFactorAndThrowsAShadow) {
 }
 
 TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
-    Room room;
-    room.walls = room.floor = {};
-    room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+    Room room(0);
+    room.addFloor();
     room.model->addRect({-1, 2, -1}, {2, 0, 0}, {0, 0, 2}, 0, 1, Model::kOpen);
     // Three skies, one of them negative
     room.r->bases.sky = [](const void *, const Vec3x8 &, Float8 *radiance) {
@@ -147,9 +136,8 @@ TEST(Direct, AnEvenSkyIsTheWindowsFormFactor) {
 }
 
 TEST(Direct, TheSunComesInThroughTheWindow) {
-    Room room;
-    room.walls = room.floor = {};
-    room.model->addRect({-2, 0, -3}, {0, 0, 6}, {4, 0, 0}, 1, 0.25f);
+    Room room(0);
+    room.addFloor();
     room.model->addRect({-2, 2, -3}, {4, 0, 0}, {0, 0, 6}, 0, 0.25f, Model::kPieces);
     room.model->addFacet(0, 0, 4, 2);
     room.model->addFacet(0, 4, 4, 6);
@@ -163,9 +151,7 @@ TEST(Direct, TheSunComesInThroughTheWindow) {
 
 // A sealed room stays black to the bit: no light leaks through walls, corners or along floors.
 TEST(Leaks, ASealedRoomStaysDark) {
-    Room room;
-    room.addWalls();
-    room.addBall({0, 2.5f, 0}, 0.1f);
+    Room room({0, 2.5f, 0});
     int first = room.model->chartCount;
     // Another room behind a wall of a tenth
     addRoom(*room.model, {2.1f, 0, -3}, {6.1f, 3, 3}, 0.25f, 0, 1);
@@ -182,12 +168,8 @@ TEST(Leaks, ASealedRoomStaysDark) {
 
 // The floor under the block is hidden and interpolated from its surroundings: no dark rim.
 TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
-    Room room;
-    room.addWalls();
-    room.addBall({0, 2.9f, 0}, 0.05f);
-    RadiositySettings settings;
-    settings.block = 4; // the block ends where elements end
-    ASSERT_TRUE(room.solve(settings));
+    Room room({0, 2.9f, 0}, 0.5f, 0.05f);
+    ASSERT_TRUE(room.solve({.block = 4})); // the block ends where elements end
     int hidden = 0;
     float least = 1e9f, most = 0;
     room.forTexels(0, [&](int texel, Vec3 p) {
@@ -202,10 +184,7 @@ TEST(Elements, HiddenOnesTakeTheirNeighboursLight) {
 }
 
 TEST(Solve, ReflectanceZeroGivesNoBounce) {
-    Room room;
-    room.walls = room.floor = {};
-    room.addWalls();
-    room.addBall({0, 2.5f, 0}, 0.1f);
+    Room room({0, 2.5f, 0}, 0);
     ASSERT_TRUE(room.solve());
     for (int i = 0; i < room.model->texelCount; ++i) ASSERT_EQ(room.r->bounced[0][0][i], 0);
 }
@@ -214,14 +193,8 @@ TEST(Solve, ReflectanceZeroGivesNoBounce) {
 // rho) B / rho.
 TEST(Solve, EnergyIsConserved) {
     for (float rho : {0.2f, 0.7f, 0.95f}) {
-        Room room;
-        room.walls = room.floor = {rho, rho, rho};
-        room.addWalls();
-        room.addBall({0.6f, 2.0f, 1.1f}, 0.1f);
-        RadiositySettings settings;
-        settings.sweeps = 2000;
-        settings.block = 2;
-        ASSERT_TRUE(room.solve(settings));
+        Room room({0.6f, 2.0f, 1.1f}, rho);
+        ASSERT_TRUE(room.solve({.block = 2, .sweeps = 2000}));
         double arrived = 0, absorbed = 0;
         const System &s = room.r->system;
         for (int i = 0; i < room.model->patchCount; ++i) {
@@ -238,10 +211,8 @@ TEST(Solve, EnergyIsConserved) {
 }
 
 TEST(Solve, ColourBleeds) {
-    Room room;
+    Room room({0, 2.9f, 2.5f}, 0.5f, 0.05f);
     room.floor = {0.8f, 0.2f, 0.05f};
-    room.addWalls();
-    room.addBall({0, 2.9f, 2.5f}, 0.05f);
     ASSERT_TRUE(room.solve());
     float red = room.at(room.r->bounced[0][0], 1, 8, 12), blue = room.at(room.r->bounced[0][2], 1, 8, 12);
     EXPECT_GT(red, 1.3f * blue);
@@ -250,13 +221,11 @@ TEST(Solve, ColourBleeds) {
 // Light is linear in the lamp's power over twelve orders of magnitude, because the solver's residual is
 // relative.
 TEST(Extremes, LampsFromAMillionthToAMillion) {
-    Room room;
-    room.addWalls();
-    room.addBall({0, 2.5f, 1}, 0.1f);
+    Room room({0, 2.5f, 1});
     ASSERT_TRUE(room.solve());
-    std::unique_ptr<float[]> planes[3];
-    for (auto &p : planes) p.reset(new float[(size_t)room.model->texelCount + 8]);
-    float *out[3] = {planes[0].get(), planes[1].get(), planes[2].get()};
+    std::vector<float> planes[3];
+    for (auto &p : planes) p.resize((size_t)room.model->texelCount + 8);
+    float *out[3] = {planes[0].data(), planes[1].data(), planes[2].data()};
     for (float power : {1e-6f, 1.f, 1e6f}) {
         LightVector light = {};
         light.bounced[0] = light.direct[0] = {power, power, power};
@@ -269,15 +238,8 @@ TEST(Extremes, LampsFromAMillionthToAMillion) {
 }
 
 TEST(Extremes, AlmostEverythingIsReflected) {
-    Room room;
-    room.walls = room.floor = {0.999f, 0.999f, 0.999f};
-    room.addWalls();
-    room.addBall({0, 2.5f, 1}, 0.1f);
-    RadiositySettings settings;
-    settings.sweeps = 20000;
-    settings.residual = 1e-5f;
-    settings.block = 4;
-    ASSERT_TRUE(room.solve(settings));
+    Room room({0, 2.5f, 1}, 0.999f);
+    ASSERT_TRUE(room.solve({.block = 4, .residual = 1e-5f, .sweeps = 20000}));
     // Light is nearly even, and about what the lamp emits divided by what walls absorb
     double area = 2 * (4 * 3 + 4 * 6 + 3 * 6) + 4, even = 4 * M_PI * 0.01 / (area * 0.001);
     for (int i = 0; i < room.model->texelCount; ++i)
@@ -287,15 +249,11 @@ TEST(Extremes, AlmostEverythingIsReflected) {
 }
 
 TEST(Extremes, SizeDoesNotMatter) {
-    Room one;
-    one.addWalls();
-    one.addBall({0.4f, 2.5f, 1}, 0.1f);
+    const Vec3 ball = {0.4f, 2.5f, 1};
+    Room one(ball);
     ASSERT_TRUE(one.solve());
     for (float scale : {1e-3f, 1e3f}) {
-        Room room;
-        room.scale = scale;
-        room.addWalls();
-        room.addBall({0.4f, 2.5f, 1}, 0.1f);
+        Room room(ball, 0.5f, 0.1f, scale);
         ASSERT_TRUE(room.solve());
         ASSERT_EQ(room.model->texelCount, one.model->texelCount);
         double sum = 0, difference = 0;
@@ -311,18 +269,10 @@ TEST(Extremes, SizeDoesNotMatter) {
 }
 
 TEST(Extremes, NoLightNoMemoryNoTime) {
-    Room dark;
-    dark.addWalls();
-    ASSERT_TRUE(dark.solve()); // no light basis at all
-    Room small;
-    small.addWalls();
-    small.addBall({0, 2, 0}, 0.1f);
-    RadiositySettings settings;
-    settings.links = 1000;
-    EXPECT_FALSE(small.solve(settings));
-    Room left;
-    left.addWalls();
-    left.addBall({0, 2, 0}, 0.1f);
+    Room dark({0, 2, 0}), small({0, 2, 0}), left({0, 2, 0});
+    dark.r->bases.lampCount = 0; // no light basis at all
+    ASSERT_TRUE(dark.solve());
+    EXPECT_FALSE(small.solve({.links = 1000}));
     static const int gone = 1;
     left.workers.abort = &gone;
     EXPECT_FALSE(left.solve());
@@ -337,15 +287,13 @@ TEST(Bases, FitUpToTheirLimits) {
 }
 
 TEST(Solve, ProgressRisesToOne) {
-    Room room;
-    room.addWalls();
-    room.addBall({0, 2, 0}, 0.1f);
+    Room room({0, 2, 0});
     std::vector<float> shares;
     Progress progress = {[](float done, void *context) { ((std::vector<float> *)context)->push_back(done); },
                          &shares};
     ASSERT_TRUE(room.solve({}, progress));
     ASSERT_GT(shares.size(), 10u);
-    for (size_t i = 1; i < shares.size(); ++i) EXPECT_GE(shares[i], shares[i - 1]);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_GE(shares.front(), 0);
     EXPECT_EQ(shares.back(), 1);
 }
