@@ -4,7 +4,9 @@
 #include "show/materials.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/planes.h"
 #include "tests/support/sanitized.h"
+#include "tools/picture/psnr.h"
 
 #include <cmath>
 #include <vector>
@@ -23,20 +25,11 @@ Intro &film() {
 
 const Quality &named(QualityName name) { return kQualities[(int)name]; }
 
-std::vector<float> planes(const Frame &f) {
-    std::vector<float> all;
-    for (const float *p : f.plane)
-        for (int y = 0; y < f.height; ++y)
-            all.insert(all.end(), p + (size_t)y * (size_t)f.stride,
-                       p + (size_t)y * (size_t)f.stride + f.width);
-    return all;
-}
-
 // The radiance, before the letters are drawn.
 std::vector<float> traced(Intro &intro, double seconds, const Quality &quality) {
     View view = poseAt(intro.film, seconds).view(kWidth, kHeight);
     traceFrame(intro.tracer, *intro.workers, *intro.film.scene, view, quality, intro.frame);
-    return planes(intro.frame);
+    return planesOf(intro.frame);
 }
 // An in-between made from two pictures `gap` sixtieths apart, the first of them `before` sixtieths earlier.
 std::vector<float> made(Intro &intro, double seconds, double gap = 2, double before = 1) {
@@ -45,7 +38,7 @@ std::vector<float> made(Intro &intro, double seconds, double gap = 2, double bef
     Traced now = {intro.frame, intro.film.scene, poseAt(intro.film, seconds).view(kWidth, kHeight)};
     traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced, intro.slots[1].traced,
                  gap > 0 ? (float)(before / gap) : 0.5f, (float)gap, now, named(QualityName::Play));
-    return planes(intro.frame);
+    return planesOf(intro.frame);
 }
 
 using Bytes = std::vector<uint8_t>;
@@ -107,13 +100,13 @@ TEST(Between, ReflectionsDoNotRollWithABall) {
         return Traced{to.frame, to.scene, view};
     };
     Traced now = {intro.frame, intro.film.scene, view};
-    auto still = planes(trace(now, 0).frame);
+    auto still = planesOf(trace(now, 0).frame);
     constexpr float kTurn = 0.045f; // as the largest ball of scene odraz at its fastest
     Traced before = trace(intro.slots[0].traced, -kTurn), after = trace(intro.slots[1].traced, kTurn);
     tracedAnew(intro.between);
     traceBetween(intro.between, intro.tracer, *intro.workers, before, after, 0.5f, 2, now,
                  named(QualityName::Play));
-    double alike = decibels(intro, still, planes(now.frame));
+    double alike = decibels(intro, still, planesOf(now.frame));
     double anew = (double)tracedAnew(intro.between) / (kWidth * kHeight);
     std::printf("%.1f dB, traced anew %.2f %%\n", alike, 100 * anew);
     EXPECT_GT(alike, 50);
@@ -178,10 +171,8 @@ TEST(Between, BesideACutIsOfItsOwnShot) {
         double seconds = cut + (share * 4 - 2.5) * kStep;
         Bytes shown = bytesOf(between(intro, 0, 1, share));
         LoadedFilm other(1, kWidth, kHeight, true);
-        Picture q = picture(*other.intro, 0, seconds, named(QualityName::Play));
-        double squares = 0;
-        for (size_t i = 0; i < shown.size(); ++i) squares += std::pow(shown[i] - q.rgba[i], 2);
-        EXPECT_GT(10 * std::log10(255 * 255 / (squares / (double)shown.size())), 28) << share;
+        Bytes traced = bytesOf(picture(*other.intro, 0, seconds, named(QualityName::Play)));
+        EXPECT_GT(pictures::psnr(shown, traced), 28) << share;
     }
 }
 
@@ -209,41 +200,5 @@ TEST(Between, IsTheSameForAllThreads) {
         int gap = 2 + (int)(seconds / 10) % 3 * 2;
         EXPECT_EQ(made(*one.intro, seconds, gap, 1), made(*five.intro, seconds, gap, 1))
             << seconds << ' ' << gap;
-    }
-}
-
-// A player may change the number of pixels from picture to picture.
-TEST(Between, OfPicturesOfDifferentSizesIsAsNearToTheTruth) {
-    struct Size {
-        int width, height;
-    };
-    constexpr Size kSmall = {640, 360}, kMiddle = {648, 364}, kLarge = {656, 369};
-    LoadedFilm loaded(2, kLarge.width, kLarge.height, true);
-    Intro &intro = *loaded.intro;
-    auto trace = [&](Traced &to, double seconds, Size size, QualityName quality) {
-        Film film = intro.film;
-        film.scene = to.scene;
-        to.frame.width = size.width, to.frame.height = size.height, to.frame.stride = (size.width + 7) & ~7;
-        to.view = poseAt(film, seconds).view(size.width, size.height);
-        traceFrame(intro.tracer, *intro.workers, *to.scene, to.view, named(quality), to.frame);
-        if (to.frame.owners) markOwners(to.frame, *intro.workers);
-    };
-    for (double seconds : {30., 56.}) {
-        if (kSanitized && seconds == 56) continue;
-        Traced now = {intro.frame, intro.film.scene, {}};
-        trace(now, seconds, kMiddle, kSanitized ? QualityName::Film : QualityName::Reference);
-        auto truth = planes(now.frame);
-        auto between = [&](Size earlier, Size later) {
-            trace(intro.slots[0].traced, seconds - kStep, earlier, QualityName::Play);
-            trace(intro.slots[1].traced, seconds + kStep, later, QualityName::Play);
-            traceBetween(intro.between, intro.tracer, *intro.workers, intro.slots[0].traced,
-                         intro.slots[1].traced, 0.5f, 2, now, named(QualityName::Play));
-            return decibels(intro, truth, planes(now.frame));
-        };
-        double equal = between(kMiddle, kMiddle), grows = between(kSmall, kLarge),
-               shrinks = between(kLarge, kSmall);
-        std::printf("%g s: of equal ones %.2f dB, growing %.2f, shrinking %.2f\n", seconds, equal, grows,
-                    shrinks);
-        EXPECT_GT(std::fmin(grows, shrinks), equal - 0.7) << seconds;
     }
 }
