@@ -1,6 +1,7 @@
 // Form factors by hemicubes against closed forms.
 #include "tests/support/hemicube_bench.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,15 +30,6 @@ double between(HemicubeBench &b, int turn) {
         }
     }
     return sum / all;
-}
-
-double rmsError(HemicubeBench &b, double exact, int turns) {
-    double sum = 0;
-    for (int turn = 0; turn < turns; ++turn) {
-        double error = between(b, turn) / exact - 1;
-        sum += error * error;
-    }
-    return std::sqrt(sum / turns);
 }
 
 } // namespace
@@ -70,21 +62,14 @@ TEST(DeltaFormFactors, SumToOneAndAreTheIntegralOfTheKernel) {
     }
 }
 
-// Unit squares at the distance 1, or with a common edge. The closed forms: Howell, "A Catalog of Radiation
-// Heat Transfer Configuration Factors", C-11 and C-14.
-static const struct Squares {
-    const char *name;
-    Vec3 corner, u, v; // of the second one
-    double exact;
-} kSquares[] = {{"parallel", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0.19982490},
-                {"perpendicular", {0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0.20004378}};
 static double rmsError(const Squares &squares, int px, int turns) {
     HemicubeBench b;
-    b.model->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f); // facing up
-    b.model->addRect(squares.corner, squares.u, squares.v, 0, 1 / 16.f);
+    squares.addTo(*b.model);
     b.open(px, 1);
     EXPECT_EQ(b.model->patchCount, 512);
-    double rms = rmsError(b, squares.exact, turns);
+    double sum = 0;
+    for (int turn = 0; turn < turns; ++turn) sum += std::pow(between(b, turn) / squares.exact - 1, 2);
+    double rms = std::sqrt(sum / turns);
     std::printf("%s squares, %3d px: rms over %d rotations %.4f %%\n", squares.name, px, turns, rms * 100);
     return rms;
 }
@@ -120,10 +105,8 @@ TEST(FormFactor, CoaxialDiscs) {
     for (int i = 0; i < b.model->facetCount; ++i) {
         const Facet &f = b.model->facets[i];
         const Chart &c = b.model->charts[f.chart];
-        Shape s =
-            triangle(f.corner(c, 0), f.corner(c, 1) - f.corner(c, 0), f.corner(c, 2) - f.corner(c, 0), c.n);
-        s.chart = f.chart;
-        scene->add(s);
+        Vec3 p = f.corner(c, 0);
+        scene->add(triangle(p, f.corner(c, 1) - p, f.corner(c, 2) - p, c.n))->chart = f.chart;
     }
     scene->finish();
     ASSERT_TRUE(b.model->divide(*scene, b.memory.arena, b.workers, 1, 1));
@@ -163,8 +146,7 @@ TEST(FormFactor, FromAPointToARectangle) {
             double exact = along(1 - 0.25) + along(0.25), sum = 0;
             for (uint32_t turn = 0; turn < 32; ++turn) {
                 float got = b.row(hemicubeEye({(float)x, 0, 0.25f}, {0, 1, 0}, turn))[0];
-                double error = (double)got / exact - 1;
-                sum += error * error;
+                sum += std::pow((double)got / exact - 1, 2);
             }
             double rms = std::sqrt(sum / 32);
             std::printf("point to rectangle, %d px, x %.2f: rms over 32 rotations %.3f %%\n", px, x,

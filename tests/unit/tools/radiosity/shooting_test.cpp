@@ -1,22 +1,32 @@
 // Shooting against gathering, Gauss-Seidel and a direct solution in double; odd hemicubes against closed
 // forms.
 #include "tests/support/headless_gl.h"
+#include "tests/support/model_bench.h"
 #include "tests/support/random.h"
 #include "tests/support/room.h"
+#include "tests/support/squares.h"
 #include "tools/engine/heap_arena.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
+#include "tools/radiosity/transfer/check.h"
 
 #include "radiosity/solve.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
+#include <numeric>
 
 using namespace odraz;
 using namespace odraz::radiosity;
 
 namespace {
+
+// Sets a colour in a patch's columns.
+void set(float *plane, const System &s, size_t patch, const Rgb &c) {
+    float *to = plane + patch * (size_t)s.columns;
+    to[0] = c.x, to[1] = c.y, to[2] = c.z;
+}
 
 // A system of a few patches with random rows, of one colour in three channels.
 struct Few {
@@ -50,7 +60,7 @@ struct Few {
         model->patches = patches.data(), model->patchCount = count;
     }
 
-    // (1 - rho F) B = rho D by elimination with pivots, for a channel
+    // (1 - rho F) B = rho D by elimination, for a channel; the diagonal dominates, so pivots are not needed
     std::vector<double> solvedDirectly(float Rgb::*channel) const {
         auto n = (size_t)count;
         std::vector<std::vector<double>> m(n, std::vector<double>(n + 1));
@@ -60,17 +70,12 @@ struct Few {
             for (const Link &link : links[i]) m[i][link.patch] -= rho * (double)link.share;
             m[i][n] = rho * (double)(direct[i].*channel);
         }
-        for (size_t c = 0; c < n; ++c) {
-            size_t pivot = c;
-            for (size_t r = c; r < n; ++r)
-                if (std::fabs(m[r][c]) > std::fabs(m[pivot][c])) pivot = r;
-            std::swap(m[c], m[pivot]);
+        for (size_t c = 0; c < n; ++c)
             for (size_t r = 0; r < n; ++r) {
                 if (r == c || m[r][c] == 0) continue;
                 double factor = m[r][c] / m[c][c];
                 for (size_t k = c; k <= n; ++k) m[r][k] -= factor * m[c][k];
             }
-        }
         std::vector<double> b;
         for (size_t i = 0; i < n; ++i) b.push_back(m[i][n] / m[i][i]);
         return b;
@@ -79,9 +84,8 @@ struct Few {
     void fill(System &s, Arena &arena) const {
         ASSERT_TRUE(makeSystem(s, arena, factors, count, 3));
         for (size_t i = 0; i < (size_t)count; ++i) {
-            float *rho = s.reflectance + i * (size_t)s.columns, *d = s.direct + i * (size_t)s.columns;
-            rho[0] = patches[i].reflects.x, rho[1] = patches[i].reflects.y, rho[2] = patches[i].reflects.z;
-            d[0] = direct[i].x, d[1] = direct[i].y, d[2] = direct[i].z;
+            set(s.reflectance, s, i, patches[i].reflects);
+            set(s.direct, s, i, direct[i]);
         }
     }
 
@@ -123,10 +127,9 @@ TEST(Shooting, GatheringAndGaussSeidelAgreeWithTheDirectSolution) {
                 for (int i = 0; i < count; ++i) {
                     double b = exact[(size_t)i], off = 1e-4 * most + 1e-9;
                     size_t at = (size_t)i * (size_t)once.columns + (size_t)c;
-                    ASSERT_NEAR((double)(shooting.radiosity(i).*channels[c]), b, off)
-                        << reflects << ' ' << count << ' ' << i;
-                    ASSERT_NEAR((double)once.radiosity[at], b, off) << reflects << ' ' << count << ' ' << i;
-                    ASSERT_NEAR((double)next.radiosity[at], b, off) << reflects << ' ' << count << ' ' << i;
+                    for (float got :
+                         {shooting.radiosity(i).*channels[c], once.radiosity[at], next.radiosity[at]})
+                        ASSERT_NEAR((double)got, b, off) << reflects << ' ' << count << ' ' << i;
                 }
             }
         }
@@ -181,27 +184,19 @@ TEST(Shooting, NoLightNoLampsNoPatches) {
     one.shoot(alone, 1e-9);
     EXPECT_FLOAT_EQ(alone.radiosity(0).x, 1.8f);
     EXPECT_EQ(alone.left(), 0);
-    Model *empty = new Model();
-    Shooting nothing(*empty, patchesAlone(*empty), {}, {});
-    EXPECT_EQ(nothing.left(), 0);
-    delete empty;
+    auto empty = std::make_unique<Model>();
+    EXPECT_EQ(Shooting(*empty, patchesAlone(*empty), {}, {}).left(), 0);
 }
 
 namespace {
 
 // A room with a lamp in its ceiling; `patches` along a side.
-struct Room {
-    HeapArena memory{(size_t)400 << 20};
-    Workers workers = serialWorkers();
-    std::unique_ptr<Model> model = std::make_unique<Model>();
+struct Room : ModelBench {
     std::vector<Rgb> emits;
 
     explicit Room(int patches) {
         addRoom(*model, {0, 0, 0}, {1, 1, 1}, 1.f / (float)patches);
-        auto scene = std::make_unique<Scene>();
-        scene->add(Material{});
-        model->pose(*scene);
-        scene->finish();
+        pose();
         EXPECT_TRUE(model->divide(*scene, memory.arena, workers, 1, 0));
         emits.resize((size_t)model->patchCount);
         for (int i = 0; i < model->patchCount; ++i) {
@@ -235,9 +230,8 @@ struct Room {
         EXPECT_TRUE(makeSystem(s, memory.arena, factors, model->patchCount, 3));
         std::vector<float> lamps((size_t)model->patchCount * (size_t)s.columns);
         for (size_t i = 0; i < emits.size(); ++i) {
-            float *e = lamps.data() + i * (size_t)s.columns, *rho = s.reflectance + i * (size_t)s.columns;
-            e[0] = emits[i].x, e[1] = emits[i].y, e[2] = emits[i].z;
-            rho[0] = 0.5f, rho[1] = 0.6f, rho[2] = 0.7f;
+            set(lamps.data(), s, i, emits[i]);
+            set(s.reflectance, s, i, {0.5f, 0.6f, 0.7f});
         }
         findIndirect(factors, model->patchCount, s.columns, lamps.data(), s.direct, workers);
         solve(s, workers, 1e-6f, 1000);
@@ -251,14 +245,10 @@ struct Room {
     }
 };
 
-double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
-    double off = 0, all = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        Rgb d = a[i] - b[i];
-        off += (double)(d.x * d.x + d.y * d.y + d.z * d.z);
-        all += (double)(b[i].x * b[i].x + b[i].y * b[i].y + b[i].z * b[i].z);
-    }
-    return std::sqrt(off / all);
+double green(const std::vector<Rgb> &light) {
+    double sum = 0;
+    for (const Rgb &c : light) sum += (double)c.y;
+    return sum;
 }
 
 } // namespace
@@ -270,10 +260,8 @@ TEST(Shooting, ByHemicubesApproachesGathering) {
     for (bool fine : {false, true}) {
         Room room(fine ? 8 : 4);
         std::vector<Rgb> rows = room.gathered(64), shots = room.shot(patchesAlone(*room.model), 64, 1e-4);
-        off[fine] = apart(shots, rows);
-        double sums[2] = {};
-        for (size_t i = 0; i < rows.size(); ++i) sums[0] += (double)rows[i].y, sums[1] += (double)shots[i].y;
-        EXPECT_NEAR(sums[1] / sums[0], 1, fine ? 0.015 : 0.06) << fine;
+        off[fine] = difference(shots, rows);
+        EXPECT_NEAR(green(shots) / green(rows), 1, fine ? 0.015 : 0.06) << fine;
     }
     std::printf("shots against rows: 96 patches %.3f %%, 384 patches %.3f %%\n", 100 * off[0], 100 * off[1]);
     EXPECT_LT(off[1], 0.03);
@@ -287,12 +275,10 @@ TEST(Shooting, BlocksTakeFewerShots) {
     std::vector<Rgb> exact = room.shot(patchesAlone(*room.model), 100, 0.01, &alone),
                      rough = room.shot(blocksOfPatches(*room.model, room.emits, 200), 100, 0.01, &blocks);
     EXPECT_LT(blocks * 2, alone);
-    double sums[2] = {};
-    for (size_t i = 0; i < exact.size(); ++i) sums[0] += (double)exact[i].y, sums[1] += (double)rough[i].y;
-    std::printf("%d shots of blocks, %d of patches: %.2f %% apart (rms)\n", blocks, alone,
-                100 * apart(rough, exact));
-    EXPECT_NEAR(sums[1] / sums[0], 1, 0.01);
-    EXPECT_LT(apart(rough, exact), 0.12);
+    double apart = difference(rough, exact);
+    std::printf("%d shots of blocks, %d of patches: %.2f %% apart (rms)\n", blocks, alone, 100 * apart);
+    EXPECT_NEAR(green(rough) / green(exact), 1, 0.01);
+    EXPECT_LT(apart, 0.12);
 }
 
 TEST(Shooting, EveryPatchBelongsToOneShooter) {
@@ -327,42 +313,30 @@ TEST(OddHemicube, PixelsSumToOne) {
     }
 }
 
-// Howell, "A Catalog of Radiation Heat Transfer Configuration Factors", C-11 and C-14.
 TEST(OddHemicube, FormFactorsOfUnitSquares) {
-    for (int px : {25, 63}) {
-        double found[2];
-        for (bool upright : {false, true}) {
-            HeapArena memory((size_t)100 << 20), own(anyHemicubeBytes(px));
-            Workers workers = serialWorkers();
-            auto m = std::make_unique<Model>();
-            m->addRect({0, 0, 0}, {0, 0, 1}, {1, 0, 0}, 0, 1 / 16.f);
-            if (upright)
-                m->addRect({0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 0, 1 / 16.f);
-            else
-                m->addRect({0, 1, 0}, {1, 0, 0}, {0, 0, 1}, 0, 1 / 16.f);
-            auto scene = std::make_unique<Scene>();
-            m->pose(*scene);
-            scene->finish();
-            ASSERT_TRUE(m->divide(*scene, memory.arena, workers, 1, 0));
+    for (int px : {25, 63})
+        for (const Squares &squares : kSquares) {
+            ModelBench b;
+            squares.addTo(*b.model);
+            b.pose();
+            ASSERT_TRUE(b.model->divide(*b.scene, b.memory.arena, b.workers, 1, 0));
+            HeapArena own(anyHemicubeBytes(px));
             Hemicubes h;
             ASSERT_TRUE(openAnyHemicubes(h, headlessGl(), own.arena, px));
-            std::vector<float> sums = formFactorSums(px), row((size_t)m->patchCount);
+            std::vector<float> sums = formFactorSums(px);
             double sum = 0;
             for (int i = 0; i < 256; ++i) {
-                Eye eye = hemicubeEye(m->patches[i].p, m->patches[i].n, (uint32_t)i);
-                drawHemicubes(h, *m, &eye, 1);
-                std::fill(row.begin(), row.end(), 0.f);
-                double dark = (double)sumHemicube(h, 0, sums.data(), row.data()), seen = 0;
-                for (float f : row) seen += (double)f;
-                EXPECT_NEAR(dark + seen, 1, 2e-6);
-                for (size_t k = 256; k < row.size(); ++k) sum += (double)row[k];
+                Eye eye = hemicubeEye(b.model->patches[i].p, b.model->patches[i].n, (uint32_t)i);
+                drawHemicubes(h, *b.model, &eye, 1);
+                std::vector<float> row((size_t)b.model->patchCount);
+                float dark = sumHemicube(h, 0, sums.data(), row.data());
+                EXPECT_NEAR(std::accumulate(row.begin(), row.end(), (double)dark), 1, 2e-6);
+                sum = std::accumulate(row.begin() + 256, row.end(), sum);
             }
             closeHemicubes(h);
-            found[upright] = sum / 256;
+            double found = sum / 256;
+            std::printf("%s squares, %d px: %.3f %% off\n", squares.name, px,
+                        100 * (found / squares.exact - 1));
+            EXPECT_NEAR(found, squares.exact, squares.exact * 0.01) << px;
         }
-        std::printf("%d px: parallel %.3f %% off, upright %.3f %%\n", px, 100 * (found[0] / 0.19982490 - 1),
-                    100 * (found[1] / 0.20004378 - 1));
-        EXPECT_NEAR(found[0], 0.19982490, 0.19982490 * 0.01) << px;
-        EXPECT_NEAR(found[1], 0.20004378, 0.20004378 * 0.01) << px;
-    }
 }
