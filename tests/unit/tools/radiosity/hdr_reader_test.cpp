@@ -1,5 +1,6 @@
 // Pictures in Radiance's format, byte by byte: runs of both kinds, factors, CIE XYZ, and all orders of
 // pixels.
+#include "tests/support/thrown.h"
 #include "tools/common/command_line.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
@@ -32,13 +33,9 @@ std::vector<int> reds(const HdrPicture &p) {
     return all;
 }
 
-std::string whyNot(const std::string &head, const std::string &size, const std::string &pixels) {
-    try {
-        read(head, size, pixels);
-    } catch (const common::Refused &e) {
-        return e.what();
-    }
-    return "it was read";
+bool refuses(const std::string &head, const std::string &size, const std::string &pixels,
+             const std::string &reason) {
+    return thrown<common::Refused>([&] { read(head, size, pixels); }).find(reason) != std::string::npos;
 }
 
 } // namespace
@@ -67,15 +64,26 @@ TEST(Hdr, RepeatsPixelsByOlderRuns) {
     EXPECT_EQ(reds(read("", "-Y 1 +X 257", a + bytes({1, 1, 1, 0, 1, 1, 1, 1}))), std::vector<int>(257, 200));
 }
 
+// Two rows of 8: the first has all four planes as runs, the second is plain.
+TEST(Hdr, ReadsNewerRuns) {
+    HdrPicture p = read("", "-Y 2 +X 8",
+                        bytes({2, 2, 0, 8, 136, 200, 136, 100, 136, 50, 136, 136}) +
+                            bytes({2, 2, 0, 8, 8, 1, 2, 3, 4, 5, 6, 7, 8, 136, 0, 136, 0, 136, 136}));
+    EXPECT_EQ(reds(p), (std::vector<int>{200, 200, 200, 200, 200, 200, 200, 200, 1, 2, 3, 4, 5, 6, 7, 8}));
+    EXPECT_EQ(p.pixels[7 * 3 + 1], 100);
+    EXPECT_EQ(p.pixels[7 * 3 + 2], 50);
+    EXPECT_EQ(p.pixels[15 * 3 + 1], 0);
+}
+
 TEST(Hdr, RefusesRunsThatDoNotFit) {
     std::string a = bytes({200, 2, 3, 136});
-    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 3})).find("longer than its row"),
-              std::string::npos);
-    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 9}))
-                  .find("longer than its row"),
-              std::string::npos);
-    EXPECT_NE(whyNot("", "-Y 1 +X 3", bytes({1, 1, 1, 3})).find("begins with a run"), std::string::npos);
-    EXPECT_NE(whyNot("", "-Y 1 +X 3", a + bytes({1, 1, 1, 1})).find("ends before"), std::string::npos);
+    const std::pair<std::string, const char *> kWrong[] = {
+        {a + bytes({1, 1, 1, 3}), "longer than its row"},
+        {a + bytes({1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 0, 1, 1, 1, 9}), "longer than its row"},
+        {bytes({1, 1, 1, 3}), "begins with a run"},
+        {a + bytes({1, 1, 1, 1}), "ends before"},
+    };
+    for (auto &[pixels, reason] : kWrong) EXPECT_TRUE(refuses("", "-Y 1 +X 3", pixels, reason)) << reason;
 }
 
 TEST(Hdr, DividesByAllFactors) {
@@ -87,7 +95,7 @@ TEST(Hdr, DividesByAllFactors) {
               (std::vector<float>{50, 10, 50}));
     for (const char *line : {"EXPOSURE=\n", "EXPOSURE=0\n", "EXPOSURE=-1\n", "EXPOSURE=nan\n", "EXPOSURE=x\n",
                              "COLORCORR=1 2\n", "COLORCORR=1 0 1\n"})
-        EXPECT_NE(whyNot(line, "-Y 1 +X 1", pixel).find("has a damaged line"), std::string::npos) << line;
+        EXPECT_TRUE(refuses(line, "-Y 1 +X 1", pixel, "has a damaged line")) << line;
 }
 
 // The primaries of sRGB in CIE XYZ (IEC 61966-2-1) in Radiance's lumens: 179 times the channels' values.
@@ -102,8 +110,7 @@ TEST(Hdr, TurnsXyzIntoSrgbsPrimaries) {
     // Radiance converts its pictures to XYZ in watts, with a factor in EXPOSURE
     p = read("EXPOSURE=5.586592e-03\nFORMAT=32-bit_rle_xyze\n", "-Y 1 +X 4", pixels);
     EXPECT_NEAR(p.pixels[0], 500, 3);
-    EXPECT_NE(whyNot("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels).find("format 32-bit_rle_spec"),
-              std::string::npos);
+    EXPECT_TRUE(refuses("FORMAT=32-bit_rle_spec\n", "-Y 1 +X 4", pixels, "format 32-bit_rle_spec"));
 }
 
 // One picture of three columns and two rows, 10 11 12 above 20 21 22, in all orders.
@@ -128,7 +135,5 @@ TEST(Hdr, ReadsAllOrders) {
         EXPECT_EQ(reds(p), (std::vector<int>{10, 11, 12, 20, 21, 22})) << order.size;
     }
     for (const char *size : {"-Y 1 -Y 1", "-X 1 +X 1", "Y 1 X 1", "-Z 1 +X 1", "1 1", "-Y 1", ""})
-        EXPECT_NE(whyNot("", size, bytes({1, 2, 3, 136})).find("no line like -Y HEIGHT +X WIDTH"),
-                  std::string::npos)
-            << size;
+        EXPECT_TRUE(refuses("", size, bytes({1, 2, 3, 136}), "no line like -Y HEIGHT +X WIDTH")) << size;
 }

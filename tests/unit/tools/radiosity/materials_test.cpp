@@ -1,4 +1,5 @@
 // Changes of materials: how they are read, their effect, and the errors.
+#include "tests/support/thrown.h"
 #include "tools/radiosity/read/material_changes.h"
 #include "tools/radiosity/read/mesh.h"
 
@@ -28,12 +29,7 @@ using Colour = std::array<float, 3>;
 
 // The error message for a change.
 std::string refusal(const std::string &option, const std::string &text) {
-    try {
-        changed({{option, text}});
-    } catch (const common::Refused &e) {
-        return e.what();
-    }
-    return "";
+    return thrown<common::Refused>([&] { changed({{option, text}}); });
 }
 
 } // namespace

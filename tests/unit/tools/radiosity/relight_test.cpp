@@ -1,9 +1,10 @@
 // Kept rows: the result equals a fresh solution, and damaged rows are harmless even with the right checksum.
 #include "tests/support/headless_gl.h"
+#include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
-#include "tools/radiosity/generate/generate.h"
+#include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/solution/kept.h"
 #include "tools/radiosity/solve/scaled.h"
 #include "tools/radiosity/solve/solve.h"
@@ -23,7 +24,6 @@ Workers &workers() {
 
 class Relight : public testing::TestWithParam<bool> {
 protected:
-    common::TemporaryFolder folder;
     Mesh mesh;
     SolveSettings settings;
     std::string rows, prepared;
@@ -31,10 +31,7 @@ protected:
 
     // Keeps the rows of a small room.
     void keep() {
-        std::vector<std::string> notes;
-        common::writeWhole(folder / "m.obj", "mtllib m.mtl\n" + generateObj("cube", 0));
-        common::writeWhole(folder / "m.mtl", generateMtl());
-        mesh = readModel(folder / "m.obj", {}, notes);
+        mesh = measure::generatedMesh("cube", 0);
         settings.element = 9, settings.rays = 16, settings.hemicube = 8, settings.patch = 36;
         if (GetParam()) settings.way = Way::kPatches;
         settings.keepRows = [this](std::string r, std::string p) {
@@ -51,6 +48,13 @@ protected:
         for (const auto &[option, text] : options) changes.push_back(readMaterialChange(option, text));
         changeMaterials(to.materials, std::vector<bool>(to.materials.size(), true), changes);
         return to;
+    }
+    // A fresh solution with these materials.
+    Solution solved(const Mesh &materials) {
+        Mesh whole = mesh;
+        whole.materials = materials.materials;
+        settings.resumed = {};
+        return solveModel(whole, settings, headlessGl(), workers(), &kNever, {}).solution;
     }
     Solution relit(const Mesh &materials, std::string_view rowsNow, std::string_view preparedNow) {
         settings.resumed = rowsNow;
@@ -76,11 +80,7 @@ double difference(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
 TEST_P(Relight, EqualsAFreshSolution) {
     keep();
     Mesh materials = changed({{"--power", "lamp=1,30,7"}, {"--reflectance", "white=0.2,0.9,1"}});
-    Solution kept = relit(materials, rows, prepared);
-    Mesh whole = mesh;
-    whole.materials = materials.materials;
-    settings.resumed = {};
-    Solution fresh = solveModel(whole, settings, headlessGl(), workers(), &kNever, {}).solution;
+    Solution kept = relit(materials, rows, prepared), fresh = solved(materials);
     EXPECT_LT(difference(fresh.light, kept.light), 1e-6);
     EXPECT_EQ(fresh.texels.size(), kept.texels.size());
     EXPECT_EQ(fresh.charts.size(), kept.charts.size());
@@ -114,22 +114,13 @@ TEST_P(Relight, SurvivesForgedRows) {
         std::string r = rows, p = prepared;
         std::string &to = i % 2 ? r : p;
         size_t at = i % 4 < 2 ? random() % to.size() : random() % std::min(to.size(), (size_t)4000);
-        switch (random() % 3) {
-        case 0:
+        if (auto way = random() % 3; way == 0)
             to[at] = (char)(to[at] ^ (1 << random() % 8));
-            break;
-        case 1:
+        else if (way == 1)
             to[at] = (char)random();
-            break;
-        default:
+        else
             to.resize(at);
-        }
-        try {
-            relit(materials, r, p);
-            ++solved;
-        } catch (const std::runtime_error &) {
-            ++refused;
-        }
+        ++(thrown([&] { relit(materials, r, p); }).empty() ? solved : refused);
     }
     EXPECT_GT(refused, runs / 4);
     EXPECT_GT(solved, runs / 8); // the value of a form factor may be any number
@@ -137,8 +128,7 @@ TEST_P(Relight, SurvivesForgedRows) {
 
 TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
     keep();
-    settings.resumed = {};
-    Solution base = solveModel(mesh, settings, headlessGl(), workers(), &kNever, {}).solution;
+    Solution base = solved(mesh);
     PreparedSolve ready(prepared, mesh.materials.size());
     using Changes = std::vector<std::pair<std::string, std::string>>;
     auto scales = [&](const Changes &changes, Solution b) {
@@ -148,9 +138,7 @@ TEST_P(Relight, IsScaledWhereAllLampsChangeAlike) {
             EXPECT_EQ(std::memcmp(b.light.data(), before.data(), before.size() * sizeof(Rgb)), 0);
             return false;
         }
-        Mesh whole = mesh;
-        whole.materials = materials.materials;
-        Solution fresh = solveModel(whole, settings, headlessGl(), workers(), &kNever, {}).solution;
+        Solution fresh = solved(materials);
         double most = 0;
         for (const Rgb &c : fresh.light) most = std::max(most, (double)maxComponent(c));
         if (most > 0)
@@ -209,14 +197,15 @@ TEST(Kept, RowsAreReadAsTheyWereWritten) {
     EXPECT_THROW(Kept(folder / "a.rows", Kept::Kind::kState), common::Refused);
     // A wrong byte or a missing end is always detected
     std::string all = common::readWhole(folder / "a.rows");
+    auto expectRefused = [&](const std::string &wrong) {
+        common::writeWhole(folder / "b.rows", wrong);
+        EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused);
+    };
     for (size_t i = 0; i < all.size(); ++i) {
         std::string wrong = all;
         wrong[i] = (char)(wrong[i] ^ 4);
-        common::writeWhole(folder / "b.rows", wrong);
-        EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused) << i;
-        common::writeWhole(folder / "b.rows", all.substr(0, i));
-        EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused) << i;
+        expectRefused(wrong);
+        expectRefused(all.substr(0, i));
     }
-    common::writeWhole(folder / "b.rows", all + "x");
-    EXPECT_THROW(Kept(folder / "b.rows", Kept::Kind::kRows), common::Refused);
+    expectRefused(all + "x");
 }
