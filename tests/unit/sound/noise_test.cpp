@@ -1,12 +1,10 @@
 // Bands of noise: the filter has the response it should, swept or not, and both sides differ.
 #include "base/maths.h"
 #include "base/random.h"
-#include "sound/note.h"
+#include "tests/support/voice.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <memory>
-#include <vector>
 
 using namespace odraz;
 
@@ -14,32 +12,16 @@ namespace {
 
 constexpr Instrument kBands = {.noise = 0.2f, .stretch = 1.3f, .decay = 1e6f, .spread = 1};
 
-std::unique_ptr<Voice> begun(const Instrument &kind, float key) {
-    auto voice = std::make_unique<Voice>();
-    beginVoice(*voice, {&kind, key, 1, 100, 0}, 7);
-    return voice;
-}
-
-std::vector<Float8> render(Voice &voice, double seconds) {
-    std::vector<Float8> out;
-    for (int time = 0; time < (int)(seconds * kSampleRate); time += kBlock) {
-        Float8 block[kBlock] = {};
-        renderVoice(voice, time, 1, 1, block);
-        out.insert(out.end(), block, block + kBlock);
-    }
-    return out;
-}
-
 } // namespace
 
 // The closed form of the analogue band-pass g s / (1 + k s + s^2) under the bilinear transform is a filter of
 // two poles. Fed the same noise, in double precision, it gives the same samples.
 TEST(Noise, IsFilteredAsInClosedForm) {
     for (float key : {30.f, 69.f, 93.f}) {
-        std::unique_ptr<Voice> voice = begun(kBands, key);
+        std::unique_ptr<Voice> voice = begun({&kBands, key, 1, 100, 0});
         Uint8 phase = voice->group[0].phase;
         Float8 amplitude = voice->group[0].amplitude;
-        std::vector<Float8> out = render(*voice, 0.5);
+        std::vector<Float8> out = rendered(*voice, 0.5);
         double error = 0, power = 0;
         for (int lane = 0; lane < 8; ++lane) {
             double g = std::tan(M_PI * (double)voice->group[0].turn[lane] / 4294967296.),
@@ -69,7 +51,7 @@ TEST(Noise, StaysBoundedHoweverItIsSwept) {
                 Instrument kind = kBands;
                 kind.noise = width, kind.bend = bend, kind.bendTime = time;
                 double most = 0;
-                for (Float8 x : render(*begun(kind, 69), 3))
+                for (Float8 x : rendered(*begun({&kind, 69, 1, 100, 0}), 3))
                     for (int lane = 0; lane < 8; ++lane) most = std::max(most, std::fabs((double)x[lane]));
                 EXPECT_LT(most, 1.2 * 1.5 / (double)width) << bend << ", " << time;
                 EXPECT_GT(most, 0.01) << bend << ", " << time;
@@ -77,7 +59,7 @@ TEST(Noise, StaysBoundedHoweverItIsSwept) {
 }
 
 TEST(Noise, DiffersOnBothSidesAndInAllBands) {
-    std::vector<Float8> x = render(*begun(kBands, 69), 1);
+    std::vector<Float8> x = rendered(*begun({&kBands, 69, 1, 100, 0}), 1);
     for (int a = 0; a < 8; ++a)
         for (int b = 0; b < a; ++b) {
             double aa = 0, bb = 0, ab = 0;

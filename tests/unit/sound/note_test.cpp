@@ -1,7 +1,6 @@
 // Notes: in tune, without aliases or clicks, and independent of where blocks join.
-#include "sound/note.h"
-
 #include "show/score.h"
+#include "tests/support/voice.h"
 #include "tools/measure/detect/recording.h"
 
 #include <cmath>
@@ -16,25 +15,26 @@ namespace {
 // The left side of a note, from its start.
 std::vector<double> render(const Instrument &kind, float key, double seconds, float velocity = 1,
                            float length = 100) {
-    auto voice = std::make_unique<Voice>();
-    beginVoice(*voice, {&kind, key, velocity, length, 0}, 7);
     std::vector<double> out;
-    for (int time = 0; time < (int)(seconds * kSampleRate); time += kBlock) {
-        Float8 block[kBlock] = {};
-        renderVoice(*voice, time, 1, 1, block);
-        for (Float8 x : block) out.push_back((double)x[0] + (double)x[1] + (double)x[2] + (double)x[3]);
-    }
+    for (Float8 x : rendered(*begun({&kind, key, velocity, length, 0}), seconds))
+        out.push_back((double)x[0] + (double)x[1] + (double)x[2] + (double)x[3]);
     return out;
 }
 
-// The phase of a frequency around a time, in turns.
-double phaseAt(const std::vector<double> &x, size_t from, size_t size, double hertz) {
-    std::complex<double> sum = 0;
-    for (size_t i = 0; i < size; ++i) {
-        double window = 0.5 - 0.5 * std::cos(2 * M_PI * (double)i / (double)size);
-        sum += x[from + i] * window * std::polar(1., -2 * M_PI * hertz * (double)(from + i) / kSampleRate);
-    }
-    return std::arg(sum) / (2 * M_PI);
+// By how many cents a sound is off a frequency, from how far its phase drifts between two times (in samples).
+double centsOff(const std::vector<double> &x, size_t from, size_t to, double hertz) {
+    auto phaseAt = [&](size_t from) { // in turns
+        constexpr size_t kSize = 16384;
+        std::complex<double> sum = 0;
+        for (size_t i = 0; i < kSize; ++i) {
+            double window = 0.5 - 0.5 * std::cos(2 * M_PI * (double)i / kSize);
+            sum +=
+                x[from + i] * window * std::polar(1., -2 * M_PI * hertz * (double)(from + i) / kSampleRate);
+        }
+        return std::arg(sum) / (2 * M_PI);
+    };
+    double drift = std::remainder(phaseAt(to) - phaseAt(from), 1);
+    return std::fabs(drift * kSampleRate / (double)(to - from) / hertz * 1200 / std::log(2));
 }
 
 constexpr Instrument kSine = {.partials = 4, .tilt = 60, .decay = 1000};
@@ -47,11 +47,7 @@ TEST(Note, IsInTuneOverEightOctaves) {
     double worst = 0;
     for (int key = 24; key <= 120; ++key) {
         double wanted = 440 * std::exp2((key - 69) / 12.);
-        std::vector<double> x = render(kSine, (float)key, 2);
-        // How far the phase drifts from the wanted frequency in a second
-        double drift = phaseAt(x, 72000, 16384, wanted) - phaseAt(x, 24000, 16384, wanted);
-        drift -= std::round(drift);
-        worst = std::max(worst, std::fabs(drift / wanted * 1200 / std::log(2)));
+        worst = std::max(worst, centsOff(render(kSine, (float)key, 2), 24000, 72000, wanted));
     }
     std::printf("off by at most %.5f cents\n", worst);
     EXPECT_LT(worst, 0.5);
@@ -60,16 +56,10 @@ TEST(Note, IsInTuneOverEightOctaves) {
 TEST(Note, HasThePartialsOfItsInstrument) {
     Instrument bell = {.partials = 4, .stretch = 1.5f, .decay = 1000};
     std::vector<double> x = render(bell, 69, 1.5);
-    for (int k = 1; k <= 4; ++k) {
-        double wanted = 440 * std::pow(k, 1.5);
-        double drift = phaseAt(x, 36000, 16384, wanted) - phaseAt(x, 24000, 16384, wanted);
-        drift -= std::round(drift);
-        EXPECT_LT(std::fabs(drift * 4 / wanted * 1731), 0.5) << k;
-    }
+    for (int k = 1; k <= 4; ++k) EXPECT_LT(centsOff(x, 24000, 36000, 440 * std::pow(k, 1.5)), 0.5) << k;
     // Left and right are out of tune by the same
     bell.detune = 0.001f;
-    auto voice = std::make_unique<Voice>();
-    beginVoice(*voice, {&bell, 69, 1, 1, 0}, 0);
+    auto voice = begun({&bell, 69, 1, 1, 0});
     for (int lane = 0; lane < 4; ++lane)
         EXPECT_NEAR((double)voice->group[0].turn[lane] / (double)voice->group[0].turn[lane + 4],
                     1.001 / 0.999, 1e-6);
@@ -118,14 +108,13 @@ TEST(Note, BendsWithoutAliasing) {
 }
 
 TEST(Note, IsAFunctionOfTime) {
-    auto voice = std::make_unique<Voice>();
     for (const Instrument &kind : kInstruments) {
         if (kind.noise > 0) continue; // the filters have a state
-        beginVoice(*voice, {&kind, 57, 0.7f, 1, 1}, 1234);
-        Float8 all[10][kBlock] = {}, one[kBlock] = {};
-        for (int i = 0; i < 10; ++i) renderVoice(*voice, i * kBlock, 1, 1, all[i]);
+        auto voice = begun({&kind, 57, 0.7f, 1, 1}, 1234);
+        std::vector<Float8> all = rendered(*voice, 10. * kBlock / kSampleRate);
+        Float8 one[kBlock] = {};
         renderVoice(*voice, 7 * kBlock, 1, 1, one);
-        EXPECT_EQ(std::memcmp(one, all[7], sizeof one), 0);
+        EXPECT_EQ(std::memcmp(one, &all[7 * kBlock], sizeof one), 0);
     }
 }
 

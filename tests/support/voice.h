@@ -1,0 +1,28 @@
+// Notes, rendered voice by voice.
+#pragma once
+
+#include "sound/note.h"
+
+#include <memory>
+#include <vector>
+
+namespace odraz {
+
+inline std::unique_ptr<Voice> begun(const Note &note, uint32_t seed = 7) {
+    auto voice = std::make_unique<Voice>();
+    beginVoice(*voice, note, seed);
+    return voice;
+}
+
+// The eight lanes of a voice, from its start: left in the first four, right in the others.
+inline std::vector<Float8> rendered(Voice &voice, double seconds) {
+    std::vector<Float8> out;
+    for (int time = 0; time < (int)(seconds * kSampleRate); time += kBlock) {
+        Float8 block[kBlock] = {};
+        renderVoice(voice, time, 1, 1, block);
+        out.insert(out.end(), block, block + kBlock);
+    }
+    return out;
+}
+
+} // namespace odraz
