@@ -84,16 +84,14 @@ void expectAllNamed(const Plot &plot) {
 }
 
 TEST(Plot, EveryPointIsNamedAndNothingOverprints) {
-    expectAllNamed(plotOf(1, 1, 1));
-    expectAllNamed(plotOf(12, 3, 1));
-    expectAllNamed(plotOf(120, 6, 1));
+    for (auto [count, series] : {std::pair{1, 1}, {12, 3}, {120, 6}})
+        expectAllNamed(plotOf(count, series, 1));
 }
 
 TEST(Plot, ACrowdIsDrawnLarger) {
     Plot plot = plotOf(60, 4, 0.02);
-    for (PlotPoint far :
-         {PlotPoint{1e-3, 1e-3, "near nothing", false, 0}, PlotPoint{1e3, 1e3, "far", false, 1}})
-        plot.points.push_back(far);
+    plot.points.push_back({1e-3, 1e-3, "near nothing", false, 0});
+    plot.points.push_back({1e3, 1e3, "far", false, 1});
     expectAllNamed(plot);
 }
 

@@ -1,6 +1,8 @@
 // Compares path tracing with closed forms: light on a bare floor, glass in an even sky, the shadow of a ball.
 #include "tools/measure/oracle/reference_picture.h"
 
+#include "tests/support/shapes.h"
+
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
@@ -13,20 +15,13 @@ namespace {
 constexpr int kSide = 16;
 
 struct Room {
-    std::unique_ptr<Scene> scene = std::make_unique<Scene>();
+    std::unique_ptr<Scene> scene = emptyScene();
     View view = lookAt({0, 3, -0.5f}, {0, 0, 0.5f}, 0, 20, kSide, kSide);
     Workers workers = serialWorkers();
 
-    explicit Room(float sky) {
-        scene->clear();
-        scene->ambientHigh = {sky, sky, sky};
-    }
-    int matte(float grey) {
-        Material m = {};
-        m.texture.palette[0] = {grey, grey, grey};
-        m.diffuse = 1;
-        return scene->add(m);
-    }
+    explicit Room(float sky) { scene->ambientHigh = {sky, sky, sky}; }
+    int matte(float grey) { return scene->add(odraz::matte({grey, grey, grey})); }
+    int glass() { return scene->add(Material{.ior = 1.5f}); }
     std::vector<Vec3d> trace(int samples, bool bounces = false) {
         return tracePaths(*scene, view, {bounces, samples, 20, 1}, workers);
     }
@@ -57,9 +52,7 @@ TEST(ReferencePicture, LightsAFloorAsTheFilmDoes) {
 
 TEST(ReferencePicture, ShowsNoGlassInAnEvenSky) {
     Room room(0.5f);
-    Material glass = {};
-    glass.ior = 1.5f;
-    room.scene->add(sphere({0, 0, 0}, 0.6f, room.scene->add(glass)));
+    room.scene->add(sphere({0, 0, 0}, 0.6f, room.glass()));
     for (const Vec3d &p : room.trace(16)) EXPECT_NEAR(p.y, 0.5, 1e-9);
 }
 
@@ -79,9 +72,7 @@ TEST(ReferencePicture, GathersBehindGlassWhatMeetsIt) {
     room.scene->add(Light{{0, 40, 0}, {1600, 1600, 1600}, 0.5f});
     room.view = lookAt({0, 6, -0.01f}, {0, 0, 0}, 0, 25, kSide, kSide);
     double bare = mean(room.trace(64));
-    Material glass = {};
-    glass.ior = 1.5f;
-    room.scene->add(sphere({0, 0.75f, 0}, 0.5f, room.scene->add(glass)));
+    room.scene->add(sphere({0, 0.75f, 0}, 0.5f, room.glass()));
     room.view = lookAt({0, -6, -0.01f}, {0, 0, 0}, 0, 25, kSide, kSide); // from below
     double gathered = mean(room.trace(64)) - bare, area = std::pow(12 * std::tan(12.5 * M_PI / 180), 2),
            meets = M_PI * 0.25 * std::pow(40 / 39.25, 2) / area * bare;

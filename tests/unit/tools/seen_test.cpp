@@ -35,17 +35,15 @@ TEST(Shown, WhatIsWrongIsReported) {
          {"1,1,made,1,64,36", "1,1,traced,3,64,36", "1,1,traced,nan,64,36", "1,1,traced,1,0,36",
           "1,1,traced,1,64,36,7", "nan,1,traced,1,64,36", "1,-1,traced,1,64,36", "1,1,between,1,64,36"})
         EXPECT_NE(wrongIn(std::string(row) + "\n"), "") << row;
-    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,64,36\n"), "");
-    EXPECT_EQ(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n2.5,2.5,between,1,64,36\n"
-                      "3,3,traced,1,64,36\n"),
-              "");
-    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n"), "");
-    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,32,36\n2.5,2.5,between,1,64,36\n"
-                      "3,3,traced,1,64,36\n"),
-              "");
-    EXPECT_NE(wrongIn("1,1,traced,1,64,36\n2,2,between,1,64,36\n3,3,traced,1,32,36\n"), "");
+    const std::string first = "1,1,traced,1,64,36\n", second = "2,2,between,1,64,36\n",
+                      third = "2.5,2.5,between,1,64,36\n", last = "3,3,traced,1,64,36\n";
+    EXPECT_EQ(wrongIn(first + second + last), "");
+    EXPECT_EQ(wrongIn(first + second + third + last), "");
+    EXPECT_NE(wrongIn(first + second), "");
+    EXPECT_NE(wrongIn(first + "2,2,between,1,32,36\n" + third + last), "");
+    EXPECT_NE(wrongIn(first + second + "3,3,traced,1,32,36\n"), "");
     EXPECT_NE(wrongIn("2,1,traced,1,64,36\n1,2,traced,1,64,36\n"), "");
-    EXPECT_NE(wrongIn("2,2,traced,1,64,36\n1,1,traced,1,64,36\n"), "");
+    EXPECT_NE(wrongIn("2,2,traced,1,64,36\n" + first), "");
 }
 
 TEST(Shown, TheLastOneThatCameStands) {
@@ -81,15 +79,9 @@ TEST(Shown, InBetweensHaveTheirGap) {
     EXPECT_NEAR(madeFrom(list, 1).gap(), 9, 1e-6);
 }
 
-struct Steady {
-    double rate;
-    int every;
-    float level;
-    int width;
-};
-Seen seenOf(Viewer &viewer, Steady s, double from, double to) {
+Seen seenOf(Viewer &viewer, const std::vector<Shown> &list, double from, double to) {
     Seen seen;
-    viewer.look(steady(from, to, s.rate, s.every, s.level, s.width, s.width * 9 / 16), from, to, seen);
+    viewer.look(list, from, to, seen);
     return seen;
 }
 
@@ -98,18 +90,17 @@ TEST(Viewer, SeesWhatCostsWhat) {
     if (kSanitized) GTEST_SKIP() << kFiguresAlone;
     constexpr double kFrom = 52.5, kTo = 52.7;
     Viewer viewer(320, 180, kFrom, kTo);
-    Seen film = seenOf(viewer, {60, 1, 0, 320}, kFrom, kTo);
+    auto seen = [&](double rate, int every, float level, int width) {
+        return seenOf(viewer, steady(kFrom, kTo, rate, every, level, width, width * 9 / 16), kFrom, kTo);
+    };
+    Seen film = seen(60, 1, 0, 320);
     EXPECT_EQ(film.sixtieths, 12);
     EXPECT_EQ(film.fresh, 11);
     EXPECT_EQ(film.flip, 0);
     EXPECT_EQ(film.srgbPsnr(), kMostPsnr);
-    Seen play = seenOf(viewer, {60, 1, 1, 320}, kFrom, kTo),
-         half = seenOf(viewer, {30, 1, 1, 320}, kFrom, kTo),
-         quarter = seenOf(viewer, {15, 1, 1, 320}, kFrom, kTo),
-         pairs = seenOf(viewer, {60, 2, 1, 320}, kFrom, kTo),
-         fours = seenOf(viewer, {60, 4, 1, 320}, kFrom, kTo),
-         thirty = seenOf(viewer, {30, 2, 1, 320}, kFrom, kTo),
-         small = seenOf(viewer, {60, 1, 1, 160}, kFrom, kTo);
+    Seen play = seen(60, 1, 1, 320), half = seen(30, 1, 1, 320), quarter = seen(15, 1, 1, 320),
+         pairs = seen(60, 2, 1, 320), fours = seen(60, 4, 1, 320), thirty = seen(30, 2, 1, 320),
+         small = seen(60, 1, 1, 160);
     EXPECT_EQ(half.fresh, 5);
     EXPECT_GT(play.srgbPsnr(), pairs.srgbPsnr());
     EXPECT_GT(pairs.srgbPsnr(), half.srgbPsnr() + 1);
@@ -126,12 +117,9 @@ TEST(Viewer, SeesWhatCostsWhat) {
 TEST(Viewer, RefusesWhatCannotBeShown) {
     constexpr double kFrom = 52.5, kTo = 52.6;
     Viewer viewer(320, 180, kFrom, kTo);
-    Seen film;
-    // Pictures larger than the screen
-    EXPECT_THROW(seenOf(viewer, {60, 1, 1, 640}, kFrom, kTo), common::Refused);
-    // A late start
-    EXPECT_THROW(viewer.look(steady(kFrom + 0.05, kTo, 60, 1, 1, 320, 180), kFrom, kTo, film),
-                 common::Refused);
+    for (const std::vector<Shown> &wrong : {steady(kFrom, kTo, 60, 1, 1, 640, 360), // larger than the screen
+                                            steady(kFrom + 0.05, kTo, 60, 1, 1, 320, 180)}) // a late start
+        EXPECT_THROW(seenOf(viewer, wrong, kFrom, kTo), common::Refused);
 }
 
 // What was seen does not depend on what was looked at before, though pictures are kept.
@@ -149,7 +137,7 @@ TEST(Viewer, SeesTheSameWithAndWithoutWhatItKeeps) {
     std::vector<std::vector<uint8_t>> first, again;
     Viewer viewer(160, 90, kFrom, kTo);
     Seen a = seenBy(viewer, first);
-    seenOf(viewer, {60, 6, 1.5f, 128}, kFrom, kTo);
+    seenOf(viewer, steady(kFrom, kTo, 60, 6, 1.5f, 128, 72), kFrom, kTo);
     Seen b = seenBy(viewer, again);
     EXPECT_EQ(first.size(), 24u);
     EXPECT_TRUE(first == again);
@@ -169,8 +157,7 @@ TEST(Viewer, SeesFasterMachinesDoBetter) {
             std::vector<Shown> list =
                 simulate([&](const Pictured &p) { return costs.of(p); }, {giga * 1e9, 4, 1280, 720}, 16, 54);
             for (Shown &s : list) s.width = 128, s.height = 72;
-            Seen seen;
-            viewer.look(list, from, from + kLength, seen);
+            Seen seen = seenOf(viewer, list, from, from + kLength);
             // All have as many pixels here, so what a machine spends on more of them does not show
             EXPECT_GT(seen.srgbPsnr(), lastPsnr - 0.3) << giga << " at " << from;
             EXPECT_LT(seen.meanFlip(), lastFlip + 0.002) << giga << " at " << from;

@@ -39,11 +39,7 @@ TEST(Simulated, ListsAreWellFormed) {
 }
 
 TEST(Simulated, WithoutLimitAllIsTracedAsWellAsCanBe) {
-    std::vector<Shown> list = simulate(
-        [](const Pictured &) {
-            return Cost{0, 0};
-        },
-        {1e30, 8, 1280, 720}, 0, 10);
+    std::vector<Shown> list = simulate([](const Pictured &) { return Cost{}; }, {1e30, 8, 1280, 720}, 0, 10);
     int traced = 0, between = 0;
     for (const Shown &s : list) {
         EXPECT_GE(s.at, 0);
