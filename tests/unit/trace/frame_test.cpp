@@ -1,6 +1,7 @@
 #include "inside.h"
 #include "show/font.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/planes.h"
 #include "trace/picture/development.h"
 #include "trace/picture/overlay.h"
 
@@ -18,11 +19,23 @@ struct Canvas {
         EXPECT_TRUE(makeFrame(frame, memory.arena, width, height));
     }
     float &at(int x, int y) { return frame.plane[0][y * frame.stride + x]; }
-    double sum() {
+    double sum() const {
         double s = 0;
-        for (int y = 0; y < frame.height; ++y)
-            for (int x = 0; x < frame.width; ++x) s += at(x, y);
+        for (float v : planeOf(frame, 0)) s += v;
         return s;
+    }
+    void fill(float radiance) {
+        for (float *plane : frame.plane)
+            std::fill_n(plane, (size_t)frame.stride * (size_t)frame.height, radiance);
+    }
+    void develop(float exposure = 1, uint32_t seed = 0) {
+        static const ToneCurve curve = [] {
+            ToneCurve made;
+            makeToneCurve(made);
+            return made;
+        }();
+        Workers workers = serialWorkers();
+        odraz::develop(curve, frame, workers, exposure, seed);
     }
 };
 
@@ -56,16 +69,13 @@ namespace {
 struct Developed {
     static constexpr int kWidth = 512;
     Canvas canvas;
-    ToneCurve curve;
 
     explicit Developed(const std::vector<float> &radiances, float exposure = 1, uint32_t seed = 0)
         : canvas(kWidth, (int)radiances.size()) {
-        makeToneCurve(curve);
         for (float *plane : canvas.frame.plane)
             for (size_t y = 0; y < radiances.size(); ++y)
                 std::fill_n(plane + y * kWidth, (size_t)kWidth, radiances[y]);
-        Workers workers = serialWorkers();
-        develop(curve, canvas.frame, workers, exposure, seed);
+        canvas.develop(exposure, seed);
     }
     int at(int x, int y, int c) const { return canvas.frame.rgba[(y * kWidth + x) * 4 + c]; }
     double mean(int y, int c = 0) const {
@@ -99,11 +109,8 @@ double correlation(const std::vector<double> &a, const std::vector<double> &b) {
 
 TEST(Develop, WritesEveryPixelOfOddSizes) {
     Canvas c(13, 5);
-    for (float *plane : c.frame.plane) std::fill_n(plane, (size_t)c.frame.stride * 5, 0.2f);
-    Workers workers = serialWorkers();
-    ToneCurve curve;
-    makeToneCurve(curve);
-    develop(curve, c.frame, workers, 1, 0);
+    c.fill(0.2f);
+    c.develop();
     for (int i = 0; i < 13 * 5; ++i) {
         EXPECT_EQ(c.frame.rgba[4 * i + 3], 255);
         for (int k = 0; k < 3; ++k) EXPECT_NEAR(c.frame.rgba[4 * i + k], exact(0.2f), 1.01);
@@ -114,19 +121,16 @@ TEST(Develop, WritesEveryPixelOfOddSizes) {
 // a picture of odd size, also at its edges, which have fewer neighbours.
 TEST(Develop, ShowsNoSparks) {
     constexpr int kWidth = 21, kHeight = 9;
-    Workers workers = serialWorkers();
-    ToneCurve curve;
-    makeToneCurve(curve);
     for (int at = 0; at < kWidth * kHeight; ++at) {
         int x = at % kWidth, y = at / kWidth;
         for (bool pair : {false, true}) {
             Canvas c(kWidth, kHeight);
+            c.fill(0.2f);
             for (float *plane : c.frame.plane) {
-                std::fill_n(plane, (size_t)c.frame.stride * kHeight, 0.2f);
                 plane[y * c.frame.stride + x] = 5;
                 if (pair) plane[(y ? y - 1 : 1) * c.frame.stride + x] = 5; // above it, or below
             }
-            develop(curve, c.frame, workers, 1, 0);
+            c.develop();
             EXPECT_NEAR(c.frame.rgba[4 * at], exact(pair ? 5 : 0.2f), 1.1) << x << ',' << y;
             EXPECT_NEAR(c.frame.rgba[4 * ((at + 3) % (kWidth * kHeight))], exact(0.2f), 1.1);
         }
@@ -178,11 +182,8 @@ TEST(Develop, ExtremesAreBlackOrWhite) {
 }
 
 TEST(Develop, ColoursHaveIndependentNoise) {
-    std::vector<double> noise[3];
-    for (int c = 0; c < 3; ++c) noise[c] = noiseOf(0, c);
-    EXPECT_LT(std::fabs(correlation(noise[0], noise[1])), 0.01); // of 131,072 pixels: 0.0028 is usual
-    EXPECT_LT(std::fabs(correlation(noise[1], noise[2])), 0.01);
-    EXPECT_LT(std::fabs(correlation(noise[2], noise[0])), 0.01);
+    for (int c = 0; c < 3; ++c) // of 131,072 pixels: 0.0028 is usual
+        EXPECT_LT(std::fabs(correlation(noiseOf(0, c), noiseOf(0, (c + 1) % 3))), 0.01);
 }
 
 TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
@@ -195,27 +196,22 @@ TEST(Develop, NoiseMovesWithItsSeedAndWithNothingElse) {
 // Where the film hardly moves, its noise does; the same time has the same noise.
 TEST(Develop, NoiseMovesWithTheFilm) {
     LoadedFilm film(1, 320, 180, false);
-    Intro *intro = film.intro;
-    const Frame &frame = intro->frame;
-    constexpr size_t kPixels = 320 * 180;
-    struct Shown {
-        std::vector<double> light; // red, in steps of 255
-        std::vector<uint8_t> rgba;
-    } shown[3];
-    const double times[3] = {15.5, 15.5, 15.5 + 1 / 60.};
-    for (int k = 0; k < 3; ++k) {
-        picture(*intro, 0, times[k], kQualities[(int)QualityName::Draft]);
-        shown[k].rgba.assign(frame.rgba, frame.rgba + 4 * kPixels);
-        for (size_t i = 0; i < kPixels; ++i)
-            shown[k].light.push_back(exact(frame.plane[0][i] * intro->film.scene->exposure));
-    }
-    EXPECT_EQ(shown[0].rgba, shown[1].rgba);
+    auto shown = [&](double time, std::vector<float> &red) {
+        Picture p = picture(*film.intro, 0, time, kQualities[(int)QualityName::Draft]);
+        red = planeOf(film.intro->frame, 0);
+        return std::vector<uint8_t>(p.rgba, p.rgba + 4 * 320 * 180);
+    };
+    std::vector<float> red, next;
+    std::vector<uint8_t> first = shown(15.5, red), again = shown(15.5, red),
+                         then = shown(15.5 + 1 / 60., next);
+    EXPECT_EQ(first, again);
+    float exposure = film.intro->film.scene->exposure;
     int still = 0, moved = 0;
-    for (size_t i = 0; i < kPixels; ++i) {
-        double light = shown[1].light[i];
-        if (light < 1 || light > 254 || std::fabs(shown[2].light[i] - light) > 0.02) continue;
+    for (size_t i = 0; i < red.size(); ++i) {
+        double light = exact(red[i] * exposure); // in steps of 255
+        if (light < 1 || light > 254 || std::fabs(exact(next[i] * exposure) - light) > 0.02) continue;
         ++still;
-        moved += shown[1].rgba[4 * i] != shown[2].rgba[4 * i];
+        moved += first[4 * i] != then[4 * i];
     }
     EXPECT_GT(still, 3000);
     EXPECT_GT(moved, still / 4); // without noise: one in a hundred

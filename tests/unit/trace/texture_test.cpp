@@ -1,9 +1,10 @@
 // Noise and materials, compared with a plain implementation of the noise in double precision, and by
 // statistics.
 #include "show/materials.h"
+#include "tests/support/dice.h"
+#include "tools/engine/vec3d.h"
 #include "trace/texture/noise.h"
 
-#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -46,39 +47,34 @@ double plainNoise(double x, double y, double z) {
 }
 
 // The mean of colourAt(places), at random places.
-template <class ColourAt>
-std::array<double, 3> meanColourAt(std::mt19937 &random, int packets, ColourAt colourAt) {
-    std::uniform_real_distribution<float> place(-40, 40);
-    std::array<double, 3> mean = {};
+template <class ColourAt> Vec3d meanColourAt(Dice &dice, int packets, ColourAt colourAt) {
+    Vec3d sum = {};
     for (int i = 0; i < packets; ++i) {
         Vec3x8 p;
-        for (int k = 0; k < 8; ++k) p.x[k] = place(random), p.y[k] = place(random), p.z[k] = place(random);
+        for (int k = 0; k < 8; ++k) setLane(p, k, dice.point(40));
         Rgb8 c = colourAt(p);
-        mean[0] += (double)total(c.x), mean[1] += (double)total(c.y), mean[2] += (double)total(c.z);
+        sum = sum + toDouble({total(c.x), total(c.y), total(c.z)});
     }
-    for (double &m : mean) m /= 8. * packets;
-    return mean;
+    return sum / (8. * packets);
 }
 
 } // namespace
 
 TEST(Noise, AgreesWithItsPlainStatement) {
-    std::mt19937 random(3);
-    std::uniform_real_distribution<float> place(-200, 200);
+    Dice dice(3);
     for (int i = 0; i < 20000; ++i) {
-        float x = place(random), y = place(random), z = place(random);
-        ASSERT_NEAR(noiseAt(x, y, z), plainNoise(x, y, z), 1e-4);
+        Vec3 p = dice.point(200);
+        ASSERT_NEAR(noiseAt(p.x, p.y, p.z), plainNoise(p.x, p.y, p.z), 1e-4);
     }
 }
 
 TEST(Noise, IsZeroOnTheLatticeAndBoundedWithMeanZero) {
     for (int i = -9; i < 9; ++i) EXPECT_EQ(noiseAt(i, 3 * i, -i), 0);
-    std::mt19937 random(4);
-    std::uniform_real_distribution<float> place(-500, 500);
+    Dice dice(4);
     double sum = 0, squares = 0, most = 0;
     constexpr int kCount = 200000;
     for (int i = 0; i < kCount; ++i) {
-        double n = noiseAt(place(random), place(random), place(random));
+        double n = noise(broadcast(dice.point(500)))[0];
         sum += n, squares += n * n, most = std::fmax(most, std::fabs(n));
     }
     EXPECT_NEAR(sum / kCount, 0, 0.005);
@@ -88,22 +84,17 @@ TEST(Noise, IsZeroOnTheLatticeAndBoundedWithMeanZero) {
 }
 
 TEST(Noise, LooksAlikeAlongEveryAxis) {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<float> place(-500, 500);
-    double slope[3] = {};
-    constexpr int kCount = 60000;
-    for (int i = 0; i < kCount; ++i) {
-        float p[3] = {place(random), place(random), place(random)};
-        for (int k = 0; k < 3; ++k) {
-            float q[3] = {p[0], p[1], p[2]};
-            q[k] += 0.01f;
-            double d = (noiseAt(q[0], q[1], q[2]) - noiseAt(p[0], p[1], p[2])) / 0.01;
-            slope[k] += d * d / kCount;
-        }
+    Dice dice(5);
+    Vec3 slope = {};
+    for (int i = 0; i < 60000; ++i) {
+        Vec3 p = dice.point(500);
+        // A step along each axis, in a lane each
+        Float8 at = noise(broadcast(p) + Vec3x8{Float8{0.01f}, Float8{0, 0.01f}, Float8{0, 0, 0.01f}});
+        Vec3 d = Vec3{at[0] - at[3], at[1] - at[3], at[2] - at[3]};
+        slope += d * d;
     }
-    EXPECT_NEAR(slope[0] / slope[1], 1, 0.1);
-    EXPECT_NEAR(slope[2] / slope[1], 1,
-                0.35); // z is chosen a little more often, as in Perlin's own twelve
+    EXPECT_NEAR(slope.x / slope.y, 1, 0.1);
+    EXPECT_NEAR(slope.z / slope.y, 1, 0.35); // z is chosen a little more often, as in Perlin's own twelve
 }
 
 TEST(Noise, IsContinuousAcrossCells) {
@@ -130,21 +121,16 @@ TEST(Noise, OctavesFadeBeforeTheyAlias) {
 
 // White and black squares.
 static Material checker(float cell) {
-    Material m = {};
-    m.texture = {Pattern::Plain, 1, {{1, 1, 1}}};
-    m.other = {Pattern::Plain, 1, {{0, 0, 0}}};
-    m.cell = cell;
-    return m;
+    return {.texture = {Pattern::Plain, 1, {{1, 1, 1}}}, .other = {Pattern::Plain, 1, {}}, .cell = cell};
 }
 
 // The filtered checker is the average of the sharp one.
 TEST(Checker, IsFilteredLikeManySamples) {
     Material m = checker(0.5f);
     Int8 cell;
-    std::mt19937 random(6);
-    std::uniform_real_distribution<float> place(-3, 3), size(0.01f, 1.5f);
+    Dice dice(6);
     for (int i = 0; i < 200; ++i) {
-        float x = place(random), z = place(random), w = size(random);
+        float x = dice(-3, 3), z = dice(-3, 3), w = dice(0.01f, 1.5f);
         Vec3x8 down = broadcast(Vec3{0, -1, 0});
         float filtered = albedo(m, broadcast(Vec3{x, 0, z}), down, broadcast(1.f), broadcast(w), cell).x[0];
         double sum = 0;
@@ -205,12 +191,12 @@ TEST(Materials, AreColoursEverywhere) {
 
 // The shares in a pattern's row are measured ones, and sum to 1.
 TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
-    std::mt19937 random(8);
+    Dice dice(8);
     for (const PatternTraits &row : kPatterns) {
         EXPECT_NEAR(row.shares[0] + row.shares[1] + row.shares[2] + row.shares[3], 1, 1e-6);
         Texture t = {
             .pattern = row.pattern, .scale = 1, .palette = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}};
-        auto shares = meanColourAt(random, 10000, [&](Vec3x8 p) { return colour(t, p, broadcast(1e-3f)); });
+        auto shares = meanColourAt(dice, 10000, [&](Vec3x8 p) { return colour(t, p, broadcast(1e-3f)); });
         for (size_t c = 0; c < 3; ++c)
             EXPECT_NEAR((double)row.shares[c], shares[c], 0.03) << (int)row.pattern << ' ' << c;
     }
@@ -218,16 +204,15 @@ TEST(Patterns, ShowTheirColoursInTheSharesOfTheirRows) {
 
 // Radiosity uses the mean of a pattern: it must be the mean of what is seen.
 TEST(Material, MeanAlbedoIsTheMean) {
-    std::mt19937 random(5);
+    Dice dice(5);
     for (const Material &m :
          {kDarkMarble, kSlate, kGranite, kOak, kLimestone, kBeamAcross, kBoards, kHallFloor}) {
-        auto mean = meanColourAt(random, 20000, [&](Vec3x8 p) {
+        auto mean = meanColourAt(dice, 20000, [&](Vec3x8 p) {
             Int8 cell;
             return albedo(m, p, broadcast(Vec3{0, -1, 0}), broadcast(1.f), broadcast(1e-3f), cell);
         });
-        Rgb stated = meanAlbedo(m);
-        const double values[3] = {stated.x, stated.y, stated.z};
+        Vec3d stated = toDouble(meanAlbedo(m));
         for (size_t c = 0; c < 3; ++c)
-            EXPECT_NEAR(values[c], mean[c], 0.04 * values[c]) << (int)m.texture.pattern;
+            EXPECT_NEAR(stated[c], mean[c], 0.04 * stated[c]) << (int)m.texture.pattern;
     }
 }
