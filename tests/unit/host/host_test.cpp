@@ -4,6 +4,8 @@
 #include "host/headless.h"
 #include "host/process.h"
 #include "host/threads.h"
+#include "tools/common/temporary_folder.h"
+#include "tools/common/whole_file.h"
 
 #include <algorithm>
 #include <cpuid.h>
@@ -12,7 +14,6 @@
 #include <ctime>
 #include <fcntl.h>
 #include <filesystem>
-#include <fstream>
 #include <gtest/gtest.h>
 #include <sched.h>
 #include <sstream>
@@ -111,16 +112,22 @@ TEST(Machine, ReportsTheSizeOfItsFile) {
     EXPECT_EQ(ownSize(), (long)std::filesystem::file_size("/proc/self/exe"));
 }
 
-TEST(Files, AreWholeOrAbsent) {
-    std::string folder = testing::TempDir() + "odraz_files";
-    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr);
-    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr); // again
-    std::string path = folder + "/a";
+namespace {
+
+struct Files : testing::Test {
+    common::TemporaryFolder temporary;
+    std::string folder = temporary / "new", path = folder + "/a";
+    Files() { EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); }
+    long count() const { return std::distance(std::filesystem::directory_iterator(folder), {}); }
+};
+
+} // namespace
+
+TEST_F(Files, AreWholeOrAbsent) {
+    EXPECT_EQ(makeDirectory(folder.c_str()), nullptr); // again
     EXPECT_EQ(writeFile(path.c_str(), "hello", 5), nullptr);
-    std::string text;
-    std::ifstream(path) >> text;
-    EXPECT_EQ(text, "hello");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 1);
+    EXPECT_EQ(common::readWhole(path), "hello");
+    EXPECT_EQ(count(), 1);
     EXPECT_STREQ(writeFile((folder + "/none/a").c_str(), "x", 1), "no such directory");
     EXPECT_STREQ(makeDirectory(path.c_str()), "not a directory");
     EXPECT_STREQ(writeFile(std::string(5000, 'a').c_str(), "x", 1), "the name is too long");
@@ -129,12 +136,9 @@ TEST(Files, AreWholeOrAbsent) {
 
 // The name of a file's temporary part may be in use: a link must not be followed, and a pipe must not be
 // waited for.
-TEST(Files, LeaveOthersPartsAlone) {
-    std::string folder = testing::TempDir() + "odraz_parts";
-    std::filesystem::remove_all(folder);
-    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr);
-    std::string path = folder + "/a", theirs = folder + "/theirs";
-    std::ofstream(theirs) << "precious";
+TEST_F(Files, LeaveOthersPartsAlone) {
+    std::string theirs = folder + "/theirs";
+    common::writeWhole(theirs, "precious");
     auto part = [&](int i) {
         std::string digits = std::to_string(getpid() + i); // the last name first
         return path + "." + std::string(digits.rbegin(), digits.rend()) + ".part";
@@ -142,16 +146,13 @@ TEST(Files, LeaveOthersPartsAlone) {
     ASSERT_EQ(symlink(theirs.c_str(), part(0).c_str()), 0);
     ASSERT_EQ(mkfifo(part(1).c_str(), 0666), 0);
     EXPECT_EQ(writeFile(path.c_str(), "hello", 5), nullptr);
-    std::string text, kept;
-    std::ifstream(path) >> text;
-    std::ifstream(theirs) >> kept;
-    EXPECT_EQ(text, "hello");
-    EXPECT_EQ(kept, "precious");
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 4);
+    EXPECT_EQ(common::readWhole(path), "hello");
+    EXPECT_EQ(common::readWhole(theirs), "precious");
+    EXPECT_EQ(count(), 4);
     EXPECT_STREQ(writeFile((folder + "/" + std::string(254, 'a')).c_str(), "x", 1), "the name is too long");
 }
 
-TEST(Files, FillPipesThatDoNotBlock) {
+TEST_F(Files, FillPipesThatDoNotBlock) {
     int ends[2];
     ASSERT_EQ(pipe2(ends, O_NONBLOCK), 0);
     std::vector<char> much(1 << 20, 'x');
@@ -170,20 +171,17 @@ TEST(Files, FillPipesThatDoNotBlock) {
     EXPECT_EQ(got, much.size());
 }
 
-TEST(Files, BeyondTheLimitAreNotLeft) {
-    std::string folder = testing::TempDir() + "odraz_limit";
-    std::filesystem::remove_all(folder);
-    ASSERT_EQ(makeDirectory(folder.c_str()), nullptr);
+TEST_F(Files, BeyondTheLimitAreNotLeft) {
     prepareDescriptors();
     rlimit before, small = {4096, RLIM_INFINITY};
     ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
     small.rlim_max = before.rlim_max;
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
     std::vector<char> much(10000, 'x');
-    const char *wrong = writeFile((folder + "/a").c_str(), much.data(), much.size());
+    const char *wrong = writeFile(path.c_str(), much.data(), much.size());
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_STREQ(wrong, "the limit on a file's size is reached (ulimit -f)");
-    EXPECT_TRUE(std::filesystem::is_empty(folder));
+    EXPECT_EQ(count(), 0);
 }
 
 // Reads back the picture that a headless context was cleared to.
