@@ -3,6 +3,7 @@
 #include "inside.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/planes.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -28,15 +29,11 @@ TEST_P(Sweep, EveryPictureIsOne) {
     double before = -1, darkest = 1e9;
     for (double t = from ? std::atof(from) : 0; t < duration(); t += 0.25) {
         picture(*intro, 0, t, kQualities[(int)GetParam()]);
-        const Frame &f = intro->frame;
         double sum = 0;
-        for (int y = 0; y < f.height; ++y)
-            for (int x = 0; x < f.width; ++x)
-                for (const float *plane : f.plane) {
-                    float v = plane[y * f.stride + x];
-                    ASSERT_TRUE(v >= 0 && v < 1e6f) << t << " s, pixel " << x << ' ' << y << ": " << v;
-                    sum += (double)v;
-                }
+        for (float v : planesOf(intro->frame)) {
+            ASSERT_TRUE(v >= 0 && v < 1e6f) << t << " s: " << v;
+            sum += (double)v;
+        }
         // As exposed: the hall at night is dark, and its exposure high. Only the cut to black on the last
         // beat has no exposure
         double exposure = (double)intro->film.scene->exposure,

@@ -4,8 +4,10 @@
 #include "show/events.h"
 #include "tests/support/headless_gl.h"
 #include "tests/support/loaded_film.h"
+#include "tests/support/planes.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
+#include "tests/support/shots.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -25,8 +27,6 @@ Intro &film() {
     static LoadedFilm loaded(1, 160, 90, false, needsHall(0, duration()) ? &headlessGl() : nullptr);
     return *loaded.intro;
 }
-
-float endOf(int shot) { return shot + 1 < kFilm.count ? kFilm.shots[shot + 1].row : kFilm.endRow; }
 
 } // namespace
 
@@ -60,10 +60,8 @@ TEST(Rules, CamerasDoNotJump) {
         for (double t = start + kStep; t + kStep < end; t += kStep) {
             // Never before the cut, however t is rounded
             CameraKey a = cameraAt(std::fmax(t - kStep, start)), b = cameraAt(t);
-            float turned = dot(normalize(a.target - a.eye), normalize(b.target - b.eye));
             EXPECT_LT(length(b.eye - a.eye) / kStep, kFastest) << "at " << t << " s";
-            EXPECT_LT(std::acos(std::fmin(1., (double)turned)) * 57.3 / kStep, kFastestTurn)
-                << "at " << t << " s";
+            EXPECT_LT(degreesBetween(a, b) / kStep, kFastestTurn) << "at " << t << " s";
         }
     }
 }
@@ -86,11 +84,9 @@ TEST(Rules, TheCameraIsNeverInsideAThing) {
     for (double t = 0; t < duration(); t += kSanitized ? 0.5 : 0.1) {
         Posed now = poseAt(film().film, t);
         Vec3 eye = now.input.camera.eye;
-        for (int i = 0; i < scene->shapeCount; ++i) {
-            const Shape &s = scene->shapes[i];
-            EXPECT_GE(distanceFrom(s, eye), 0.1f)
+        for (int i = 0; i < scene->shapeCount; ++i)
+            EXPECT_GE(distanceFrom(scene->shapes[i], eye), 0.1f)
                 << "at " << t << " s in shape " << i << " of " << now.entry->name;
-        }
     }
 }
 
@@ -99,14 +95,11 @@ TEST(Rules, EveryPictureIsThereWithoutNaN) {
     for (double t = 0; t < duration(); t += kSanitized ? 5 : 1) {
         picture(film(), 0, t, kQualities[(int)QualityName::Play]);
         EXPECT_STREQ(outgrown(film()), nullptr) << t;
-        const Frame &f = film().frame;
         double sum = 0;
-        for (int y = 0; y < f.height; ++y)
-            for (int x = 0; x < f.width; ++x)
-                for (float *plane : f.plane) {
-                    ASSERT_TRUE(plane[y * f.stride + x] >= 0) << t;
-                    sum += plane[y * f.stride + x];
-                }
+        for (float v : planesOf(film().frame)) {
+            ASSERT_TRUE(v >= 0) << t;
+            sum += v;
+        }
         dark += sum < 1;
     }
     EXPECT_LE(dark, kDarkSeconds);

@@ -1,0 +1,19 @@
+// The film's shots and cameras, as its tests look at them.
+#pragma once
+
+#include "show/show.h"
+
+#include <cmath>
+
+namespace odraz {
+
+// The row at which a shot ends.
+inline float endOf(int shot) { return shot + 1 < kFilm.count ? kFilm.shots[shot + 1].row : kFilm.endRow; }
+
+// The angle between the directions in which two cameras look.
+inline double degreesBetween(const CameraKey &a, const CameraKey &b) {
+    float cosine = dot(normalize(a.target - a.eye), normalize(b.target - b.eye));
+    return std::acos(std::fmin(1., (double)cosine)) * 57.3;
+}
+
+} // namespace odraz
