@@ -2,6 +2,7 @@
 #include "radiosity/spread.h"
 #include "radiosity/ties.h"
 #include "radiosity/visible.h"
+#include "tests/support/dice.h"
 #include "tests/support/model_bench.h"
 #include "tests/support/room.h"
 #include "trace/rays/intersect.h"
@@ -20,6 +21,11 @@ struct Divided : ModelBench {
         pose();
         ASSERT_TRUE(model->divide(*scene, memory.arena, workers, block, levels));
         settleFresh(*model);
+    }
+    template <class Of> std::vector<float> plane(Of of) const {
+        std::vector<float> all((size_t)model->texelRoom + 8);
+        for (int i = 0; i < model->texelCount; ++i) all[(size_t)i] = of(model->texels[i]);
+        return all;
     }
     // The value of a plane at a place of a chart, as the tracer computes it.
     float at(const std::vector<float> &plane, int chart, float u, float v) const {
@@ -48,8 +54,7 @@ TEST(Quadtree, HasNoCracksWhateverIsDivided) {
         settleFresh(m);
         for (int i = 0; i < m.texelCount; ++i) m.texels[i].visible = 15;
         tie(m);
-        std::vector<float> plane((size_t)m.texelCount + 8);
-        for (float &v : plane) v = (float)(random() % 1000) * 0.001f;
+        auto plane = d.plane([&](const Texel &) { return (float)(random() % 1000) * 0.001f; });
         settle(m, plane.data());
         // Along the border of every cell, just inside and just outside
         for (int i = 0; i < m.cellCount; ++i) {
@@ -61,12 +66,14 @@ TEST(Quadtree, HasNoCracksWhateverIsDivided) {
             for (int k = 0; k <= 16; ++k) {
                 float u = ((float)low.x + (float)(high.x - low.x) * (float)k / 16) * du,
                       v = ((float)low.y + (float)(high.y - low.y) * (float)k / 16) * dv;
-                for (float side : {(float)low.x * du, (float)high.x * du})
-                    ASSERT_NEAR(d.at(plane, 0, side - 2e-5f, v), d.at(plane, 0, side + 2e-5f, v), 2e-3f)
+                auto expectEven = [&](float u, float v, float du, float dv) {
+                    ASSERT_NEAR(d.at(plane, 0, u - du, v - dv), d.at(plane, 0, u + du, v + dv), 2e-3f)
                         << seed;
-                for (float side : {(float)low.y * dv, (float)high.y * dv})
-                    ASSERT_NEAR(d.at(plane, 0, u, side - 2e-5f), d.at(plane, 0, u, side + 2e-5f), 2e-3f)
-                        << seed;
+                };
+                for (const Texel *t : {&low, &high}) {
+                    expectEven((float)t->x * du, v, 2e-5f, 0);
+                    expectEven(u, (float)t->y * dv, 0, 2e-5f);
+                }
             }
         }
     }
@@ -145,19 +152,17 @@ TEST(Refine, FollowsTheEdge) {
     d.divide();
     Model &m = *d.model;
     auto light = [](float u, float v) { return u + 0.3f * v > 5 ? 1.f : 0.f; };
-    std::vector<float> plane((size_t)m.texelRoom + 8);
-    auto fill = [&] {
-        for (int i = 0; i < m.texelCount; ++i)
-            m.texels[i].visible = 15,
-            plane[(size_t)i] = light((float)m.texels[i].x / kSteps, (float)m.texels[i].y / kSteps);
-        settleFresh(m);
+    auto lit = [&] {
+        for (int i = 0; i < m.texelCount; ++i) m.texels[i].visible = 15;
+        return d.plane([&](const Texel &t) { return light((float)t.x / kSteps, (float)t.y / kSteps); });
     };
-    fill();
+    std::vector<float> plane = lit();
     for (int level = 0; level < kFinest; ++level) {
         Measure seen;
         ASSERT_TRUE(measure(m, plane.data(), 0.2f, seen));
         refine(m, level, &seen, 1, 0.2f);
-        fill();
+        plane = lit();
+        settleFresh(m);
     }
     for (int i = 0; i < m.cellCount; ++i) {
         const Cell &cell = m.cells[i];
@@ -190,13 +195,10 @@ TEST(Refine, DividesWhatIsHiddenInPart) {
         findVisible(m, *d.scene, d.workers);
         settleFresh(m);
     }
-    std::vector<float> plane((size_t)m.texelCount + 8);
     int hidden = 0;
-    for (int i = 0; i < m.texelCount; ++i) {
-        const Texel &t = m.texels[i];
-        const Chart &c = m.charts[t.chart];
-        if (t.chart != 0) continue;
-        Vec3 p = c.at((float)t.x / kSteps, (float)t.y / kSteps);
+    auto plane = d.plane([&](const Texel &t) {
+        if (t.chart != 0) return 0.f;
+        Vec3 p = m.charts[0].at((float)t.x / kSteps, (float)t.y / kSteps);
         bool under = std::fabs(p.x) < 1.2f && std::fabs(p.z) < 1.2f;
         if (under) {
             EXPECT_EQ(t.visible, 0) << p.x << ' ' << p.z;
@@ -204,8 +206,8 @@ TEST(Refine, DividesWhatIsHiddenInPart) {
             EXPECT_NE(t.visible, 0) << p.x << ' ' << p.z;
         }
         hidden += t.visible == 0;
-        plane[(size_t)i] = t.visible ? 5.f : 0.f;
-    }
+        return t.visible ? 5.f : 0.f;
+    });
     EXPECT_GT(hidden, 20);
     tie(m);
     settle(m, plane.data());
@@ -241,37 +243,30 @@ TEST(Hidden, InOpenModelsOnlyWhatSeesNothingElse) {
 
 TEST(Triangles, AreMetAsPartOfTheirChart) {
     auto scene = std::make_unique<Scene>();
-    std::mt19937 random(7);
-    auto coordinate = [&] { return (float)(random() % 2000) * 0.001f - 1; };
+    Dice dice(7);
     // Two triangles share a side: no ray passes between them, and rays beside both miss
     for (int i = 0; i < 200; ++i) {
         scene->clear();
-        Vec3 a = {coordinate(), coordinate(), coordinate()}, u = {coordinate(), coordinate(), coordinate()},
-             v = {coordinate(), coordinate(), coordinate()};
+        Vec3 a = dice.point(1), u = dice.point(1), v = dice.point(1);
         if (length(cross(u, v)) < 0.05f) continue;
         Vec3 n = normalize(cross(u, v));
         scene->add(triangle(a, u, v, n));
         scene->add(triangle(a + u + v, -u, -v, n));
         scene->finish();
         for (int k = 0; k < 50; ++k) {
-            float s = coordinate() * 0.5f + 0.5f, t = k % 2 ? 1 - s : coordinate() * 0.5f + 0.5f;
-            Vec3 p = a + u * s + v * t, from = p + n * 2.f + u * coordinate();
-            Vec3 dir = normalize(p - from);
-            Ray8 ray = {broadcast(from), broadcast(dir)};
-            Hit8 hit = intersect(*scene, ray, kLanes < 1);
-            bool inside = s > 1e-3f && s < 0.999f && t > 1e-3f && t < 0.999f;
-            if (inside) {
-                ASSERT_NEAR(hit.t[0], length(p - from), 1e-4f);
-            }
+            float s = dice(0, 1), t = k % 2 ? 1 - s : dice(0, 1);
+            Vec3 p = a + u * s + v * t, from = p + n * 2.f + u * dice(-1, 1);
+            auto meet = [&](Vec3 o, Vec3 d) {
+                return intersect(*scene, {broadcast(o), broadcast(d)}, kLanes < 1);
+            };
             Vec3 out = a + u * (1.01f + std::fabs(s)) + v * t;
-            Ray8 past = {broadcast(out + n), broadcast(-n)};
-            ASSERT_EQ(intersect(*scene, past, kLanes < 1).shape[0], -1);
+            ASSERT_EQ(meet(out + n, -n).shape[0], -1);
             // A ray from behind does not hit; light is stopped from both sides
+            ASSERT_EQ(meet(p - n, n).shape[0], -1);
+            if (s < 1e-3f || s > 0.999f || t < 1e-3f || t > 0.999f) continue;
+            ASSERT_NEAR(meet(from, normalize(p - from)).t[0], length(p - from), 1e-4f);
             Ray8 behind = {broadcast(p - n), broadcast(n)};
-            ASSERT_EQ(intersect(*scene, behind, kLanes < 1).shape[0], -1);
-            if (inside) {
-                ASSERT_EQ(transmittance(*scene, behind, broadcast(2.f), kLanes < 1, broadcast(-1)).x[0], 0);
-            }
+            ASSERT_EQ(transmittance(*scene, behind, broadcast(2.f), kLanes < 1, broadcast(-1)).x[0], 0);
         }
     }
 }
