@@ -46,9 +46,8 @@ std::vector<float> rendered(Mixer &m, int blocks) {
 
 // Counts the denormal numbers in a struct of floats.
 template <class T> long denormals(const T &of) {
-    const float *x = (const float *)&of;
-    return std::count_if(x, x + sizeof of / (sizeof(float)),
-                         [](float v) { return std::fpclassify(v) == FP_SUBNORMAL; });
+    const float *from = (const float *)&of, *to = (const float *)(&of + 1);
+    return std::count_if(from, to, [](float v) { return std::fpclassify(v) == FP_SUBNORMAL; });
 }
 
 // The largest of some samples.
