@@ -4,12 +4,27 @@
 #include "tests/support/shapes.h"
 #include "trace/shade/whitted.h"
 
+#include <numeric>
+#include <vector>
+
 namespace odraz {
 
 // Leaves nothing out: twelve bounces, however faint.
 inline constexpr Quality kExact = {.grid = 1, .depth = 12, .cutoff = 1e-6f};
 // No beam: all shapes are candidates.
 inline constexpr Candidates kAll = {-1, {}, {}, {}};
+
+// Samples of places in a picture, each as wide as a pixel.
+inline std::vector<Sample> samplesAt(const Scene &scene, const View &view, QualityName quality,
+                                     const std::vector<float> &x, const std::vector<float> &y) {
+    auto scratch = std::make_unique<TraceScratch>();
+    std::vector<Sample> samples(x.size());
+    std::vector<uint32_t> index(x.size());
+    std::iota(index.begin(), index.end(), 0u);
+    traceSamples(scene, view, kQualities[(int)quality], *scratch, kAll, 1, (int)x.size(), x.data(), y.data(),
+                 index.data(), samples.data());
+    return samples;
+}
 
 struct RayTracer {
     std::unique_ptr<Scene> scene = emptyScene();

@@ -14,7 +14,6 @@ using namespace odraz;
 
 namespace {
 
-Vec3d exact(Vec3 v) { return {v.x, v.y, v.z}; }
 Vec3 lane(const Vec3x8 &v) { return {v.x[0], v.y[0], v.z[0]}; }
 
 Material plain(float diffuse) {
@@ -42,7 +41,7 @@ TEST(Extremes, BallsAreHitOrMissedAsInDouble) {
                 Vec3 d = normalize(to - o);
                 Shape s = sphere({0, 0, 0}, radius, 0);
                 float alone = distanceTo(s, {broadcast(o), broadcast(d)})[0];
-                Vec3d f = exact(o), v = exact(d);
+                Vec3d f = toDouble(o), v = toDouble(d);
                 double unit = length(v), b = -dot(f, v) / unit,
                        near = std::sqrt(std::fmax(dot(f, f) - b * b, 0));
                 bool hits = near <= radius && b > 0, misjudged = (alone < kInfinity) != hits;
@@ -133,7 +132,7 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
         Vec3 o = s.centre, d = dice.direction();
         o = o + dice.direction() * 0.9f;
         Ray8 r = {broadcast(o), broadcast(d)};
-        Vec3d p = exact(o) - exact(s.centre), v = exact(d) * (1 / length(exact(d)));
+        Vec3d p = toDouble(o) - toDouble(s.centre), v = toDouble(d) * (1 / length(toDouble(d)));
         for (int bounce = 0; bounce < 64; ++bounce) {
             Float8 t = distanceTo(s, r);
             ASSERT_LT(t[0], kInfinity) << bounce;
@@ -147,8 +146,8 @@ TEST(Extremes, SixtyFourBouncesStayTrue) {
             p = p * (1.5 / length(p)); // otherwise the oracle's own rounding would grow
             v = v * (1 / length(v));
             ASSERT_NEAR(length(lane(r.d)), 1, 3e-7) << bounce;
-            ASSERT_NEAR(length(exact(lane(at.p)) - exact(s.centre)), 1.5, 2e-6) << bounce;
-            worst = std::fmax(worst, length(exact(lane(at.p)) - exact(s.centre) - p));
+            ASSERT_NEAR(length(toDouble(lane(at.p)) - toDouble(s.centre)), 1.5, 2e-6) << bounce;
+            worst = std::fmax(worst, length(toDouble(lane(at.p)) - toDouble(s.centre) - p));
         }
     }
     std::printf("after 64 bounces a path is off by at most %.2g of the ball's radius\n", worst / 1.5);
@@ -232,17 +231,10 @@ TEST(Extremes, PicturesStayFinite) {
             Vec3 eyes[8] = {at(0, 1, 5),    at(0, 1, 0),     at(0, -1, 3),        at(0, 2, 0),
                             at(1e5f, 1, 0), at(0, 1e-7f, 4), at(0, 1.999999f, 0), at(2, 1, 0)};
             View view = lookAt(eyes[variant], at(0, 1, 0), 30, 60, 40, 40);
-            std::vector<float> x(1600), y(1600);
-            std::vector<uint32_t> index(1600);
-            for (int i = 0; i < 1600; ++i) {
-                x[(size_t)i] = (float)(i % 40) + 0.5f;
-                y[(size_t)i] = (float)(i / 40) + 0.5f;
-                index[(size_t)i] = (uint32_t)i;
-            }
-            std::vector<Sample> samples(1600);
-            traceSamples(*g.scene, view, kQualities[(int)QualityName::Film], *g.scratch, kAll, 1, 1600,
-                         x.data(), y.data(), index.data(), samples.data());
-            for (const Sample &s : samples) {
+            std::vector<float> x, y;
+            for (int i = 0; i < 1600; ++i)
+                x.push_back((float)(i % 40) + 0.5f), y.push_back((float)(i / 40) + 0.5f);
+            for (const Sample &s : samplesAt(*g.scene, view, QualityName::Film, x, y)) {
                 Rgb r = s.radiance();
                 ASSERT_TRUE(r.x >= 0 && r.y >= 0 && r.z >= 0 && r.x < kInfinity) << scale << " " << variant;
             }
