@@ -45,26 +45,25 @@ struct Joined {
 
 } // namespace
 
-TEST(Regions, AGridIsOneRectangle) {
-    Joined j(grid(20, 10, [](int, int) { return false; }));
-    EXPECT_EQ(j.model->chartCount, 1);
-    EXPECT_EQ(j.model->facetCount, 1);
-    EXPECT_NEAR(j.facetsArea(), 200, 1e-3);
-    EXPECT_NEAR(j.model->charts[0].n.y, 1, 1e-6f);
-}
-
-TEST(Regions, AWindowLeavesFourRectangles) {
-    Joined j(grid(9, 9, [](int i, int k) { return i >= 3 && i < 6 && k >= 2 && k < 5; }));
-    EXPECT_EQ(j.model->chartCount, 1);
-    EXPECT_EQ(j.model->facetCount, 4);
-    EXPECT_NEAR(j.facetsArea(), 72, 1e-3);
-}
-
-TEST(Regions, AnLIsTwo) {
-    Joined j(grid(6, 6, [](int i, int k) { return i >= 2 && k >= 2; }));
-    EXPECT_EQ(j.model->chartCount, 1);
-    EXPECT_EQ(j.model->facetCount, 2);
-    EXPECT_NEAR(j.facetsArea(), 20, 1e-3);
+// A grid is one rectangle, a window leaves four, an L is two.
+TEST(Regions, AreFewRectangles) {
+    const struct {
+        const char *what;
+        Mesh mesh;
+        int facets;
+        double area;
+    } kAll[] = {
+        {"grid", grid(20, 10, [](int, int) { return false; }), 1, 200},
+        {"window", grid(9, 9, [](int i, int k) { return i >= 3 && i < 6 && k >= 2 && k < 5; }), 4, 72},
+        {"L", grid(6, 6, [](int i, int k) { return i >= 2 && k >= 2; }), 2, 20},
+    };
+    for (auto &[what, mesh, facets, area] : kAll) {
+        Joined j(mesh);
+        EXPECT_EQ(j.model->chartCount, 1) << what;
+        EXPECT_EQ(j.model->facetCount, facets) << what;
+        EXPECT_NEAR(j.facetsArea(), area, 1e-3) << what;
+        EXPECT_NEAR(j.model->charts[0].n.y, 1, 1e-6f) << what;
+    }
 }
 
 TEST(Regions, OtherMaterialsBendsAndBacksStayApart) {
@@ -152,7 +151,7 @@ TEST(Solution, AgreesWithRays) {
 }
 
 // The number of elements along a chart's side is limited. A note reports when this makes them longer.
-TEST(Solution, TellsWhereElementsAreLongerThanAsked) {
+TEST(Solution, ReportsWhereElementsAreLongerThanAsked) {
     Workers workers = serialWorkers();
     for (int length : {kMaxAcross, kMaxAcross + 10}) {
         Mesh mesh = grid(length, 1, [](int, int) { return false; });

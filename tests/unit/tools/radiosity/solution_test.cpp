@@ -1,5 +1,6 @@
 // Reading solutions: files that `radiosity solve` did not write are refused, even if the checksum fits.
 #include "tests/support/headless_gl.h"
+#include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
@@ -9,6 +10,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -58,7 +60,7 @@ protected:
     // Whether the file is accepted; an accepted solution must be safe to use.
     bool taken(const Solution &b) {
         b.save(path);
-        try {
+        std::string wrong = thrown([&] {
             Solution again(path);
             exportCsv(again, folder / "a.csv");
             exportPly(again, folder / "a.ply");
@@ -67,11 +69,9 @@ protected:
             s.width = 16, s.height = 9;
             placeCamera(again, s);
             render(again, s, workers, folder / "a.png");
-            return true;
-        } catch (const std::runtime_error &e) {
-            EXPECT_NE(std::string(e.what()).find("damaged"), std::string::npos) << e.what();
-            return false;
-        }
+        });
+        EXPECT_TRUE(wrong.empty() || wrong.find("damaged") != std::string::npos) << wrong;
+        return wrong.empty();
     }
 };
 
@@ -132,22 +132,10 @@ TEST_F(SolutionFile, WithAnyNumberAnywhereDoesNoHarm) {
             uint32_t value = odd[random() % std::size(odd)];
             std::memcpy(bytes + at, &value, random() & 1 ? 4 : 1);
         };
-        for (int k = 0; k < 1 + i % 3; ++k) switch (random() % 5) {
-            case 0:
-                spoil(b.charts);
-                break;
-            case 1:
-                spoil(b.facets);
-                break;
-            case 2:
-                spoil(b.cells);
-                break;
-            case 3:
-                spoil(b.texels);
-                break;
-            default:
-                spoil(b.light);
-            }
+        const std::function<void()> any[] = {[&] { spoil(b.charts); }, [&] { spoil(b.facets); },
+                                             [&] { spoil(b.cells); }, [&] { spoil(b.texels); },
+                                             [&] { spoil(b.light); }};
+        for (int k = 0; k < 1 + i % 3; ++k) any[random() % 5]();
         good += taken(b);
     }
     EXPECT_GT(good, 30);

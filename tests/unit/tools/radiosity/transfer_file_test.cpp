@@ -1,6 +1,7 @@
 // Files of rooms: a round trip, and damaged files.
 #include "tests/support/open_room.h"
 #include "tests/support/sanitized.h"
+#include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
 #include "tools/common/whole_file.h"
 #include "tools/radiosity/solution/arrays.h"
@@ -24,17 +25,15 @@ std::string fileOf(const TransferRoom &room) {
 bool accepted(const std::string &file) {
     common::TemporaryFolder folder;
     common::writeWhole(folder / "room.prt", file);
-    try {
+    std::string wrong = thrown([&] {
         TransferRoom room = TransferRoom::read(folder / "room.prt");
         Vec3 eye = {1, 2, 3};
         for (int rank : {-1, room.clusters.rank})
             litModel(room, {.sky = {}, .lamps = {}, .bands = room.bands, .rank = rank}, &eye);
-        return true;
-    } catch (const std::runtime_error &e) {
-        EXPECT_EQ(std::string(e.what()).find(folder / "room.prt"), 0u) << e.what();
-        EXPECT_EQ(std::string(e.what()).find('\n'), std::string::npos);
-        return false;
-    }
+    });
+    EXPECT_TRUE(wrong.empty() || wrong.find(folder / "room.prt") == 0) << wrong;
+    EXPECT_EQ(wrong.find('\n'), std::string::npos);
+    return wrong.empty();
 }
 
 } // namespace
