@@ -1,0 +1,61 @@
+# How far solutions are from path tracing, at random places, in percent: the limits of three rooms, and the orders of
+# settings in one of them. With "all" as the second argument, the orders in the other two, and the limits of two models
+# of many small polygons.
+. "$(dirname "$0")/radiosity_program.sh"
+needs_built radiosity_errors
+
+# solved NAME MODEL PLACES SIDE OPTION...: solves MODEL with these options; its errors are NAME's: rms and median
+declare -A rms median area
+solved() {
+    local name=$1 model=$2 places=$3 side=$4 errors
+    shift 4
+    "$radiosity" solve "$model.obj" -o "$model.rad" "$@" >out 2>err || { cat err >&2; return 1; }
+    errors=$("$BUILD/radiosity_errors" "$model.obj" "$model.rad" --probes "$places" --side "$side") || return
+    echo "    $model, $name: $errors"
+    median[$model $name]=$(sed -E 's/.*median ([0-9.]+) %.*/\1/' <<<"$errors")
+    rms[$model $name]=$(sed -E 's/.*rms ([0-9.]+) %.*/\1/' <<<"$errors")
+}
+# generated MODEL: also finds its area
+generated() {
+    "$radiosity" generate "$1" -o "$1.obj" >out
+}
+part() { awk "BEGIN { print ${area[$1]} / $2 }"; } # part MODEL N: an N-th of its area
+
+room() { # room MODEL LIMIT: few places at the edges of shadows make most of its rms
+    generated "$1"
+    check "$1: is solved" solved default "$1" 1000 36
+    check "... its light is within $2 percent" less "${rms[$1 default]}" "$2"
+    "$radiosity" export "$1.rad" --csv "$1.csv"
+    area[$1]=$(awk -F, 'NR > 1 { sum += $8 } END { print sum }' "$1.csv")
+}
+orders() { # orders MODEL
+    local name
+    solved "few elements" "$1" 1000 36 --element "$(part "$1" 7500)"
+    solved patches "$1" 1000 36 --hemicube 16
+    solved "few patches" "$1" 1000 36 --patch "$(part "$1" 1500)"
+    solved "seen lamps" "$1" 1000 36 --direct hemicube --hemicube 32
+    check "$1: fewer elements are worse" less "${rms[$1 default]}" "${rms[$1 few elements]}"
+    check "... and fewer patches" less "${rms[$1 patches]}" "${rms[$1 few patches]}"
+    check "... and lamps that hemicubes see" less "${rms[$1 patches]}" "${rms[$1 seen lamps]}"
+}
+planes() { # planes MODEL LIMIT: of many small planes; the median includes the noise of the paths
+    generated "$1"
+    check "$1: is solved" solved default "$1" 600 68
+    check "... its median is within $2 percent" less "${median[$1 default]}" "$2"
+    solved "16 rays" "$1" 600 68 --rays 16
+    check "... 16 rays are worse" less "${median[$1 default]}" "${median[$1 16 rays]}"
+}
+
+room corner 1.5
+room columns 2.5
+if [ "${2-}" = all ]; then
+    orders corner
+    orders columns
+    planes vault 4
+    check "vault: its rms is within ten percent" less "${rms[vault default]}" 10
+    planes terrain 2
+else
+    room cube 0.7
+    orders cube
+fi
+finish
