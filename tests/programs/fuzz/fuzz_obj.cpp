@@ -2,7 +2,7 @@
 // work with them. The input is the OBJ; what follows a byte of 255 becomes m.mtl beside it. It writes into
 // the current folder.
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/patches/lamps.h"
+#include "tools/radiosity/patches/patch_system.h"
 #include "tools/radiosity/read/reflectance_picture.h"
 
 #include <cmath>

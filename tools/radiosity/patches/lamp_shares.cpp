@@ -1,22 +1,22 @@
-#include "tools/radiosity/patches/lamp_shares.h"
+// Direct light separated by material, for solutions with other power of the lamps.
+#include "tools/radiosity/patches/patch_solver.h"
 
 #include <algorithm>
 
 namespace odraz::radiosity {
 
-DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
-    DirectShares kept;
+void PatchSolver::findShares() {
+    DirectShares &kept = shares;
     kept.emitters = task.emitters();
-    kept.seen = !task.settings.analytic;
-    if (kept.seen) return kept;
-    Model &m = *p.model;
+    kept.seen = !s.analytic;
+    if (kept.seen) return;
     auto texels = (size_t)m.texelCount;
     if (kept.emitters.size() == 1) { // all light comes from that material
         Rgb e = task.emitted()[(size_t)kept.emitters[0]];
         int k = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
-        kept.shares.emplace_back(p.radiosity.direct[k], p.radiosity.direct[k] + texels);
+        kept.shares.emplace_back(r.direct[k], r.direct[k] + texels);
         for (float &share : kept.shares[0]) share /= maxComponent(e);
-        return kept;
+        return;
     }
     std::vector<int> materialOf;
     for (const Glow &g : p.glows)
@@ -39,20 +39,18 @@ DirectShares lampShares(const SolveTask &task, PatchSystem &p) {
         for (int k = 0; k < 3; ++k) planes[k].assign(texels + 8, 0), to[k] = planes[k].data();
         for (int t = 0; t < m.texelCount; ++t) m.fresh[t] = t;
         m.freshCount = m.texelCount;
-        findDirectLight(m, *p.scene, bases, task.workers, to, {});
+        odraz::findDirectLight(m, *p.scene, bases, task.workers, to, {});
         m.freshCount = 0;
         for (size_t k = first; k < end; ++k)
             kept.shares.emplace_back(planes[k - first].begin(), planes[k - first].begin() + m.texelCount);
     }
-    return kept;
 }
 
-void addOutside(DirectShares &kept, const SolveTask &task, const PatchSystem &p) {
-    if (!task.settings.surroundings.any()) return;
-    kept.outside = kept.light(task.emitted(), (size_t)p.model->texelCount);
-    float *const *direct = p.radiosity.direct;
-    for (size_t t = 0; t < kept.outside.size(); ++t)
-        kept.outside[t] = Rgb{direct[0][t], direct[1][t], direct[2][t]} - kept.outside[t];
+void PatchSolver::findOutsideShare() {
+    if (!s.surroundings.any()) return;
+    shares.outside = shares.light(task.emitted(), (size_t)m.texelCount);
+    for (size_t t = 0; t < shares.outside.size(); ++t)
+        shares.outside[t] = Rgb{r.direct[0][t], r.direct[1][t], r.direct[2][t]} - shares.outside[t];
 }
 
 } // namespace odraz::radiosity

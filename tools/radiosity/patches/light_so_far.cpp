@@ -1,11 +1,10 @@
-#include "tools/radiosity/patches/light_so_far.h"
+#include "tools/radiosity/patches/patch_solver.h"
 
 #include "radiosity/ties.h"
 
 namespace odraz::radiosity {
 
-std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const float *radiosity) {
-    const Model &m = *p.model;
+std::vector<Rgb> PatchSolver::lightSoFar(const float *radiosity) const {
     size_t texels = (size_t)m.texelCount, room = texels + 8;
     std::vector<float> planes[3], unused(room);
     for (auto &plane : planes) plane.resize(room);
@@ -13,10 +12,10 @@ std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const f
         // Do what the solver's last steps do, in separate memory and on one thread: the workers may be
         // running the caller
         Workers alone = serialWorkers();
-        Radiosity r = p.radiosity;
+        Radiosity r = this->r;
         size_t columns = (size_t)r.system.columns, all = (size_t)m.patchCount * columns;
         std::vector<float> shown(radiosity, radiosity + all), indirect(all);
-        for (size_t i = 0; !task.settings.analytic && i < (size_t)m.patchCount; ++i) {
+        for (size_t i = 0; !s.analytic && i < (size_t)m.patchCount; ++i) {
             Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
             shown[i * columns] += e.x, shown[i * columns + 4] += e.y, shown[i * columns + 8] += e.z;
         }
@@ -30,7 +29,7 @@ std::vector<Rgb> lightSoFar(const SolveTask &task, const PatchSystem &p, const f
     float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
     for (int k = 0; k < 3; ++k) {
         float *plane = planes[k].data();
-        for (size_t t = 0; t < texels; ++t) plane[t] += p.radiosity.direct[k][t];
+        for (size_t t = 0; t < texels; ++t) plane[t] += r.direct[k][t];
         settle(m, plane);
         for (size_t t = 0; t < texels; ++t) light[t].*channels[k] = plane[t];
     }

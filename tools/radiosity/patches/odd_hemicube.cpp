@@ -1,15 +1,8 @@
 #include "tools/radiosity/patches/odd_hemicube.h"
 
+#include <stdexcept>
+
 namespace odraz::radiosity {
-
-bool openAnyHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px) {
-    // The memory for the next even number is enough
-    bool opened = openHemicubes(h, gl, arena, px + px % 2);
-    h.px = px;
-    return opened;
-}
-
-size_t anyHemicubeBytes(int px) { return hemicubeBytes(px + px % 2); }
 
 std::vector<float> formFactorSums(int px) {
     std::vector<float> all((size_t)(3 * px * (px + 1)));
@@ -39,32 +32,44 @@ std::vector<float> formFactorSums(int px) {
     return all;
 }
 
-bool findRowsFrom(Hemicubes &h, const Model &m, const uint8_t *lit, Workers &workers, Arena &arena,
+// The memory for the next even number of pixels is enough
+AnyHemicubes::AnyHemicubes(const Gl &gl, int px) : memory(bytesFor(px)), sums(formFactorSums(px)) {
+    if (!openHemicubes(h, gl, memory.arena, px + px % 2))
+        throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
+    h.px = px;
+}
+
+const std::vector<std::vector<float>> &AnyHemicubes::rows(const Model &m, std::span<const Eye> eyes,
+                                                          Workers &workers) {
+    drawHemicubes(h, m, eyes.data(), (int)eyes.size());
+    found.resize(eyes.size() / (size_t)h.turns);
+    parallelFor(workers, (int)found.size(), [&](int k, int) {
+        found[(size_t)k].assign((size_t)m.patchCount, 0);
+        for (int j = 0; j < h.turns; ++j)
+            sumHemicube(h, k * h.turns + j, sums.data(), found[(size_t)k].data());
+    });
+    return found;
+}
+
+bool findRowsFrom(AnyHemicubes &hemicubes, const Model &m, const uint8_t *lit, Workers &workers, Arena &arena,
                   FormFactors &factors, const Progress &progress, int step, const EyeOf &eyeOf) {
-    auto count = (size_t)m.patchCount;
+    const Hemicubes &h = hemicubes.h;
+    auto count = (size_t)m.patchCount, batch = (size_t)(h.batch / h.turns);
     factors.rows = arena.take<Row>(count);
     factors.used = 0;
     if (arena.full) return false;
-    const std::vector<float> sums = formFactorSums(h.px);
-    std::vector<std::vector<float>> rows((size_t)(h.batch / h.turns));
     for (size_t i = 0, next = 0; i < count;) {
         std::vector<Eye> eyes;
         std::vector<size_t> patches;
-        for (; i < count && patches.size() < rows.size(); ++i, next = (next + (size_t)step) % count) {
+        for (; i < count && patches.size() < batch; ++i, next = (next + (size_t)step) % count) {
             const Patch &p = m.patches[next];
             if (p.share == 0 || lit[next] != kReflects) continue;
             for (int k = 0; k < h.turns; ++k)
-                eyes.push_back(
-                    eyeOf ? eyeOf((int)next, k)
-                          : hemicubeEye(p.p, p.n, (uint32_t)next + h.turn + (uint32_t)k * 0x9e3779b9u));
+                eyes.push_back(eyeOf ? eyeOf((int)next, k)
+                                     : hemicubeEye(p.p, p.n, (uint32_t)next + (uint32_t)k * 0x9e3779b9u));
             patches.push_back(next);
         }
-        drawHemicubes(h, m, eyes.data(), (int)eyes.size());
-        parallelFor(workers, (int)patches.size(), [&](int k, int) {
-            std::vector<float> &row = rows[(size_t)k];
-            row.assign(count, 0);
-            for (int j = 0; j < h.turns; ++j) sumHemicube(h, k * h.turns + j, sums.data(), row.data());
-        });
+        const auto &rows = hemicubes.rows(m, eyes, workers);
         if (workers.aborted()) return false;
         for (size_t k = 0; k < patches.size(); ++k) {
             Row &to = factors.rows[patches[k]];

@@ -8,25 +8,47 @@
 #pragma once
 
 #include "radiosity/form_factor.h"
+#include "tools/engine/heap_arena.h"
 
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace odraz::radiosity {
 
-// As openHemicubes() and hemicubeBytes(), for odd px too, 4 .. kMaxHemicube.
-bool openAnyHemicubes(Hemicubes &h, const Gl &gl, Arena &arena, int px);
-size_t anyHemicubeBytes(int px);
-
 // The running sums of the pixels' form factors along every row, for odd px too: px + 1 of each of 3 px rows.
 std::vector<float> formFactorSums(int px);
+
+// Hemicubes that OpenGL draws, 4 .. kMaxHemicube pixels along the top face, in memory of their own.
+class AnyHemicubes {
+public:
+    // Throws std::runtime_error if OpenGL cannot draw them.
+    AnyHemicubes(const Gl &gl, int px);
+    AnyHemicubes(const AnyHemicubes &) = delete;
+    ~AnyHemicubes() { closeHemicubes(h); }
+    static size_t bytesFor(int px) { return hemicubeBytes(px + px % 2); }
+
+    // Draws the hemicubes of up to h.batch eyes, h.turns of them for a patch. Returns for each such patch the
+    // sum of its form factors to every patch of the model.
+    const std::vector<std::vector<float>> &rows(const Model &model, std::span<const Eye> eyes,
+                                                Workers &workers);
+
+private:
+    HeapArena memory;
+    const std::vector<float> sums;
+    std::vector<std::vector<float>> found;
+
+public:
+    Hemicubes h;
+};
 
 // The eye of a patch's hemicube number k.
 using EyeOf = std::function<Eye(int patch, int k)>;
 
-// As the film's findFormFactors(), for odd px too, and with the h.turns hemicubes of each patch at any place;
-// without `eyeOf` they stand in its middle.
-bool findRowsFrom(Hemicubes &h, const Model &model, const uint8_t *lit, Workers &workers, Arena &arena,
-                  FormFactors &factors, const Progress &progress, int step, const EyeOf &eyeOf = {});
+// As the film's findFormFactors(), for odd px too, and with hemicubes of patches at any place; without
+// `eyeOf` they stand in the middle.
+bool findRowsFrom(AnyHemicubes &hemicubes, const Model &model, const uint8_t *lit, Workers &workers,
+                  Arena &arena, FormFactors &factors, const Progress &progress, int step,
+                  const EyeOf &eyeOf = {});
 
 } // namespace odraz::radiosity

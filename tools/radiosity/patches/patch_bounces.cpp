@@ -1,6 +1,5 @@
 #include "tools/radiosity/patches/patch_solver.h"
 
-#include "tools/radiosity/patches/patch_rows.h"
 #include "tools/radiosity/patches/shooting.h"
 #include "tools/radiosity/solution/memory.h"
 
@@ -44,7 +43,7 @@ void PatchSolver::shootLight() {
     }
     // A quarter of the shots is for the lamps; with the others each block of patches shoots about three times
     Shooting shooting(m, blocksOfPatches(m, emits, std::max(s.shots / 4, 1)), emits, std::move(direct));
-    HemicubeShooter shooter(gl, m, s.hemicube, s.turn);
+    HemicubeShooter shooter(gl, m, s.hemicube);
     for (int most; (most = s.shots - report.shots) > 0 && shooting.left() > (double)s.residual;) {
         if (task.stopped()) report.whole = false;
         int shot = report.whole ? shooter.shoot(shooting, most, task.workers) : 0;
@@ -96,7 +95,7 @@ void PatchSolver::solveToResidual() {
     task.workers.abort = &kNever;
     if (!report.whole || report.residual <= s.residual || !task.stopped()) return;
     report.whole = false;
-    keepPatchRows(task, p);
+    saveState();
 }
 
 void PatchSolver::afterSweep(float residual) {

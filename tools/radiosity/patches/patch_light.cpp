@@ -1,13 +1,8 @@
 #include "tools/radiosity/patches/patch_solver.h"
 
-#include "tools/radiosity/patches/lamp_shares.h"
-#include "tools/radiosity/patches/lamps.h"
-#include "tools/radiosity/patches/sky_light.h"
 #include "tools/radiosity/solution/memory.h"
 
 namespace odraz::radiosity {
-
-static constexpr int kSkyRays = 1024; // from each texel
 
 void PatchSolver::findLights() {
     p.glows = findLamps(task.mesh, task.regions, m, s.lampSamples);
@@ -29,15 +24,15 @@ void PatchSolver::findLights() {
 void PatchSolver::findDirectLight() {
     RadiositySettings settings;
     settings.levels = s.adaptive ? kDivided : 0;
-    settings.contrast = s.contrast;
+    settings.contrast = 0.05f;
     takePlanes();
     findDirect(r, m, *p.scene, settings, task.workers, progressOf(SolveStep::kDirectLight));
     std::vector<std::string> known; // notes by divide()
     if (s.adaptive) findPictured(known);
     bool keepShares = s.keepRows && task.preparable();
-    if (keepShares) shares = lampShares(task, p);
+    if (keepShares) findShares();
     addOutsideLight();
-    if (keepShares) addOutside(shares, task, p);
+    if (keepShares) findOutsideShare();
 }
 
 void PatchSolver::takePlanes() {
@@ -62,7 +57,7 @@ void PatchSolver::addOutsideLight() {
     for (size_t i = 0; i < around.lamps.size(); ++i)
         add(r.bases.firstLamp() + (int)i, around.lamps[i].radiance);
     r.bases.sunCount = r.bases.lampCount = 0;
-    if (around.sky.width) addSky(m, *p.scene, around.sky, kSkyRays, task.workers, r.direct);
+    if (around.sky.width) addSky();
 }
 
 } // namespace odraz::radiosity

@@ -1,9 +1,7 @@
 // The stages of a solution between patches, as solveByPatches() runs them.
 #pragma once
 
-#include "tools/engine/machine.h"
 #include "tools/radiosity/patches/patch_system.h"
-#include "tools/radiosity/solution/solve_task.h"
 
 namespace odraz::radiosity {
 
@@ -33,9 +31,20 @@ private:
     const int *abort; // the workers' former abort flag
     SolveStep step = SolveStep::kDividing;
     DirectShares shares; // for keepRows()
+    double saved = 0;    // when the rows found so far were last saved
 
-    void keepRows();
     Progress progressOf(SolveStep which);
+
+    // --- Kept files --- Patches and elements as arrays, for solutions with other materials: restorePatches()
+    // fills the model. It throws std::runtime_error if the arrays do not fit, or if memory is short.
+    void keepRows();
+    void savePatches(std::string &to) const;
+    void restorePatches();
+    // Fills the rows from settings.resumed, saves those found so far in the same form, and calls
+    // settings.keep with them.
+    void restoreRows();
+    std::string savedRows() const;
+    void saveState() const;
 
     // --- Patches and elements ---
     void divide();
@@ -52,6 +61,19 @@ private:
     void takePlanes();
     // Adds the light of suns, lamps and sky to that of the model's own lamps.
     void addOutsideLight();
+    // Adds the sky's light by rays through a grid over the cosine-weighted hemisphere, a quarter of them from
+    // each of a texel's four places; the grid is rotated differently at every texel.
+    void addSky();
+    // The shares of direct light, to which nothing was added yet, separated by material. If several materials
+    // emit, the light of each is found again for the final texels. And the light from outside, once it is
+    // added.
+    void findShares();
+    void findOutsideShare();
+
+    // --- Rows --- Finds the missing rows, and saves them at intervals. Sets report.whole to whether all were
+    // found before a stop, and report.rows to their number.
+    void findRows();
+    const uint8_t *findLit();
 
     // --- Bounces --- Sets the reflectance of patches and the direct light that arrives there. Each
     // right-hand side is a pure red, green or blue.
@@ -69,8 +91,10 @@ private:
     // --- The solution ---
     void fillGeometry();
     void fillSolution();
-    // Shows the light so far to the watcher; only direct light if `radiosity` is null.
+    // Shows the light so far to the watcher; only direct light if `radiosity` (of patches, as in System) is
+    // null.
     void watch(const float *radiosity);
+    std::vector<Rgb> lightSoFar(const float *radiosity) const;
 };
 
 } // namespace odraz::radiosity

@@ -4,9 +4,10 @@
 #pragma once
 
 #include "radiosity/radiosity.h"
+#include "tools/engine/machine.h"
+#include "tools/radiosity/solution/solve_task.h"
 
 #include <memory>
-#include <vector>
 
 namespace odraz::radiosity {
 
@@ -27,5 +28,15 @@ struct PatchSystem {
     Radiosity radiosity = {};
     float *light[3] = {}; // planes of texels: all light that arrives, irradiance / pi
 };
+
+// If lamps have more facets than this, hemicubes are the better way to find their light.
+inline constexpr size_t kManyLamps = 256;
+// The facets that emit, for direct light. The largest has `samples` parts, others fewer in proportion to
+// their area.
+std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples);
+
+// Solves a model between patches, with the stages that light the film's hall. Fills task.solution and
+// task.report. Returns the system, for programs that measure it. Throws std::runtime_error, ModelError.
+std::unique_ptr<PatchSystem> solveByPatches(SolveTask &task, const Gl &gl);
 
 } // namespace odraz::radiosity

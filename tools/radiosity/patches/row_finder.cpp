@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
-#include <string>
 
 namespace odraz::radiosity {
 
@@ -36,28 +35,22 @@ namespace {
 
 // Estimates the number of links in all rows from those of at least 64 patches spread over the model, with a
 // reserve.
-size_t estimateLinks(Hemicubes &h, const Model &m, const uint8_t *lit) {
-    std::vector<float> sums = formFactorSums(h.px);
+size_t estimateLinks(AnyHemicubes &hemicubes, const Model &m, const uint8_t *lit, Workers &workers) {
+    const auto batch = (size_t)hemicubes.h.batch;
     auto hasRow = [&](int i) { return lit[i] && m.patches[i].share > 0; };
     std::vector<Eye> eyes;
     size_t rows = 0, links = 0, seen = 0;
     for (int i = 0; i < m.patchCount; ++i) rows += hasRow(i);
-    size_t every = std::max((size_t)1, rows / (size_t)std::max(h.batch, 64));
+    size_t every = std::max((size_t)1, rows / std::max(batch, (size_t)64));
     for (int i = 0; i < m.patchCount; ++i)
         if (hasRow(i) && seen++ % every == 0)
             eyes.push_back(hemicubeEye(m.patches[i].p, m.patches[i].n, (uint32_t)i));
     if (eyes.empty()) return 1;
-    std::vector<float> row((size_t)m.patchCount);
-    for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
-        int count = std::min(h.batch, (int)(eyes.size() - first));
-        drawHemicubes(h, m, &eyes[first], count);
-        for (int k = 0; k < count; ++k) {
-            std::fill(row.begin(), row.end(), 0.f);
-            sumHemicube(h, k, sums.data(), row.data());
+    for (size_t first = 0; first < eyes.size(); first += batch)
+        for (const std::vector<float> &row :
+             hemicubes.rows(m, std::span(eyes).subspan(first, std::min(batch, eyes.size() - first)), workers))
             for (int i = 0; i < m.patchCount; ++i) links += row[(size_t)i] > 0 && lit[i];
-        }
-    }
-    return links * rows / eyes.size() * (size_t)h.turns * 5 / 4 + 1000;
+    return links * rows / eyes.size() * 5 / 4 + 1000;
 }
 
 // Adds the known rows to those drawn so far, and passes progress on.
@@ -80,28 +73,12 @@ struct Merging {
     }
 };
 
-// Hemicubes that are closed at the end of the scope.
-struct Opened {
-    Hemicubes h;
-
-    Opened(const Gl &gl, Arena &arena, int px) {
-        if (!openAnyHemicubes(h, gl, arena, px))
-            throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
-    }
-    Opened(const Opened &) = delete;
-    ~Opened() { closeHemicubes(h); }
-};
-
 } // namespace
 
-RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf eyeOf) {
-    return [&gl, px, turns, turn, eyeOf](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
-                                         Arena &arena, FormFactors &factors, const Progress &progress) {
-        Opened opened(gl, arena, px);
-        Hemicubes &h = opened.h;
-        if (turns > h.batch)
-            throw std::runtime_error("the hemicubes of one patch do not fit into one picture");
-        h.turns = turns;
+RowFinder rowsByHemicubes(const Gl &gl, int px, int each, EyeOf eyeOf) {
+    return [&gl, px, each, eyeOf](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
+                                  Arena &arena, FormFactors &factors, const Progress &progress) {
+        AnyHemicubes hemicubes(gl, px);
         // Known rows are not drawn again, but the others have links to their patches
         const Row *before = factors.rows;
         std::vector<uint8_t> missing(lit, lit + m.patchCount);
@@ -109,20 +86,23 @@ RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf 
         for (int i = 0; before && i < m.patchCount; ++i)
             if (before[i].known) missing[(size_t)i] = kShines, had += (size_t)before[i].count;
         // Allow for the memory of later stages
-        size_t all = estimateLinks(h, m, lit), links = all - std::min(all, had),
-               rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40,
+        size_t all = estimateLinks(hemicubes, m, lit, workers) * (size_t)each,
+               links = all - std::min(all, had),
+               rest = (size_t)m.patchCount * (kHemicubeBatch * 4 + 400) + (size_t)m.texelCount * 40 +
+                      AnyHemicubes::bytesFor(px),
                needed = links * sizeof(Link) + rest;
         if (arena.used + needed > arena.size) refuseMemory(arena, needed);
         factors.links = takeOrRefuse<Link>(arena, links);
         factors.capacity = links;
-        h.turn = turn;
+        hemicubes.h.turns = each;
         int step = (int)(m.patchCount * 0.6180339) | 1;
         while (std::gcd(step, m.patchCount) != 1) step += 2;
         Merging merging = {m, factors, before, progress};
         Progress merged = merging.progress();
-        bool done = px % 2 || eyeOf
-                        ? findRowsFrom(h, m, missing.data(), workers, arena, factors, merged, step, eyeOf)
-                        : findFormFactors(h, m, missing.data(), workers, arena, factors, merged, step);
+        bool done =
+            px % 2 || eyeOf
+                ? findRowsFrom(hemicubes, m, missing.data(), workers, arena, factors, merged, step, eyeOf)
+                : findFormFactors(hemicubes.h, m, missing.data(), workers, arena, factors, merged, step);
         if (factors.rows) merging.merge();
         if (!done && !workers.aborted())
             throw std::runtime_error("the rows took more memory than estimated: raise --memory");

@@ -8,10 +8,9 @@
 
 namespace odraz::radiosity {
 
-// Finds rows by hemicubes that OpenGL draws, of `px` pixels, `turns` for each patch, at `eyeOf` or in the
-// patch's middle. `turn` is the seed of their rotations. Refuses at once if the estimate does not fit the
-// arena.
-RowFinder rowsByHemicubes(const Gl &gl, int px, int turns, uint32_t turn, EyeOf eyeOf = {});
+// Finds rows by hemicubes that OpenGL draws, of `px` pixels, `each` for a patch, at `eyeOf` or in the patch's
+// middle. Refuses at once if the estimate does not fit the arena.
+RowFinder rowsByHemicubes(const Gl &gl, int px, int each = 1, EyeOf eyeOf = {});
 
 // A row of those finders.
 struct FoundRow {

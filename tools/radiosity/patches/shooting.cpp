@@ -104,11 +104,12 @@ Shooting::Shot Shooting::take(int shooter) {
     return shot;
 }
 
-void Shooting::distribute(std::span<const Shot> shot, std::span<const float *const> rows, Workers &workers) {
+void Shooting::distribute(std::span<const Shot> shot, const std::vector<std::vector<float>> &rows,
+                          Workers &workers) {
     parallelRanges(workers, model.patchCount, 4096, [&](int first, int end, int) {
         for (size_t k = 0; k < shot.size(); ++k)
             for (int j = first; j < end; ++j) {
-                float share = rows[k][j];
+                float share = rows[k][(size_t)j];
                 if (share == 0 || shooterOf[(size_t)j] < 0) continue;
                 Rgb light = shot[k].power * (share / model.patches[j].area);
                 arrived[(size_t)j] += light;
@@ -146,6 +147,18 @@ Rgb Shooting::ambient() const {
 
 Rgb Shooting::radiosity(int i) const {
     return model.patches[i].reflects * (direct[(size_t)i] + arrived[(size_t)i]);
+}
+
+int HemicubeShooter::shoot(Shooting &shooting, int most, Workers &workers) {
+    std::vector<Shooting::Shot> shots;
+    std::vector<Eye> eyes;
+    for (int s : shooting.brightest(std::min(most, batch()))) {
+        shots.push_back(shooting.take(s));
+        const Patch &p = model.patches[shots.back().patch];
+        eyes.push_back(hemicubeEye(p.p, p.n, number++));
+    }
+    if (!shots.empty()) shooting.distribute(shots, hemicubes.rows(model, eyes, workers), workers);
+    return (int)shots.size();
 }
 
 Columns::Columns(const FormFactors &f, int patches) : first((size_t)patches + 1) {

@@ -10,10 +10,7 @@
 // Generation", SIGGRAPH 1988; blocks of patches that shoot are its "patches", the receivers its "elements".
 #pragma once
 
-#include "radiosity/form_factor.h"
-
-#include <span>
-#include <vector>
+#include "tools/radiosity/patches/odd_hemicube.h"
 
 namespace odraz::radiosity {
 
@@ -55,7 +52,8 @@ public:
     // Takes the unshot light of a shooter, and leaves it none.
     Shot take(int shooter);
     // Distributes shots through hemicubes: rows[k][j] is the form factor from the patch of shot k to patch j.
-    void distribute(std::span<const Shot> shots, std::span<const float *const> rows, Workers &workers);
+    void distribute(std::span<const Shot> shots, const std::vector<std::vector<float>> &rows,
+                    Workers &workers);
     // Distributes the light of one patch, `radiance`, by known form factors: links of its column, F_ji.
     void distribute(Rgb radiance, std::span<const Link> column);
     // The light that would arrive everywhere if unshot light were spread evenly: an estimate of the light
@@ -91,26 +89,21 @@ struct Columns {
     }
 };
 
-// Draws the hemicubes of shots, in memory of the heap.
+// Shoots by hemicubes.
 class HemicubeShooter {
 public:
-    // Throws std::runtime_error if OpenGL cannot draw them. `turn` is the seed of their rotations.
-    HemicubeShooter(const Gl &gl, const Model &model, int px, uint32_t turn);
-    HemicubeShooter(const HemicubeShooter &) = delete;
-    ~HemicubeShooter();
+    // Throws std::runtime_error if OpenGL cannot draw them.
+    HemicubeShooter(const Gl &gl, const Model &model, int px) : model(model), hemicubes(gl, px) {}
     // The largest number of shots in one picture.
-    int batch() const { return hemicubes.batch; }
+    int batch() const { return hemicubes.h.batch; }
     // Shoots once from up to `most` of the brightest shooters, all in one picture. Returns their number; 0:
     // no light is left.
     int shoot(Shooting &shooting, int most, Workers &workers);
 
 private:
     const Model &model;
-    std::vector<unsigned char> memory;
-    Hemicubes hemicubes;
-    std::vector<float> sums;
-    std::vector<std::vector<float>> rows;
-    uint32_t number; // of the next hemicube, which determines its rotation
+    AnyHemicubes hemicubes;
+    uint32_t number = 0; // of the next hemicube, which determines its rotation
 };
 
 } // namespace odraz::radiosity

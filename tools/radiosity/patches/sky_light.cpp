@@ -1,4 +1,4 @@
-#include "tools/radiosity/patches/sky_light.h"
+#include "tools/radiosity/patches/patch_solver.h"
 
 #include "radiosity/visible.h"
 #include "trace/rays/intersect.h"
@@ -18,7 +18,7 @@ constexpr double kPiD = 3.14159265358979;
 struct Rounds {
     std::vector<Vec3> directions[4];
 
-    explicit Rounds(int rays) {
+    explicit Rounds(int rays) { // the square of an even number
         int across = (int)std::lround(std::sqrt(rays));
         for (int j = 0; j < across; ++j)
             for (int i = 0; i < across; ++i) {
@@ -72,12 +72,11 @@ void addTo(const Model &model, const Scene &scene, const SkyPicture &sky, const 
 
 } // namespace
 
-void addSky(const Model &model, const Scene &scene, const SkyPicture &sky, int rays, Workers &workers,
-            float *const *direct) {
-    Rounds rounds(rays);
-    parallelRanges(workers, model.texelCount, 64, [&](int first, int end, int) {
+void PatchSolver::addSky() {
+    static const Rounds rounds(1024);
+    parallelRanges(task.workers, m.texelCount, 64, [&](int first, int end, int) {
         for (int i = first; i < end; i += 8)
-            addTo(model, scene, sky, rounds, i, std::min(end - i, 8), direct);
+            addTo(m, *p.scene, s.surroundings.sky, rounds, i, std::min(end - i, 8), r.direct);
     });
 }
 

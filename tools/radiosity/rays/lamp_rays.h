@@ -14,6 +14,9 @@
 
 namespace odraz::radiosity {
 
+// If more than this share of a model's area emits, rays find that light, and no shadow rays are sent to it.
+inline constexpr double kLargeLamps = 0.25;
+
 class LampRays {
 public:
     static constexpr int kMost = 128, kFew = 32, kMostWhole = 256;

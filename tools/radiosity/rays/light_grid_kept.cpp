@@ -7,15 +7,10 @@
 
 namespace odraz::radiosity {
 
-void LightGrid::save(std::string &to) const {
-    put(to, cells), put(to, texels), put(to, siteOf), put(to, sites), put(to, places), put(to, tied),
-        put(to, ring);
-}
+void LightGrid::save(std::string &to) const { put(to, cells, texels, siteOf, sites, places, tied, ring); }
 
 LightGrid::LightGrid(Regions &regions, std::string_view from, size_t &at) : charts(regions.charts) {
-    if (!get(from, at, cells) || !get(from, at, texels) || !get(from, at, siteOf) || !get(from, at, sites) ||
-        !get(from, at, places) || !get(from, at, tied) || !get(from, at, ring) || !fits(regions))
-        refuseResumed();
+    if (!get(from, at, cells, texels, siteOf, sites, places, tied, ring) || !fits(regions)) refuseResumed();
 }
 
 // Whether every index lies within its list. A checksum is not enough, because a forger can compute it.

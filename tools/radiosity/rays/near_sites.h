@@ -10,7 +10,6 @@ namespace odraz::radiosity {
 // A k-d tree over the sites; the node of a range is its middle item.
 class NearSites {
 public:
-    NearSites() = default; // without sites
     explicit NearSites(const LightGrid &grid);
 
     Vec3 at(uint32_t site) const { return middles[site]; }

@@ -38,9 +38,8 @@ Rgb narrow(__m128 v) {
 } // namespace
 
 RaySystem::RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree,
-                     const Surroundings &around, Sharing given)
-    : shared(std::move(given)), near(shared.firstOf.empty() ? NearSites(grid) : NearSites()),
-      regions(regions), grid(grid), tree(tree), around(around) {
+                     const Surroundings &around)
+    : near(grid), regions(regions), grid(grid), tree(tree), around(around) {
     size_t sites = grid.sites.size();
     firstOf.resize(sites + 1), found.resize(sites);
     arrives.resize(sites), sky.resize(sites), skySquare.resize(sites), reach.resize(sites),
@@ -62,18 +61,13 @@ size_t RaySystem::setRays(const std::vector<uint16_t> &counts) {
     return missing;
 }
 
-void RaySystem::save(std::string &to) const {
-    put(to, firstOf), put(to, rows), put(to, found), put(to, sky), put(to, skySquare), put(to, reach),
-        put(to, behind);
-}
+void RaySystem::save(std::string &to) const { put(to, firstOf, rows, found, sky, skySquare, reach, behind); }
 
 bool RaySystem::restore(std::string_view from, size_t &at) {
     size_t count = grid.sites.size();
-    if (!get(from, at, firstOf) || !get(from, at, rows) || !get(from, at, found) || !get(from, at, sky) ||
-        !get(from, at, skySquare) || !get(from, at, reach) || !get(from, at, behind) ||
-        firstOf.size() != count + 1 || firstOf[0] != 0 || firstOf[count] != rows.size() ||
-        found.size() != count || sky.size() != count || skySquare.size() != count || reach.size() != count ||
-        behind.size() != count)
+    if (!get(from, at, firstOf, rows, found, sky, skySquare, reach, behind) || firstOf.size() != count + 1 ||
+        firstOf[0] != 0 || firstOf[count] != rows.size() || found.size() != count || sky.size() != count ||
+        skySquare.size() != count || reach.size() != count || behind.size() != count)
         return false;
     for (size_t i = 0; i < count; ++i)
         if (firstOf[i] >= firstOf[i + 1] || behind[i] + 1 >= 1 << grid.sites[i].places) return false;

@@ -15,11 +15,15 @@
 #include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/rays/near_sites.h"
 #include "tools/radiosity/read/surroundings.h"
+#include "tools/radiosity/solution/solution.h"
 
 #include <functional>
 #include <string>
 
 namespace odraz::radiosity {
+
+// The change of light up to which sites share it.
+inline constexpr float kShared = 0.2f;
 
 class RaySystem {
 public:
@@ -27,16 +31,11 @@ public:
     static constexpr uint16_t kLeastRays = 32, kMostRays = 512;
     static constexpr double kAllRays = 24e6;
 
-    // The sites that share their light with each texel, and their weights: kept for other solutions.
-    struct Sharing {
-        std::vector<uint32_t> firstOf; // start of each texel's part, and the end of the last
-        std::vector<uint32_t> sites;
-        std::vector<float> weights;
-    };
+    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around);
 
-    // With `shared`, kept from another solution, the system does not search for neighbours.
-    RaySystem(const Regions &regions, const LightGrid &grid, const RayTree &tree, const Surroundings &around,
-              Sharing shared = {});
+    // Values of the sites: means over their places that count, of values of the texels; and the reflectance.
+    std::vector<Rgb> meansOfPlaces(const std::vector<Rgb> &texels) const;
+    std::vector<Rgb> reflectance(const Solution &solution) const;
 
     // Sets the number of rays of each site. A site whose number stays keeps its row; others repeat their old
     // row until the new one is found. Returns the number of rows to find.
@@ -63,7 +62,6 @@ public:
     // The light that arrives at all visible texels, without direct light: that of the sites, shared between
     // neighbours where it changes by less than `share`.
     std::vector<Rgb> atTexels(float share, Workers &workers) const;
-    Sharing sharing(float share, Workers &workers) const;
 
     // The same for `columns` values of every site, a multiple of 8: adds values[site][columns] to
     // texels[texel][columns], which must be zero.
@@ -93,7 +91,6 @@ public:
     std::vector<uint16_t> behind;
 
 private:
-    Sharing shared;
     NearSites near;
     const Regions &regions;
     const LightGrid &grid;
@@ -105,8 +102,7 @@ private:
     void findRow(size_t site, const std::vector<Vec3> &spiral);
     // Calls visit(other, weight) for all sites that share their light with a place of a site
     template <class Visit>
-    void neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
-                    const Visit &visit) const;
+    void neighbours(uint32_t own, const Vec3 &p, float share, const Visit &visit) const;
     uint32_t siteAt(int chart, const Vec3 &p, uint32_t random) const;
 };
 

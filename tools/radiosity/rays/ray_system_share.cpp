@@ -1,4 +1,4 @@
-// How sites share light, and the number of rays that they need for it.
+// Values of sites, how they share light, and the number of rays that they need for it.
 #include "tools/engine/luminance.h"
 #include "tools/radiosity/rays/ray_system.h"
 
@@ -7,9 +7,38 @@
 
 namespace odraz::radiosity {
 
+std::vector<Rgb> RaySystem::meansOfPlaces(const std::vector<Rgb> &texels) const {
+    std::vector<Rgb> means(grid.sites.size());
+    for (size_t i = 0; i < means.size(); ++i) {
+        const LightGrid::Site &site = grid.sites[i];
+        int count = 0;
+        for (uint32_t k = 0; k < site.places; ++k)
+            if (!(behind[i] >> k & 1))
+                means[i] += texels[(size_t)grid.places[site.firstPlace + k].texel], ++count;
+        means[i] = means[i] * (1 / (float)count);
+    }
+    return means;
+}
+
+std::vector<Rgb> RaySystem::reflectance(const Solution &solution) const {
+    std::vector<Rgb> reflects(grid.sites.size());
+    const std::vector<Rgb> &ofCell = solution.cellReflects;
+    for (size_t i = 0; i < reflects.size(); ++i) {
+        const LightGrid::Site &site = grid.sites[i];
+        if (ofCell.empty()) {
+            reflects[i] = solution.reflects[(size_t)site.chart];
+            continue;
+        }
+        for (uint32_t k = 0; k < site.places; ++k) {
+            auto *cell = grid.spotAt(site.chart, grid.places[site.firstPlace + k].p).cell;
+            reflects[i] += ofCell[(size_t)(cell - grid.cells.data())] * (1 / (float)site.places);
+        }
+    }
+    return reflects;
+}
+
 template <class Visit>
-void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const NearSites &near,
-                           const Visit &visit) const {
+void RaySystem::neighbours(uint32_t own, const Vec3 &p, float share, const Visit &visit) const {
     const LightGrid::Site &s = grid.sites[own];
     float radius = std::min(share * reach[own], 3.5f * s.size);
     if (radius < 0.7f * s.size) return;
@@ -46,7 +75,7 @@ std::vector<uint16_t> RaySystem::raysFor(const std::vector<Rgb> &direct, const s
             // Few rays may miss something small and bright, so the hits of nearby sites count too
             float all = variance[i], light = luminance(direct[i] + arrives[i]), weights = 1, sum = 0,
                   square = 0;
-            neighbours((uint32_t)i, near.at((uint32_t)i), share, near, [&](uint32_t k, float w) {
+            neighbours((uint32_t)i, near.at((uint32_t)i), share, [&](uint32_t k, float w) {
                 w /= grid.sites[i].size * grid.sites[i].size;
                 all += w * variance[k], light += w * luminance(direct[k] + arrives[k]), weights += w;
                 sum += w, square += w * w;
@@ -78,40 +107,14 @@ std::vector<Rgb> RaySystem::atTexels(float share, Workers &workers) const {
             if (own == LightGrid::kNone) continue;
             Rgb sum = {};
             float weights = 0;
-            auto add = [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; };
-            if (shared.firstOf.empty())
-                neighbours(own, grid.at(grid.texels[(size_t)t]), share, near, add);
-            else
-                for (uint32_t k = shared.firstOf[(size_t)t]; k < shared.firstOf[(size_t)t + 1]; ++k)
-                    add(shared.sites[k], shared.weights[k]);
+            neighbours(own, grid.at(grid.texels[(size_t)t]), share,
+                       [&](uint32_t i, float w) { sum += arrives[i] * w, weights += w; });
             light[(size_t)t] = weights > 0 ? sum * (1 / weights) : arrives[own];
         }
     });
     return light;
 }
 
-RaySystem::Sharing RaySystem::sharing(float share, Workers &workers) const {
-    size_t count = grid.texels.size();
-    Sharing all;
-    all.firstOf.resize(count + 1);
-    auto visit = [&](size_t t, auto &&found) {
-        if (uint32_t own = grid.siteOf[t]; own != LightGrid::kNone)
-            neighbours(own, grid.at(grid.texels[t]), share, near, found);
-    };
-    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
-        for (auto t = (size_t)first; t < (size_t)end; ++t)
-            visit(t, [&](uint32_t, float) { ++all.firstOf[t + 1]; });
-    });
-    for (size_t t = 0; t < count; ++t) all.firstOf[t + 1] += all.firstOf[t];
-    all.sites.resize(all.firstOf[count]), all.weights.resize(all.firstOf[count]);
-    parallelRanges(workers, (int)count, 256, [&](int first, int end, int) {
-        for (auto t = (size_t)first; t < (size_t)end; ++t) {
-            uint32_t at = all.firstOf[t];
-            visit(t, [&](uint32_t i, float w) { all.sites[at] = i, all.weights[at++] = w; });
-        }
-    });
-    return all;
-}
 void RaySystem::atTexels(float share, const float *values, int columns, float *texels,
                          Workers &workers) const {
     auto width = (size_t)columns;
@@ -122,7 +125,7 @@ void RaySystem::atTexels(float share, const float *values, int columns, float *t
             if (own == LightGrid::kNone) continue;
             all.clear();
             float weights = 0;
-            neighbours(own, grid.at(grid.texels[(size_t)t]), share, near, [&](uint32_t i, float w) {
+            neighbours(own, grid.at(grid.texels[(size_t)t]), share, [&](uint32_t i, float w) {
                 all.push_back({i, w}), weights += w;
             });
             if (!(weights > 0)) all.assign(1, {own, weights = 1});

@@ -3,7 +3,6 @@
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
 #include "tools/radiosity/rays/ray_system.h"
-#include "tools/radiosity/rays/site_values.h"
 #include "tools/radiosity/solution/arrays.h"
 #include "tools/radiosity/solution/memory.h"
 
@@ -42,9 +41,9 @@ size_t memoryFor(const SolveTask &task) {
 // Solves for the light at the sites, step by step.
 class RaySolver {
 public:
-    RaySolver(SolveTask &task, const RayTree &tree, LightGrid &grid, RaySystem::Sharing shared = {})
+    RaySolver(SolveTask &task, const RayTree &tree, LightGrid &grid)
         : task(task), s(task.settings), report(task.report), tree(tree), grid(grid),
-          system(task.regions, grid, tree, s.surroundings, std::move(shared)) {}
+          system(task.regions, grid, tree, s.surroundings) {}
 
     void run() {
         resume();
@@ -120,8 +119,6 @@ private:
         if (task.preparable()) {
             prepared = task.prepare(shares, grid.charts, task.regions.facets);
             grid.save(prepared);
-            RaySystem::Sharing sharing = system.sharing(kShared, task.workers);
-            put(prepared, sharing.firstOf), put(prepared, sharing.sites), put(prepared, sharing.weights);
         }
         s.keepRows(savedRows(true), std::move(prepared));
     }
@@ -173,8 +170,8 @@ private:
     }
 
     void describeSites() {
-        directAtSites = meansOfSites(grid, system.behind, direct);
-        reflects = reflectanceOfSites(grid, task.solution);
+        directAtSites = system.meansOfPlaces(direct);
+        reflects = system.reflectance(task.solution);
     }
 
     void fillGeometry() {
@@ -250,30 +247,16 @@ private:
 
 } // namespace
 
-static bool get(std::string_view from, size_t &at, const LightGrid &grid, RaySystem::Sharing &to) {
-    size_t texels = grid.texels.size();
-    if (!radiosity::get(from, at, to.firstOf) || !radiosity::get(from, at, to.sites) ||
-        !radiosity::get(from, at, to.weights) || to.firstOf.size() != texels + 1 || to.firstOf[0] != 0 ||
-        to.firstOf[texels] != to.sites.size() || to.weights.size() != to.sites.size() ||
-        !std::is_sorted(to.firstOf.begin(), to.firstOf.end()))
-        return false;
-    uint32_t largest = 0;
-    for (uint32_t i : to.sites) largest = std::max(largest, i);
-    return largest < grid.sites.size();
-}
-
 // Solves with rows and direct light that were kept.
 static void relightByRays(SolveTask &task) {
     std::string_view from = task.prepared->rest;
     size_t at = 0;
     LightGrid grid(task.regions, from, at);
-    RaySystem::Sharing shared;
-    if (!get(from, at, grid, shared) || at != from.size() || !task.prepared->direct.fits(grid.texels.size()))
-        refuseResumed();
+    if (at != from.size() || !task.prepared->direct.fits(grid.texels.size())) refuseResumed();
     task.report.sites = (int)grid.sites.size();
     task.lap(SolveStep::kDividing);
     RayTree nothing({RayTree::Corners{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}});
-    RaySolver(task, nothing, grid, std::move(shared)).relight(task.prepared->direct);
+    RaySolver(task, nothing, grid).relight(task.prepared->direct);
 }
 
 void solveByRays(SolveTask &task) {

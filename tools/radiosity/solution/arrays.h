@@ -38,39 +38,50 @@ inline size_t bodyOf(std::string_view file, const std::string &magic) {
     return sum == checksum(file.data() + at, file.size() - at) ? at : std::string::npos;
 }
 
-// Writes an array as its count, the size of an item, and its bytes.
-template <class T> void put(std::string &to, std::span<const T> from) {
-    const uint64_t head[2] = {from.size(), sizeof(T)};
-    to.append((const char *)head, sizeof head);
-    if (!from.empty()) to.append((const char *)from.data(), from.size_bytes());
+// Writes arrays, each as its count, the size of an item, and its bytes.
+template <class... Arrays> void put(std::string &to, const Arrays &...all) {
+    auto one = [&to](const auto &from) {
+        const uint64_t head[2] = {std::size(from), sizeof *std::data(from)};
+        to.append((const char *)head, sizeof head);
+        if (head[0]) to.append((const char *)std::data(from), head[0] * head[1]);
+    };
+    (one(all), ...);
 }
-template <class T> void put(std::string &to, const std::vector<T> &from) {
-    put(to, std::span<const T>(from));
-}
-template <class T> bool get(std::string_view from, size_t &at, std::vector<T> &to) {
+
+// Finds an array in place, without a copy. False also if it is not aligned for its items.
+template <class T> bool getOne(std::string_view from, size_t &at, std::span<const T> &to) {
     uint64_t head[2];
     if (from.size() - at < sizeof head) return false;
     std::memcpy(head, from.data() + at, sizeof head);
     at += sizeof head;
-    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T)) return false;
-    to.resize(head[0]);
-    if (head[0]) std::memcpy((void *)to.data(), from.data() + at, head[0] * sizeof(T));
+    const char *first = from.data() + at;
+    if (head[1] != sizeof(T) || head[0] > (from.size() - at) / sizeof(T) || (uintptr_t)first % alignof(T))
+        return false;
+    to = {(const T *)first, head[0]};
     at += head[0] * sizeof(T);
     return true;
 }
-
-// Reads an array in place, without a copy. False also if it is not aligned for its items.
-template <class T> bool getWhereItLies(std::string_view from, size_t &at, std::span<const T> &to) {
-    uint64_t head[2];
-    if (from.size() - at < sizeof head) return false;
-    std::memcpy(head, from.data() + at, sizeof head);
-    const char *first = from.data() + at + sizeof head;
-    if (head[1] != sizeof(T) || head[0] > (from.size() - at - sizeof head) / sizeof(T) ||
-        (uintptr_t)first % alignof(T))
-        return false;
-    to = {(const T *)first, head[0]};
-    at += sizeof head + head[0] * sizeof(T);
+// ... of characters
+inline bool getOne(std::string_view from, size_t &at, std::string_view &to) {
+    std::span<const char> found;
+    if (!getOne(from, at, found)) return false;
+    to = {found.data(), found.size()};
     return true;
+}
+// Copies an array, wherever it lies.
+template <class T> bool getOne(std::string_view from, size_t &at, std::vector<T> &to) {
+    struct [[gnu::packed]] Item {
+        char bytes[sizeof(T)];
+    };
+    std::span<const Item> found;
+    if (!getOne(from, at, found)) return false;
+    to.resize(found.size());
+    if (!to.empty()) std::memcpy((void *)to.data(), found.data(), found.size_bytes());
+    return true;
+}
+// Reads arrays that put() wrote, from `at` on; false if they are not there.
+template <class... Arrays> bool get(std::string_view from, size_t &at, Arrays &...all) {
+    return (getOne(from, at, all) && ...);
 }
 
 } // namespace odraz::radiosity

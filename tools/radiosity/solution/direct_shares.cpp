@@ -18,14 +18,14 @@ std::vector<Rgb> DirectShares::light(const std::vector<Rgb> &emits, size_t texel
 }
 
 void DirectShares::save(std::string &to) const {
-    put(to, std::vector<uint8_t>{seen}), put(to, emitters);
+    put(to, std::vector<uint8_t>{seen}, emitters);
     for (const std::vector<float> &share : shares) put(to, share);
     put(to, outside);
 }
 
 bool DirectShares::restore(std::string_view from, size_t &at, size_t materials) {
     std::vector<uint8_t> flag;
-    if (!get(from, at, flag) || flag.size() != 1 || !get(from, at, emitters)) return false;
+    if (!get(from, at, flag, emitters) || flag.size() != 1) return false;
     seen = flag[0] != 0;
     for (size_t i = 0; i < emitters.size(); ++i)
         if (emitters[i] < 0 || (size_t)emitters[i] >= materials) return false;

@@ -13,24 +13,17 @@ constexpr struct {
     const char *magic, *other, *again;
 } kKinds[] = {{"odraz radiosity state 2\n", "is not a state of 'radiosity solve' of this version",
                "solve the model again"},
-              {"odraz radiosity rows 2\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
+              {"odraz radiosity rows 3\n", "holds no rows of 'radiosity solve --keep-rows' of this version",
                "solve with --keep-rows again"}};
 
-void put(std::string &to, const std::vector<std::string> &words) {
-    radiosity::put(to, std::vector<uint64_t>{words.size()});
-    for (const std::string &word : words) radiosity::put(to, std::span<const char>(word));
+void putWords(std::string &to, const std::vector<std::string> &words) {
+    put(to, std::vector<uint64_t>{words.size()});
+    for (const std::string &word : words) put(to, word);
 }
 
-bool get(std::string_view from, size_t &at, std::string_view &bytes) {
-    std::span<const char> lie;
-    if (!getWhereItLies(from, at, lie)) return false;
-    bytes = {lie.data(), lie.size()};
-    return true;
-}
-
-bool get(std::string_view from, size_t &at, std::vector<std::string> &words) {
+bool getWords(std::string_view from, size_t &at, std::vector<std::string> &words) {
     std::vector<uint64_t> count;
-    if (!radiosity::get(from, at, count) || count.size() != 1) return false;
+    if (!get(from, at, count) || count.size() != 1) return false;
     for (uint64_t k = 0; k < count[0]; ++k) {
         std::string_view word;
         if (!get(from, at, word)) return false;
@@ -46,14 +39,11 @@ void Kept::save(const std::string &path, Kind kind) const {
     const size_t sumAt = all.size(), body = sumAt + sizeof(uint64_t);
     all.reserve(rows.size() + prepared.size() + 65536);
     all.resize(body);
-    radiosity::put(all, std::vector<uint64_t>{model, sky, solution, evenSky});
-    radiosity::put(all, away);
-    put(all, words), put(all, names.libraries), put(all, names.asked), put(all, names.all);
-    radiosity::put(all, names.known), radiosity::put(all, names.used);
-    radiosity::put(all, std::span<const char>(prepared));
+    put(all, std::vector<uint64_t>{model, sky, solution, evenSky}, away);
+    for (const auto *list : {&words, &names.libraries, &names.asked, &names.all}) putWords(all, *list);
+    put(all, names.known, names.used, prepared);
     // Rows are used in place, so align them for their items
-    radiosity::put(all, std::vector<char>(8 - all.size() % 8));
-    radiosity::put(all, std::span<const char>(rows));
+    put(all, std::string(8 - all.size() % 8, '\0'), rows);
     uint64_t sum = checksum(all.data() + body, all.size() - body);
     std::memcpy(&all[sumAt], &sum, sizeof sum);
     common::writeWhole(path, all);
@@ -64,14 +54,13 @@ Kept::Kept(const std::string &path, Kind kind) : file(common::readWholeFile(path
     size_t at = bodyOf(all, kKinds[(int)kind].magic);
     if (!at) throw common::Refused(path + ": " + kKinds[(int)kind].other);
     std::vector<uint64_t> head;
-    std::vector<char> padding;
-    bool good = at != std::string::npos && radiosity::get(all, at, head) && head.size() == 4 &&
-                radiosity::get(all, at, away) && (kind == Kind::kState || away.size() == 3) &&
-                get(all, at, words) && get(all, at, names.libraries) && get(all, at, names.asked) &&
-                get(all, at, names.all) && radiosity::get(all, at, names.known) &&
-                radiosity::get(all, at, names.used) && names.known.size() == names.asked.size() &&
-                names.used.size() == names.all.size() && get(all, at, prepared) &&
-                radiosity::get(all, at, padding) && get(all, at, rows) && at == all.size();
+    std::string_view padding;
+    bool good = at != std::string::npos && get(all, at, head, away) && head.size() == 4 &&
+                (kind == Kind::kState || away.size() == 3);
+    for (auto *list : {&words, &names.libraries, &names.asked, &names.all})
+        good = good && getWords(all, at, *list);
+    good = good && get(all, at, names.known, names.used, prepared, padding, rows) && at == all.size() &&
+           names.known.size() == names.asked.size() && names.used.size() == names.all.size();
     if (!good)
         throw common::Refused(path + ": is damaged, or from another version: " + kKinds[(int)kind].again);
     model = head[0], sky = head[1], solution = head[2], evenSky = head[3] != 0;

@@ -10,16 +10,14 @@ std::string SolveTask::prepare(const DirectShares &direct, std::span<const Chart
                                std::span<const Facet> facets) const {
     std::string to;
     direct.save(to);
-    put(to, std::vector<Chart>(charts.begin(), charts.end()));
-    put(to, std::vector<Facet>(facets.begin(), facets.end()));
-    put(to, regions.material);
+    put(to, charts, facets, regions.material);
     return to;
 }
 
 PreparedSolve::PreparedSolve(std::string_view from, size_t materials) {
     size_t at = 0;
-    bool good = direct.restore(from, at, materials) && get(from, at, regions.charts) &&
-                get(from, at, regions.facets) && get(from, at, regions.material) &&
+    bool good = direct.restore(from, at, materials) &&
+                get(from, at, regions.charts, regions.facets, regions.material) &&
                 regions.material.size() == regions.charts.size() &&
                 std::all_of(regions.material.begin(), regions.material.end(),
                             [&](int m) { return m >= 0 && (size_t)m < materials; });

@@ -16,16 +16,12 @@ constexpr char kMagic[] = "odraz radiosity 2\n";
 } // namespace
 
 void Solution::put(std::string &to) const {
-    radiosity::put(to, charts), radiosity::put(to, facets), radiosity::put(to, cells),
-        radiosity::put(to, texels);
-    radiosity::put(to, light), radiosity::put(to, reflects), radiosity::put(to, emits),
-        radiosity::put(to, cellReflects);
+    radiosity::put(to, charts, facets, cells, texels, light, reflects, emits, cellReflects);
 }
 
 bool Solution::get(const std::string &from, size_t &at) {
-    auto read = [&](auto &list) { return radiosity::get(from, at, list); };
-    return read(charts) && read(facets) && read(cells) && read(texels) && read(light) && read(reflects) &&
-           read(emits) && read(cellReflects) && valid(*this);
+    return radiosity::get(from, at, charts, facets, cells, texels, light, reflects, emits, cellReflects) &&
+           valid(*this);
 }
 
 void Solution::save(const std::string &path) const {

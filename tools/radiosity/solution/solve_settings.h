@@ -51,9 +51,6 @@ struct SolveSettings {
     double patch = 0;     // area of a patch; 0: 1/6000 of the model's, or larger if it has many polygons
     bool analytic = true; // direct light by shadow rays; false: hemicubes see the lamps
     bool adaptive = false;
-    float contrast = 0.05f; // see RadiositySettings
-    uint32_t turn = 0;      // seed of the hemicubes' rotations
-    int turns = 1;          // hemicubes for each patch, each rotated differently: anti-aliasing
     int shots = 0; // above 0: shoots light (shooting.h) with at most this number of hemicubes, without rows
     RowFinder findRows; // null: by hemicubes
 

@@ -1,6 +1,5 @@
 #include "tools/radiosity/solve/solve.h"
 
-#include "tools/radiosity/patches/solve_by_patches.h"
 #include "tools/radiosity/rays/solve_by_rays.h"
 
 #include <stdexcept>

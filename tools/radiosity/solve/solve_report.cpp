@@ -1,7 +1,5 @@
 #include "tools/radiosity/solve/solve_report.h"
 
-#include "tools/radiosity/patches/lamps.h"
-
 #include <cstdio>
 
 namespace odraz::radiosity {

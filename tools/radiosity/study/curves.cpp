@@ -145,7 +145,7 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
     Shooters shooters =
         blocks ? blocksOfPatches(model, emits, std::max(shotsAllowed / 4, 1)) : patchesAlone(model);
     Shooting shooting(model, std::move(shooters), emits, direct);
-    HemicubeShooter shooter(study.gl, model, px, 0);
+    HemicubeShooter shooter(study.gl, model, px);
     shoot(curve, shooting, 0, 16, 1e-4, [&] {
         curve.stopped = clock.wall() >= limit;
         return curve.stopped ? 0 : shooter.shoot(shooting, shooter.batch(), study.workers);

@@ -1,7 +1,6 @@
 #include "tools/radiosity/study/gathering.h"
 
 #include "tools/common/statistics.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/engine/luminance.h"
 #include "tools/radiosity/patches/odd_hemicube.h"
 
@@ -17,18 +16,6 @@ namespace {
 constexpr int kUnfolded = 480;         // pixels of a picture's side
 constexpr int kWithin = 3;             // points along a pixel's side, of which it is the mean
 constexpr double kLeastSeconds = 0.05; // for a measurement
-
-struct Opened {
-    HeapArena memory;
-    Hemicubes h;
-
-    Opened(const Gl &gl, int px) : memory(anyHemicubeBytes(px)) {
-        if (!openAnyHemicubes(h, gl, memory.arena, px))
-            throw std::runtime_error("this OpenGL cannot draw integers: install Mesa (libgl1-mesa-dri)");
-    }
-    Opened(const Opened &) = delete;
-    ~Opened() { closeHemicubes(h); }
-};
 
 } // namespace
 
@@ -74,35 +61,31 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
 
 Gathering::Result Gathering::measure(const Way &way) {
     if (patches.empty()) return {{NAN, NAN}, NAN, {}};
-    Opened opened(study.gl, way.px);
-    Hemicubes &h = opened.h;
-    std::vector<float> sums = formFactorSums(way.px), values;
-    int each = way.corners ? 4 : way.turns;
-    std::vector<float> row((size_t)model.patchCount);
+    AnyHemicubes hemicubes(study.gl, way.px);
+    const size_t each = way.corners ? 4 : (size_t)way.turns, batch = (size_t)hemicubes.h.batch;
     std::vector<Eye> eyes;
     for (int i : patches)
-        for (int k = 0; k < each; ++k)
+        for (int k = 0; k < (int)each; ++k)
             eyes.push_back(way.corners ? cornerEye(model, i, k)
                                        : hemicubeEye(model.patches[i].p, model.patches[i].n,
                                                      (uint32_t)i + (uint32_t)k * 0x9e3779b9u));
     // The first picture takes longer. Few patches are measured several times
-    drawHemicubes(h, model, &eyes[0], 1);
+    drawHemicubes(hemicubes.h, model, &eyes[0], 1);
+    Workers alone = serialWorkers();
     Stopwatch watch;
     std::vector<float> light;
     int rounds = 0;
     for (; rounds == 0 || (rounds < 20 && watch.processor() < kLeastSeconds); ++rounds) {
         light.assign(patches.size(), 0);
-        for (size_t first = 0; first < eyes.size(); first += (size_t)h.batch) {
+        for (size_t first = 0; first < eyes.size(); first += batch) {
             study.check();
-            int count = std::min(h.batch, (int)(eyes.size() - first));
-            drawHemicubes(h, model, &eyes[first], count);
-            for (int k = 0; k < count; ++k) {
-                std::fill(row.begin(), row.end(), 0.f);
-                sumHemicube(h, k, sums.data(), row.data());
+            auto some = std::span(eyes).subspan(first, std::min(batch, eyes.size() - first));
+            const auto &rows = hemicubes.rows(model, some, alone);
+            for (size_t k = 0; k < rows.size(); ++k) {
                 float sum = 0;
-                for (size_t j = 0; j < row.size(); ++j)
-                    if (row[j] > 0) sum += row[j] * luminance(radiosity[j]);
-                light[(first + (size_t)k) / (size_t)each] += sum / (float)each;
+                for (size_t j = 0; j < radiosity.size(); ++j)
+                    if (rows[k][j] > 0) sum += rows[k][j] * luminance(radiosity[j]);
+                light[(first + k) / each] += sum / (float)each;
             }
         }
     }
@@ -113,7 +96,7 @@ Gathering::Result Gathering::measure(const Way &way) {
 }
 
 int Gathering::patchSeeingMost() {
-    Opened opened(study.gl, 50);
+    AnyHemicubes opened(study.gl, 50);
     int best = -1;
     size_t most = 0;
     for (size_t k = 0; k < patches.size(); k += std::max(patches.size() / 32, (size_t)1)) {
@@ -130,7 +113,7 @@ int Gathering::patchSeeingMost() {
 }
 
 pictures::Image Gathering::unfolded(int patch, int px) {
-    Opened opened(study.gl, px);
+    AnyHemicubes opened(study.gl, px);
     const Patch &p = model.patches[patch];
     Eye eye = hemicubeEye(p.p, p.n, (uint32_t)patch);
     drawHemicubes(opened.h, model, &eye, 1);

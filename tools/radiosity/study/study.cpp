@@ -3,7 +3,6 @@
 #include "tools/common/clock.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/divide/regions.h"
-#include "tools/radiosity/patches/odd_hemicube.h"
 #include "tools/radiosity/patches/shooting.h"
 
 #include <algorithm>
@@ -214,7 +213,7 @@ double Study::hemicubeSeconds(int px) {
     const Model &m = *coarse.patches->model;
     std::vector<Rgb> light((size_t)m.patchCount, Rgb{1, 1, 1}), none((size_t)m.patchCount);
     Shooting shooting(m, patchesAlone(m), light, none);
-    HemicubeShooter shooter(gl, m, px, 1);
+    HemicubeShooter shooter(gl, m, px);
     double best = INFINITY;
     // The first picture also compiles the shaders. If hemicubes are slow, a few are enough
     Stopwatch watch;

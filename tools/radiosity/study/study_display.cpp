@@ -139,8 +139,7 @@ private:
         return [this, px](const Model &m, const Scene &scene, const uint8_t *lit, Workers &workers,
                           Arena &arena, FormFactors &factors, const Progress &progress) {
             EyeOf eyes = [&m](int patch, int k) { return cornerEye(m, patch, k); };
-            return rowsByHemicubes(study.gl, px, 4, 0, eyes)(m, scene, lit, workers, arena, factors,
-                                                             progress);
+            return rowsByHemicubes(study.gl, px, 4, eyes)(m, scene, lit, workers, arena, factors, progress);
         };
     }
 

@@ -2,7 +2,6 @@
 
 #include "tools/common/clock.h"
 #include "tools/radiosity/rays/lamp_rays.h"
-#include "tools/radiosity/rays/site_values.h"
 #include "tools/radiosity/solution/memory.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/transfer/lamp_sources.h"
@@ -35,7 +34,7 @@ public:
         task.solution.cells = grid.cells, task.solution.texels = grid.texels;
         RaySystem rays(task.regions, grid, tree, dark);
         findRows(rays, grid);
-        ColumnSystem columns(rays, reflectanceOfSites(grid, task.solution), lights(), s.solve.memory);
+        ColumnSystem columns(rays, rays.reflectance(task.solution), lights(), s.solve.memory);
         solve(columns, rays, grid, tree);
         spread(columns, rays, grid);
         report.seconds[1] = lap();
@@ -135,7 +134,7 @@ private:
             }
         }
         direct.push_back(directLight(lamp, lamps[k].around, grid, rays.behind, tree, workers));
-        std::vector<Rgb> means = meansOfSites(grid, rays.behind, direct.back());
+        std::vector<Rgb> means = rays.meansOfPlaces(direct.back());
         for (size_t site = 0; site < means.size(); ++site) {
             float *light = to.direct(site) + at;
             light[0] = means[site].x, light[1] = means[site].y, light[2] = means[site].z;

@@ -24,15 +24,12 @@ bool within(const std::vector<int> &list, int least, int end) {
 bool between(int x, int least, int most) { return x >= least && x <= most; }
 
 void putClusters(std::string &to, const Clusters &c) {
-    put(to, std::vector<int>{c.count, c.rank, c.columns});
-    put(to, c.of), put(to, c.axes), put(to, c.weights);
+    put(to, std::vector<int>{c.count, c.rank, c.columns}, c.of, c.axes, c.weights);
 }
 
 bool getClusters(const std::string &from, size_t &at, Clusters &c, const TransferRoom &room) {
     std::vector<int> sizes;
-    if (!get(from, at, sizes) || sizes.size() != 3 || !get(from, at, c.of) || !get(from, at, c.axes) ||
-        !get(from, at, c.weights))
-        return false;
+    if (!get(from, at, sizes, c.of, c.axes, c.weights) || sizes.size() != 3) return false;
     c.count = sizes[0], c.rank = sizes[1], c.columns = sizes[2];
     return between(c.count, 1, kMostClusters) && between(c.rank, 0, kMostRank) &&
            c.columns == room.columns() && c.of.size() == room.texels() && within(c.of, 0, c.count) &&
@@ -42,15 +39,13 @@ bool getClusters(const std::string &from, size_t &at, Clusters &c, const Transfe
 }
 
 void putGlossy(std::string &to, const GlossyChart &g) {
-    put(to, std::vector<int>{g.chart, g.bases, g.across, g.down, g.clusters, g.dimensions});
-    put(to, g.members), put(to, g.first), put(to, g.axes), put(to, g.weights);
+    put(to, std::vector<int>{g.chart, g.bases, g.across, g.down, g.clusters, g.dimensions}, g.members,
+        g.first, g.axes, g.weights);
 }
 
 bool getGlossy(const std::string &from, size_t &at, GlossyChart &g, const TransferRoom &room) {
     std::vector<int> sizes;
-    if (!get(from, at, sizes) || sizes.size() != 6 || !get(from, at, g.members) || !get(from, at, g.first) ||
-        !get(from, at, g.axes) || !get(from, at, g.weights))
-        return false;
+    if (!get(from, at, sizes, g.members, g.first, g.axes, g.weights) || sizes.size() != 6) return false;
     g.chart = sizes[0], g.bases = sizes[1], g.across = sizes[2], g.down = sizes[3], g.clusters = sizes[4],
     g.dimensions = sizes[5];
     if (!between(g.across, 1, 1024) || !between(g.down, 1, 1024) || !between(g.clusters, 1, kMostClusters) ||
@@ -73,30 +68,23 @@ bool glossFits(const TransferRoom &room) {
     });
 }
 
-// Names are kept in one array, each followed by a zero.
-std::vector<char> joined(const std::vector<std::string> &names) {
-    std::vector<char> all;
-    for (const std::string &name : names) all.insert(all.end(), name.c_str(), name.c_str() + name.size() + 1);
-    return all;
-}
-
 bool getRoom(const std::string &from, size_t &at, TransferRoom &room) {
     std::vector<int> numbers;
-    std::vector<char> names;
+    std::string_view names;
     std::vector<float> polish;
-    if (!get(from, at, numbers) || numbers.size() != 4 || !between(numbers[0], 1, kMostBands) ||
-        !between(numbers[1], 0, 1) || !between(numbers[2], 0, kMaxLamps) ||
-        !between(numbers[3], 0, kMostGlossyCharts) || !get(from, at, names) || !get(from, at, polish) ||
+    if (!get(from, at, numbers, names, polish) || numbers.size() != 4 ||
+        !between(numbers[0], 1, kMostBands) || !between(numbers[1], 0, 1) ||
+        !between(numbers[2], 0, kMaxLamps) || !between(numbers[3], 0, kMostGlossyCharts) ||
         polish.size() != 1 || !(polish[0] >= 0 && polish[0] <= 1))
         return false;
     room.bands = numbers[0], room.upIsZ = numbers[1], room.polish = polish[0];
-    for (auto begin = names.begin(), end = begin; begin != names.end(); begin = end + 1) {
-        end = std::find(begin, names.end(), '\0');
-        if (end == names.end()) return false;
-        room.lamps.emplace_back(begin, end);
+    for (size_t begin = 0, end; begin < names.size(); begin = end + 1) {
+        end = names.find('\0', begin);
+        if (end == names.npos) return false;
+        room.lamps.emplace_back(names.substr(begin, end - begin));
     }
-    if (room.lamps.size() != (size_t)numbers[2] || !room.model.get(from, at) || !get(from, at, room.lampOf) ||
-        !get(from, at, room.planes) || room.lampOf.size() != room.model.charts.size() ||
+    if (room.lamps.size() != (size_t)numbers[2] || !room.model.get(from, at) ||
+        !get(from, at, room.lampOf, room.planes) || room.lampOf.size() != room.model.charts.size() ||
         !within(room.lampOf, -1, numbers[2]) || room.texels() > 1u << 27 ||
         room.planes.size() != (size_t)room.bases() * 3 * room.stride() || !finite(room.planes) ||
         !getClusters(from, at, room.clusters, room))
@@ -123,11 +111,12 @@ std::string TransferRoom::withChecksum(const std::string &body) {
 }
 
 void TransferRoom::save(const std::string &path) const {
-    std::string body;
-    put(body, std::vector<int>{bands, upIsZ, (int)lamps.size(), (int)gloss.size()});
-    put(body, joined(lamps)), put(body, std::vector<float>{polish});
+    std::string body, names; // each followed by a zero
+    for (const std::string &name : lamps) names.append(name.c_str(), name.size() + 1);
+    put(body, std::vector<int>{bands, upIsZ, (int)lamps.size(), (int)gloss.size()}, names,
+        std::vector<float>{polish});
     model.put(body);
-    put(body, lampOf), put(body, planes), putClusters(body, clusters);
+    put(body, lampOf, planes), putClusters(body, clusters);
     for (const GlossyChart &g : gloss) putGlossy(body, g);
     common::writeWhole(path, withChecksum(body));
 }

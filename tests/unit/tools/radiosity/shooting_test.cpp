@@ -209,7 +209,7 @@ struct Room : ModelBench {
     // Light that arrives, by shots
     std::vector<Rgb> shot(Shooters shooters, int px, double residual, int *shots = nullptr) {
         Shooting shooting(*model, std::move(shooters), emits, std::vector<Rgb>(emits.size()));
-        HemicubeShooter shooter(headlessGl(), *model, px, 0);
+        HemicubeShooter shooter(headlessGl(), *model, px);
         int all = 0;
         while (shooting.left() > residual) all += shooter.shoot(shooting, shooter.batch(), workers);
         if (shots) *shots = all;
@@ -217,15 +217,12 @@ struct Room : ModelBench {
     }
     // ... by rows of hemicubes
     std::vector<Rgb> gathered(int px) {
-        Hemicubes h;
-        HeapArena own(anyHemicubeBytes(px));
-        EXPECT_TRUE(openAnyHemicubes(h, headlessGl(), own.arena, px));
+        AnyHemicubes hemicubes(headlessGl(), px);
         FormFactors factors = {};
         factors.capacity = (size_t)model->patchCount * (size_t)model->patchCount;
         factors.links = memory.arena.take<Link>(factors.capacity);
         std::vector<uint8_t> lit((size_t)model->patchCount, kReflects);
-        EXPECT_TRUE(findRowsFrom(h, *model, lit.data(), workers, memory.arena, factors, {}, 1));
-        closeHemicubes(h);
+        EXPECT_TRUE(findRowsFrom(hemicubes, *model, lit.data(), workers, memory.arena, factors, {}, 1));
         System s;
         EXPECT_TRUE(makeSystem(s, memory.arena, factors, model->patchCount, 3));
         std::vector<float> lamps((size_t)model->patchCount * (size_t)s.columns);
@@ -320,20 +317,17 @@ TEST(OddHemicube, FormFactorsOfUnitSquares) {
             squares.addTo(*b.model);
             b.pose();
             ASSERT_TRUE(b.model->divide(*b.scene, b.memory.arena, b.workers, 1, 0));
-            HeapArena own(anyHemicubeBytes(px));
-            Hemicubes h;
-            ASSERT_TRUE(openAnyHemicubes(h, headlessGl(), own.arena, px));
+            AnyHemicubes hemicubes(headlessGl(), px);
             std::vector<float> sums = formFactorSums(px);
             double sum = 0;
             for (int i = 0; i < 256; ++i) {
                 Eye eye = hemicubeEye(b.model->patches[i].p, b.model->patches[i].n, (uint32_t)i);
-                drawHemicubes(h, *b.model, &eye, 1);
+                drawHemicubes(hemicubes.h, *b.model, &eye, 1);
                 std::vector<float> row((size_t)b.model->patchCount);
-                float dark = sumHemicube(h, 0, sums.data(), row.data());
+                float dark = sumHemicube(hemicubes.h, 0, sums.data(), row.data());
                 EXPECT_NEAR(std::accumulate(row.begin(), row.end(), (double)dark), 1, 2e-6);
                 sum = std::accumulate(row.begin() + 256, row.end(), sum);
             }
-            closeHemicubes(h);
             double found = sum / 256;
             std::printf("%s squares, %d px: %.3f %% off\n", squares.name, px,
                         100 * (found / squares.exact - 1));

@@ -1,10 +1,6 @@
-#include "tools/radiosity/patches/solve_by_patches.h"
-
-#include "tools/radiosity/patches/kept_patches.h"
-#include "tools/radiosity/patches/light_so_far.h"
-#include "tools/radiosity/patches/patch_rows.h"
 #include "tools/radiosity/patches/patch_solver.h"
-#include "tools/radiosity/patches/sees_backs.h"
+
+#include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/solution/memory.h"
 
 #include <algorithm>
@@ -13,6 +9,24 @@
 #include <stdexcept>
 
 namespace odraz::radiosity {
+
+// Whether any patch sees the back of a surface; about 500 patches are checked. If none does, hemicubes need
+// not draw backs.
+static bool seesBacks(const Model &m, const Mesh &mesh) {
+    static constexpr int kPlaces = 500, kAround = 96;
+    RayTree tree(cornersOf(mesh));
+    for (int i = 0, every = std::max(1, m.patchCount / kPlaces); i < m.patchCount; i += every) {
+        const Patch &p = m.patches[i];
+        const Chart &c = m.charts[p.chart];
+        for (int k = 0; p.share > 0 && k < kAround; ++k) {
+            float up = 1 - ((float)k + 0.5f) / kAround, out = std::sqrt(1 - up * up),
+                  turn = 2.3999632f * (float)k;
+            Vec3 d = c.u * (out * std::cos(turn)) + c.v * (out * std::sin(turn)) + c.n * up;
+            if (tree.nearest(p.p + c.n * c.off(), d).back) return true;
+        }
+    }
+    return false;
+}
 
 void PatchSolver::run() {
     report.whole = true;
@@ -24,7 +38,7 @@ void PatchSolver::run() {
     if (s.shots > 0) {
         shootLight();
     } else {
-        findPatchRows(task, p, gl);
+        findRows();
         task.lap(SolveStep::kFormFactors);
         solveBounces();
     }
@@ -34,7 +48,7 @@ void PatchSolver::run() {
 }
 
 void PatchSolver::relight() {
-    restorePatches(*task.prepared, task.regions, p);
+    restorePatches();
     for (int i = 0; i < m.patchCount; ++i)
         m.patches[i].reflects = task.solution.reflects[(size_t)m.patches[i].chart];
     report.patches = m.patchCount;
@@ -47,7 +61,7 @@ void PatchSolver::relight() {
     for (size_t t = 0; t < light.size(); ++t)
         r.direct[0][t] = light[t].x, r.direct[1][t] = light[t].y, r.direct[2][t] = light[t].z;
     task.lap(SolveStep::kDirectLight);
-    findPatchRows(task, p, gl);
+    findRows();
     task.lap(SolveStep::kFormFactors);
     solveBounces();
     fillSolution();
@@ -58,9 +72,9 @@ void PatchSolver::keepRows() {
     std::string prepared;
     if (task.preparable()) {
         prepared = task.prepare(shares, {m.charts, (size_t)m.chartCount}, {m.facets, (size_t)m.facetCount});
-        savePatches(m, prepared);
+        savePatches(prepared);
     }
-    s.keepRows(savedPatchRows(p), std::move(prepared));
+    s.keepRows(savedRows(), std::move(prepared));
 }
 
 Progress PatchSolver::progressOf(SolveStep which) {
@@ -137,7 +151,7 @@ void PatchSolver::fillSolution() {
 void PatchSolver::watch(const float *radiosity) {
     if (!task.watched()) return;
     fillGeometry();
-    task.solution.light = lightSoFar(task, p, radiosity);
+    task.solution.light = lightSoFar(radiosity);
     s.watcher(task.solution, radiosity);
 }
 
