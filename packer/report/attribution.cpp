@@ -6,8 +6,8 @@
 #include <cxxabi.h>
 #include <map>
 #include <memory>
-#include <queue>
 #include <sstream>
+#include <tuple>
 
 namespace pack {
 
@@ -94,33 +94,6 @@ std::vector<Claim> readMap(const std::string &map) {
     return objects;
 }
 
-// Goes through exclusive claims in order of address.
-class Cursor {
-public:
-    explicit Cursor(const std::vector<Claim> &claims) : at(claims.data()), end(at + claims.size()) {}
-    // The claim that holds `address`, or null. Addresses must not become smaller.
-    const Claim *operator()(uint64_t address) {
-        while (at != end && at->end <= address) ++at;
-        return at != end && at->begin <= address ? at : nullptr;
-    }
-
-private:
-    const Claim *at, *end;
-};
-
-// The addresses in the program where a claim begins or ends, and the program's own ends.
-std::vector<uint64_t> boundaries(uint64_t base, uint64_t end,
-                                 std::initializer_list<const std::vector<Claim> *> lists) {
-    std::vector<uint64_t> all = {base, end};
-    for (const std::vector<Claim> *list : lists)
-        for (const Claim &c : *list)
-            for (uint64_t address : {c.begin, c.end})
-                if (address > base && address < end) all.push_back(address);
-    std::sort(all.begin(), all.end());
-    all.erase(std::unique(all.begin(), all.end()), all.end());
-    return all;
-}
-
 std::string sectionWithout(const std::vector<Claim> &sections, const Program &program, uint64_t offset) {
     if (sections.empty())
         return offset - program.codeBegin < program.codeSize ? "(instructions)" : "(no section)";
@@ -129,34 +102,16 @@ std::string sectionWithout(const std::vector<Claim> &sections, const Program &pr
 
 } // namespace
 
-std::vector<Claim> exclusive(std::vector<Claim> claims) {
-    std::sort(claims.begin(), claims.end(), [](const Claim &a, const Claim &b) { return a.begin < b.begin; });
-    std::vector<uint64_t> edges = boundaries(0, UINT64_MAX, {&claims});
-    // Claims that have begun, the one that wins on top
-    auto later = [&](size_t i, size_t j) {
-        const Claim &a = claims[i], &b = claims[j];
-        if (a.begin != b.begin) return a.begin < b.begin;
-        if (a.end != b.end) return a.end > b.end;
-        return a.name > b.name;
-    };
-    std::priority_queue<size_t, std::vector<size_t>, decltype(later)> begun(later);
-    std::vector<Claim> result;
-    size_t next = 0, last = SIZE_MAX;
-    for (size_t e = 0; e + 1 < edges.size(); ++e) {
-        while (next < claims.size() && claims[next].begin <= edges[e]) begun.push(next++);
-        while (!begun.empty() && claims[begun.top()].end <= edges[e]) begun.pop();
-        if (begun.empty()) {
-            last = SIZE_MAX;
-            continue;
-        }
-        if (begun.top() == last)
-            result.back().end = edges[e + 1];
-        else {
-            last = begun.top();
-            result.push_back({edges[e], edges[e + 1], claims[last].name, claims[last].room});
-        }
+std::vector<uint32_t> owners(std::vector<Claim> &claims, uint64_t base, size_t size) {
+    std::sort(claims.begin(), claims.end(), [](const Claim &a, const Claim &b) {
+        return std::tie(a.begin, b.end, b.name) < std::tie(b.begin, a.end, a.name);
+    });
+    std::vector<uint32_t> owners(size, kNobody);
+    for (uint32_t i = 0; i < claims.size(); ++i) {
+        uint64_t begin = std::max(claims[i].begin, base), end = std::min(claims[i].end, base + size);
+        if (begin < end) std::fill_n(owners.begin() + (long)(begin - base), end - begin, i);
     }
-    return result;
+    return owners;
 }
 
 Home homeOf(const std::string &path) {
@@ -173,20 +128,27 @@ bool isMap(const std::string &text) { return text.find(kMapBegins) != std::strin
 
 std::vector<Stretch> attribute(const Bytes &elf, const std::string &map, const std::string &symbols,
                                const Program &program) {
-    std::vector<Claim> sections, functions, objects = exclusive(readMap(map));
+    std::vector<Claim> sections, functions, objects = readMap(map);
     readElf(elf, sections, functions);
-    sections = exclusive(sections);
-    functions = exclusive(functions);
     Homes homes = readSymbols(symbols);
-    Cursor section(sections), function(functions), object(objects);
-    std::vector<uint64_t> edges =
-        boundaries(program.base, program.base + program.bytes.size(), {&sections, &functions, &objects});
+    size_t size = program.bytes.size();
+    std::vector<uint32_t> section = owners(sections, program.base, size),
+                          function = owners(functions, program.base, size),
+                          object = owners(objects, program.base, size);
+    auto claim = [](const std::vector<Claim> &claims, uint32_t i) {
+        return i == kNobody ? nullptr : &claims[i];
+    };
     std::vector<Stretch> stretches;
-    for (size_t e = 0; e + 1 < edges.size(); ++e) {
-        uint64_t at = edges[e];
-        const Claim *s = section(at), *f = function(at), *o = object(at);
-        Stretch stretch = {(uint32_t)(at - program.base), (uint32_t)(edges[e + 1] - at), "", "", "", ""};
-        stretch.section = s ? s->name : sectionWithout(sections, program, at - program.base);
+    for (uint32_t at = 0; at < size; ++at) {
+        if (at && section[at] == section[at - 1] && function[at] == function[at - 1] &&
+            object[at] == object[at - 1]) {
+            ++stretches.back().size;
+            continue;
+        }
+        const Claim *s = claim(sections, section[at]), *f = claim(functions, function[at]),
+                    *o = claim(objects, object[at]);
+        Stretch stretch = {at, 1, "", "", "", ""};
+        stretch.section = s ? s->name : sectionWithout(sections, program, at);
         std::string nothing = "(nothing named in " + stretch.section + ")";
         stretch.symbol = f ? demangle(f->name) : nothing;
         if (!objects.empty()) {

@@ -28,9 +28,11 @@ struct Claim {
     std::string room = {}; // an object's
 };
 
-// No address twice, in order. Where claims overlap, the one that begins last has it, and of those that begin
-// at one address the shortest; if that is the same, the first by name.
-std::vector<Claim> exclusive(std::vector<Claim> claims);
+// For each of `size` bytes from the address `base` on, the number of the claim that has it, or kNobody. Sorts
+// the claims. Where they overlap, the one that begins last has a byte, and of those that begin at one address
+// the shortest; if that is the same, the first by name.
+inline constexpr uint32_t kNobody = UINT32_MAX;
+std::vector<uint32_t> owners(std::vector<Claim> &claims, uint64_t base, size_t size);
 
 // An object file, and the archive or folder that it is in, from a path like folder/lib.a(object.o) or
 // folder/object.o.

@@ -2,7 +2,6 @@
 #include "tools/common/text.h"
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace pack {
@@ -24,11 +23,6 @@ std::string printCosts(const Costs &all, const char *title, size_t most) {
                                (unsigned long long)cost.bytes);
     }
     return text;
-}
-
-const std::string *find(const std::map<std::string, std::string> &all, const std::string &key) {
-    auto found = all.find(key);
-    return found == all.end() ? nullptr : &found->second;
 }
 
 } // namespace
@@ -65,12 +59,8 @@ Report makeReport(std::vector<Stretch> stretches, const std::vector<float> &bits
     Report report;
     report.fileSize = fileSize;
     report.overhead = overhead;
-    double sum = 0;
-    for (float b : bits) {
-        double before = std::round(sum);
-        sum += b * kUnit;
-        report.sixteenths.push_back((uint16_t)(std::round(sum) - before));
-    }
+    Rounding rounding;
+    for (float b : bits) report.sixteenths.push_back((uint16_t)rounding(b * kUnit));
     if (rooms) {
         report.shares = rooms->shares;
         report.roomOf = rooms->of; // also of objects that are gone
@@ -110,9 +100,8 @@ std::string printReport(const Report &report) {
 void arrange(Report &before, const Report &now) {
     before.rooms.clear();
     for (auto &[object, cost] : before.objects) {
-        const std::string *home = find(now.roomOf, object);
-        if (!home) home = find(before.roomOf, object);
-        Cost &room = before.rooms[home ? *home : kNothingNamed];
+        const auto &roomOf = now.roomOf.count(object) ? now.roomOf : before.roomOf;
+        Cost &room = before.rooms[roomOf.count(object) ? roomOf.at(object) : kNothingNamed];
         room.bytes += cost.bytes;
         room.bits += cost.bits;
     }

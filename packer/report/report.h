@@ -3,6 +3,7 @@
 
 #include "packer/report/attribution.h"
 
+#include <cmath>
 #include <map>
 
 namespace pack {
@@ -30,6 +31,19 @@ struct Report {
     std::vector<uint16_t> sixteenths = {};          // the cost of each byte of the program
 };
 inline constexpr int kUnit = 16; // units in a bit
+
+// Rounds numbers so that the results add up to the rounded sum.
+class Rounding {
+public:
+    double operator()(double value) {
+        double before = std::round(sum);
+        sum += value;
+        return std::round(sum) - before;
+    }
+
+private:
+    double sum = 0;
+};
 
 // A file of rooms, a line each: ROOM SHARE OBJECT..., the share in bytes or -. The room of "(stub)"
 // is that of stub and headers.

@@ -3,24 +3,9 @@
 #include "packer/report/report.h"
 #include "tools/common/text.h"
 
-#include <cmath>
-
 namespace pack {
 
 namespace {
-
-// Rounds numbers so that the results add up to the rounded sum.
-class Rounding {
-public:
-    double operator()(double value) {
-        double before = std::round(sum);
-        sum += value;
-        return std::round(sum) - before;
-    }
-
-private:
-    double sum = 0;
-};
 
 std::string quote(const std::string &text) {
     std::string quoted = "\"";

@@ -9,9 +9,10 @@ using namespace pack;
 
 namespace {
 
-std::string text(const std::vector<Claim> &claims) {
+// The name of each byte's claim, for one byte each; '.' for none.
+std::string text(std::vector<Claim> claims) {
     std::string all;
-    for (const Claim &c : claims) all += std::to_string(c.begin) + "-" + std::to_string(c.end) + c.name + " ";
+    for (uint32_t i : owners(claims, 0, 10)) all += i == kNobody ? '.' : claims[i].name[0];
     return all;
 }
 
@@ -41,34 +42,15 @@ bool reads(const std::string &text) {
 // --- The symbol of each byte ---
 
 TEST(Attribution, GivesWhatOverlapsToOne) {
-    EXPECT_EQ(text(exclusive({})), "");
-    EXPECT_EQ(text(exclusive({{5, 9, "b"}, {0, 4, "a"}})), "0-4a 5-9b ");
-    EXPECT_EQ(text(exclusive({{0, 10, "out"}, {3, 5, "in"}})), "0-3out 3-5in 5-10out "); // nested
-    EXPECT_EQ(text(exclusive({{0, 6, "a"}, {4, 9, "b"}})), "0-4a 4-9b ");                // partly
-    EXPECT_EQ(text(exclusive({{0, 4, "z"}, {0, 4, "alias"}})), "0-4alias ");             // the same
-    EXPECT_EQ(text(exclusive({{0, 8, "long"}, {0, 3, "short"}})), "0-3short 3-8long ");
-    EXPECT_EQ(text(exclusive({{2, 4, "b"}, {0, 9, "a"}, {3, 6, "c"}})), "0-2a 2-3b 3-6c 6-9a ");
-}
-
-TEST(Attribution, GivesEveryAddressOnceWhateverIsClaimed) {
-    std::mt19937 random(1);
-    for (int round = 0; round < 200; ++round) {
-        std::vector<Claim> claims;
-        std::vector<int> claimed(64);
-        for (unsigned n = random() % 12; n--;) {
-            uint64_t begin = random() % 60, end = begin + 1 + random() % (63 - begin);
-            claims.push_back({begin, end, std::string(1, (char)('a' + random() % 5))});
-            for (uint64_t i = begin; i < end; ++i) claimed[i] = 1;
-        }
-        uint64_t last = 0;
-        for (const Claim &c : exclusive(claims)) {
-            ASSERT_LE(last, c.begin);
-            ASSERT_LT(c.begin, c.end);
-            last = c.end;
-            for (uint64_t i = c.begin; i < c.end; ++i) --claimed[i];
-        }
-        for (int c : claimed) ASSERT_EQ(c, 0);
-    }
+    EXPECT_EQ(text({}), "..........");
+    EXPECT_EQ(text({{5, 9, "b"}, {0, 4, "a"}}), "aaaa.bbbb.");
+    EXPECT_EQ(text({{0, 10, "out"}, {3, 5, "in"}}), "oooiiooooo"); // nested
+    EXPECT_EQ(text({{0, 6, "a"}, {4, 9, "b"}}), "aaaabbbbb.");     // partly
+    EXPECT_EQ(text({{0, 4, "z"}, {0, 4, "alias"}}), "aaaa......"); // the same
+    EXPECT_EQ(text({{0, 8, "long"}, {0, 3, "short"}}), "ssslllll..");
+    EXPECT_EQ(text({{2, 4, "b"}, {0, 9, "a"}, {3, 6, "c"}}), "aabcccaaa.");
+    std::vector<Claim> outside = {{0, 90, "a"}, {20, 30, "b"}, {95, UINT64_MAX, "c"}};
+    EXPECT_EQ(owners(outside, 25, 10), (std::vector<uint32_t>{1, 1, 1, 1, 1, 0, 0, 0, 0, 0}));
 }
 
 TEST(Attribution, FindsObjectAndArchiveInPaths) {
