@@ -1,6 +1,7 @@
 // Turns the linker's messages into one line with advice.
 #include "packer/link/linker.h"
 
+#include <dlfcn.h>
 #include <set>
 #include <sstream>
 
@@ -31,13 +32,8 @@ const char *libraryOf(const std::string &name) {
         {"pthread_", "-pthread"},
         {"dl", "-ldl"},
     };
-    static const std::set<std::string> kMaths = {
-        "sin",   "cos",  "tan",   "asin",   "acos",   "atan",    "atan2",  "exp",   "exp2",
-        "log",   "log2", "log10", "pow",    "sqrt",   "fmod",    "floor",  "ceil",  "round",
-        "sinf",  "cosf", "tanf",  "asinf",  "acosf",  "atanf",   "expf",   "exp2f", "logf",
-        "log2f", "powf", "sqrtf", "fmodf",  "floorf", "ceilf",   "roundf", "cbrt",  "hypot",
-        "sinh",  "cosh", "tanh",  "atan2f", "tanhf",  "sincosf", "sincos"};
-    if (kMaths.count(name)) return "-lm";
+    static void *maths = dlopen("libm.so.6", RTLD_LAZY);
+    if (maths && dlsym(maths, name.c_str())) return "-lm";
     for (auto &known : kKnown)
         if (name.rfind(known.begins, 0) == 0) return known.advice;
     return "the -l of the library that has it";

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
-#include <sstream>
 
 namespace pack::linking {
 
@@ -64,26 +62,6 @@ Words replaceIntermediate(const Words &inputs, const Words &intermediate, const 
         }
     }
     return replaced;
-}
-
-// What a link used, by GNU ld's map; empty if it is the map of another linker.
-struct Taken {
-    Words files;                                           // all that were opened, in order
-    std::set<std::pair<std::string, std::string>> members; // archive and member, of those linked
-};
-Taken readLinkerMap(const std::string &map) {
-    // "archive.a(member.o)   because.o (symbol)", where the second half may stand on the next line
-    static const std::regex kLoad("LOAD (.*)"), kMember(R"((\S.*?)\(([^()]+)\)(\s.*)?)");
-    Taken taken;
-    std::istringstream lines(map);
-    std::smatch match;
-    for (std::string line; std::getline(lines, line);) {
-        if (std::regex_match(line, match, kMember)) taken.members.emplace(match[1], match[2]);
-        if (!std::regex_match(line, match, kLoad)) continue;
-        if (std::find(taken.files.begin(), taken.files.end(), match[1]) == taken.files.end())
-            taken.files.push_back(match[1]);
-    }
-    return taken;
 }
 
 // Adds a file of the link to the objects, archives or libraries.

@@ -1,5 +1,5 @@
 // pack-link: links a program for the packer, in the ways that are possible, and keeps the smallest.
-#include "packer/link/tries.h"
+#include "packer/link/ways.h"
 #include "tools/common/temporary_folder.h"
 
 #include <csignal>
@@ -36,10 +36,7 @@ int packLink(common::CommandLine &line) {
         theFolder = folder / "";
         theFolder.pop_back();
         for (int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, endBySignal);
-        Tries tries(options, theFolder);
-        tries.run();
-        std::fputs(tries.print().c_str(), stdout);
-        tries.finish();
+        packSmallest(options, theFolder);
         return 0;
     } catch (const std::filesystem::filesystem_error &e) {
         throw common::Refused("cannot write " + e.path2().string() + e.path1().string() + ": " +

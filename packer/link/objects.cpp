@@ -2,8 +2,11 @@
 
 #include "packer/read/elf_file.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
+#include <sstream>
 
 namespace pack::linking {
 
@@ -139,6 +142,21 @@ std::vector<Object> readObjects(const std::string &path) {
         one.push_back(readObject(path, "", 0, std::move(bytes)));
         return one;
     });
+}
+
+Taken readLinkerMap(const std::string &map) {
+    // "archive.a(member.o)   because.o (symbol)", where the second half may stand on the next line
+    static const std::regex kLoad("LOAD (.*)"), kMember(R"((\S.*?)\(([^()]+)\)(\s.*)?)");
+    Taken taken;
+    std::istringstream lines(map);
+    std::smatch match;
+    for (std::string line; std::getline(lines, line);) {
+        if (std::regex_match(line, match, kMember)) taken.members.emplace(match[1], match[2]);
+        if (!std::regex_match(line, match, kLoad)) continue;
+        if (std::find(taken.files.begin(), taken.files.end(), match[1]) == taken.files.end())
+            taken.files.push_back(match[1]);
+    }
+    return taken;
 }
 
 bool makeSlots(Object &object, const std::set<std::string> &symbols) {

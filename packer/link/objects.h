@@ -39,6 +39,13 @@ FileKind kindOf(const std::string &path);
 // An object file, or the members of an archive. Throws common::Refused if one cannot be read.
 std::vector<Object> readObjects(const std::string &path);
 
+// What a link used, by GNU ld's map; empty if it is the map of another linker.
+struct Taken {
+    std::vector<std::string> files;                        // all that were opened, in order
+    std::set<std::pair<std::string, std::string>> members; // archive and member, of those linked
+};
+Taken readLinkerMap(const std::string &map);
+
 // Turns GOT references to `symbols` into direct ones, because these symbols are the slots themselves. Returns
 // whether there were any.
 bool makeSlots(Object &object, const std::set<std::string> &symbols);

@@ -31,15 +31,15 @@ check "... which is as large as on the page" grep -q " of $(stat -c %s packed), 
 check "the report adds up, too" json_sums a.json
 check "the text has size and budget" grep -qx "\*\*\`packed\`: $(sed ':a; s/\B[0-9]\{3\}\>/,&/; ta' <<<"$(stat -c %s packed)") bytes\*\*, .* left of 5,000" a.md
 perl "$page" a.html tables >tables
-check "the page knows the archive's file, and the folder" eval 'grep -q "^\[\"libtwice.a\"," tables && grep -q "^\[\"folder\"," tables'
-check "what has two names is there once" test "$(grep -cE '^\["(once|again)",' tables)" = 1
-check "what has no name is there, too" grep -q '^\["(nothing named in .rodata)",' tables
+check "the page knows the archive's file, and the folder" eval 'grep -q "\"twice.o\",\"libtwice.a\"" tables && grep -q "\"main.o\",\"folder\"" tables'
+check "what has two names is there once" test "$(grep -oE '"(once|again)"\]' tables | wc -l)" = 1
+check "what has no name is there, too" grep -q '"(nothing named in .rodata)"\]' tables
 read -r address size <<<"$(readelf -SW program | sed -n 's/.* \.text *PROGBITS *\([0-9a-f]*\) [0-9a-f]* \([0-9a-f]*\) .*/\1 \2/p')"
 objcopy -O binary -j .text program code
 check "the page has the program's bytes" cmp code <(perl "$page" a.html bytes | tail -c +$((0x$address + 1)) | head -c $((0x$size)))
 check "it needs no network" eval '! grep -qE "https?://|src=|@import|url\(" a.html'
 check "the same again" "${packs[@]}" --html b.html >/dev/null
-check "... differs by nothing but the budget" test "$(cmp -l <(perl "$page" a.html tables | grep -v '"budget"') <(perl "$page" b.html tables | grep -v '"budget"') | wc -l)" = 0
+check "... differs by nothing but the budget" test "$(cmp -l <(perl "$page" a.html tables | sed 's/"budget":[-0-9]*//') <(perl "$page" b.html tables | sed 's/"budget":[-0-9]*//') | wc -l)" = 0
 mkdir tools && ln -s "$(command -v gcc)" tools
 check "without objdump" env PATH="$WORK/tools" "$pack" program -o packed --html c.html >/dev/null
 check "... a page without instructions" prints ', 0 instructions$' sums c.html
@@ -63,8 +63,8 @@ stub 4000 (stub)" >rooms
 check "a comparison names what grew, and nothing else is printed" test "$(grep -cE '^\| +\+[0-9]+ \| +[0-9]+ \| +[0-9]+ \| `(once|again)` \|$' text)/$(grep -c '^packed: ' text)" = 1/0
 check "... the page, too, and both add up" sums g.html >/dev/null
 perl "$page" g.html tables >tables
-check "... by rooms and their shares" grep -qE '^\["house",[0-9]+,[0-9]+,[0-9]+,100\]' tables
-check "... with the stub's" grep -qE '^\["stub",0,[0-9]+,[0-9]+,4000\]' tables
+check "... by rooms and their shares" grep -q '"shares":{"house":100,"stub":4000}' tables
+check "... with the stub's" grep -q '"stubRoom":"stub"' tables
 check "nothing has changed since itself" prints '^No symbol changed by four bytes or more\.$' "${packs[@]}" --text - --than g.json
 over() { "${packs[@]}" --html over.html --budget 9 >/dev/null 2>&1; [ $? = 1 ] && sums over.html >/dev/null; }
 check "a page of what is over budget is written" over
@@ -93,8 +93,8 @@ check "the film's page" prints '^wrote film.html$' env BUILD=film "$ledger" html
 check "... adds up" sums film.html >/dev/null
 perl "$page" film.html tables >tables
 check "... is compared with the ledger" grep -q '"before":{[^}]*"name":"size_ledger.json"' tables
-check "... has the stub's share" grep -qE '^\["stub",0,[0-9]+,[0-9]+,[0-9]{4}\]' tables
-check "... and the room of main.cpp.o in the ledger" grep -qE '^\["intro",0,0,[1-9][0-9]+,[0-9]{4}\]' tables
+check "... has the stub's share" grep -qE '"shares":\{[^}]*"stub":[0-9]{4}.*"stubRoom":"stub"' tables
+check "... and the room of main.cpp.o in the ledger" grep -qE '"before":\{.*"rooms":\{[^}]*"intro":[1-9][0-9]+' tables
 check "a comment, compared with another report" prints '^\*\*`odraz`: [0-9,]+ bytes\*\*, \+' env BUILD=film "$ledger" text --than a.json
 check "a page without a name" refuses 2 "html needs a file" "$ledger" html
 check "an unknown word" refuses 2 "cannot use '--before'" "$ledger" text --before x
