@@ -17,7 +17,7 @@ junk=('' ' ' - -- 0 -1 1e999 -nan inf 99999999999999999999 0x10 +1 .5 1. '٣' '�
     --help= -h ... '*' "'" '"' \\ /dev/null/x none/deeper)
 folders=(d d/ ./e . d/. ž $'\xff' - none/d file /proc "${long:0:300}" "${long:0:5000}")
 files=(a ./b ž $'\xfe' - none/b . file /dev/full /dev/null "${long:0:300}" "${long:0:5000}")
-values() { # values OPTION: sets good to what it may be given
+values() { # values OPTION PLACEHOLDER: sets good to what it may be given, by its name or by its placeholder in --help
     case $name$1 in
     odraz*--dump) good=("${folders[@]}") ;;
     odraz*--wav) good=("${files[@]}") ;;
@@ -34,57 +34,50 @@ values() { # values OPTION: sets good to what it may be given
     pack--budget) good=(65536 1e8 9999 1 0 1e9 1.5) ;;
     pack--effort) good=(fast 0 0.1 fastest) ;;
     radiosity-o | radiosity--csv | radiosity--ply | radiosity--obj) good=("${files[@]}" x.obj x.png) ;;
-    radiosity--bands) good=(1 2 6 0 7) ;;
-    radiosity--clusters) good=(1 2 4096 0 4097) ;;
-    radiosity--rank) good=(1 8 32 0 33) ;;
-    radiosity--turn | radiosity--tilt) good=(10 -90 0 1e9) ;;
     radiosity--lamps) good=(all none 1 l=2 2 1,1 l= ,) ;;
-    radiosity--glossy) good=(l m l none '') ;;
-    radiosity--gloss) good=(0.06,16 1,1 0,1000 2,1 1,0 1) ;;
-    radiosity--pictures) good=("${folders[@]}") ;;
-    radiosity--area) good=(1 100 30 1e-5 1e7) ;;
-    radiosity--hemicube) good=(4 16 25 2 1026) ;;
-    radiosity--patch | radiosity--element) good=(1 10 1e30 1e31 1e-19) ;;
-    radiosity--bounces) good=(0 1 100 10001) ;;
-    radiosity--residual) good=(1 1e-4 0.5 1e-8 2) ;;
-    radiosity--lamp-samples) good=(1 256 3 257) ;;
-    radiosity--direct) good=(analytic hemicube analytic both) ;;
-    radiosity--memory) good=(500 100 900 1 0.5 1e6 1e7) ;;
-    radiosity--eye | radiosity--at) good=(0,5,4.9 0,4,-5 0,0,0 1e30,0,0 1,2 1,2,3,4 nan,0,0) ;;
-    radiosity--size) good=(16x9 1x1 8x8 7681x1 0x0 16x) ;;
-    radiosity--sky) good=(1,1,1 0.2,0.3,0.5 file m.obj fifo /dev/zero none -1,0,0 1,2 nan,0,0) ;;
-    radiosity--sun) good=(30,60,5,5,5 90,0,1,2,3 -90,400,1,1,1 1,2,3,4 1,2,3,4,-5) ;;
-    radiosity--lamp) good=(1,2,3,0.5,9,9,9 0,0,0,1e-9,1,1,1 1e9,0,0,1,1,1,1 0,0,0,0,1,1,1 1,2,3) ;;
-    radiosity--reflectance) good=(0.5 0,0.5,1 l=1 2 l=1,1,2 none=1 1,2 =) ;;
-    radiosity--power) good=(2 1,2,3 l=0 l=1e13 none=1 1,2 =) ;;
-    radiosity--rays | radiosity--final) good=(8 32 64 7 32769) ;;
-    radiosity--keep-every) good=(1 0.01 60 0) ;;
-    radiosity--relight) good=(m.rad m.rad m.rad m.obj file none fifo .) ;;
-    radiosity--resume) good=(file none m.obj fifo .) ;;
-    radiosity--atlas) good=(atlas none/x file .) ;;
-    radiosity--map) good=(light radiosity light both) ;;
-    radiosity--texels) good=(1 0.1 10 0 -1) ;;
-    radiosity--padding) good=(1 2 64 0 65) ;;
+    radiosity--gloss*) good=(l m 0.06,16 none '' 1,1 0,1000 2,1 1,0 1) ;;
     radiosity--page) good=(256 8192 16384 255 16385) ;;
-    radiosity--up) good=(y z y x) ;;
-    radiosity--scale) good=(1 1e-6 1e6 0 -1) ;;
-    radiosity--lens) good=(60 1 170 0 171) ;;
-    radiosity--exposure) good=(0 -20 20 21) ;;
-    radiosity--tone) good=(log film log loud) ;;
-    *) good=() ;;
+    radiosity--residual) good=(1 1e-4 0.5 1e-8 2) ;;
+    radiosity--relight | radiosity--resume) good=(m.rad m.rad m.rad m.obj file none fifo .) ;;
+    *)
+        case ${2-} in
+        *[a-z]\|[a-z]*) good=(${2//|/ } both) ;;
+        DIR) good=("${folders[@]}") ;;
+        N | PX | K) good=(8 1 32 2 16 25 64 0 2 6 7 33 65 1026 32769 1.5 -1) ;;
+        A | AREA | S) good=(1 10 30 0.01 1e30 1e31 1e-19 1e6 0 -1) ;;
+        DEGREES) good=(10 60 -90 170 0 171 1e9) ;;
+        STOPS) good=(0 -20 20 21) ;;
+        MB) good=(500 100 900 1 0.5 1e6 1e7) ;;
+        X,Y,Z) good=(0,5,4.9 0,4,-5 0,0,0 1e30,0,0 1,2 1,2,3,4 nan,0,0) ;;
+        WxH) good=(16x9 1x1 8x8 7681x1 0x0 16x) ;;
+        R,G,B*) good=(1,1,1 0.2,0.3,0.5 file m.obj fifo /dev/zero none -1,0,0 1,2 nan,0,0) ;;
+        ELEVATION,*) good=(30,60,5,5,5 90,0,1,2,3 -90,400,1,1,1 1,2,3,4 1,2,3,4,-5) ;;
+        X,Y,Z,SIZE*) good=(1,2,3,0.5,9,9,9 0,0,0,1e-9,1,1,1 1e9,0,0,1,1,1,1 0,0,0,0,1,1,1 1,2,3) ;;
+        *FACTOR) good=(0.5 0,0.5,1 l=1 2 1,2,3 l=1,1,2 l=0 l=1e13 none=1 1,2 =) ;;
+        *) good=() ;;
+        esac ;;
     esac
 }
-mapfile -t options < <("$program" --help | grep -oE '(^|[ |])--?[a-z][a-z-]*' | grep -oE -- '-.*' | sort -u)
-check "--help lists options" test ${#options[@]} -ge 6
+# What each command takes; any other takes all
+declare -A known
+[ "$name" != radiosity ] || for command in generate solve transfer export render; do
+    known[$command]=$("$program" $command --help)
+done
+known[all]=$("$program" --help; printf '%s\n' "${known[@]}")
+for command in "${!known[@]}"; do
+    known[$command]=$(sed -nE 's/^ +(--?[a-z][a-z-]*)( ([^ ]+))?.*/\1 \3/p' <<<"${known[$command]}" | sort -u)
+done
+check "--help lists options" test "$(wc -l <<<"${known[all]}")" -ge 6
 
 # Sets words to a random command line. `bounds`, before or after it, keeps the run short
 make_words() {
     local groups=$((RANDOM % 5)) group option
     words=()
+    mapfile -t options <<<"${known[${bounds[0]:-all}]-${known[all]}}"
     for ((group = 0; group < groups; ++group)); do
         pick "${options[@]}"
-        option=$picked
-        values "$option"
+        option=${picked% *}
+        values "$option" "${picked#* }"
         case $((RANDOM % 32)) in
         0) words+=("$option") ;;                                     # without its value, or with the next word
         1) pick "${junk[@]}"; words+=("$picked") ;;                  # a value without an option
