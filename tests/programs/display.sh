@@ -1,5 +1,5 @@
 # Sourced by tests of the film in a window: starts a display in memory and looks at what is on it.
-declare -F check >/dev/null || . "$(dirname "$0")/common.sh"
+declare -F check >/dev/null || . "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 skip_unless Xvfb xdotool xwininfo import identify
 
 start_display() { # start_display WIDTHxHEIGHT[xDEPTH] OPTION...: sets DISPLAY
@@ -25,7 +25,9 @@ start_window_manager() {
 }
 
 # --- What is on the display ---
-seen() { window=$(xdotool search --onlyvisible --name "^$FILM\$" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+WINDOW="^$FILM\$" # its title
+seen() { window=$(xdotool search --onlyvisible --name "$WINDOW" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
 focused() { [ "$(xdotool getwindowfocus -f)" = "$window" ]; }
 measures() { # measures WIDTH HEIGHT
     local info
@@ -46,6 +48,16 @@ begin() { # begin PROGRAM OPTION...: sets pid and window, once it is there
 
 # play OPTION...: loads by load(), and waits for a picture: first the film is unpacked, and the hall is solved
 play() { load "$@" && await eval "is_bright || gone $pid" && is_bright; }
+# comes CONDITION: until it holds, unless the program ends
+comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
+press() { xdotool key --window "$window" "$@"; }
+# on_key KEYS WHAT COMMAND...: presses the keys; then the command succeeds
+on_key() {
+    # shellcheck disable=SC2086 # several keys
+    xdotool key $1
+    check "$2" await "${@:3}"
+}
+escapes() { xdotool key Escape; ended $pid && [ ! -s "$WORK/err" ]; } # ESC ends it with status 0, silently
 managed() { wmctrl -l | grep -q ' odraz$'; }
 
 # The film on the full screen of a display of 1000x700, which is taller than 16:9: 68 or 69 black rows above and below

@@ -79,9 +79,8 @@ head -c 400000 /dev/urandom >noise
 printf '%s\n' '.section .rodata' '.incbin "noise"' '.section .note.GNU-stack,"",@progbits' >noise.s
 gcc -O1 c.c noise.s -Llib -lfound -Wl,-rpath,'$ORIGIN/lib' -o long && "$pack" long -o a/long >/dev/null
 check "a program of 400 KB of noise" test -x a/long
-(cd a && exec ./long x) >got &
-pid=$!
-PIDS+=($pid)
+in_a() { cd a && exec "$@"; }
+behind in_a ./long x
 stopped() { grep -q '^State:.*T' "/proc/$pid/status"; }
 in_pieces() {
     local i
@@ -90,22 +89,17 @@ in_pieces() {
         kill -STOP $pid && await stopped && kill -CONT $pid && kill -WINCH $pid || return 1
     done
     ended $pid
-    [ $? = 3 ] && grep -q '^42: ' got
+    [ $? = 3 ] && grep -q '^42: ' out
 }
 check "stopped and continued while it decodes, it runs" in_pieces
-(cd a && exec ./long x) >got &
-pid=$!
-PIDS+=($pid)
-ended_by_term() { worked $pid 5 && kill -TERM $pid; ended $pid; [ $? = 143 ] && [ ! -s got ]; }
+behind in_a ./long x
+ended_by_term() { worked $pid 5 && kill -TERM $pid; ended $pid; [ $? = 143 ] && [ ! -s out ]; }
 check "SIGTERM ends it while it decodes" ended_by_term
 check "... SIGINT, if it was to be ignored, does not" bash -c 'trap "" INT; cd a; ./long x >../got & sleep 0.2; kill -INT $!; wait $!; test $? = 3'
 
 # What others see
-waiting() { grep -q here got; }
-(cd a && exec ./run wait) >got 2>&1 &
-pid=$!
-PIDS+=($pid)
-check "it waits" await waiting
+behind in_a ./run wait
+check "it waits" await grep -q here out
 check "no memory is both writable and executable" bash -c "! grep ' rwx' /proc/$pid/maps"
 # Debuggers get the packed file's headers from the kernel, so they need the program's address
 base=0x$(grep -m 1 '/run$' /proc/$pid/maps | cut -d- -f1) libc=0x$(grep -m 1 'libc[.-]' /proc/$pid/maps | cut -d- -f1)

@@ -9,14 +9,12 @@ all=${2-} keep=${3-}
 start_display 660x400
 WIDTH=640 HEIGHT=360
 
-debug_seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug" 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+WINDOW="^$FILM-debug"
 title() { xdotool getwindowname "$window"; }
 # shown_at: seconds of the film, of the title "odraz-debug  table  0:25.00  row ..."
 shown_at() { title | sed -nE 's/.*  ([0-9]+):([0-9.]+)  row .*/\1 \2/p' | awk '{ print $1 * 60 + $2 }'; }
-titled() { title | grep -q -- "$1"; }
 at() { [ "$(shown_at)" = "$1" ]; } # at SECONDS, as the title writes them
 near() { awk "BEGIN { off = $1 - $(shown_at); exit !(off < $2 && off > -$2) }"; } # near SECONDS TOLERANCE
-key() { xdotool key --window "$window" "$@"; }
 pointer() { xdotool mousemove --window "$window" "$1" "$2"; }
 # Two pictures later every request is shown: the title has the time that the last picture took
 drawn() {
@@ -41,19 +39,15 @@ differ() {
 STRIP=640x45+0+315 REST=400x200+190+110
 seconds_at() { awk "BEGIN { print $1 / $WIDTH * 162 }"; } # of a column of the strip
 
-"$BUILD/$FILM-debug" --from 25 --size ${WIDTH}x$HEIGHT --mute >"$WORK/out" 2>"$WORK/err" &
-pid=$!
-PIDS+=($pid)
-await eval "debug_seen || gone $pid"
-check "it opens a window" debug_seen
+check "it opens a window" begin "$BUILD/$FILM-debug" --from 25 --size ${WIDTH}x$HEIGHT --mute
 xdotool windowfocus "$window"
 await titled 'row'
-key space
+press space
 check "space pauses" await titled paused
 look hidden
 
 # --- The time line ---
-key Tab
+press Tab
 look shown
 check "TAB shows the time line" less 0.5 "$(differ hidden shown $STRIP)"
 check "... and leaves the rest of the picture" less "$(differ hidden shown $REST)" 0.001
@@ -69,7 +63,7 @@ xdotool mouseup 1
 check "... still paused" titled paused
 look scrubbed
 
-key space # play
+press space # play
 pointer 120 340
 xdotool mousedown 3
 xdotool mousemove_relative 3 0
@@ -88,35 +82,35 @@ stays() { # it is seen to go back, and never to leave
     [ $back -ge 2 ]
 }
 check "... again and again" stays
-key space
+press space
 await titled paused
 look looped
-key l
+press l
 check "L ends the loop" eval 'look unlooped; less 0.02 "$(differ looped unlooped 5x45+119+315)"'
 
 # --- Steps ---
 pointer 120 340
 xdotool click 1
 check "a click goes to 30.38 s" await at 30.38
-key Prior
+press Prior
 check "page up: the bar before" await at 30
-key Next
+press Next
 check "page down: the next bar" await at 32
-key period
+press period
 check "dot: a picture on, the 25th of a second" await at 32.04
-key comma comma
+press comma comma
 check "comma, twice: two back" await at 31.96
-key n
+press n
 check "N: the next event, the flake's first generation" await at 42
-key b
+press b
 check "B: the event before" await at 18
 
 # --- What it shows ---
 if [ -n "$all" ]; then
-    key n
+    press n
     await at 42
     look costs
-    key g
+    press g
     look ghost
     check "G shows the camera from outside" less 0.5 "$(differ costs ghost 180x90+450+10)"
     pointer 540 60
@@ -124,27 +118,27 @@ if [ -n "$all" ]; then
     look orbit
     check "... from another side, dragged" less 0.2 "$(differ ghost orbit 180x90+450+10)"
     check "... without a move of the film's camera" less "$(differ ghost orbit 250x150+190+130)" 0.001
-    key g m
+    press g m
     look materials
     check "M shows the materials" less 0.001 "$(differ costs materials 150x60+10+60)"
-    key m p
+    press m p
     look heat
     check "P shows the samples" less 0.8 "$(differ costs heat $REST)"
-    key p v
+    press p v
     look split
     check "V shows two qualities" less 0.1 "$(differ costs split 12x200+314+60)"
-    key f
+    press f
     look flip
     check "F shows the difference: dark where there is none" less "$(mean_of flip $REST)" 0.3
-    key f v h
+    press f v h
     look help
     check "H lists the keys" less 0.3 "$(differ costs help 300x200+170+60)"
-    key h Tab
+    press h Tab
     look hidden_again
     check "TAB hides it all" less "$(differ hidden_again costs $REST)" 0.001
 fi
 
-key Escape
+press Escape
 check "ESC leaves" eval 'ended $pid'
 check "... and prints nothing" test ! -s "$WORK/err"
 finish

@@ -57,9 +57,7 @@ check "... and in glTF" grep -q '"KHR_materials_emissive_strength":{"emissiveStr
 check "... but not twice where the pages have them" lacks '^Ke [^0]' shown/model.mtl
 
 check "a folder that holds something" refuses 2 "light: exists already: name a folder that is new or empty" "$radiosity" export m.rad --atlas light
-check "a file" refuses 2 "exists already" "$radiosity" export m.rad --atlas m.rad
-check "no place for a folder" refuses 2 "cannot write" "$radiosity" export m.rad --atlas none/out
-check "... nor in a file" refuses 2 "cannot write" "$radiosity" export m.rad --atlas m.obj/out
+check "no place for a folder" refuses 2 "cannot write" "$radiosity" export m.rad --atlas m.obj/out
 check "options of another export" refuses 2 "--texels belongs to --atlas DIR" "$radiosity" export m.rad --texels 2 --csv m.csv
 check "an unknown map" refuses 2 "--map" "$radiosity" export m.rad --atlas x --map shadows
 check "a page that is none" refuses 2 "from 256 to 16384" "$radiosity" export m.rad --atlas x --page 8

@@ -29,7 +29,8 @@ one_line() { # one_line WHAT TEXT WHY
 
 # --- How it is written ---
 sound "no material file" "${square}f 1 2 3 4\n"
-check "... reflects 0.7" reflects 0.7 0.7
+check "... reflects 0.7 of a sky of 1, everywhere" table m.csv 'if ($9 < 0.6999 || $9 > 0.7001) ++off' 'off + 0 == 0'
+check "... which is reported" grep -q 'nothing in the model emits light: an even sky is added' err
 sound "one that is missing" "mtllib none.mtl\nusemtl m\n${square}f 1 2 3 4\n" 'its materials cannot be read: cannot read none.mtl'
 sound "an undefined material" "mtllib m.mtl\nusemtl who\n${square}f 1 2 3 4\n"
 sound "usemtl without a name" "mtllib m.mtl\nusemtl\n${square}f 1 2 3 4\n"
@@ -47,6 +48,9 @@ sound "negative numbers" "${square}f -4 -3 -2 -1\n"
 sound "points that follow their polygon" "f 1 2 3 4\n${square}"
 sound "lines that end with CR LF" "${square//\\n/\\r\\n}f 1 2 3 4\r\n"
 sound "... with CR" "${square//\\n/\\r}f 1 2 3 4\r"
+tr '\n' '\r' <m.mtl >cr.mtl
+sound "... in the materials, too" "mtllib cr.mtl\rusemtl red\r${square//\\n/\\r}f 1 2 3 4\r"
+check "... count" reflects 0.8 0.1
 sound "... with blanks, and blank ones" "  \n${square//\\n/  \\t\\n}\n \t \nf 1 2 3 4  \n\n"
 sound "tabs" "${square// /\\t}f\t1\t2\t3\t4\n"
 sound "no end of the last line" "${square}f 1 2 3 4"
@@ -75,6 +79,8 @@ check "... as large as it is" area 5
 sound "a star" "$(awk 'BEGIN { for (k = 0; k < 16; ++k) { r = k % 2 ? 1 : 2; printf "v %.6f 0 %.6f\\n", r * cos(k * .3926990817), -r * sin(k * .3926990817) } printf "f"; for (k = 1; k <= 16; ++k) printf " %d", k; print "\\n" }')"
 check "... as large as it is" area 6.1229
 sound "polygons given twice" "${square}f 1 2 3 4\nf 1 2 3 4\n" '2 triangles given twice left out'
+sound "... turned over" "${square}f 1 2 3 4\nf 1 2 3 4\nf 4 3 2 1\n" 'given twice left out'
+sound "slivers" "${square}v 0.5 0.000002 0.5\nv 1.2 0.5 0.0001\nf 1 4 5\nf 4 6 1\nf 1 2 3 4\n"
 sound "polygons without area" "${square}f 1 1 2\nf 1 2 2\nf 1 2 3 4\n" 'without area left out'
 sound "points given twice" "$square${square}f 1 2 3 4\n"
 sound "unused points" "${square}v 5 5 5\nf 1 2 3 4\n"
@@ -123,11 +129,29 @@ one_line "points alone" "${square}p 1 2 3 4\n" "holds no polygon"
 one_line "lines alone" "${square}l 1 2 3 4\n" "holds no polygon"
 one_line "curves alone" "${square}vp 0 1\ncstype bezier\ncurv 0 1 1 2 3\nend\n" "holds no polygon"
 one_line "points in a line" "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n" "holds no polygon with an area"
+one_line "polygons of two points" "${square}f 1 4\n" "holds no polygon"
+one_line "polygons without area alone" "${square}f 1 1 1\n" "holds no polygon"
+one_line "a point that is not there" "${square}f 1 2 99\n" "model.obj:5: there is no point 99"
+one_line "... where lines end with CR" 'v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 99999999\r' "model.obj:4: there is no point 99999999"
+one_line "... where there is none at all" 'f 1 2 3\n' "model.obj:1: there is no point 3"
 one_line "a point of number 0" "${square}f 0 1 2\n" "model.obj:5: there is no point 0"
 one_line "one beyond the first" "${square}f -5 -2 -1\n" "model.obj:5: there is no point -5"
 one_line "words for points" "${square}f a b c\n" "model.obj:5: a polygon's points are numbers"
 one_line "two coordinates" "v 0 0\n" "model.obj:1: a point needs three coordinates"
+one_line "a coordinate that is no number" "${square}v 1 x 0\n" "model.obj:5: a point needs three coordinates"
+one_line "... that is NaN" "${square}v 1 nan 0\n" "model.obj:5: a coordinate is not a number"
 one_line "larger than anything" "v 1e30 0 0\n${square}f 2 3 4 5\n" "model.obj:1: a coordinate is not a number below 1e18"
 one_line "larger than can be traced" "${square//1/1e12}f 1 2 3 4\n" "is larger than 1e9: give --scale"
 one_line "something else" '\x89PNG\r\n\x1a\n' "holds no point"
+one_line "nothing" '' "model.obj: holds no point"
+printf 'newmtl m\nKd -2 0 0\n' >m.mtl
+one_line "a reflectance below 0" "mtllib m.mtl\nusemtl m\n${square}f 1 2 3 4\n" "Kd must lie between 0 and 1"
+mkfifo fifo
+for endless in fifo /dev/zero .; do
+    check "$endless is no model" refuses 2 "not a regular file" "$radiosity" solve $endless -o x.rad
+    printf "mtllib $endless\nusemtl m\n${square}f 1 2 3 4\n" >model.obj
+    check "... and no materials" prints 'materials cannot be read.*not a regular file|nothing in the model emits light' bash -c "timeout $PATIENCE '$radiosity' solve model.obj -o m.rad 2>&1"
+    check "... and no solution" refuses 2 "not a regular file" "$radiosity" export $endless --csv x.csv
+done
+check "none of them left a file" test ! -e x.rad -a ! -e x.csv
 finish

@@ -25,11 +25,8 @@ done
 check "... and no line goes back" awk '{ n = $0; sub(/ %.*/, "", n); sub(/.* /, "", n); s = $0; sub(/ [0-9]+ %.*/, "", s)
     if (n + 0 < was[s]) exit 1; was[s] = n + 0 }' lines
 # Longer work reports the time left
-"$radiosity" solve m.obj -o long.rad --hemicube 256 --progress >out 2>long &
-PIDS+=($!)
-check "time left is reported" await grep -qE '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' long
-kill -INT ${PIDS[-1]}
-check "... until it is stopped" ended ${PIDS[-1]}
+behind "$radiosity" solve m.obj -o long.rad --hemicube 256 --progress
+check "time left is reported, until it is stopped" stopped_at '^progress: form factors [1-9][0-9]? %, [0-9]+ s left$' err
 script -qefc "'$radiosity' solve m.obj -o m.rad --progress --hemicube 64" terminal >/dev/null </dev/null
 check "a terminal has its bar" grep -qaE 'form factors +\[[#.]{30}\]' terminal
 check "... with time left" grep -qaE 's left' terminal

@@ -143,26 +143,9 @@ check "keeping rows that are kept" refuses 2 "do not go together" "${relight[@]}
 check "a material that is not there" refuses 2 "no polygon has this material; there are " "${relight[@]}" --power sun=1
 check "too little memory" refuses 1 "more than the 3 of --memory" "${relight[@]}" --memory 3
 
-# Damage
-size=$(stat -c %s whole.rows)
-for bytes in 0 1 22 23 30 31 100 1000 $((size / 2)) $((size - 1)); do
-    head -c $bytes whole.rows >base.rad.rows
-    check "cut to $bytes bytes" refuses 2 "base.rad.rows: " "${relight[@]}"
-done
-{ cat whole.rows; echo; } >base.rad.rows
-check "a byte too many" refuses 2 "is damaged" "${relight[@]}"
-RANDOM=1
-flips() {
-    local i at
-    for i in $(seq 40); do
-        cp whole.rows base.rad.rows
-        at=$(((RANDOM * 32768 + RANDOM) % size))
-        [ $((i % 2)) = 0 ] || at=$((at % 600))
-        flip base.rad.rows $at $((1 << RANDOM % 8))
-        refuses 2 "base.rad.rows: " "${relight[@]}" || { echo "byte $at" >&2; return 1; }
-    done
-}
-check "a wrong bit anywhere is found" flips
+# (the unit test damages every byte of such a file)
+head -c 1000 whole.rows >base.rad.rows
+check "rows cut short" refuses 2 "base.rad.rows: is damaged" "${relight[@]}"
 cp whole.rows base.rad.rows
 check "none of them left a file" test ! -e x.rad
 
@@ -175,22 +158,16 @@ check "... left nothing behind" test -z "$(find . -name '*.part')"
 check "a closed pipe leaves it whole or not at all" bash -c "[ ! -e x.rad ] || '$radiosity' export x.rad --csv x.csv"
 
 # Ctrl-C while it solves: the light so far is written
-"${relight[@]}" --reflectance 1,1,1 --residual 1e-7 --progress >out 2>err &
-PIDS+=($!)
-check "it reports that it solves" await grep -qs '^progress: solving' err
-kill -INT ${PIDS[-1]}
-check "Ctrl-C ends it well" ended ${PIDS[-1]}
+behind "${relight[@]}" --reflectance 1,1,1 --residual 1e-7 --progress
+check "Ctrl-C ends it well while it solves" stopped_at '^progress: solving' err
 check "... and is reported" grep -q '^stopped: ' out
 check "... and what to do" grep -qx 'run it again to find all of its light: the rows are kept' out
 check "... and writes what is there" "$radiosity" export x.rad --csv x.csv
 check "... all of it" table x.csv 'a += $8' 'lines > 1000 && a > 0'
 check "... and no state" test ! -e x.rad.state
 # Ctrl-C while rows are found: none are kept, until they are whole
-"$radiosity" solve columns.obj -o y.rad --keep-rows --hemicube 64 --progress >out 2>err &
-PIDS+=($!)
-check "rows that are stopped" await grep -qs '^progress: form factors' err
-kill -INT ${PIDS[-1]}
-check "... end well" ended ${PIDS[-1]}
+behind "$radiosity" solve columns.obj -o y.rad --keep-rows --hemicube 64 --progress
+check "rows that are stopped end well" stopped_at '^progress: form factors' err
 check "... and are not kept" test ! -e y.rad.rows
 check "... go on" prints residual "$radiosity" solve --resume y.rad.state 2>err
 check "... and are kept then" prints '^kept rows of' "$radiosity" solve columns.obj --relight y.rad -o x.rad --power 2 --reflectance 0.9

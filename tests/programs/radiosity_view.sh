@@ -105,11 +105,9 @@ check "... shows the picture" await shows plain.png
 number=0
 for layer in patches elements wireframe; do
     number=$((number + 1))
-    xdotool key $number
-    check "key $number shows $layer" await shows $layer.png
+    on_key "$number" "key $number shows $layer" shows $layer.png
     check "... and names it in the title" await titled "  $layer"
-    xdotool key $number
-    check "... and hides it when pressed again" await shows plain.png
+    on_key "$number" "... and hides it when pressed again" shows plain.png
 done
 # The keys over the picture: lines of letters on dark in its upper left corner, all else as it was
 helped() { # the lines in that corner
@@ -118,15 +116,12 @@ helped() { # the lines in that corner
 }
 shows_keys() { [ "$(helped)" = 15 ]; } 2>/dev/null
 for key in h F1; do
-    xdotool key $key
-    check "key $key shows the keys" await shows_keys
+    on_key "$key" "key $key shows the keys" shows_keys
     check "... beside them the plain picture" eval '[ "$(convert shot.png -crop 120x300+360+0 +repage -format "%#" info:)" = "$(convert plain.png -crop 120x300+360+0 +repage -format "%#" info:)" ]'
-    xdotool key $key
-    check "... and hides it when pressed again" await shows plain.png
+    on_key "$key" "... and hides it when pressed again" shows plain.png
 done
 check "the title names them" titled 'H help'
-xdotool key t
-check "key T: the logarithm" await shows log.png
+on_key t "key T: the logarithm" shows log.png
 xdotool key t
 xdotool mousemove --window "$window" 240 150 click 4 click 4
 check "the wheel: half a stop brighter" await shows bright.png
@@ -137,8 +132,7 @@ check "key 4: the hemicube of the patch under the pointer" await alters plain.pn
 shot && mv shot.png middle.png
 xdotool mousemove --window "$window" 50 150
 check "... of another one" await alters middle.png
-xdotool key 4
-check "... and none" await shows plain.png
+on_key 4 "... and none" shows plain.png
 
 # Flying
 camera() { grep -e '^--eye' out | tail -n 1; }
@@ -170,8 +164,7 @@ for move in "w 3 -1" "s 3 1" "a 1 -1" "d 1 1" "e 2 1" "q 2 -1"; do
     check "... the right way" ahead "$3" "$from" "$(place "$2")"
 done
 check "elsewhere it shows another picture" await alters plain.png
-xdotool key r
-check "key R comes back" await shows plain.png
+on_key r "key R comes back" shows plain.png
 xdotool mousemove --window "$window" 200 150 mousedown 1 mousemove --window "$window" 260 130 mouseup 1
 check "the mouse looks around" await alters plain.png
 flies w 3
@@ -190,17 +183,12 @@ xdotool windowsize "$window" 600 200
 check "another size" await measures 600 200
 wide() { prints_camera && [[ $(camera) = *"--size 600x200" ]] && same; }
 check "... shows as much" await wide
-xdotool key Escape
-ended $pid
-check "ESC ends it with status 0" test $? = 0
-check "... silently" test ! -s err
+check "ESC ends it with status 0, silently" escapes
 check "a plate from behind" begin "$radiosity" view plate.rad --eye 0,0,-2 --at 0,0,0 --size 200x200
 await focused
 check "... is black" await is_black 200x200+0+0
-xdotool key b
-check "... and with B it is not" await eval '! is_black 200x200+0+0'
-xdotool key Escape
-ended $pid
+on_key b "... and with B it is not" eval '! is_black 200x200+0+0'
+check "ESC ends it" escapes
 
 # Direct light is shown while form factors are computed, and ESC does not wait for them
 "$radiosity" solve columns.obj -o direct.rad --bounces 0 >out
@@ -209,9 +197,7 @@ shot_like() { shot && like shot.png "$1" 40; } 2>/dev/null
 check "a model that takes long" begin "$radiosity" view columns.obj --hemicube 1024 --size 300x200 --eye -18,6,13 --at 4,3,-6
 check "... gets form factors" await titled 'form factors'
 check "... and shows direct light then" await shot_like direct.png
-xdotool key Escape
-check "... ends on ESC without delay" eval 'ended $pid'
-check "... silently" test ! -s err
+check "... ends on ESC without delay, silently" escapes
 
 # What is missing or wrong
 check "no name" refuses 2 "name a solution or a model" "$radiosity" view

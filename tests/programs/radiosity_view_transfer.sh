@@ -42,50 +42,31 @@ check "... has the keyboard" await focused
 check "... prints its keys" await grep -q '1 .. 9 0 lamps' out
 check "... shows the picture" await shows plain.png
 check "... and what it is" titled 'turn 0  tilt 0  5 bands  exact rows  lamps 1 2'
-xdotool key 1
-check "key 1: without the first lamp" await shows one.png
+on_key 1 "key 1: without the first lamp" shows one.png
 check "... and the title lists the other" await titled 'lamps 2 '
-xdotool key 1
-await shows plain.png
-xdotool key 2
-check "key 2: without the second" await shows two.png
-xdotool key 2
-check "... and back" await shows plain.png
-xdotool key bracketleft bracketleft bracketleft bracketleft
-check "key [: fewer bands" await titled '1 bands'
+on_key 1 "... and back" shows plain.png
+on_key 2 "key 2: without the second" shows two.png
+on_key 2 "... and back" shows plain.png
+on_key 'bracketleft bracketleft bracketleft bracketleft' "key [: fewer bands" titled '1 bands'
 check "... shows" await shows bands.png
-xdotool key bracketright bracketright bracketright bracketright
-check "key ]: and back" await shows plain.png
-xdotool key p
-check "key P: clusters" await titled '40 clusters of 8 axes'
+on_key 'bracketright bracketright bracketright bracketright' "key ]: and back" shows plain.png
+on_key p "key P: clusters" titled '40 clusters of 8 axes'
 check "... show" await shows clusters.png
-xdotool key minus
-check "key -: an axis less" await titled 'of 7 axes'
+on_key minus "key -: an axis less" titled 'of 7 axes'
 check "... shows" await shows axes.png
-xdotool key equal
-await titled 'of 8 axes'
-xdotool key period
-check "key .: twice as many clusters" await titled '80 clusters of 8 axes  lamps'
-xdotool key comma
-await titled '40 clusters'
-xdotool key comma
-check "key ,: half as many" await titled '20 clusters'
-xdotool key p
-check "key P: exact rows again" await titled 'exact rows'
+on_key equal "... and back" titled 'of 8 axes'
+on_key period "key .: twice as many clusters" titled '80 clusters of 8 axes  lamps'
+on_key comma "... and back" titled '40 clusters'
+on_key comma "key ,: half as many" titled '20 clusters'
+on_key p "key P: exact rows again" titled 'exact rows'
 await shows plain.png
-xdotool key F3
-check "key F3: outlines of elements" await titled '  elements'
-xdotool key F3
-await shows plain.png
+on_key F3 "key F3: outlines of elements" titled '  elements'
+on_key F3 "... and back" shows plain.png
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mousemove --window "$window" 250 100 mouseup 3
 check "the right button turns the sky" await shows turned.png
 check "... by a third of a degree for a pixel" await titled 'turn 50 '
-xdotool key c
-check "key C prints the light too" await grep -qE -- '--tone film --size 320x200 --sky sky.hdr --turn 50 --tilt 0 --bands 5 --lamps 1,2$' out
-xdotool key Escape
-ended $pid
-check "ESC ends it with status 0" test $? = 0
-check "... silently" test ! -s err
+on_key c "key C prints the light too" grep -qE -- '--tone film --size 320x200 --sky sky.hdr --turn 50 --tilt 0 --bands 5 --lamps 1,2$' out
+check "ESC ends it with status 0, silently" escapes
 
 # The line of key C, read by a shell: clusters, a tilt, and a sky with an odd name
 odd="it's a \$sky\" "
@@ -93,21 +74,18 @@ cp sky.hdr "$odd"
 check "a window" begin "$radiosity" view hall.prt --relight "$odd" --tilt 25 "${at[@]}"
 await focused
 check "... whose title has the tilt" await titled 'turn 0  tilt 25  5 bands'
-xdotool key comma minus
-check "... and other clusters" await titled '20 clusters of 7 axes  lamps'
+on_key 'comma minus' "... and other clusters" titled '20 clusters of 7 axes  lamps'
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 130 100 mouseup 3
 xdotool mousemove --window "$window" 100 100 mousedown 3 mousemove --window "$window" 100 85 mouseup 3
 await titled 'turn 10  tilt 30  '
-xdotool key c
-check "key C prints clusters" await grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
+on_key c "key C prints clusters" grep -qE -- '--turn 10 --tilt 30 --bands 5 --clusters 20 --rank 7 --lamps 1,2$' out
 line=$(grep -e '^--eye' out | tail -n 1)
 again() { eval "\"$radiosity\" $1 $line" >printed; }
 check "... for render" again 'render hall.prt -o render.png'
 check "... for view" again 'view hall.prt --screenshot view.png'
 like_both() { shot && like shot.png view.png 46 && like shot.png render.png 44; }
 check "... which show the same" await like_both
-xdotool key Escape
-ended $pid
+check "ESC ends it" escapes
 check "as many clusters as there are" "$radiosity" render hall.prt -o own.png "${at[@]}" --rank 8 --clusters 40
 "$radiosity" render hall.prt -o axes.png "${at[@]}" --rank 8 >out
 check "... are those" cmp own.png axes.png
@@ -128,22 +106,14 @@ check "a window" begin "$radiosity" view many.prt "${at[@]}" --lamps 1,2=3,12=9
 await focused
 check "... with three of them" await titled 'lamps 1 2 12 '
 await shows three.png
-xdotool key shift+2
-check "Shift and 2: without the twelfth" await shows without.png
-xdotool key shift+2
-check "... which comes back as strong as it was" await shows three.png
-xdotool key 2
-check "key 2: without the second" await shows first.png
-xdotool key 2
-check "... which comes back, too" await shows three.png
-xdotool key shift+3
-check "Shift and 3: the thirteenth, which was off" await titled 'lamps 1 2 12 13 '
-xdotool key c
-check "key C prints strengths" await grep -qE -- '--lamps 1,2=3,12=9,13$' out
-xdotool key shift+4 shift+9
-check "Shift and numbers of no lamp do nothing" await titled 'lamps 1 2 12 13 '
-xdotool key Escape
-ended $pid
+on_key shift+2 "Shift and 2: without the twelfth" shows without.png
+on_key shift+2 "... which comes back as strong as it was" shows three.png
+on_key 2 "key 2: without the second" shows first.png
+on_key 2 "... which comes back, too" shows three.png
+on_key shift+3 "Shift and 3: the thirteenth, which was off" titled 'lamps 1 2 12 13 '
+on_key c "key C prints strengths" grep -qE -- '--lamps 1,2=3,12=9,13$' out
+on_key 'shift+4 shift+9' "Shift and numbers of no lamp do nothing" titled 'lamps 1 2 12 13 '
+check "ESC ends it" escapes
 
 # Clusters for which there is no memory: their axes take 65 MB, and 40 are left
 if command -v prlimit >/dev/null; then
@@ -154,14 +124,11 @@ if command -v prlimit >/dev/null; then
     await titled '2048 clusters of 32 axes'
     size=$(awk '/^VmSize/ { print $2 * 1024 }' /proc/$pid/status)
     prlimit --pid $pid --as=$((size + 40000000))
-    xdotool key period
-    check "too little memory for more clusters is reported" await grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
+    on_key period "too little memory for more clusters is reported" grep -q '^radiosity: 4096 clusters cannot be found: there is not enough memory.*; the 2048 stay$' err
     check "... in one line" test "$(wc -l <err)" = 1
     check "... and the old ones stay" await titled '2048 clusters of 32 axes  lamps'
-    xdotool key p
-    check "... while the window goes on" await titled 'exact rows'
-    xdotool key p
-    check "... and shows them" await shows large.png
+    on_key p "... while the window goes on" titled 'exact rows'
+    on_key p "... and shows them" shows large.png
     xdotool key Escape
     ended $pid
     check "... until ESC ends it" test $? = 0

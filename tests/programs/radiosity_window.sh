@@ -9,6 +9,5 @@ radiosity=$BUILD/radiosity
     { echo "SKIPPED: radiosity was built without GLFW"; exit 77; }
 cd "$WORK" || exit 1
 
-seen() { window=$(xdotool search --onlyvisible --name '^radiosity: ' 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
-titled() { xdotool getwindowname "$window" 2>/dev/null | grep -qE -- "$1"; }
+WINDOW='^radiosity: '
 start_display 900x700

@@ -5,15 +5,14 @@ odraz=$BUILD/odraz-safe
 # shows WIDTH HEIGHT X Y W H [OPTION...]: plays on a screen of this size, and checks that the film fills the rectangle
 # at (X, Y) and nothing beside it. The sky at 24 s is bright in its upper corners
 shows() {
-    local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 film
+    local width=$1 height=$2 x=$3 y=$4 w=$5 h=$6 status
     shift 6
     start_display "${width}x$height"
-    "$odraz" --mute --from 24 --to 60 "$@" >"$WORK/out" 2>"$WORK/err" &
-    film=$!
+    behind "$odraz" --mute --from 24 --to 60 "$@"
     await lit "$x" "$y" "$w" "$h" "$width" "$height"
-    local status=$?
-    kill "$film" 2>/dev/null
-    wait "$film" 2>/dev/null
+    status=$?
+    kill $pid 2>/dev/null
+    wait $pid 2>/dev/null
     return $status
 }
 brightness() { convert "$WORK/screen.png" -crop "$1" +repage -colorspace gray -format '%[fx:round(255*mean)]' info:; }

@@ -18,17 +18,13 @@ pcm.nothing { type null }
 END
 
 # --- The program, and what it reports ---
-seen() { window=$(xdotool search --onlyvisible --name "^$FILM-debug " 2>/dev/null | tail -n 1) && [ -n "$window" ]; }
+WINDOW="^$FILM-debug "
 starts() { # starts SECONDS OPTION...
     begin "$house/build/$FILM-debug" --size 320x180 --from "$@"
     [ -n "$window" ] && xdotool windowfocus --sync "$window"
 }
-press() { xdotool key --window "$window" "$1"; }
-titled() { xdotool getwindowname "$window" | grep -q "$1"; }
 leaves() { press Escape 2>/dev/null; ended "$pid"; } # (its window may be gone before the key is up)
 leaves_unsaved() { press Escape && comes 'titled "not saved"' && leaves; }
-# comes WHAT...: waits for it, unless the program is gone
-comes() { await eval "$* || gone $pid" && ! gone "$pid"; }
 reported() { grep -q "$1" <(tail -n +$((marked + 1)) "$WORK/err"); }
 mark() { marked=$(wc -l <"$WORK/err"); }
 edit() { sed -i "$2" "$house/intro/$1" && ! cmp -s "$house/intro/$1" "$WORK/kept/$1"; } # edit FILE SED
