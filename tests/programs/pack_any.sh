@@ -45,38 +45,6 @@ int main(int count, char **words) {
     return (unsigned long)main > (unsigned long)headers ? 7 : 8;
 }
 END
-cat >cpp.cpp <<'END'
-#include <iostream>
-#include <map>
-#include <stdexcept>
-#include <thread>
-#include <vector>
-thread_local int local = 7;
-std::map<std::string, int> numbers = {{"one", 1}, {"two", 2}};
-int main() {
-    std::vector<int> results(6);
-    std::vector<std::thread> threads;
-    for (int i = 0; i < 6; ++i)
-        threads.emplace_back([&results, i] {
-            try {
-                local += i;
-                if (i & 1) throw std::runtime_error("odd");
-                results[i] = local;
-            } catch (const std::exception &) {
-                results[i] = -local;
-            }
-        });
-    for (auto &t : threads) t.join();
-    for (int r : results) std::cout << r << ' ';
-    std::cout << local << ' ' << numbers.at("two") << std::endl;
-    try {
-        numbers.at("three");
-    } catch (const std::out_of_range &e) {
-        std::cout << e.what() << '\n';
-    }
-    throw 1; // not caught: it ends by a signal
-}
-END
 cat >rust.rs <<'END'
 fn main() {
     let threads: Vec<_> = (0..4).map(|i| std::thread::spawn(move || i * i)).collect();
@@ -95,7 +63,7 @@ for options in -no-pie "-static -Wl,-s" "-static-pie -Wl,-s" "-no-pie -Wl,-s" "-
     check "... linked with $options, too" same variant
 done
 if command -v g++ >/dev/null; then
-    check "compiles C++" g++ -O1 -pthread cpp.cpp -o cpp
+    check "compiles C++" g++ -O1 -pthread "$SOURCE/tests/programs/pack/thrown.cpp" -o cpp
     check "... with threads and exceptions, the same packed" same cpp
 fi
 for compiler in clang musl-gcc; do
@@ -158,8 +126,6 @@ gcc -shared -fPIC f.c -o library.so
 check "a library" refuses 2 "pack programs, not libraries" "$pack" library.so -o x
 gcc -no-pie c.c -Wl,-Ttext-segment=0x8000 -o low 2>/dev/null
 check "one where nothing may lie" refuses 2 "below 64 KiB" "$pack" low -o x
-head -c 3000 c >cut
-check "a program cut short" refuses 2 "cut short" "$pack" cut -o x
 check "for Windows" refuses 2 "--loader is for Linux" "$pack" c -o x --loader --pe
 check "with two choices of contexts" refuses 2 "--fast and --model" "$pack" c -o x --fast --model y
 if command -v setcap >/dev/null && cp c capable && setcap cap_net_raw=p capable 2>/dev/null; then

@@ -181,24 +181,7 @@ int main(int count, char **words) {
     return 3;
 }
 END
-    cat >thrown.cpp <<'END'
-#include <iostream>
-#include <map>
-#include <stdexcept>
-#include <thread>
-thread_local int local = 7;
-std::map<std::string, int> numbers = {{"one", 1}};
-int main() {
-    std::thread([] { local = 8; }).join();
-    try {
-        numbers.at("three");
-    } catch (const std::exception &e) {
-        std::cout << local << ' ' << e.what() << std::endl;
-    }
-    throw 1; // not caught: it ends by a signal
-}
-END
-    g++ -Os -fno-exceptions -c cpp.cpp && g++ -Os -pthread -c thrown.cpp
+    g++ -Os -fno-exceptions -c cpp.cpp && g++ -Os -pthread -c "$SOURCE/tests/programs/pack/thrown.cpp"
     check "C++ with constructors, destructors and types" eval 'takes imports cpp.o && same g++ cpp.o'
     check "... compiled with -fPIC" eval 'g++ -Os -fPIC -fno-exceptions -c cpp.cpp && takes imports cpp.o && same g++ cpp.o'
     check "C++ with exceptions, threads and streams: dynamic" eval 'takes dynamic thrown.o && same g++ thrown.o'

@@ -1,7 +1,5 @@
 #include "tests/support/exported.h"
 
-#include "tools/common/whole_file.h"
-
 #include <tiny_obj_loader.h>
 
 #define STB_IMAGE_IMPLEMENTATION
@@ -78,7 +76,6 @@ Exported::Exported(const std::string &folder, const std::string &name) {
             ofChart[(size_t)t.chart].push_back((int)triangles.size());
             triangles.push_back(t);
         }
-    gltf = common::readWhole(folder + "/model.gltf"), binary = common::readWhole(folder + "/model.bin");
 }
 
 bool Exported::shows(int chart, Vec3 p, Rgb &radiance) const {

@@ -30,7 +30,6 @@ struct Exported {
     std::vector<ExportedTriangle> triangles;
     std::vector<ExportedMaterial> materials;
     std::vector<ExportedPage> pages;
-    std::string gltf, binary;
 
     // `name` of the pages: light or radiosity. Fails the calling test if something cannot be read.
     Exported(const std::string &folder, const std::string &name);
