@@ -13,3 +13,18 @@ end_wine() {
 trap 'end_wine; leave' EXIT
 start_wine || exit 1
 PIDS+=($WINE_PID)
+
+# boxed STATUS NAME COMMAND...: where the command has no standard error a box opens, which Return closes; then it ends
+# with the status
+boxed() {
+    local status=$1 name=$2
+    shift 2
+    "$@" &
+    pid=$!
+    PIDS+=($pid)
+    await eval "xdotool search --onlyvisible '$name' >/dev/null 2>&1" && await returned "$name"
+    ended $pid
+    [ $? = "$status" ]
+}
+returned() { xdotool search --onlyvisible "$1" windowfocus key Return 2>/dev/null; sleep 0.1; gone $pid; }
+without_stderr() { exec "$@" 2>&-; }
