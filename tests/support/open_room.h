@@ -1,9 +1,10 @@
 // Rooms of rectangles for tests of transfer.
 #pragma once
 
-#include "tests/support/random.h"
+#include "tests/support/dice.h"
 #include "tools/radiosity/transfer/check.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -75,21 +76,9 @@ inline std::vector<Rgb> lightOf(const TransferRoom &room, const BandLight &sky, 
     return light;
 }
 
-inline float between(Random &random, float least, float most) {
-    return least + (most - least) * random.next();
-}
-
-inline Vec3 randomDirection(Random &random) {
-    for (;;) {
-        Vec3 d = {between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)};
-        if (float l = length(d); l > 0.1f && l < 1) return d * (1 / l);
-    }
-}
-
-inline BandLight randomLight(int bands, Random &random) {
+inline BandLight randomLight(int bands, Dice &dice) {
     BandLight light = {};
-    for (int k = 0; k < bands * bands; ++k)
-        light[(size_t)k] = {between(random, -1, 1), between(random, -1, 1), between(random, -1, 1)};
+    std::generate_n(light.begin(), bands * bands, [&] { return dice.point(1); });
     return light;
 }
 
@@ -101,6 +90,14 @@ inline double legendre(int l, double x) {
         a = b, b = c;
     }
     return b;
+}
+
+// The lobe of the bands' windows around a direction, at the cosine of an angle from it.
+inline double lobeAt(double cosine, float exponent) {
+    double sum = 0;
+    for (int l = 0; l < kBands; ++l)
+        sum += (2 * l + 1) / (4 * M_PI) * (double)window(l, exponent) * legendre(l, cosine);
+    return sum;
 }
 
 } // namespace odraz::radiosity

@@ -86,16 +86,11 @@ TEST(SphericalHarmonics, AreOrthonormal) {
 }
 
 TEST(SphericalHarmonics, HoldTheGradientAndTheGlowExactly) {
-    Sky sky = {{0.9f, 0.7f, 0.5f},
-               {-0.3f, 0.1f, 0.6f},
-               {-0.2f, 0.1f, 0.3f},
-               -1,
-               normalize(Vec3{-0.6f, 0.4f, 0.3f}),
-               {1, 0.5f, 0.25f},
-               {},
-               {},
-               0,
-               0};
+    Sky sky = {};
+    sky.low = {0.9f, 0.7f, 0.5f}, sky.slope = {-0.3f, 0.1f, 0.6f}, sky.curve = {-0.2f, 0.1f, 0.3f};
+    sky.least = -1;
+    sky.sun = normalize(Vec3{-0.6f, 0.4f, 0.3f});
+    sky.glow = {1, 0.5f, 0.25f};
     Rgb light[kSh];
     project(sky, light);
     float red[kSh], blue[kSh];

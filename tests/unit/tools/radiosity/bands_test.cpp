@@ -10,10 +10,10 @@ using namespace odraz::radiosity;
 
 // The sum over a band's orders is (2 l + 1) / 4 pi times Legendre's polynomial of the angle.
 TEST(Bands, ObeyTheAdditionTheorem) {
-    Random random = {1};
+    Dice dice(1);
     double worst = 0;
     for (int i = 0; i < 1000; ++i) {
-        Vec3 a = randomDirection(random), b = randomDirection(random);
+        Vec3 a = dice.direction(), b = dice.direction();
         Float8 ya[kMostSh], yb[kMostSh];
         evaluateBands(broadcast(a), kMostBands, ya);
         evaluateBands(broadcast(b), kMostBands, yb);
@@ -42,14 +42,14 @@ TEST(Bands, AreOrthonormal) {
 }
 
 TEST(Bands, TurnWithTheirLight) {
-    Random random = {2};
+    Dice dice(2);
     for (int bands = 1; bands <= kMostBands; ++bands) {
-        BandLight light = randomLight(bands, random);
-        Turn turn = turnAbout(randomDirection(random), (double)between(random, -180, 180)) *
-                    turnAbout(randomDirection(random), (double)between(random, -180, 180));
+        BandLight light = randomLight(bands, dice);
+        Turn turn = turnAbout(dice.direction(), (double)dice(-180, 180)) *
+                    turnAbout(dice.direction(), (double)dice(-180, 180));
         BandLight after = turned(light, bands, turn);
         for (int i = 0; i < 50; ++i) {
-            Vec3 d = randomDirection(random);
+            Vec3 d = dice.direction();
             Rgb was = radiance(light, bands, d), is = radiance(after, bands, turn.of(d));
             EXPECT_LT(length(was - is), 3e-5f) << bands;
         }
@@ -62,8 +62,8 @@ TEST(Bands, TurnWithTheirLight) {
 // little in the bands, by Parseval.
 TEST(Environment, IsProjected) {
     for (bool upIsZ : {false, true}) {
-        Random random = {3};
-        BandLight light = randomLight(kMostBands, random);
+        Dice dice(3);
+        BandLight light = randomLight(kMostBands, dice);
         SkyPicture sky = pictureOf(light, kMostBands, upIsZ);
         HdrPicture picture = {sky.width, sky.height, {}};
         for (const Rgb &c : sky.pixels) picture.pixels.insert(picture.pixels.end(), {c.x, c.y, c.z});

@@ -49,13 +49,11 @@ TEST(Transfer, OfAWhiteCornerIsWhite) {
 
 // If all surfaces of a closed room emit E and reflect rho, E / (1 - rho) arrives everywhere.
 TEST(Transfer, OfAFurnaceIsItsClosedForm) {
-    Mesh mesh;
     std::vector<Quad> sides = {{{0, 0, 2}, {2, 0, 0}, {0, 0, -2}, 0}, {{0, 2, 0}, {2, 0, 0}, {0, 0, 2}, 0},
                                {{0, 0, 0}, {2, 0, 0}, {0, 2, 0}, 0},  {{2, 0, 2}, {-2, 0, 0}, {0, 2, 0}, 0},
                                {{0, 0, 2}, {0, 0, -2}, {0, 2, 0}, 0}, {{2, 0, 0}, {0, 0, 2}, {0, 2, 0}, 0}};
-    mesh = meshOf(sides, {{"glow", {0.5f, 0.8f, 0.9f}, {1, 2, 3}}});
-    TransferSettings settings = settingsOf(1, 64, 0.1);
-    TransferRoom room = transferOf(mesh, settings);
+    TransferRoom room =
+        transferOf(meshOf(sides, {{"glow", {0.5f, 0.8f, 0.9f}, {1, 2, 3}}}), settingsOf(1, 64, 0.1));
     ASSERT_EQ(room.lamps, std::vector<std::string>{"glow"});
     for (const Rgb &light : lightOf(room, {}, 1)) {
         EXPECT_NEAR(light.x, 1 / 0.5, 2e-4);
@@ -142,8 +140,8 @@ TEST(Clusters, HoldTheRows) {
 // The exact rows, summed in double precision by hand.
 TEST(Relighting, IsASumOfRows) {
     TransferRoom room = transferOf(openRoom(), settingsOf(4, 32, 0.1));
-    Random random = {7};
-    BandLight sky = randomLight(4, random);
+    Dice dice(7);
+    BandLight sky = randomLight(4, dice);
     std::vector<Rgb> light = lightOf(room, sky, 0.5f),
                      compressed = lightOf(room, sky, 0.5f, room.clusters.rank);
     for (size_t t = 0; t < room.texels(); ++t) {
@@ -160,12 +158,6 @@ TEST(Relighting, IsASumOfRows) {
 // A mirror blurred by a lobe, over a floor without walls: the sky's own coefficients, in the half-space
 // above, by dense quadrature. Then in the open room, by random rays through the solution for this light.
 TEST(Gloss, IsTheLobeOfWhatArrives) {
-    auto lobeOf = [](double cosine, double exponent) { // of the bands' windows, around the mirrored direction
-        double sum = 0;
-        for (int l = 0; l < kBands; ++l)
-            sum += (2 * l + 1) / (4 * M_PI) * (double)window(l, (float)exponent) * legendre(l, cosine);
-        return sum;
-    };
     auto shown = [&](const Mesh &mesh, const Vec3 &eye, bool lamps, const char *what, double limit) {
         TransferSettings settings = settingsOf(kBands, 256, 0.05);
         settings.glossy = "grey", settings.polish = 0.3f, settings.exponent = 20;
@@ -208,7 +200,7 @@ TEST(Gloss, IsTheLobeOfWhatArrives) {
                                          lit.emits[(size_t)chart])
                                     .y;
                     }
-                    sum += light * lobeOf((double)dot(way, mirror), 20) * 2 * M_PI / count;
+                    sum += light * lobeAt((double)dot(way, mirror), 20) * 2 * M_PI / count;
                 }
                 double grazing = 1 - (double)-dot(d, floor.n), schlick = 0.3 + 0.7 * std::pow(grazing, 5),
                        exact = std::fmax(sum, 0) * schlick,
