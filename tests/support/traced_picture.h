@@ -35,9 +35,8 @@ struct TracedPicture {
     Frame frame;
     int64_t samples;
 
-    uint8_t at(int x, int y, int channel) const {
-        return frame.rgba[((size_t)y * (size_t)frame.width + (size_t)x) * 4 + (size_t)channel];
-    }
+    uint8_t at(int pixel, int channel) const { return frame.rgba[(size_t)pixel * 4 + (size_t)channel]; }
+    uint8_t at(int x, int y, int channel) const { return at(y * frame.width + x, channel); }
 };
 
 inline TracedPicture traced(Scene &posed, const CameraKey &camera, const Quality &quality, int width,

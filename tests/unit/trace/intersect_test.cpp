@@ -10,7 +10,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <memory>
-#include <random>
 #include <set>
 #include <vector>
 
@@ -131,18 +130,16 @@ TEST(Rect, RoomsAreTight) {
         Vec3 half = Vec3{1.1f, 0.7f, 2.3f} * scale, off = Vec3{3, -5, 1} * scale;
         addRoom(*bench.model, off - half, off + half, scale);
         bench.pose();
-        std::mt19937 random(11);
-        std::uniform_real_distribution<float> unit(-1, 1);
+        Dice dice(11);
         int lost = 0;
         for (int i = 0; i < 100000; ++i) {
             Ray8 ray;
             for (int k = 0; k < 8; ++k) {
-                float o[3], to[3];
-                for (int c = 0; c < 3; ++c) o[c] = unit(random) * 0.999f, to[c] = unit(random);
+                float to[3] = {dice(-1, 1), dice(-1, 1), dice(-1, 1)};
                 // Aim half of them at edges, and some of these at corners
                 if (i & 1) to[i % 3] = to[i % 3] < 0 ? -1.f : 1.f, to[(i + 1) % 3] = 1;
                 if ((i & 7) == 7) to[(i + 2) % 3] = -1;
-                Vec3 from = off + Vec3{o[0], o[1], o[2]} * half;
+                Vec3 from = off + dice.point(0.999f) * half;
                 setLane(ray.o, k, from);
                 setLane(ray.d, k, normalize(off + Vec3{to[0], to[1], to[2]} * half - from));
             }

@@ -33,12 +33,8 @@ struct Sheet {
             for (int i = 0; i <= 6; ++i) texels[(size_t)chart.texel(i, j)] = value(i, j);
         for (int j = 0; j < 4; ++j)
             for (int i = 0; i < 6; ++i)
-                cells[(size_t)(7 + j * 6 + i)] = {{chart.texel(i, j), chart.texel(i + 1, j),
-                                                   chart.texel(i, j + 1), chart.texel(i + 1, j + 1)},
-                                                  0,
-                                                  0,
-                                                  0,
-                                                  0};
+                for (int k = 0; k < 4; ++k)
+                    cells[(size_t)(7 + j * 6 + i)].corner[k] = chart.texel(i + k % 2, j + k / 2);
         for (int k = 0; k < 4; ++k) patches[(size_t)(100 + k)] = (float)k;
         point();
     }
@@ -48,6 +44,13 @@ struct Sheet {
         for (int k = 0; k < 3; ++k) map.plane[k] = texels.data(), map.patch[k] = patches.data();
     }
     float at(float s, float t) const { return lightAt(map, chart, broadcast(chart.at(s, t))).y[3]; }
+    // The patch at a place, seen along d, and how much of a sample there is clear of lines.
+    std::pair<int, float> patchAndClear(float s, float t, Vec3 d, float cosine, float width) const {
+        Float8 clear;
+        Int8 patch = patchAt(chart, broadcast(chart.at(s, t)), broadcast(d), broadcast(cosine),
+                             broadcast(width), clear);
+        return {patch[0], clear[0]};
+    }
     // Divides a cell and sets its new corners: above, left, middle, right, below
     void divide(size_t cell, const float (&values)[5]) {
         const Cell c = cells[cell];
@@ -115,35 +118,25 @@ TEST(Lightmap, OverItThePatchesAreAMosaic) {
 TEST(Lightmap, FindsPatchesAndTheLinesBetweenThem) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
-    auto look = [&](float s, float t, float width, float &clear) {
-        Float8 all;
-        int patch =
-            patchAt(c, broadcast(c.at(s, t)), broadcast(c.n), broadcast(1.f), broadcast(width), all)[0];
-        clear = all[0];
-        return patch;
+    auto look = [&](float s, float t, float width = 0.001f) {
+        return sheet.patchAndClear(s, t, c.n, 1, width);
     };
-    float clear;
-    EXPECT_EQ(look(0.7f, 0.2f, 0.001f, clear), 100);
-    EXPECT_FLOAT_EQ(clear, 1);
-    EXPECT_EQ(look(2.9f, 0.2f, 0.001f, clear), 101);
-    EXPECT_EQ(look(0.1f, 0.9f, 0.001f, clear), 102);
-    EXPECT_EQ(look(2.9f, 0.9f, 0.001f, clear), 103);
-    look(1.5f, 0.2f, 0.001f, clear);
-    EXPECT_NEAR(clear, 0, 1e-5f);
+    EXPECT_EQ(look(0.7f, 0.2f), (std::pair{100, 1.f}));
+    EXPECT_EQ(look(2.9f, 0.2f).first, 101);
+    EXPECT_EQ(look(0.1f, 0.9f).first, 102);
+    EXPECT_EQ(look(2.9f, 0.9f).first, 103);
+    EXPECT_NEAR(look(1.5f, 0.2f).second, 0, 1e-5f);
     // From afar a line gets paler as it is spread out
-    look(1.5f, 0.25f, 0.5f, clear);
-    EXPECT_GT(clear, 0.9f);
-    EXPECT_LT(clear, 1);
+    EXPECT_GT(look(1.5f, 0.25f, 0.5f).second, 0.9f);
+    EXPECT_LT(look(1.5f, 0.25f, 0.5f).second, 1);
 }
 
 // The lines between patches look as with many samples, seen straight and at an angle.
 TEST(Lightmap, LinesAreFilteredLikeManySamples) {
     Sheet sheet([](int, int) { return 1.f; });
     const Chart &c = sheet.chart;
-    auto clearAt = [&](float s, float t, Vec3 d, float cosine, float width) {
-        Float8 clear;
-        patchAt(c, broadcast(c.at(s, t)), broadcast(d), broadcast(cosine), broadcast(width), clear);
-        return (double)clear[0];
+    auto clearAt = [&](float s, Vec3 d, float cosine, float width) {
+        return (double)sheet.patchAndClear(s, 0.25f, d, cosine, width).second;
     };
     for (float cosine : {1.f, 0.5f, 0.1f})
         for (float width : {0.004f, 0.02f, 0.05f})
@@ -154,8 +147,8 @@ TEST(Lightmap, LinesAreFilteredLikeManySamples) {
                 double sum = 0;
                 constexpr int kSide = 200;
                 for (int i = 0; i < kSide; ++i)
-                    sum += clearAt(s + wide * (((float)i + 0.5f) / kSide - 0.5f), 0.25f, c.n, 1, 1e-4f);
-                EXPECT_NEAR(clearAt(s, 0.25f, d, cosine, width), sum / kSide, 0.02)
+                    sum += clearAt(s + wide * (((float)i + 0.5f) / kSide - 0.5f), c.n, 1, 1e-4f);
+                EXPECT_NEAR(clearAt(s, d, cosine, width), sum / kSide, 0.02)
                     << cosine << ' ' << width << ' ' << s;
             }
 }

@@ -17,12 +17,8 @@ struct Eclipse {
 
     Eclipse(float radius, float lamp, float ior, Rgb tint = {1, 1, 1}, float height = 2) {
         scene->clear();
-        Material m = {};
-        m.diffuse = 1;
-        m.ior = ior;
-        m.tint = tint;
-        scene->add(m);
-        scene->add(sphere({0, height, 0}, radius, 0));
+        scene->add(
+            sphere({0, height, 0}, radius, scene->add(Material{.diffuse = 1, .ior = ior, .tint = tint})));
         scene->ballsOcclude = true;
         scene->finish();
         light.radius = lamp;
@@ -58,31 +54,27 @@ double hiddenByRays(float x, float radius, float lamp, double height = 2) {
 } // namespace
 
 TEST(SoftShadow, HidesWhatTheDiscsShare) {
-    struct Case {
-        float radius, lamp;
-    };
-    for (Case c : {Case{0.5f, 0.5f}, {1, 0.1f}, {0.5f, 2}, {0.2f, 3}, {1, 0.01f}}) {
-        Eclipse e(c.radius, c.lamp, 0);
+    for (auto [radius, lamp] : {std::pair{0.5f, 0.5f}, {1, 0.1f}, {0.5f, 2}, {0.2f, 3}, {1, 0.01f}}) {
+        Eclipse e(radius, lamp, 0);
         double squares = 0;
         for (int i = 0; i < 200; ++i) {
             float x = (float)i * 0.02f;
-            double error = 1 - e.at(x) - hiddenByRays(x, c.radius, c.lamp);
+            double error = 1 - e.at(x) - hiddenByRays(x, radius, lamp);
             squares += error * error;
-            EXPECT_NEAR(error, 0, 0.05) << c.radius << ' ' << c.lamp << ' ' << x;
+            EXPECT_NEAR(error, 0, 0.05) << radius << ' ' << lamp << ' ' << x;
         }
-        EXPECT_LT(std::sqrt(squares / 200), 0.02) << c.radius << ' ' << c.lamp;
+        EXPECT_LT(std::sqrt(squares / 200), 0.02) << radius << ' ' << lamp;
     }
 }
 
 TEST(SoftShadow, IsOfWhatStandsBetweenAlone) {
     Eclipse e(0.5f, 0.5f, 0);
     EXPECT_EQ(e.blockers.count, 1);
-    Vec3x8 below = {Float8{}, Float8{}, Float8{}}, above = {Float8{}, broadcast(5.f), Float8{}},
-           beyond = {Float8{}, broadcast(12.f), Float8{}};
-    EXPECT_LT(e.at(below).x[0], 0.01);
-    EXPECT_EQ(e.at(below, 0).x[0], 1); // its own
-    EXPECT_EQ(e.at(above).x[0], 1);
-    EXPECT_EQ(e.at(beyond).x[0], 1);
+    auto at = [&](float y, int own = -1) { return e.at(broadcast(Vec3{0, y, 0}), own).x[0]; };
+    EXPECT_LT(at(0), 0.01); // below it
+    EXPECT_EQ(at(0, 0), 1); // its own
+    EXPECT_EQ(at(5), 1);    // above it
+    EXPECT_EQ(at(12), 1);   // beyond the lamp
     Blockers none;
     findBlockers(*e.scene, e.light, {{20, 0, -1}, {21, 0, 1}}, none);
     EXPECT_EQ(none.count, 0);

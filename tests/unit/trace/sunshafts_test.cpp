@@ -2,11 +2,11 @@
 #include "trace/shade/sunshafts.h"
 
 #include "base/maths.h"
+#include "tests/support/dice.h"
 #include "trace/texture/noise.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <random>
 
 using namespace odraz;
 
@@ -57,14 +57,11 @@ void expectSum(const Sunshafts &s, Vec3 o, Vec3 towards, float hit) {
 } // namespace
 
 TEST(Sunshafts, AreAsLongAsTheyAreLit) {
-    std::mt19937 random(1);
-    auto next = [&](float low, float high) {
-        return std::uniform_real_distribution<float>(low, high)(random);
-    };
+    Dice dice(1);
     for (Vec3 sun : {Vec3{-1, 0.7f, 0}, {-1, 0.3f, 1.5f}, {-0.3f, 0.2f, -0.8f}})
         for (int i = 0; i < 200; ++i)
-            expectSum(shaftsBy(sun), {next(-3.9f, 3.9f), next(0.1f, 5.9f), next(-8, 8)},
-                      {next(-1, 1), next(-1, 1), next(-1, 1)}, next(0, 1) < 0.3f ? kInfinity : next(0, 12));
+            expectSum(shaftsBy(sun), Vec3{0, 3, 0} + dice.point(1) * Vec3{3.9f, 2.9f, 8}, dice.point(1),
+                      dice(0, 1) < 0.3f ? kInfinity : dice(0, 12));
 }
 
 TEST(Sunshafts, AreRightAtTheExtremes) {
