@@ -1,7 +1,6 @@
 #include "host/clock.h"
 #include "host/cpu.h"
 #include "host/files.h"
-#include "host/headless.h"
 #include "host/process.h"
 #include "host/threads.h"
 #include "tools/common/temporary_folder.h"
@@ -182,25 +181,4 @@ TEST_F(Files, BeyondTheLimitAreNotLeft) {
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
     EXPECT_STREQ(wrong, "the limit on a file's size is reached (ulimit -f)");
     EXPECT_EQ(count(), 0);
-}
-
-// Reads back the picture that a headless context was cleared to.
-TEST(Headless, DrawsWithoutADisplay) {
-    unsetenv("DISPLAY");
-    Gl gl;
-    const char *missing = openHeadlessGl(gl);
-    if (missing) GTEST_SKIP() << missing;
-    GLuint texture, framebuffer;
-    gl.glGenTextures(1, &texture);
-    gl.glBindTexture(GL_TEXTURE_2D, texture);
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, 8, 8, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    gl.glGenFramebuffers(1, &framebuffer);
-    gl.glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    gl.glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
-    ASSERT_EQ(gl.glCheckFramebufferStatus(GL_FRAMEBUFFER), (GLenum)GL_FRAMEBUFFER_COMPLETE);
-    gl.glClearColor(0, 1, 0, 1);
-    gl.glClear(GL_COLOR_BUFFER_BIT);
-    unsigned char pixels[8 * 8 * 4];
-    gl.glReadPixels(0, 0, 8, 8, GL_RGBA, GL_UNSIGNED_BYTE, pixels);
-    for (int i = 0; i < 64; ++i) EXPECT_EQ(pixels[4 * i + 1], 255);
 }
