@@ -5,7 +5,6 @@
 #include "maker/panel/strip.h"
 
 #include <cctype>
-#include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
 

@@ -10,15 +10,23 @@ using namespace odraz;
 
 namespace {
 
-// The response of the room to an impulse in one lane, summed over all lanes.
-std::vector<double> impulse(Reverb &room, double seconds, int lane) {
-    std::vector<double> out;
+// The response of the room to an impulse in one lane.
+std::vector<Float8> response(double seconds, int lane) {
+    auto room = std::make_unique<Reverb>();
+    std::vector<Float8> out;
     for (int block = 0; block < (int)(seconds * kSampleRate / kBlock); ++block) {
         Float8 in[kBlock] = {}, sum[kBlock] = {};
         if (block == 0) in[0][lane] = 1;
-        renderReverb(room, block, in, sum);
-        for (Float8 x : sum) out.push_back((double)x[0] - (double)x[1] + (double)x[2] + (double)x[5]);
+        renderReverb(*room, block, in, sum);
+        out.insert(out.end(), sum, sum + kBlock);
     }
+    return out;
+}
+// ... summed over lanes of both sides.
+std::vector<double> impulse(double seconds) {
+    std::vector<double> out;
+    for (Float8 x : response(seconds, 2))
+        out.push_back((double)x[0] - (double)x[1] + (double)x[2] + (double)x[5]);
     return out;
 }
 
@@ -57,8 +65,7 @@ double designed(double hertz) {
 } // namespace
 
 TEST(Reverb, DecaysAsDesigned) {
-    auto room = std::make_unique<Reverb>();
-    std::vector<double> response = impulse(*room, 6, 2);
+    std::vector<double> response = impulse(6);
     for (double hertz : {125., 250., 500., 1000., 2000., 4000.}) {
         double took = decayTime(band(response, hertz));
         std::printf("%5.0f Hz: %.2f s, designed %.2f s\n", hertz, took, designed(hertz));
@@ -73,18 +80,12 @@ TEST(Reverb, DecaysAsDesigned) {
 
 TEST(Reverb, IsDenseAndOnBothSides) {
     for (int lane : {0, 5}) {
-        auto room = std::make_unique<Reverb>();
+        std::vector<Float8> out = response(1, lane);
         double left = 0, right = 0;
         int loud = 0;
-        for (int block = 0; block < 200; ++block) {
-            Float8 in[kBlock] = {}, out[kBlock] = {};
-            if (block == 0) in[0][lane] = 1;
-            renderReverb(*room, block, in, out);
-            for (Float8 x : out) {
-                for (int i = 0; i < 8; ++i)
-                    if (block > 50) (i < 4 ? left : right) += (double)x[i] * (double)x[i];
-                loud += block >= 120 && std::fabs(x[0]) > 1e-7f;
-            }
+        for (size_t i = 51 * kBlock; i < out.size(); ++i) {
+            for (int k = 0; k < 8; ++k) (k < 4 ? left : right) += (double)out[i][k] * (double)out[i][k];
+            loud += i >= 120 * kBlock && std::fabs(out[i][0]) > 1e-7f;
         }
         EXPECT_NEAR(std::log2(left / right), 0, 0.6) << lane;
         EXPECT_GT(loud, 80 * kBlock / 2) << "half a second later single echoes are no longer heard";
@@ -93,10 +94,8 @@ TEST(Reverb, IsDenseAndOnBothSides) {
 
 // What enters as an impulse is spread by the allpasses, with its energy.
 TEST(Reverb, HasFirstEchoesThatAreNoClicks) {
-    auto room = std::make_unique<Reverb>();
-    std::vector<double> out = impulse(*room, 0.1, 2);
     double most = 0, sum = 0;
-    for (double x : out) most = std::max(most, x * x), sum += x * x;
+    for (double x : impulse(0.1)) most = std::max(most, x * x), sum += x * x;
     EXPECT_LT(most, 0.1 * sum);
 }
 

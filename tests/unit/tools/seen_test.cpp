@@ -6,7 +6,6 @@
 #include "tools/measure/seen/simulated.h"
 #include "tools/measure/seen/viewer.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 
 using namespace odraz;

@@ -1,12 +1,10 @@
 // Light shown during solving: it starts with direct light, grows, and ends with the solution.
 #include "tests/support/headless_gl.h"
+#include "tests/support/light.h"
 #include "tests/support/sanitized.h"
 #include "tools/engine/machine.h"
 #include "tools/measure/oracle/measured.h"
 #include "tools/radiosity/solve/solve.h"
-
-#include <algorithm>
-#include <cmath>
 
 using namespace odraz;
 using namespace odraz::measure;
@@ -35,17 +33,6 @@ Watched watch(const char *kind, SolveSettings s) {
     Workers workers = serialWorkers();
     watched.end = solveModel(generatedMesh(kind, 0), s, headlessGl(), workers, &kNever, {}).solution.light;
     return watched;
-}
-
-// The largest difference between two lights, relative to the brightest light.
-double apart(const std::vector<Rgb> &a, const std::vector<Rgb> &b) {
-    double most = 0, off = 0;
-    for (size_t i = 0; i < a.size(); ++i) {
-        most = std::max(most, (double)maxComponent(b[i]));
-        off = std::max({off, std::fabs((double)(a[i].x - b[i].x)), std::fabs((double)(a[i].y - b[i].y)),
-                        std::fabs((double)(a[i].z - b[i].z))});
-    }
-    return off / most;
 }
 
 } // namespace

@@ -8,8 +8,6 @@
 #include "tools/radiosity/reference/mesh_reference.h"
 #include "tools/radiosity/solve/solve.h"
 
-#include <cmath>
-
 using namespace odraz;
 using namespace odraz::measure;
 using namespace odraz::radiosity;

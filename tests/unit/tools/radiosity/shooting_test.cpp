@@ -2,7 +2,6 @@
 // forms.
 #include "tests/support/headless_gl.h"
 #include "tests/support/model_bench.h"
-#include "tests/support/random.h"
 #include "tests/support/room.h"
 #include "tests/support/squares.h"
 #include "tools/engine/heap_arena.h"

@@ -2,11 +2,8 @@
 #include "tests/support/headless_gl.h"
 #include "tests/support/thrown.h"
 #include "tools/common/temporary_folder.h"
-#include "tools/common/whole_file.h"
-#include "tools/engine/machine.h"
 #include "tools/radiosity/export/points_export.h"
 #include "tools/radiosity/export/render.h"
-#include "tools/radiosity/generate/generate.h"
 
 #include <cmath>
 #include <cstring>
