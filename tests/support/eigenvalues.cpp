@@ -3,8 +3,14 @@
 
 #include <Eigen/Eigenvalues>
 
-std::vector<double> eigenvalues(int n, const std::vector<double> &symmetric) {
-    Eigen::Map<const Eigen::MatrixXd> matrix(symmetric.data(), n, n);
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix, Eigen::EigenvaluesOnly);
-    return {solver.eigenvalues().data(), solver.eigenvalues().data() + n};
+double besideBestSubspace(const float *values, int rows, int columns, int dimensions) {
+    using RowByRow = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    Eigen::MatrixXd a = Eigen::Map<const RowByRow>(values, rows, columns).cast<double>(), gram;
+    a.rowwise() -= a.colwise().mean().eval();
+    if (columns > rows)
+        gram = a * a.transpose();
+    else
+        gram = a.transpose() * a;
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().head(gram.rows() - dimensions).cwiseMax(0).sum();
 }

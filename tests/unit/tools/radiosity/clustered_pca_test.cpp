@@ -58,27 +58,10 @@ struct Result {
     double percent() const { return 100 * std::sqrt(error / size); }
 };
 
-// The squared error of the best subspace of this number of dimensions: the sum of the remaining eigenvalues
-// of the Gram matrix, of columns, or of rows if there are fewer.
 double bestLeft(const Data &d, int dimensions) {
-    bool wide = d.columns > d.rows;
-    int n = wide ? d.rows : d.columns, m = wide ? d.columns : d.rows;
-    std::vector<double> vectors((size_t)n * (size_t)m), gram((size_t)n * (size_t)n);
-    for (int c = 0; c < d.columns; ++c) {
-        double mean = 0;
-        for (int r = 0; r < d.rows; ++r) mean += (double)d.at(r, c) / d.rows;
-        for (int r = 0; r < d.rows; ++r)
-            vectors[(size_t)(wide ? r * m + c : c * m + r)] = (double)d.at(r, c) - mean;
-    }
-    for (int i = 0; i < n; ++i)
-        for (int j = 0; j < n; ++j)
-            for (int k = 0; k < m; ++k)
-                gram[(size_t)(i * n + j)] += vectors[(size_t)(i * m + k)] * vectors[(size_t)(j * m + k)];
-    std::vector<double> squares = eigenvalues(n, gram);
-    double left = 0;
-    for (int k = 0; k < n - dimensions; ++k) left += std::max(squares[(size_t)k], 0.);
-    return left;
+    return besideBestSubspace(d.values.data(), d.rows, d.columns, dimensions);
 }
+int halves(int row) { return row % 2; }
 
 // Rows whose singular values fall as 2^-(k / half).
 Data falling(int rows, int columns, double half) {
@@ -205,10 +188,9 @@ TEST(Extremes, AreHeldExactly) {
 TEST(Extremes, TinyAndHuge) {
     for (float scale : {1e-9f, 1e-6f, 1e6f, 1e12f}) {
         Data d = falling(100, 32, 2);
-        double plain = Result(d, {.clusters = 2, .dimensions = 8}, [](int row) { return row % 2; }).percent();
+        double plain = Result(d, {.clusters = 2, .dimensions = 8}, halves).percent();
         for (float &v : d.values) v *= scale;
-        double scaled =
-            Result(d, {.clusters = 2, .dimensions = 8}, [](int row) { return row % 2; }).percent();
+        double scaled = Result(d, {.clusters = 2, .dimensions = 8}, halves).percent();
         EXPECT_NEAR(scaled, plain, plain * 0.05) << scale;
     }
 }
