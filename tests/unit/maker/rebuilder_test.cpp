@@ -39,100 +39,90 @@ public:
     common::TemporaryFolder folder;
 };
 
-// The next event other than the begin of a build; waits for a minute at most.
-Event next(Rebuilder &r, double &now) {
-    for (int i = 0; i < 6000; ++i) {
-        Event what = r.poll(now += 0.01);
-        if (what == Event::Built || what == Event::Failed) return what;
-        usleep(10000);
+struct Rebuilding : testing::Test {
+    Project p;
+    Rebuilder r{p.build()};
+    double now = 0;
+
+    // The next event other than the begin of a build; waits for a minute at most.
+    Event next() {
+        for (int i = 0; i < 6000; ++i) {
+            Event what = r.poll(now += 0.01);
+            if (what == Event::Built || what == Event::Failed) return what;
+            usleep(10000);
+        }
+        return Event::None;
     }
-    return Event::None;
-}
-// Polls for a while; true if nothing happens.
-bool quiet(Rebuilder &r, double &now) {
-    for (int i = 0; i < 20; ++i, usleep(5000))
-        if (r.poll(now += 0.01) != Event::None) return false;
-    return true;
-}
+    // Polls for a while; true if nothing happens.
+    bool quiet() {
+        for (int i = 0; i < 20; ++i, usleep(5000))
+            if (r.poll(now += 0.01) != Event::None) return false;
+        return true;
+    }
+};
 
 } // namespace
 
-TEST(Rebuilder, BuildsWhatIsSaved) {
-    Project p;
-    Rebuilder r(p.build());
-    double now = 0;
+TEST_F(Rebuilding, BuildsWhatIsSaved) {
     ASSERT_EQ(r.problem(), "");
-    EXPECT_TRUE(quiet(r, now));
+    EXPECT_TRUE(quiet());
     EXPECT_EQ(r.object(), p.build() + "/live/live.so");
     p.write("intro/show/a.cpp", "two");
-    ASSERT_EQ(next(r, now), Event::Built);
+    ASSERT_EQ(next(), Event::Built);
     EXPECT_FALSE(r.building());
     EXPECT_EQ(p.read("build/live/live.so"), "two");
     EXPECT_GT(r.saved(), 0);
     // Editors that write beside the file and rename, as most do
     p.write("intro/show/.a.cpp.swp", "three");
-    EXPECT_TRUE(quiet(r, now)); // no source
+    EXPECT_TRUE(quiet()); // no source
     std::filesystem::rename(p.folder / "intro/show/.a.cpp.swp", p.folder / "intro/show/a.cpp");
-    ASSERT_EQ(next(r, now), Event::Built);
+    ASSERT_EQ(next(), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
 }
 
-TEST(Rebuilder, ReportsTheFirstError) {
-    Project p;
-    Rebuilder r(p.build());
-    double now = 0;
+TEST_F(Rebuilding, ReportsTheFirstError) {
     p.write("intro/show/a.cpp", "oops");
-    ASSERT_EQ(next(r, now), Event::Failed);
+    ASSERT_EQ(next(), Event::Failed);
     EXPECT_EQ(r.error(), "intro/show/a.cpp:3:1: error: oops");
-    EXPECT_TRUE(quiet(r, now));
+    EXPECT_TRUE(quiet());
     p.write("intro/show/a.cpp", "well");
-    ASSERT_EQ(next(r, now), Event::Built);
+    ASSERT_EQ(next(), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "well");
 }
 
-TEST(Rebuilder, BuildsAgainWhatWasSavedMeanwhile) {
-    Project p;
+TEST_F(Rebuilding, BuildsAgainWhatWasSavedMeanwhile) {
     p.write("make", "sleep 0.5; cp $1/intro/show/a.cpp $2/live/live.so\n");
-    Rebuilder r(p.build());
-    double now = 0;
     p.write("intro/show/a.cpp", "two");
     for (int i = 0; i < 1000 && !r.building(); ++i, usleep(1000)) r.poll(now += 0.01);
     ASSERT_TRUE(r.building());
     usleep(600000); // it has copied
     p.write("intro/show/a.cpp", "three");
-    ASSERT_EQ(next(r, now), Event::Built);
+    ASSERT_EQ(next(), Event::Built);
     EXPECT_EQ(p.read("build/live/live.so"), "three");
-    EXPECT_TRUE(quiet(r, now));
+    EXPECT_TRUE(quiet());
 }
 
-TEST(Rebuilder, WatchesNewFolders) {
-    Project p;
-    Rebuilder r(p.build());
-    double now = 0;
+TEST_F(Rebuilding, WatchesNewFolders) {
     std::filesystem::create_directory(p.folder / "intro/show/scenes");
-    EXPECT_TRUE(quiet(r, now));
+    EXPECT_TRUE(quiet());
     p.write("intro/show/scenes/new.cpp", "new");
-    EXPECT_EQ(next(r, now), Event::Built);
+    EXPECT_EQ(next(), Event::Built);
 }
 
 TEST(Rebuilder, ReportsWhatItCannotWatch) {
     common::TemporaryFolder empty;
     Rebuilder r(empty / "");
-    double now = 0;
     EXPECT_NE(r.problem().find("no folder of a build"), std::string::npos);
-    EXPECT_TRUE(quiet(r, now));
+    EXPECT_EQ(r.poll(1), Event::None);
 }
 
-TEST(Rebuilder, HashesTheSolvers) {
-    Project p;
+TEST_F(Rebuilding, HashesTheSolvers) {
     std::string objects = "build/intro/maker/CMakeFiles/live.dir/__/";
-    std::filesystem::create_directories(p.folder / (objects + "show"));
-    std::filesystem::create_directories(p.folder / (objects + "radiosity"));
-    std::filesystem::create_directories(p.folder / (objects + "transfer"));
+    for (const char *room : {"show", "radiosity", "transfer"})
+        std::filesystem::create_directories(p.folder / (objects + room));
     p.write(objects + "show/film.cpp.o", "1");
     p.write(objects + "transfer/room.cpp.o", "1");
     p.write(objects + "radiosity/solve.cpp.o", "1");
-    Rebuilder r(p.build());
     uint64_t before = r.solverHash();
     p.write(objects + "show/film.cpp.o", "2");
     EXPECT_EQ(r.solverHash(), before);

@@ -57,8 +57,8 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
     RayTracer g;
     g.scene->add(sphere({0, 0, 0}, 1, g.scene->add(shiny({0, 0, 0}, 0.8f, 300))));
     g.scene->add(Light{{300, 300, 600}, {1e5f, 1e5f, 1e5f}});
-    auto look = [&](float size, double &sum, double &most) {
-        sum = most = 0;
+    auto look = [&](float size) {
+        double sum = 0, most = 0;
         for (int i = -50; i <= 50; ++i)
             for (int j = -50; j <= 50; ++j) {
                 float x = (float)i * 0.02f, y = (float)j * 0.02f, up = 1 - x * x - y * y;
@@ -67,11 +67,10 @@ TEST(Phong, HighlightIsWidenedByWhatASampleCovers) {
                 double v = (double)g.look({x, y, 500}, {x, y, std::sqrt(up)}, kExact, size).radiance().x;
                 sum += v, most = std::max(most, v);
             }
+        return std::pair{sum, most};
     };
-    double sum, most, widerSum, widerMost;
-    float tenth = 0.1f / 500 / 0.728f; // in pixels: 0.1 at the ball's distance
-    look(1e-6f, sum, most);
-    look(tenth, widerSum, widerMost);
+    auto [sum, most] = look(1e-6f);
+    auto [widerSum, widerMost] = look(0.1f / 500 / 0.728f); // in pixels: 0.1 at the ball's distance
     EXPECT_LT(widerMost, most * 0.25);
     EXPECT_NEAR(widerSum, sum, sum * 0.15);
 }
@@ -160,20 +159,22 @@ TEST(Mirror, WidensLampsThatNoSampleIsSureToMeet) {
     EXPECT_GT(g.look(eye, beside, kExact, 0.02f).radiance().x, 0.01f);
 }
 
-// Two facing mirrors: the path ends at the depth limit, so the sum is a finite geometric series.
+// Two facing mirrors that emit: the path ends at the depth limit, so the sum is a finite geometric series,
+// even of sixty-four bounces.
 TEST(Mirror, RecursionEndsByDepthAndByContribution) {
-    RayTracer g;
-    Material m = mirror(0.5f);
-    m.emit = {1, 1, 1};
-    int id = g.scene->add(m);
-    g.scene->add(plane({0, 0, 0}, id));
-    g.scene->add(plane({0, 4, 0}, id));
-    Quality q = kExact;
-    q.depth = 3;
-    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25 + 0.125, 1e-5);
-    q.depth = 12;
-    q.cutoff = 0.2f; // 0.25 goes on, 0.125 does not
-    EXPECT_NEAR(g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x, 1 + 0.5 + 0.25, 1e-5);
+    auto seen = [](float reflect, int depth, float cutoff) {
+        RayTracer g;
+        int id = g.scene->add(Material{.reflect = reflect, .emit = {1, 1, 1}});
+        g.scene->add(plane({0, 0, 0}, id));
+        g.scene->add(plane({0, 4, 0}, id));
+        Quality q = kExact;
+        q.depth = depth, q.cutoff = cutoff;
+        return g.look({0, 2, 0}, {0, 0, 0.01f}, q).radiance().x;
+    };
+    EXPECT_NEAR(seen(0.5f, 3, 1e-6f), 1 + 0.5 + 0.25 + 0.125, 1e-5);
+    EXPECT_NEAR(seen(0.5f, 12, 0.2f), 1 + 0.5 + 0.25, 1e-5); // 0.25 goes on, 0.125 does not
+    double all = (1 - std::pow(0.97, kMaxDepth + 1)) / (1 - 0.97);
+    EXPECT_NEAR(seen(0.97f, kMaxDepth, 1e-6f), all, all * 1e-5);
 }
 
 // A path that ends, by depth or by its small share, returns the average light there, not darkness.
