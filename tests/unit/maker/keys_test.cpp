@@ -160,17 +160,12 @@ TEST(KeyFile, AnyEditIsReadBack) {
                 float x = number(random) * std::pow(10.f, -(float)(random() % 8));
                 if (keys[0].size() == 3 && k == 2) x = (float)(random() % 2);
                 if (k == 0) x = (float)(int)x;
-                switch (random() % 3) {
-                case 0:
+                unsigned way = random() % 3; // insert, change or erase
+                if (way == 0) keys.insert(keys.begin() + (long)i, keys[i]);
+                if (way < 2)
                     keys[i][k] = x;
-                    break;
-                case 1:
-                    keys.insert(keys.begin() + (long)i, keys[i]);
-                    keys[i][k] = x;
-                    break;
-                default:
-                    if (keys.size() > 1) keys.erase(keys.begin() + (long)i);
-                }
+                else if (keys.size() > 1)
+                    keys.erase(keys.begin() + (long)i);
             }
             std::stable_sort(keys.begin(), keys.end(), [](auto &a, auto &b) { return a[0] < b[0]; });
         });
