@@ -11,12 +11,9 @@
 #include <filesystem>
 #include <fstream>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <utility>
-
-extern char **environ;
 
 namespace odraz::maker {
 
@@ -26,11 +23,8 @@ constexpr double kLook = 0.05; // seconds: how often the times of all sources ar
 constexpr const char *kSolvers[] = {"/radiosity/", "/transfer/"};
 
 bool isSource(const std::string &name) {
-    for (const char *end : {".cpp", ".h", ".keys", "CMakeLists.txt"})
-        if (name.size() >= std::strlen(end) &&
-            !name.compare(name.size() - std::strlen(end), std::string::npos, end))
-            return true;
-    return false;
+    return name.ends_with(".cpp") || name.ends_with(".h") || name.ends_with(".keys") ||
+           name.ends_with("CMakeLists.txt");
 }
 
 } // namespace
@@ -38,7 +32,7 @@ bool isSource(const std::string &name) {
 Rebuilder::Rebuilder(const std::string &folder) : build(folder) {
     std::ifstream cache(build + "/CMakeCache.txt");
     auto take = [](const std::string &line, const std::string &key, std::string &to) {
-        if (!line.compare(0, key.size(), key)) to = line.substr(key.size());
+        if (line.starts_with(key)) to = line.substr(key.size());
     };
     for (std::string line; std::getline(cache, line);) {
         take(line, "CMAKE_HOME_DIRECTORY:INTERNAL=", source);
@@ -67,25 +61,18 @@ Rebuilder::Times Rebuilder::timesNow() const {
 void Rebuilder::start() {
     std::filesystem::create_directories(build + "/live");
     std::string log = build + "/live/build.log";
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 1, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    posix_spawn_file_actions_adddup2(&actions, 1, 2);
-    // A process group, which is ended as one
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    // In English, with quotes that our font has. Not by cmake, which would end before its children
-    const char *words[] = {"env", "LC_ALL=C", maker.c_str(), "-C", build.c_str(), "live", nullptr};
     // The times of files are up to 15 ms late: what was saved before is older than this
     began = std::filesystem::file_time_type::clock::now() - std::chrono::milliseconds(15);
-    int error = posix_spawnp(&compiling, words[0], &actions, &attributes, (char *const *)words, environ);
-    posix_spawn_file_actions_destroy(&actions);
-    posix_spawnattr_destroy(&attributes);
-    if (error) {
-        compiling = -1;
-        firstError = std::string("cannot start " + maker + ": ") + std::strerror(error);
-    }
+    compiling = fork();
+    if (compiling < 0) firstError = "cannot start " + maker + ": " + std::strerror(errno);
+    setpgid(compiling, 0); // in both processes: a group, which is ended as one
+    if (compiling != 0) return;
+    int to = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+    dup2(to, 1);
+    dup2(to, 2);
+    // In English, with quotes that our font has. Not by cmake, which would end before its children
+    execlp("env", "env", "LC_ALL=C", maker.c_str(), "-C", build.c_str(), "live", nullptr);
+    _exit(127);
 }
 
 // Ends the build with all its processes.
