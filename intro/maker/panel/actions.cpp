@@ -23,47 +23,39 @@ void Panel::act(Action action) {
     switch (action) {
     case Action::Panel:
         shown = !shown;
-        break;
+        return;
     case Action::Help:
         help = !help;
-        break;
+        return;
     case Action::Ghost:
-        toggle(ghost);
-        break;
+        return toggle(ghost);
     case Action::Heat:
-        toggle(heated);
-        break;
+        return toggle(heated);
     case Action::Materials:
-        toggle(materials);
-        break;
+        return toggle(materials);
     case Action::Costs:
-        toggle(costly);
-        break;
+        return toggle(costly);
     case Action::Split:
-        toggle(split);
-        break;
+        return toggle(split);
     case Action::Difference:
         toggle(differs);
         scale = 0;
-        stop = stop || differs;
-        break;
+        stop |= differs;
+        return;
     case Action::LoopShot: {
         const ShotInfo &shot = content.shotAt(time);
         stretch = stretch.on() ? Loop{} : loopBetween(shot.from, shot.to, content.end);
-        break;
+        return;
     }
     case Action::PictureBack:
     case Action::PictureOn:
-        step(stepBy(time, 1 / rate, action == Action::PictureOn ? 1 : -1, content.end));
-        break;
+        return step(stepBy(time, 1 / rate, action == Action::PictureOn ? 1 : -1, content.end));
     case Action::BarBack:
     case Action::BarOn:
-        seek(stepBy(time, bar, action == Action::BarOn ? 1 : -1, content.end));
-        break;
+        return seek(stepBy(time, bar, action == Action::BarOn ? 1 : -1, content.end));
     case Action::EventBack:
     case Action::EventOn:
-        step(stepTo(time, content.eventTimes(), action == Action::EventOn ? 1 : -1));
-        break;
+        return step(stepTo(time, content.eventTimes(), action == Action::EventOn ? 1 : -1));
     case Action::OtherDraft:
     case Action::OtherPlay:
     case Action::OtherFilm:
@@ -71,11 +63,10 @@ void Panel::act(Action action) {
         other = (QualityName)((int)action - (int)Action::OtherDraft);
         scale = 0;
         split = shown = true;
-        break;
+        return;
     case Action::Count:
-        break;
+        return;
     }
-    if (shown && !envelope.started()) envelope.start(*film, content.end);
 }
 
 // --- The mouse ---

@@ -8,19 +8,17 @@ namespace odraz::maker {
 
 Panel::Panel(int width, int height, double rate, int64_t (*clock)())
     : width(width), height(height), rate(rate), clock(clock) {
+    strip = stripOf(width, height, 0);
     learn();
-    strip = stripOf(width, height, content.end);
     probe.clock = clock;
 }
 
 void Panel::learn() {
     film = &inspector();
     content = contentOf(*film);
-    bool other = content.end != strip.end;
-    if (other) strip = stripOf(width, height, content.end);
+    if (content.end != strip.end) strip = stripOf(width, height, content.end);
     if (stretch.to > content.end) stretch = {};
     otherKey = differenceKey = {};
-    if (shown) envelope.start(*film, content.end);
 }
 
 // --- The picture ---
@@ -39,6 +37,7 @@ Picture Panel::picture(Intro &intro, const PictureRequest &m) {
         if (help) drawHelp(canvas);
         return p;
     }
+    if (!envelope.started()) envelope.start(*film, content.end);
     if (ghost && inset().width) makeGhost(intro, m);
     waits = (split || differs) && !makeOther(intro, m);
     Picture p = makePicture(intro, m);
