@@ -13,11 +13,11 @@ constexpr double kGreets = 0.3; // seconds in which an editor sends the keys tha
 } // namespace
 
 Edits::Edits(const Stage &shown, std::string show, std::string name, int number)
-    : stage(shown), host(std::move(name)), port(number), tracks(std::move(show)) {}
+    : stage(shown), host(std::move(name)), port(number), tracks(std::move(show)) {
+    renew();
+}
 
-void Edits::find() {
-    if (found) return;
-    found = true;
+void Edits::renew() {
     std::vector<std::string> before = tracks.names();
     tracks.find(stage.live());
     if (host.empty() || (client && tracks.names() == before)) return;
@@ -28,8 +28,6 @@ void Edits::find() {
 
 Edits::Requests Edits::update(double now, double row) {
     Requests requests;
-    if (host.empty() && tracks.names().empty()) return requests; // nothing was ever edited
-    find();
     if (!client) return requests;
     client->update(now);
     if (client->connected() != connected) {
@@ -53,7 +51,6 @@ Edits::Requests Edits::update(double now, double row) {
 }
 
 uint32_t Edits::setView(double row, const CameraKey *camera, std::string &message) {
-    find();
     uint32_t at = tracks.rowOfView(row);
     std::string why = tracks.setView(at, camera), done = camera ? "set" : "removed";
     message = why.empty() ? "key " + done + (camera ? " on " : " from ") + tracks.rowInWords(at)
@@ -61,26 +58,22 @@ uint32_t Edits::setView(double row, const CameraKey *camera, std::string &messag
     return at;
 }
 std::string Edits::undo() {
-    find();
     bool undone = tracks.undo();
     tracks.show();
-    if (!tracks.unsavedByHand()) found = false; // the files are read again: somebody may have changed them
+    if (!tracks.unsavedByHand()) renew(); // the files are read again: somebody may have changed them
     return undone ? "undone" : "nothing to undo";
 }
 std::string Edits::redo() {
-    find();
     bool done = tracks.redo();
     tracks.show();
     return done ? "done again" : "nothing to do again";
 }
 std::string Edits::save() {
-    find();
     std::string message, wrong = tracks.save(message);
     return wrong.empty() ? message : wrong;
 }
 
 std::string Edits::writeDocument(const std::string &file) {
-    find();
     std::vector<rocket::Track> all;
     for (size_t i = 0; i < tracks.names().size(); ++i) all.push_back(tracks.track(i));
     int rows = (int)std::ceil(stage.live().duration() * kRowsPerSecond), off = tracks.offRows();

@@ -15,8 +15,8 @@ public:
     // `show`: the folder of the film's content, which files of keys are read and written.
     Edits(const Stage &stage, std::string show, std::string host = "", int port = rocket::kPort);
 
-    // There is a new film: its tracks are found when they are needed.
-    void renew() { found = false; }
+    // There is a new film: finds its tracks.
+    void renew();
 
     struct Requests {              // of the editor
         std::optional<double> row; // to which it went
@@ -41,13 +41,10 @@ public:
     std::string writeDocument(const std::string &file);
 
 private:
-    void find();
-
     const Stage &stage;
     std::string host;
     int port;
     Tracks tracks;
-    bool found = false;
     std::unique_ptr<rocket::Client> client;
     bool connected = false;
     double since = 0; // when it connected
