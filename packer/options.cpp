@@ -55,8 +55,8 @@ void checkPaths(const Options &o) {
     }
 }
 
-void check(const common::CommandLine &line, const Options &o) {
-    if (o.fast && o.model) line.refuse("--fast and --model both choose contexts");
+void check(const common::CommandLine &line, Options &o) {
+    if (o.fast && !o.modelFile.empty()) line.refuse("--fast and --model both choose contexts");
     if (o.pe && o.loader) line.refuse("--loader is for Linux, --pe for Windows");
     int modes = !o.in.empty() + !o.test.empty() + !o.unpack.empty();
     if (modes != 1 || o.out.empty() != !o.test.empty())
@@ -80,9 +80,8 @@ void addOptions(common::CommandLine &line, Options &o) {
         [&o](const std::string &text) { o.seconds = secondsOf(text); },
         "how long to search for contexts that suit the program: not at all, 30 s, 15 minutes, or SECONDS; "
         "fast if not given");
-    line.option(
-        "--model", "FILE", [&o](const std::string &path) { o.model = readParameters(path); },
-        "start with the contexts in FILE instead of the default ones");
+    line.option("--model", "FILE", o.modelFile,
+                "start with the contexts in FILE instead of the default ones");
     line.option("--save-model", "FILE", o.saveModel, "write the contexts that were used to FILE");
     line.option("--name", "NAME", o.names.program,
                 "the packed program's name in its messages, if it cannot start; up to 10 letters");
@@ -102,9 +101,10 @@ void addOptions(common::CommandLine &line, Options &o) {
     line.option("--than", "OLD.json", o.than, "with --html or --text, compare with an earlier --report");
 }
 
-void checkOptions(const common::CommandLine &line, const Options &o) {
+void checkOptions(const common::CommandLine &line, Options &o) {
     if (!o.than.empty() && o.html.empty() && o.text.empty()) line.refuse("--than needs --html or --text");
     checkPaths(o);
+    if (!o.modelFile.empty()) o.model = readParameters(o.modelFile);
 }
 
 Options parseOptions(common::CommandLine &line) {

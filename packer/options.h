@@ -17,14 +17,14 @@ struct Options {
     double seconds = 0;                   // of search
     std::optional<ModelParameters> model; // contexts to start with
     Names names;
-    std::string saveModel, map, symbols, rooms, report, html, text, than;
+    std::string modelFile, saveModel, map, symbols, rooms, report, html, text, than;
 };
 
 // How a program is packed and reported on: the options that pack-link takes, too. After line.parse()
 // checkOptions() refuses those that do not go together, and outputs that would replace an input or another
-// output.
+// output, and reads the model.
 void addOptions(common::CommandLine &line, Options &o);
-void checkOptions(const common::CommandLine &line, const Options &o);
+void checkOptions(const common::CommandLine &line, Options &o);
 
 // Throws common::Refused for options that do not go together.
 Options parseOptions(common::CommandLine &line);
