@@ -13,7 +13,6 @@ namespace pack::linking {
 
 namespace {
 
-Words theCompilerWords;
 std::string theFolder; // of all files that are made on the way
 
 // Nothing is left over. It calls what a handler of signals may call.
@@ -31,7 +30,9 @@ void endBySignal(int) {
 int packLink(common::CommandLine &line) {
     setenv("LC_ALL", "C", 1); // the linker's messages are read
     try {
-        LinkOptions options = parseLinkOptions(line, theCompilerWords);
+        DividedWords words = divide(line.words());
+        common::CommandLine own("pack-link", words.own);
+        LinkOptions options = parseLinkOptions(own, words.compiler);
         common::TemporaryFolder folder;
         theFolder = folder / "";
         theFolder.pop_back();
@@ -49,9 +50,5 @@ int packLink(common::CommandLine &line) {
 } // namespace pack::linking
 
 int main(int argc, char **argv) {
-    pack::linking::DividedWords words = pack::linking::divide(argc, argv);
-    pack::linking::theCompilerWords = words.compiler;
-    std::vector<char *> own = {argv[0]};
-    for (std::string &word : words.own) own.push_back(word.data());
-    return common::runProgram("pack-link", (int)own.size(), own.data(), pack::linking::packLink);
+    return common::runProgram("pack-link", argc, argv, pack::linking::packLink);
 }

@@ -9,6 +9,8 @@ namespace pack::linking {
 
 namespace {
 
+constexpr int kMostFiles = 1000; // of words
+
 const Words kTwoWords = {"-l", "-L", "-u",
                          "-Xlinker"}; // compiler options with a value that may be the next word
 
@@ -62,17 +64,52 @@ void checkFile(const std::string &path) {
 
 } // namespace
 
-DividedWords divide(int argc, char **argv) {
+Words wordsOf(const std::string &text) {
+    Words words;
+    char quote = 0;
+    bool inside = false; // of a word
+    for (size_t i = 0; i < text.size(); ++i) {
+        char c = text[i];
+        if (!quote && std::isspace((unsigned char)c)) {
+            inside = false;
+            continue;
+        }
+        if (!inside) words.emplace_back();
+        inside = true;
+        if (c == quote)
+            quote = 0;
+        else if (!quote && (c == '"' || c == '\''))
+            quote = c;
+        else
+            words.back() += c == '\\' && i + 1 < text.size() ? text[++i] : c;
+    }
+    return words;
+}
+
+DividedWords divide(const Words &given) {
     DividedWords words;
-    for (int i = 1; i < argc; ++i) {
-        std::string word = argv[i];
+    Words all(given.rbegin(), given.rend()); // the next one last
+    int files = 0;
+    auto next = [&] {
+        std::string word = all.back();
+        all.pop_back();
+        return word;
+    };
+    while (!all.empty()) {
+        std::string word = next();
+        if (word[0] == '@' && std::filesystem::is_regular_file(word.substr(1))) {
+            need(++files <= kMostFiles, word + " reads itself again and again");
+            Words more = wordsOf(common::readWhole(word.substr(1)));
+            all.insert(all.end(), more.rbegin(), more.rend());
+            continue;
+        }
         // All of pack-link's own options but two have a value, which may be the next word
         bool flag = word == "--help" || word == "-v";
         bool own = flag || word == "-o" || word.rfind("--", 0) == 0;
         bool two = own ? !flag && word.find('=') == word.npos : isAmong(word, kTwoWords);
         Words &to = own ? words.own : words.compiler;
         to.push_back(word);
-        if (two && i + 1 < argc) to.push_back(argv[++i]);
+        if (two && !all.empty()) to.push_back(next());
     }
     return words;
 }

@@ -10,7 +10,10 @@ namespace pack::linking {
 struct DividedWords {
     Words compiler, own;
 };
-DividedWords divide(int argc, char **argv);
+// @FILE stands for the words in a file, as for a compiler. Throws common::Refused if it cannot be read.
+DividedWords divide(const Words &given);
+// The words of a text, divided by spaces; ", \' and \\ quote as a compiler reads them.
+Words wordsOf(const std::string &text);
 
 struct LinkOptions {
     Words inputs; // for the compiler, in their order: files, -l, -L and other words for linking

@@ -260,6 +260,11 @@ check "an unknown option" fresh refuses 2 "cannot use '--nope'" "$link" --nope c
 check "an unknown way" fresh refuses 2 "--way is" "$link" c.o --way there -o made
 check "what it decides itself" fresh refuses 2 "-shared is not for pack-link" "$link" c.o -shared -o made
 check "its own objects stay" refuses 2 "c.o would be written over" "$link" c.o -o ./c.o
+printf '%s\n' '-lm "c.o"' "--way 'imports'" >words
+check "words from a file" eval 'takes imports @words && same "gcc -no-pie" c.o -lm'
+echo '@around -lm' >around
+check "... that names itself" fresh refuses 2 "@around reads itself again and again" "$link" @around c.o -o made
+check "... that is not there" fresh refuses 2 "no file @absent" "$link" @absent -o made
 check "no such compiler" fresh refuses 2 "cannot run nocc" "$link" c.o --cc nocc -o made
 check "data of libc that changes, named directly" fresh refuses 2 "errno.o reads 'environ' of libc.so.6 directly: compile it with -fPIC" "$link" errno.o --way imports -o made
 check "a function that libc looks for in the program" fresh refuses 2 "looks for 'malloc' in the program" "$link" malloc.o --way imports -o made
