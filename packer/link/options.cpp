@@ -140,7 +140,7 @@ LinkOptions parseLinkOptions(common::CommandLine &line, const Words &compiler) {
     addOptions(line, o.packing);
     line.notes(
         "Options for the compiler: -l, -L, -Wl,..., -u, -f..., -m..., -O..., -pthread, -static-libgcc;\n"
-        "-W..., -std=, -I, -D, -s and -no-pie change nothing.\n"
+        "-W..., -std=, -I, -D, -s and -no-pie change nothing. @FILE stands for the words in FILE.\n"
         "Compile small: -Os -fno-plt -ffunction-sections; C++ with -fno-exceptions -fno-rtti, too.");
     line.parse();
     checkOptions(line, o.packing);

@@ -33,6 +33,12 @@ uint64_t ElfProgram::offsetOf(uint64_t address, uint64_t size) const {
     throw common::Refused("its dynamic section points outside the file");
 }
 
+uint64_t ElfProgram::addressOf(uint64_t offset, uint64_t size) const {
+    for (const Elf64_Phdr &h : loads())
+        if (within(offset, size, h.p_offset, h.p_filesz)) return h.p_vaddr + (offset - h.p_offset);
+    return 0;
+}
+
 Dynamic ElfProgram::dynamic() const {
     Dynamic dynamic;
     const Elf64_Phdr *segment = find(PT_DYNAMIC);

@@ -77,6 +77,8 @@ struct ElfProgram : ElfFile {
     const Elf64_Phdr *find(uint32_t type) const;
     // The headers of what is loaded.
     std::vector<Elf64_Phdr> loads() const;
+    // Where bytes of the file lie in memory, or 0 if they are not loaded.
+    uint64_t addressOf(uint64_t offset, uint64_t size) const;
     // What the file has for an address in memory.
     template <class T> T inMemory(uint64_t address) const {
         return at<T>(offsetOf(address, sizeof(T)), "its dynamic section points outside the file");

@@ -20,24 +20,31 @@ Program readAnyProgram(const Bytes &file) {
     ElfProgram in(file);
     const Elf64_Ehdr &header = in.header;
     Program program = in.load();
+    Dynamic dynamic = in.dynamic();
+    need(header.e_type == ET_EXEC || !dynamic.value.count(DT_SONAME) || dynamic[DT_FLAGS_1] & DF_1_PIE,
+         "a shared library: pack programs, not libraries");
     Elf64_Phdr first = in.loads()[0];
-    need(first.p_offset == 0 && first.p_vaddr == program.base && first.p_filesz >= sizeof header &&
-             within(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum, 0, first.p_filesz),
-         "its first segment lacks its headers: link it without a script that leaves them out");
+    need(first.p_offset == 0 && first.p_vaddr == program.base && first.p_filesz >= sizeof header,
+         "its first segment lacks its ELF header: link it without a script that leaves it out");
     need(header.e_type == ET_DYN || program.base >= kLeastAddress,
          "it lies below 64 KiB, where Linux maps nothing: link it higher");
     program.readOnly = program.span = (uint32_t)wholePages(program.span);
-    // The section headers are not kept
-    Elf64_Ehdr without = header;
-    without.e_shoff = without.e_shnum = without.e_shstrndx = 0;
-    std::memcpy(program.bytes.data(), &without, sizeof without);
+    // The section headers are not kept. The program headers may lie in any segment, as tools that add some
+    // move them
+    Elf64_Ehdr kept = header;
+    kept.e_shoff = kept.e_shnum = kept.e_shstrndx = 0;
+    uint64_t headersAt = in.addressOf(header.e_phoff, sizeof(Elf64_Phdr) * header.e_phnum);
+    need(headersAt, "its program headers are in no segment, so nothing would find them: link it afresh");
+    kept.e_phoff = headersAt - program.base;
+    std::memcpy(program.bytes.data(), &kept, sizeof kept);
     program.dropZeros();
+    program.bytes.resize(std::max(program.bytes.size(), kept.e_phoff + sizeof(Elf64_Phdr) * header.e_phnum));
     if (const Elf64_Phdr *interpreter = in.find(PT_INTERP)) {
         need(!in.text(interpreter->p_offset, 0).empty() &&
-                 within(interpreter->p_vaddr, interpreter->p_filesz, program.base, program.bytes.size()),
+                 within(interpreter->p_vaddr, interpreter->p_filesz, program.base, program.span),
              "its interpreter's name is missing: link it afresh");
     } else
-        need(in.dynamic().needed.empty(),
+        need(dynamic.needed.empty(),
              "it needs libraries and names no interpreter: pack programs, not libraries");
     std::vector<Elf64_Phdr> loads = in.loads();
     need(std::any_of(

@@ -9,9 +9,10 @@ namespace pack {
 // as its only library. readProgram() takes these, or throws the reason. Throws nothing.
 bool isMadeForPacking(const Bytes &file);
 
-// Accepts any x86-64 program that is static or names its interpreter, and whose first segment holds its
-// headers, as compilers make them. Of the result, readOnly and span are all its memory, in whole pages; it
-// has no slots, and nothing early. Throws common::Refused.
+// Accepts any x86-64 program that is static or names its interpreter, whose first segment begins with its ELF
+// header, and whose program headers are in a segment. Refuses shared libraries, even those with an entry
+// point. Of the result, readOnly and span are all its memory, in whole pages; it has no slots, and nothing
+// early. Throws common::Refused.
 Program readAnyProgram(const Bytes &file);
 
 // The number of bytes behind everything that the ELF headers name. They are not part of a packed program.

@@ -115,6 +115,34 @@ transcript ./c.fast x >got
 transcript ./c x >wanted
 check "... the same" cmp wanted got
 
+# Programs that other tools have changed
+cp c moved
+if command -v patchelf >/dev/null && patchelf --add-needed libm.so.6 moved && patchelf --set-interpreter "/lib64/$(printf '../lib64/%.0s' {1..6})ld-linux-x86-64.so.2" moved; then
+    check "with its interpreter's name moved, the same packed" same moved
+else
+    echo "not checked: patchelf is not installed"
+fi
+perl -e 'local $/; $_ = <>; my ($at, $n) = (unpack("Q", substr $_, 32), unpack "S", substr $_, 56);
+    my (@all, $last, $end);
+    for my $i (0 .. $n - 1) {
+        push @all, [unpack "LLQ6", substr $_, $at + 56 * $i, 56];
+        $end = $all[$i][3] + $all[$i][6] and $last = $i if $all[$i][0] == 1;
+    }
+    $_ .= "\0" x (-length($_) % 4096);
+    my ($to, $place, $size) = (length, ($end + 4095) & ~4095, 56 * ($n + 1));
+    splice @all, $last + 1, 0, [1, 4, $to, $place, $place, $size, $size, 4096];
+    $_->[0] == 6 and @$_[2 .. 6] = ($to, $place, $place, $size, $size) for @all;
+    substr($_, 32, 8) = pack "Q", $to;
+    substr($_, 56, 2) = pack "S", $n + 1;
+    print $_, map { pack "LLQ6", @$_ } @all' c >behind && chmod +x behind
+check "with its program headers at its end, the same packed" same behind
+
+# The file that is written
+check "a file keeps its mode" eval 'cp c private && chmod 750 private && umask 022 && "$pack" private -o p --fast >/dev/null && test "$(stat -c %a p)" = 750'
+check "... unpacked, too" eval 'chmod 710 p && "$pack" -d p -o q && test "$(stat -c %a q)" = 710'
+check "a symbolic link stays one" eval 'mkdir target && ln -s target/file link && "$pack" c -o link --fast >/dev/null && test -L link && "$pack" --test target/file >/dev/null'
+check "... also if its target is there" eval '"$pack" c -o link --fast --name other >/dev/null && test -L link && grep -qa "other is damaged" target/file'
+
 # Files that it refuses to pack
 check "a packed one is refused" refuses 2 "packed already" "$pack" c.packed -o x
 cp c setuid && chmod u+s setuid
@@ -124,6 +152,8 @@ check "an object file" refuses 2 "not an executable" "$pack" object.o -o x
 echo 'int f(void) { return 1; }' >f.c
 gcc -shared -fPIC f.c -o library.so
 check "a library" refuses 2 "pack programs, not libraries" "$pack" library.so -o x
+libc=$(ldd c | grep -o '/[^ ]*libc.so.6') loader=$(ldd c | grep -o '/[^ ]*ld-linux[^ ]*')
+for library in "$libc" "$loader"; do check "... one with an entry point" refuses 2 "a shared library: pack programs" "$pack" "$library" -o x; done
 gcc -no-pie c.c -Wl,-Ttext-segment=0x8000 -o low 2>/dev/null
 check "one where nothing may lie" refuses 2 "below 64 KiB" "$pack" low -o x
 check "for Windows" refuses 2 "--loader is for Linux" "$pack" c -o x --loader --pe

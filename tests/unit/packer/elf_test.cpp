@@ -321,7 +321,17 @@ TEST(Loader, ThrowsWhatIsUnsuitable) {
     expectAnyRefused("no entry point", [](Example &e) { e.image.header.e_entry = Example::kData; });
     expectAnyRefused("both writable and executable", [](Example &e) { e.image.segments[1].p_flags |= PF_W; });
     expectAnyRefused("overlap", [](Example &e) { e.image.segments[2].p_vaddr = Example::kCode; });
-    expectAnyRefused("lacks its headers", [](Example &e) { e.image.segments[1].p_filesz = 64; });
+    expectAnyRefused("lacks its ELF header", [](Example &e) { e.image.segments[1].p_filesz = 63; });
+    expectAnyRefused("in no segment", [](Example &e) { e.image.segments[1].p_filesz = 64; });
+    auto isLibrary = [](Example &e) {
+        e.image.header.e_type = ET_DYN;
+        e.data.dynamic[6] = {DT_SONAME, {1}};
+    };
+    expectAnyRefused("a shared library", isLibrary);
+    Example named; // a program that is position-independent may have such a name
+    isLibrary(named);
+    named.data.dynamic[5] = {DT_FLAGS_1, {DF_1_PIE}};
+    EXPECT_NO_THROW(readAnyProgram(named.file()));
     expectAnyRefused("cut short",
                      [](Example &e) { e.image.segments[2].p_filesz = e.image.segments[2].p_memsz; });
     expectAnyRefused("more than 64 MiB", [](Example &e) { e.image.segments[2].p_vaddr = 0x10000000; });
@@ -353,6 +363,33 @@ TEST(Loader, WritesWhatReadsBack) {
         broken[i] ^= (uint8_t)(1 << i % 8);
         EXPECT_THROW(readPacked(kLoader, broken), common::Refused) << i;
     }
+}
+
+// As patchelf and postject leave programs.
+TEST(Loader, TakesProgramsWhoseTablesWereMoved) {
+    Example e; // the interpreter's name ends the program
+    e.image.segments[0].p_offset = 4096 + offsetof(Example::Data, slots) - 28;
+    e.image.segments[0].p_vaddr = Example::kData + offsetof(Example::Data, slots) - 28;
+    std::memcpy(e.data.strings + 20, kInterpreter, 28);
+    Program p = readAnyProgram(e.file());
+    EXPECT_EQ(p.bytes.back(), '2');
+    EXPECT_EQ(readPacked(kLoader, packed(kLoader, p)).bytes, p.bytes);
+
+    Bytes file = Example().file(); // the program headers lie in a segment of their own, at its end
+    Elf64_Phdr headers[5];
+    std::memcpy(headers, &file[offsetof(Example::Image, segments)], sizeof headers);
+    headers[4] = {PT_LOAD, PF_R, 8192, 0x403000, 0x403000, sizeof headers, sizeof headers, 4096};
+    file.resize(8192);
+    file.insert(file.end(), (uint8_t *)headers, (uint8_t *)(headers + 5));
+    uint64_t at = 8192;
+    std::memcpy(&file[offsetof(Elf64_Ehdr, e_phoff)], &at, sizeof at);
+    file[offsetof(Elf64_Ehdr, e_phnum)] = 5;
+    p = readAnyProgram(file);
+    std::memcpy(&at, &p.bytes[offsetof(Elf64_Ehdr, e_phoff)], sizeof at);
+    EXPECT_EQ(at, 0x3000u);
+    EXPECT_EQ(std::memcmp(&p.bytes[0x3000], headers, sizeof headers), 0);
+    Bytes plain = kLoader.writePlain(readPacked(kLoader, packed(kLoader, p)));
+    EXPECT_EQ(readAnyProgram(plain).bytes.size(), p.bytes.size());
 }
 
 // --- Messages ---
