@@ -12,7 +12,7 @@ void openPackedFile(const Options &o, const std::string &path, const Bytes &file
     const PackedKind &kind = kindOf(file);
     Program program = readPacked(kind, file);
     if (o.test.empty())
-        writeBytes(o.out, kind.writePlain(program), true);
+        writeBytes(o.out, kind.writePlain(program), modeOf(path));
     else
         std::printf("%s: whole; %zu bytes of a program of %u in memory\n", path.c_str(), program.bytes.size(),
                     program.span);

@@ -34,7 +34,7 @@ void packFilm(char **words) {
     common::writeWhole(reportPath, printJson(report));
     long left = budget - (long)packed.bytes.size();
     if (left < 0) throw std::runtime_error("over budget by " + std::to_string(-left) + " bytes");
-    writeBytes(out, packed.bytes, true);
+    writeBytes(out, packed.bytes, modeOf(in));
     std::printf("%s: %zu bytes (%zu of them stub and headers) from %zu, %ld bytes left of %ld\n", out.c_str(),
                 packed.bytes.size(), packed.overhead, program.bytes.size(), left, budget);
 }
@@ -52,7 +52,7 @@ int main(int argc, char **argv) {
         }
         if (how == "pe-plain" && argc == 4) {
             pack::Program program = pack::readProgram(pack::readBytes(argv[2]), pack::kWindows);
-            pack::writeBytes(argv[3], pack::kPe.writePlain(program), true);
+            pack::writeBytes(argv[3], pack::kPe.writePlain(program), pack::modeOf(argv[2]));
         } else if ((how == "elf" || how == "pe") && argc == 10)
             pack::packFilm(argv + 1);
         else

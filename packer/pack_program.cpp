@@ -103,6 +103,7 @@ void writeReports(const Options &o, const Report &report, const Program &program
 
 void packProgram(const Options &o) {
     Bytes file = readBytes(o.in);
+    unsigned mode = modeOf(o.in);
     bool any = o.loader || (!o.pe && !isMadeForPacking(file));
     const PackedKind &kind = any ? kLoader : o.pe ? kPe : kElf;
     Program program = common::inFile(o.in, [&] {
@@ -110,7 +111,7 @@ void packProgram(const Options &o) {
         checkNames(o.names);
         return any ? readAnyProgram(file) : readProgram(file, o.pe ? kWindows : kLinux);
     });
-    if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), true); });
+    if (o.plain) return common::inFile(o.in, [&] { writeBytes(o.out, kind.writePlain(program), mode); });
     ForReports given(o);
     ModelParameters parameters = findParameters(o, program);
     auto [packed, stretches] = common::inFile(o.in, [&] {
@@ -129,7 +130,7 @@ void packProgram(const Options &o) {
                                             ", found by pack --effort\n" + printParameters(parameters));
     if (budget >= 0 && size > budget)
         throw std::runtime_error("over budget by " + std::to_string(size - budget) + " bytes");
-    writeBytes(o.out, packed.bytes, true);
+    writeBytes(o.out, packed.bytes, mode);
     if (o.text == "-") return;
     std::printf("%s: %ld bytes (%zu of them stub and headers) from %zu", o.out.c_str(), size, packed.overhead,
                 program.bytes.size());

@@ -38,7 +38,7 @@ void wipe(const std::string &path, const std::vector<std::string> &names) {
         if (std::count(names.begin(), names.end(), in.nameOf(sections, s)) && s.sh_type != SHT_NOBITS &&
             within(s.sh_offset, s.sh_size, 0, bytes.size()))
             std::fill_n(bytes.begin() + (long)s.sh_offset, s.sh_size, 0);
-    writeBytes(path, bytes, true);
+    writeBytes(path, bytes, modeOf(path));
 }
 
 void pack(Try &made) {

@@ -4,6 +4,7 @@
 #include "tools/common/whole_file.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <vector>
 
 namespace pack {
@@ -15,8 +16,13 @@ inline Bytes readBytes(const std::string &path) {
     return {file.view().begin(), file.view().end()};
 }
 
-inline void writeBytes(const std::string &path, const Bytes &bytes, bool executable = false) {
-    common::writeWhole(path, {(const char *)bytes.data(), bytes.size()}, executable);
+// The permissions of a file, as chmod takes them.
+inline unsigned modeOf(const std::string &path) {
+    return (unsigned)std::filesystem::status(path).permissions() & 0777;
+}
+
+inline void writeBytes(const std::string &path, const Bytes &bytes, unsigned mode = 0) {
+    common::writeWhole(path, {(const char *)bytes.data(), bytes.size()}, mode);
 }
 
 } // namespace pack

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -51,7 +52,16 @@ std::string readStart(const std::string &path, size_t size) {
 
 std::string readWhole(const std::string &path) { return std::string(readWholeFile(path).view()); }
 
-void checkWritable(const std::string &path) {
+// The file that a symbolic link leads to, or the path itself.
+static std::string targetOf(std::filesystem::path path) {
+    std::error_code none;
+    for (int i = 0; i < 40 && std::filesystem::is_symlink(path, none); ++i)
+        path = path.parent_path() / std::filesystem::read_symlink(path, none);
+    return path;
+}
+
+void checkWritable(const std::string &given) {
+    std::string path = targetOf(given);
     struct stat s;
     bool exists = stat(path.c_str(), &s) == 0;
     if (exists && S_ISDIR(s.st_mode)) throw Refused("cannot write " + path + ": it is a folder");
@@ -75,7 +85,8 @@ static int writeAndClose(int file, std::string_view bytes) {
     return wrong;
 }
 
-void writeWhole(const std::string &path, std::string_view bytes, bool executable) {
+void writeWhole(const std::string &given, std::string_view bytes, unsigned mode) {
+    std::string path = targetOf(given);
     struct stat s;
     bool direct = stat(path.c_str(), &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode);
     std::string part = path;
@@ -83,9 +94,10 @@ void writeWhole(const std::string &path, std::string_view bytes, bool executable
     if (!direct) errno = EEXIST;
     for (int i = 0; i < 100 && file < 0 && errno == EEXIST; ++i) {
         part = path + "." + std::to_string(getpid() + i) + ".part";
-        file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, executable ? 0777 : 0666);
+        file = open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, mode ? mode : 0666);
     }
     if (file < 0) throw std::runtime_error(cannot("write", path));
+    if (!direct && mode) fchmod(file, mode); // whatever the umask
     int wrong = writeAndClose(file, bytes);
     if (!direct && !wrong && rename(part.c_str(), path.c_str())) wrong = errno;
     if (!direct && wrong) unlink(part.c_str());

@@ -42,8 +42,9 @@ template <class Parse> auto parseFile(const std::string &path, Parse parse) {
 // Throws Refused if a file certainly cannot be written, so that minutes of work are not lost.
 void checkWritable(const std::string &path);
 
-// Writes a file beside `path` and renames it; a pipe or a device is written to directly. Throws
-// std::runtime_error with a line that names the file and the reason.
-void writeWhole(const std::string &path, std::string_view bytes, bool executable = false);
+// Writes a file beside `path` and renames it; a pipe or a device is written to directly, and of a symbolic
+// link the target is written. `mode`: the file's permissions, as chmod takes them; 0 for those of any new
+// file. Throws std::runtime_error with a line that names the file and the reason.
+void writeWhole(const std::string &path, std::string_view bytes, unsigned mode = 0);
 
 } // namespace common
