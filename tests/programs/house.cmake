@@ -10,11 +10,11 @@ function(odraz_scripts function folder)
 endfunction()
 odraz_scripts(odraz_script .
     binary 10 ci 5 doctor 5 house 1 install 5 ledger 1 measure 30 memcheck 30 new_film 2 odr 8 pack_any 50 pack_link 25
-    pack_process 15 packed 20 packing 30 pages 8 panel 10 pictures 30 playing 32 radiosity 60 radiosity_atlas 5 radiosity_errors 15
-    radiosity_foreign 25 radiosity_materials 8 radiosity_models 40 radiosity_pictures 10 radiosity_progress 10
-    radiosity_relight 60 radiosity_resume 60 radiosity_study 60 radiosity_transfer 60 radiosity_view 60
-    radiosity_view_transfer 40 release 60 render 40 render_hosts 40 render_resumed 40 report 4 rocket 25 screens 20
-    shown 10 soak_faults 12 sound 25 tradeoff_pack 30 tradeoff_trace 15 tradeoff_transfer 4 window 60)
+    pack_process 15 packed 20 packing 30 pages 8 panel 10 pictures 30 playing 32 radiosity 60 radiosity_atlas 5
+    radiosity_errors 15 radiosity_foreign 25 radiosity_materials 8 radiosity_models 40 radiosity_pictures 10
+    radiosity_progress 10 radiosity_relight 60 radiosity_resume 60 radiosity_study 60 radiosity_transfer 60
+    radiosity_view 60 radiosity_view_transfer 40 release 60 render 40 render_hosts 40 render_resumed 40 report 4 rocket 25
+    screens 20 shown 10 soak_faults 12 sound 25 tradeoff_pack 30 tradeoff_trace 15 tradeoff_transfer 4 window 60)
 odraz_script(hostile_damaged 15 hostile/damaged 8)
 odraz_script(hostile_killed 12 hostile/killed 6)
 odraz_script(hostile_surroundings 40 hostile/surroundings odraz-safe)
@@ -50,6 +50,7 @@ odraz_long_script(memcheck_hall 600 memcheck hall)
 odraz_long_script(new_film_whole 200 long/new_film)
 odraz_long_script(panel_all 25 panel all)
 odraz_long_script(pages_scene_built 600 pages/scene long)
+odraz_long_script(radiosity_errors_all 60 radiosity_errors all)
 odraz_long_script(soak 180 soak)
 odraz_long_script(tradeoff_trace_all 45 tradeoff_trace all)
 
