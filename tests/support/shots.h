@@ -10,6 +10,13 @@ namespace odraz {
 // The row at which a shot ends.
 inline float endOf(int shot) { return shot + 1 < kFilm.count ? kFilm.shots[shot + 1].row : kFilm.endRow; }
 
+// The row at which a scene's story begins; -1 if no shot shows it.
+inline int firstRow(int scene) {
+    for (int i = 0; i < kFilm.count; ++i)
+        if (kFilm.shots[i].scene == scene) return (int)kFilm.shots[i].storyRow;
+    return -1;
+}
+
 // The angle between the directions in which two cameras look.
 inline double degreesBetween(const CameraKey &a, const CameraKey &b) {
     float cosine = dot(normalize(a.target - a.eye), normalize(b.target - b.eye));

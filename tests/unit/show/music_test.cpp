@@ -1,5 +1,5 @@
 // Measures the film's music: hits are on time and come out of silence, there is noise, nothing clips.
-#include "show/show.h"
+#include "tests/support/shots.h"
 #include "tools/measure/detect/hits.h"
 
 #include "show/score.h"
@@ -49,18 +49,15 @@ TEST(Music, HasItsHitsOnTime) {
 
 // Half a beat before the big hits, but for 30 ms in which the sound ends.
 TEST(Music, IsSilentBeforeTheBigHits) {
+    std::vector<int> rows = hitRows();
     for (EventId hit : kHits) {
-        int64_t at = -1;
-        for (int i = kFilm.count; i-- > 0;)
-            if (kFilm.shots[i].scene == kEvents[hit].scene)
-                at = sampleOf((double)kFilm.shots[i].storyRow + kEvents[hit].row);
+        int row = firstRow(kEvents[hit].scene) + kEvents[hit].row;
+        int64_t at = sampleOf(row);
         EXPECT_LT(level(music(), at - kSampleRate / 4 + kSampleRate * 3 / 100, at), -100) << hit;
         EXPECT_GT(level(music(), at - kSampleRate, at - kSampleRate / 4), -40)
             << hit << ": sound comes before it";
         EXPECT_GT(level(music(), at, at + kSampleRate / 20), -20) << hit;
-        std::vector<int> rows = hitRows();
-        EXPECT_TRUE(std::count(rows.begin(), rows.end(), (int)(at * 8 / kSampleRate)))
-            << hit << ": a drum is struck";
+        EXPECT_TRUE(std::count(rows.begin(), rows.end(), row)) << hit << ": a drum is struck";
     }
 }
 

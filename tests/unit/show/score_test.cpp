@@ -61,12 +61,6 @@ int missing(int row, int from, int beats) {
     return count;
 }
 
-int firstRow(SceneId scene) {
-    for (int i = 0; i < kFilm.count; ++i)
-        if (kFilm.shots[i].scene == scene) return (int)kFilm.shots[i].storyRow;
-    return -1;
-}
-
 } // namespace
 
 TEST(Score, KeepsToItsScale) {
