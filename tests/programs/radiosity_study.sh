@@ -55,7 +55,7 @@ nearer() {
 check "more elements are nearer" nearer
 check "one gather: the finest raster has no difference from itself" table page/gathering.csv 'if (/^one/ && $2 > most) { most = $2; left = $6 } if ($6 != "") { ++n; bad = bad || !($6 > 0) }' 'n > 2 && left == "" && !bad'
 check "... 25 pixels are further from it than 100" less "$(cell gathering 6 '/^one/ && $2 == 100')" "$(cell gathering 6 '/^one/ && $2 == 25')"
-check "... one hemicube of 100 is nearer to it than four of 50" less "$(cell gathering 6 '/^one/ && $2 == 100')" "$(cell gathering 6 '/^four turned/ && $2 == 50')"
+check "... one hemicube of 50 is nearer to it than four of 25" less "$(cell gathering 6 '/^one/ && $2 == 50')" "$(cell gathering 6 '/^four turned/ && $2 == 25')"
 check "the reference was compared with path tracing" grep -qE 'The reference itself differs from path tracing, .*, by (less than )?[0-9.]+ % \(rms; median [0-9.]+ %\)' $PAGE
 check "sizes have as many patches as they were divided into" table page/table.csv 'if (!seen[$1]++) { ++sizes; bad = bad || $1 <= last; last = $1 }' '!bad && sizes >= 1'
 legend() { # every size that has a row, and no other

@@ -18,8 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     try {
         Solution solution("a.rad");
         exportCsv(solution, "a.csv");
-        exportPly(solution, "a.ply");
-        exportObj(solution, "a.obj");
+        exportPolygons(solution, "a.ply", true);
+        exportPolygons(solution, "a.obj", false);
         for (bool radiosity : {false, true}) {
             std::vector<std::string> notes;
             std::filesystem::remove_all("atlas");

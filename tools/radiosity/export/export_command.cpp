@@ -50,9 +50,7 @@ int runExport(common::CommandLine &line) {
         for (const std::string &note : notes) std::printf("%s\n", note.c_str());
         return 0;
     }
-    kind == "--csv"   ? exportCsv(solution, out)
-    : kind == "--ply" ? exportPly(solution, out)
-                      : exportObj(solution, out);
+    kind == "--csv" ? exportCsv(solution, out) : exportPolygons(solution, out, kind == "--ply");
     return 0;
 }
 

@@ -101,41 +101,32 @@ void exportCsv(const Solution &solution, const std::string &path) {
     common::writeWhole(path, text);
 }
 
-void exportPly(const Solution &solution, const std::string &path) {
+void exportPolygons(const Solution &solution, const std::string &path, bool ply) {
     Shown shown(solution);
     Corners corners(solution);
     std::string text;
-    common::append(text,
-                   "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
-                   "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
-                   "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-                   "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
-                   1 / (double)shown.scale, corners.points.size(), corners.faces.size());
-    auto byte = [&](float x) { return (int)(shown(x) * 255 + 0.5f); };
-    for (const SolutionPoint &p : corners.points)
-        common::append(text, "%.7g %.7g %.7g %d %d %d\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
-                       byte(p.radiosity.x), byte(p.radiosity.y), byte(p.radiosity.z));
-    for (const auto &face : corners.faces) {
-        common::append(text, "%zu", face.size());
-        for (size_t corner : face) common::append(text, " %zu", corner);
+    common::append(
+        text,
+        ply ? "ply\nformat ascii 1.0\ncomment radiosity by odraz; colours are sRGB, 1 stands for %g\n"
+            : "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
+        1 / (double)shown.scale);
+    if (ply)
+        common::append(text,
+                       "element vertex %zu\nproperty float x\nproperty float y\nproperty float z\n"
+                       "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+                       "element face %zu\nproperty list uchar int vertex_indices\nend_header\n",
+                       corners.points.size(), corners.faces.size());
+    for (const SolutionPoint &p : corners.points) {
+        common::append(text, "%s%.7g %.7g %.7g", ply ? "" : "v ", (double)p.p.x, (double)p.p.y,
+                       (double)p.p.z);
+        for (float c : {shown(p.radiosity.x), shown(p.radiosity.y), shown(p.radiosity.z)})
+            ply ? common::append(text, " %d", (int)(c * 255 + 0.5f))
+                : common::append(text, " %.4f", (double)c);
         text += '\n';
     }
-    common::writeWhole(path, text);
-}
-
-void exportObj(const Solution &solution, const std::string &path) {
-    Shown shown(solution);
-    Corners corners(solution);
-    std::string text;
-    common::append(text, "# radiosity by odraz: colours after the coordinates are sRGB, 1 stands for %g\n",
-                   1 / (double)shown.scale);
-    for (const SolutionPoint &p : corners.points)
-        common::append(text, "v %.7g %.7g %.7g %.4f %.4f %.4f\n", (double)p.p.x, (double)p.p.y, (double)p.p.z,
-                       (double)shown(p.radiosity.x), (double)shown(p.radiosity.y),
-                       (double)shown(p.radiosity.z));
     for (const auto &face : corners.faces) {
-        text += 'f';
-        for (size_t corner : face) common::append(text, " %zu", corner + 1);
+        text += ply ? std::to_string(face.size()) : "f";
+        for (size_t corner : face) common::append(text, " %zu", ply ? corner : corner + 1);
         text += '\n';
     }
     common::writeWhole(path, text);

@@ -8,8 +8,7 @@ namespace odraz::radiosity {
 
 // CSV: polygon, middle, normal, area and mean radiosity of every element.
 void exportCsv(const Solution &solution, const std::string &path);
-// PLY: polygons with sRGB colours at their points; a comment in the file gives the scale.
-void exportPly(const Solution &solution, const std::string &path);
-void exportObj(const Solution &solution, const std::string &path);
+// PLY or OBJ: polygons with sRGB colours at their points; a comment in the file gives the scale.
+void exportPolygons(const Solution &solution, const std::string &path, bool ply);
 
 } // namespace odraz::radiosity

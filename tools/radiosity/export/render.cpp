@@ -3,10 +3,9 @@
 
 #include "base/maths.h"
 #include "tools/common/statistics.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/picture/picture.h"
 #include "tools/radiosity/divide/facets.h"
-#include "tools/radiosity/rays/ray_tree.h"
+#include "tools/radiosity/rays/light_grid.h"
 #include "tools/radiosity/read/upright.h"
 #include "trace/picture/development.h"
 #include "trace/rays/view.h"
@@ -61,7 +60,7 @@ public:
     Seen(const Solution &solution, const RenderSettings &s)
         : solution(solution),
           view(lookAt(upright(s.eye, s.upIsZ), upright(s.target, s.upIsZ), 0, s.lens, s.width, s.height)),
-          upIsZ(s.upIsZ), eye(s.eye), tree(triangles()) {}
+          upIsZ(s.upIsZ), eye(s.eye), tree(cornersOf(solution.facets, solution.charts.data(), charts)) {}
 
     struct Point {
         int chart; // -1: nothing
@@ -82,18 +81,6 @@ private:
     Vec3 eye;
     std::vector<int> charts; // of each triangle
     RayTree tree;
-
-    std::vector<RayTree::Corners> triangles() {
-        std::vector<RayTree::Corners> all;
-        for (const Facet &f : solution.facets) {
-            const Chart &c = solution.charts[(size_t)f.chart];
-            for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
-                all.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
-                charts.push_back(f.chart);
-            }
-        }
-        return all;
-    }
 };
 
 // Traces every pixel once, then those that differ from their neighbours with 4 x 4 samples.
@@ -132,32 +119,24 @@ void look(const Seen &seen, Workers &workers, Frame &frame) {
     });
 }
 
-// A frame with the radiance that reaches its pixels.
-struct Looked {
-    HeapArena memory;
-    Frame frame = {};
-
-    Looked(const Solution &solution, const RenderSettings &s, Workers &workers)
-        : memory(((size_t)s.width + 16) * (size_t)s.height * 32 + ((size_t)1 << 20)) {
-        if (!makeFrame(frame, memory.arena, s.width, s.height))
-            throw std::runtime_error("there is not enough memory: try a smaller --size");
-        look(Seen(solution, s), workers, frame);
-    }
-    std::vector<Rgb> pixels() const { // in rows from top to bottom
-        std::vector<Rgb> all;
-        for (int y = 0; y < frame.height; ++y)
-            for (int x = 0; x < frame.width; ++x) {
-                size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
-                all.push_back({frame.plane[0][at], frame.plane[1][at], frame.plane[2][at]});
-            }
-        return all;
-    }
-};
-
 } // namespace
 
+HeapFrame::HeapFrame(int width, int height) : memory(((size_t)width + 64) * (size_t)height * 32 + 65536) {
+    if (!makeFrame(frame, memory.arena, width, height))
+        throw std::runtime_error("there is not enough memory: try a smaller --size");
+}
+
+std::vector<Rgb> HeapFrame::pixels() const {
+    std::vector<Rgb> all;
+    for (int y = 0; y < frame.height; ++y)
+        for (int x = 0; x < frame.width; ++x) all.push_back({at(0, x, y), at(1, x, y), at(2, x, y)});
+    return all;
+}
+
 std::vector<Rgb> lookAt(const Solution &solution, const RenderSettings &s, Workers &workers) {
-    return Looked(solution, s, workers).pixels();
+    HeapFrame looked(s.width, s.height);
+    look(Seen(solution, s), workers, looked.frame);
+    return looked.pixels();
 }
 
 Rgb logarithmicTone(const Rgb &c, float low, float high) {
@@ -171,7 +150,8 @@ Rgb logarithmicTone(const Rgb &c, float low, float high) {
 }
 
 void render(const Solution &solution, const RenderSettings &s, Workers &workers, const std::string &path) {
-    Looked looked(solution, s, workers);
+    HeapFrame looked(s.width, s.height);
+    look(Seen(solution, s), workers, looked.frame);
     std::vector<Rgb> seen = looked.pixels();
     std::vector<float> all;
     for (const Rgb &c : seen)

@@ -2,7 +2,6 @@
 
 #include "show/font.h"
 #include "tools/common/statistics.h"
-#include "tools/engine/heap_arena.h"
 #include "tools/picture/picture.h"
 #include "tools/picture/psnr.h"
 #include "trace/picture/development.h"
@@ -21,11 +20,8 @@ constexpr float kLetters = 11;
 // A picture of cells, with lines of text between them.
 class Sheet {
 public:
-    Sheet(int width, int height)
-        : memory(((size_t)width + 64) * (size_t)height * 32 + 65536), p{width, height, {}} {
+    Sheet(int width, int height) : p{width, height, {}}, text(width, height) {
         p.rgb.assign((size_t)width * (size_t)height * 3, 20);
-        if (!makeFrame(text, memory.arena, width, height))
-            throw std::runtime_error("there is not enough memory");
     }
     void set(int x, int y, const float (&srgb)[3]) {
         for (size_t k = 0; k < 3; ++k)
@@ -33,12 +29,12 @@ public:
                 (uint8_t)std::lround(255 * std::clamp(srgb[k], 0.f, 1.f));
     }
     void write(const char *line, int x, int y, Align align = Align::Left) {
-        drawText(text, line, (float)x, (float)y, kLetters, 0.12f, 0, align, {1, 1, 1}, 1);
+        drawText(text.frame, line, (float)x, (float)y, kLetters, 0.12f, 0, align, {1, 1, 1}, 1);
     }
     void save(const std::string &path) {
         for (int y = 0; y < p.height; ++y)
             for (int x = 0; x < p.width; ++x) {
-                float ink = std::clamp(text.plane[0][(size_t)y * (size_t)text.stride + (size_t)x], 0.f, 1.f);
+                float ink = std::clamp(text.at(0, x, y), 0.f, 1.f);
                 for (size_t k = 0; k < 3; ++k) {
                     uint8_t &c = p.rgb[((size_t)y * (size_t)p.width + (size_t)x) * 3 + k];
                     c = (uint8_t)std::lround((float)c + ((float)230 - (float)c) * ink);
@@ -48,9 +44,8 @@ public:
     }
 
 private:
-    HeapArena memory;
     pictures::Image p;
-    Frame text = {};
+    HeapFrame text;
 };
 
 // Orange above 0, blue below, black at 0; 1 is brightest.
@@ -138,10 +133,7 @@ void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderS
     for (const Rgb &c : seenBy(room, lighting, 0, bands, camera, workers))
         if (float light = maxComponent(c); light > 0) all.push_back(light);
     float exposure = all.empty() ? 1 : std::exp2(settings.stops) * 0.5f / common::quantile(all, 0.6);
-    HeapArena memory(((size_t)camera.width + 64) * (size_t)camera.height * 32 + 65536);
-    Frame frame = {};
-    if (!makeFrame(frame, memory.arena, camera.width, camera.height))
-        throw std::runtime_error("there is not enough memory");
+    HeapFrame shown(camera.width, camera.height);
     ToneCurve curve;
     makeToneCurve(curve);
     for (int l = 0; l < bands; ++l)
@@ -151,16 +143,15 @@ void drawBands(const TransferRoom &room, const Lighting &lighting, const RenderS
             for (int y = 0; y < camera.height; ++y)
                 for (int x = 0; x < camera.width; ++x) {
                     Rgb c = seen[(size_t)y * (size_t)camera.width + (size_t)x];
-                    size_t at = (size_t)y * (size_t)frame.stride + (size_t)x;
-                    frame.plane[0][at] = std::max(c.x, 0.f), frame.plane[1][at] = std::max(c.y, 0.f),
-                    frame.plane[2][at] = std::max(c.z, 0.f);
+                    shown.at(0, x, y) = std::max(c.x, 0.f), shown.at(1, x, y) = std::max(c.y, 0.f),
+                                   shown.at(2, x, y) = std::max(c.z, 0.f);
                     if (row) sheet.set(left + x, top + y, Signed((c.x + c.y + c.z) / 3 * exposure).srgb);
                 }
             if (!row) {
-                develop(curve, frame, workers, exposure, 0);
+                develop(curve, shown.frame, workers, exposure, 0);
                 for (int y = 0; y < camera.height; ++y)
                     for (int x = 0; x < camera.width; ++x) {
-                        const uint8_t *from = &frame.rgba[(size_t)(y * camera.width + x) * 4];
+                        const uint8_t *from = &shown.frame.rgba[(size_t)(y * camera.width + x) * 4];
                         sheet.set(left + x, top + y, {from[0] / 255.f, from[1] / 255.f, from[2] / 255.f});
                     }
             }

@@ -18,22 +18,14 @@ void PatchSolver::findShares() {
         for (float &share : kept.shares[0]) share /= maxComponent(e);
         return;
     }
-    std::vector<int> materialOf;
-    for (const Glow &g : p.glows)
-        materialOf.push_back(task.regions.material[(size_t)m.facets[g.facet].chart]);
     std::vector<float> planes[3];
     float *to[3];
-    // Do three materials at a time, as red, green and blue
-    for (size_t first = 0; first < kept.emitters.size(); first += 3) {
-        size_t end = std::min(first + 3, kept.emitters.size());
+    kept.find([&](const std::vector<Rgb> &ofMaterial) {
         std::vector<Glow> glows;
-        for (size_t i = 0; i < p.glows.size(); ++i)
-            for (size_t k = first; k < end; ++k) {
-                if (kept.emitters[k] != materialOf[i]) continue;
-                glows.push_back(p.glows[i]);
-                glows.back().radiance = {k == first ? 1.f : 0.f, k == first + 1 ? 1.f : 0.f,
-                                         k == first + 2 ? 1.f : 0.f};
-            }
+        for (const Glow &g : p.glows) {
+            Rgb radiance = ofMaterial[(size_t)task.regions.material[(size_t)m.facets[g.facet].chart]];
+            if (maxComponent(radiance) > 0) glows.push_back({g.facet, g.cells, radiance});
+        }
         LightBases bases = {};
         bases.skyCount = 3, bases.glows = glows.data(), bases.glowCount = (int)glows.size();
         for (int k = 0; k < 3; ++k) planes[k].assign(texels + 8, 0), to[k] = planes[k].data();
@@ -41,9 +33,10 @@ void PatchSolver::findShares() {
         m.freshCount = m.texelCount;
         odraz::findDirectLight(m, *p.scene, bases, task.workers, to, {});
         m.freshCount = 0;
-        for (size_t k = first; k < end; ++k)
-            kept.shares.emplace_back(planes[k - first].begin(), planes[k - first].begin() + m.texelCount);
-    }
+        std::vector<Rgb> light;
+        for (size_t t = 0; t < texels; ++t) light.push_back({to[0][t], to[1][t], to[2][t]});
+        return light;
+    });
 }
 
 void PatchSolver::findOutsideShare() {

@@ -15,10 +15,9 @@ std::vector<Rgb> PatchSolver::lightSoFar(const float *radiosity) const {
         Radiosity r = this->r;
         size_t columns = (size_t)r.system.columns, all = (size_t)m.patchCount * columns;
         std::vector<float> shown(radiosity, radiosity + all), indirect(all);
-        for (size_t i = 0; !s.analytic && i < (size_t)m.patchCount; ++i) {
-            Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
-            shown[i * columns] += e.x, shown[i * columns + 4] += e.y, shown[i * columns + 8] += e.z;
-        }
+        for (int i = 0; !s.analytic && i < m.patchCount; ++i)
+            p.setColour(shown.data(), i,
+                        p.colourIn(radiosity, i) + task.solution.emits[(size_t)m.patches[i].chart]);
         findIndirect(r.factors, m.patchCount, r.system.columns, shown.data(), indirect.data(), alone);
         r.system.indirect = indirect.data();
         for (int k = 0; k < 3; ++k)

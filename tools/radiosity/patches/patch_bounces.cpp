@@ -21,12 +21,12 @@ void PatchSolver::makeSystem() {
 void PatchSolver::solveBounces() {
     makeSystem();
     System &system = r.system;
-    size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
-    const float *seen = s.analytic ? nullptr : lightOfSeenLamps();
-    for (size_t i = 0; seen && i < all; ++i) system.direct[i] += seen[i];
+    std::vector<float> seen; // the lamps' light found by hemicubes
+    if (!s.analytic) seen = p.lampsSeen(task.solution.emits, task.workers);
+    for (size_t i = 0; i < seen.size(); ++i) system.direct[i] += seen[i];
     s.bounces < 0 ? solveToResidual() : countBounces();
     findIndirect(system, task.workers);
-    for (size_t i = 0; seen && i < all; ++i) system.indirect[i] += seen[i];
+    for (size_t i = 0; i < seen.size(); ++i) system.indirect[i] += seen[i];
     spreadLight(r, m, task.workers);
     settleLight(r, m, task.workers);
 }
@@ -34,11 +34,10 @@ void PatchSolver::solveBounces() {
 void PatchSolver::shootLight() {
     makeSystem();
     System &system = r.system;
-    auto count = (size_t)m.patchCount, columns = (size_t)system.columns;
+    auto count = (size_t)m.patchCount;
     std::vector<Rgb> emits(count), direct(count);
     for (size_t i = 0; i < count; ++i) {
-        const float *arrives = system.direct + i * columns;
-        direct[i] = {arrives[0], arrives[4], arrives[8]};
+        direct[i] = p.colourIn(system.direct, (int)i);
         if (!s.analytic) emits[i] = task.solution.emits[(size_t)m.patches[i].chart];
     }
     // A quarter of the shots is for the lamps; with the others each block of patches shoots about three times
@@ -55,26 +54,11 @@ void PatchSolver::shootLight() {
     Rgb ambient = shooting.ambient();
     r.factors.rows = takeOrRefuse<Row>(p.arena, count);
     for (size_t i = 0; i < count; ++i) {
-        Rgb arrives = shooting.arrives()[i] + ambient;
-        float *to = system.indirect + i * columns;
-        to[0] = arrives.x, to[4] = arrives.y, to[8] = arrives.z;
+        p.setColour(system.indirect, (int)i, shooting.arrives()[i] + ambient);
         r.factors.rows[i].known = m.patches[i].share > 0; // hidden patches get their neighbours' light
     }
     spreadLight(r, m, task.workers);
     settleLight(r, m, task.workers);
-}
-
-const float *PatchSolver::lightOfSeenLamps() {
-    const System &system = r.system;
-    size_t columns = (size_t)system.columns, all = (size_t)m.patchCount * columns;
-    auto *seen = takeOrRefuse<float>(p.arena, all), *lamps = takeOrRefuse<float>(p.arena, all);
-    for (int i = 0; i < m.patchCount; ++i) {
-        Rgb e = task.solution.emits[(size_t)m.patches[i].chart];
-        float *to = lamps + (size_t)i * columns;
-        to[0] = e.x, to[4] = e.y, to[8] = e.z;
-    }
-    findIndirect(r.factors, m.patchCount, system.columns, lamps, seen, task.workers);
-    return seen;
 }
 
 void PatchSolver::countBounces() {

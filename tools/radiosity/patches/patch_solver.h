@@ -82,8 +82,6 @@ private:
     void solveBounces();
     // Shoots light instead of solving with rows.
     void shootLight();
-    // The lamps' light found by hemicubes, for each patch and column.
-    const float *lightOfSeenLamps();
     void countBounces();
     void solveToResidual();
     void afterSweep(float residual);

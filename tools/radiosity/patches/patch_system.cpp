@@ -22,6 +22,14 @@ PatchSystem::PatchSystem(size_t bytes) {
     scene = std::make_unique<Scene>();
 }
 
+std::vector<float> PatchSystem::lampsSeen(const std::vector<Rgb> &emits, Workers &workers) const {
+    const System &s = radiosity.system;
+    std::vector<float> lamps((size_t)s.patches * (size_t)s.columns), seen(lamps.size());
+    for (int i = 0; i < s.patches; ++i) setColour(lamps.data(), i, emits[(size_t)model->patches[i].chart]);
+    findIndirect(radiosity.factors, s.patches, s.columns, lamps.data(), seen.data(), workers);
+    return seen;
+}
+
 std::vector<Glow> findLamps(const Mesh &mesh, const Regions &regions, const Model &model, int samples) {
     std::vector<Glow> glows;
     double largest = 0;

@@ -27,6 +27,18 @@ struct PatchSystem {
     std::vector<Glow> glows; // facets that emit
     Radiosity radiosity = {};
     float *light[3] = {}; // planes of texels: all light that arrives, irradiance / pi
+
+    // A patch's colour in a matrix of the system, [patches][columns]: red in the red basis, and so on.
+    Rgb colourIn(const float *matrix, int patch) const {
+        const float *v = matrix + (size_t)patch * (size_t)radiosity.system.columns;
+        return {v[0], v[4], v[8]};
+    }
+    void setColour(float *matrix, int patch, const Rgb &c) const {
+        float *v = matrix + (size_t)patch * (size_t)radiosity.system.columns;
+        v[0] = c.x, v[4] = c.y, v[8] = c.z;
+    }
+    // The matrix of the light that rows bring from lamps. `emits`: the emission of charts.
+    std::vector<float> lampsSeen(const std::vector<Rgb> &emits, Workers &workers) const;
 };
 
 // If lamps have more facets than this, hemicubes are the better way to find their light.

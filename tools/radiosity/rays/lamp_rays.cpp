@@ -199,19 +199,11 @@ DirectShares directShares(LampRays lamps, const std::vector<int> &emitters, cons
     DirectShares kept;
     kept.emitters = emitters;
     kept.seen = lamps.none();
-    // Do three materials at a time, as red, green and blue
-    float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
-    for (size_t first = 0; first < emitters.size() && !kept.seen; first += 3) {
-        std::vector<Rgb> colours((size_t)emitters.back() + 1);
-        size_t count = std::min(emitters.size() - first, (size_t)3);
-        for (size_t k = 0; k < count; ++k) colours[(size_t)emitters[first + k]].*channels[k] = 1;
-        lamps.paint(colours);
-        std::vector<Rgb> light = directLight(lamps, {}, grid, behind, tree, workers);
-        for (size_t k = 0; k < count; ++k) {
-            std::vector<float> &share = kept.shares.emplace_back();
-            for (const Rgb &l : light) share.push_back(l.*channels[k]);
-        }
-    }
+    if (!kept.seen)
+        kept.find([&](const std::vector<Rgb> &ofMaterial) {
+            lamps.paint(ofMaterial);
+            return directLight(lamps, {}, grid, behind, tree, workers);
+        });
     lamps.clear();
     if (!around.suns.empty() || !around.lamps.empty())
         kept.outside = directLight(lamps, around, grid, behind, tree, workers);

@@ -14,6 +14,18 @@ std::vector<RayTree::Corners> cornersOf(const Mesh &mesh) {
     return all;
 }
 
+std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Chart *charts,
+                                        std::vector<int> &chartOf) {
+    std::vector<RayTree::Corners> all;
+    for (const Facet &f : facets)
+        for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
+            const Chart &c = charts[f.chart];
+            all.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
+            chartOf.push_back(f.chart);
+        }
+    return all;
+}
+
 LightGrid::LightGrid(Regions &regions, const RayTree &tree, Workers &workers) : charts(regions.charts) {
     divide();
     makeSites(regions, see(regions, tree, workers));
@@ -58,6 +70,16 @@ LightGrid::Spot LightGrid::spotAt(int chart, const Vec3 &p) const {
           y = std::clamp(dot(d, c.v) / c.height, 0.f, 1.f) * (float)c.down;
     int i = std::min((int)x, c.across - 1), j = std::min((int)y, c.down - 1);
     return {&cells[(size_t)(c.firstCell + j * c.across + i)], x - (float)i, y - (float)j};
+}
+
+float LightGrid::weigh(const Spot &spot, float (&weight)[4]) const {
+    float sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        bool known = siteOf[(size_t)spot.cell->corner[k]] != kNone;
+        weight[k] = known ? (k & 1 ? spot.x : 1 - spot.x) * (k & 2 ? spot.y : 1 - spot.y) + 1e-6f : 0;
+        sum += weight[k];
+    }
+    return sum;
 }
 
 // --- Visible texels ---

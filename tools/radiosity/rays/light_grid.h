@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,9 @@ namespace odraz::radiosity {
 
 // The corners of a mesh's triangles, for RayTree.
 std::vector<RayTree::Corners> cornersOf(const Mesh &mesh);
+// Those of facets. Sets `chartOf` to the chart of each triangle.
+std::vector<RayTree::Corners> cornersOf(std::span<const Facet> facets, const Chart *charts,
+                                        std::vector<int> &chartOf);
 
 struct LightGrid {
     static constexpr uint32_t kNone = 0xffffffff;
@@ -56,6 +60,8 @@ struct LightGrid {
         float x, y;
     };
     Spot spotAt(int chart, const Vec3 &p) const;
+    // The bilinear weights of the corners that have sites, never 0; 0 for the others. Returns their sum.
+    float weigh(const Spot &spot, float (&weight)[4]) const;
     // Sets each hidden texel to the mean of the known texels around it. `light` has an item for every texel.
     void fill(std::vector<Rgb> &light) const;
 

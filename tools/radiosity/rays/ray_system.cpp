@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace odraz::radiosity {
 
@@ -100,12 +99,7 @@ void RaySystem::cast(size_t site, int count, const std::vector<Vec3> &spiral, co
 
 uint32_t RaySystem::siteAt(int chart, const Vec3 &p, uint32_t random) const {
     LightGrid::Spot spot = grid.spotAt(chart, p);
-    float weight[4], sum = 0, x = spot.x, y = spot.y;
-    for (int k = 0; k < 4; ++k) {
-        bool known = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;
-        weight[k] = known ? (k & 1 ? x : 1 - x) * (k & 2 ? y : 1 - y) + 1e-6f : 0;
-        sum += weight[k];
-    }
+    float weight[4], sum = grid.weigh(spot, weight);
     if (!(sum > 0)) return kDark;
     float at = unitFloat(random) * sum;
     int k = 0;
@@ -151,10 +145,15 @@ void RaySystem::findRow(size_t site, const std::vector<Vec3> &spiral) {
     findRow(site, spiral);
 }
 
-void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
-    std::map<size_t, std::vector<Vec3>> spirals;
+std::map<size_t, std::vector<Vec3>> RaySystem::spiralsOf(size_t first, size_t end) const {
+    std::map<size_t, std::vector<Vec3>> all;
     for (size_t site = first; site < end; ++site)
-        if (auto &spiral = spirals[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
+        if (auto &spiral = all[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
+    return all;
+}
+
+void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
+    const auto spirals = spiralsOf(first, end);
     parallelRanges(workers, (int)(end - first), 32, [&](int from, int to, int) {
         for (size_t site = first + (size_t)from; site < first + (size_t)to; ++site)
             if (!found[site]) findRow(site, spirals.at(rays(site)));
@@ -164,9 +163,7 @@ void RaySystem::findRows(size_t first, size_t end, Workers &workers) {
 
 void RaySystem::alongOpenRays(const std::function<void(size_t, const Vec3 &)> &visit,
                               Workers &workers) const {
-    std::map<size_t, std::vector<Vec3>> spirals;
-    for (size_t site = 0; site < found.size(); ++site)
-        if (auto &spiral = spirals[rays(site)]; spiral.empty()) spiral = spiralOf((int)rays(site));
+    const auto spirals = spiralsOf(0, found.size());
     parallelRanges(workers, (int)found.size(), 32, [&](int first, int end, int) {
         for (auto site = (size_t)first; site < (size_t)end; ++site) {
             auto row = rows.begin() + (ptrdiff_t)firstOf[site], last = row + (ptrdiff_t)rays(site);

@@ -18,6 +18,7 @@
 #include "tools/radiosity/solution/solution.h"
 
 #include <functional>
+#include <map>
 #include <string>
 
 namespace odraz::radiosity {
@@ -97,6 +98,8 @@ private:
     const RayTree &tree;
     const Surroundings &around;
     Rgb emitted(size_t site) const { return emits.empty() ? Rgb{} : emits[(size_t)grid.sites[site].chart]; }
+    // The directions for each number of rays that these sites have.
+    std::map<size_t, std::vector<Vec3>> spiralsOf(size_t first, size_t end) const;
     template <class Met>
     void cast(size_t site, int count, const std::vector<Vec3> &spiral, const Met &met) const;
     void findRow(size_t site, const std::vector<Vec3> &spiral);

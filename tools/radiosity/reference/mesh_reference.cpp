@@ -253,21 +253,34 @@ void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshPr
     probes.resize(kept);
 }
 
-MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
+MeshErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference, double noise2) {
     std::vector<float> relative;
-    double error = 0, all = 0, solved = 0, traced = 0, noise = 0, sum = 0;
-    for (const MeshProbe &p : probes) sum += (double)luminance(p.traced);
-    const double dark = kDark * sum / (double)std::max(probes.size(), (size_t)1);
-    for (const MeshProbe &p : probes) {
-        double a = (double)luminance(p.solved), b = (double)luminance(p.traced);
+    double error = 0, all = 0, solved = 0, traced = 0;
+    for (float b : reference) traced += (double)b;
+    const double dark = kDark * traced / (double)std::max(reference.size(), (size_t)1);
+    for (size_t i = 0; i < values.size(); ++i) {
+        double a = (double)values[i], b = (double)reference[i];
         if (b > dark) relative.push_back((float)(std::fabs(a - b) / b));
-        error += (a - b) * (a - b), all += b * b, noise += p.noise2;
-        solved += a, traced += b;
+        error += (a - b) * (a - b), all += b * b;
+        solved += a;
     }
-    if (relative.empty()) return {NAN, NAN, NAN, NAN, NAN};
+    if (relative.empty()) {
+        double none = error == 0 && !values.empty() ? 0 : NAN;
+        return {none, none, none, NAN, NAN};
+    }
     return {100 * (double)common::quantile(relative, 0.5), 100 * (double)common::quantile(relative, 0.95),
-            100 * std::sqrt(std::max(0., error - noise) / all), 100 * (solved / traced - 1),
-            100 * std::sqrt(noise / all)};
+            100 * std::sqrt(std::max(0., error - noise2) / all), 100 * (solved / traced - 1),
+            100 * std::sqrt(noise2 / all)};
+}
+
+MeshErrors errorsOf(const std::vector<MeshProbe> &probes) {
+    std::vector<float> values, reference;
+    double noise2 = 0;
+    for (const MeshProbe &p : probes) {
+        values.push_back(luminance(p.solved)), reference.push_back(luminance(p.traced));
+        noise2 += p.noise2;
+    }
+    return errorsOf(values, reference, noise2);
 }
 
 } // namespace odraz::radiosity

@@ -29,11 +29,14 @@ void solvedAt(const Solution &solution, std::vector<MeshProbe> &probes);
 void tracePaths(const Mesh &mesh, const Surroundings &around, std::vector<MeshProbe> &probes, int side,
                 Workers &workers, const int *stop = nullptr);
 
-// Errors in percent. The noise of the paths is subtracted in quadrature from the rms. Median and worst20 are
-// relative, over places with at least a thousandth of the mean light; NaN if there are none.
+// Errors of luminance, in percent. rms and noise are shares of the root mean square of the reference's light;
+// the noise of the paths is subtracted in quadrature. Median and worst20 are relative, over places with at
+// least a thousandth of the mean light. NaN if there are none; without any light the first three are 0.
 struct MeshErrors {
     double median, worst20, rms, bias, noise;
 };
 MeshErrors errorsOf(const std::vector<MeshProbe> &probes);
+// The same of luminances, one for each place; `noise2`: the sum of the variances of the reference's.
+MeshErrors errorsOf(const std::vector<float> &values, const std::vector<float> &reference, double noise2 = 0);
 
 } // namespace odraz::radiosity

@@ -6,6 +6,20 @@
 
 namespace odraz::radiosity {
 
+void DirectShares::find(const std::function<std::vector<Rgb>(const std::vector<Rgb> &)> &gather) {
+    float Rgb::*const channels[3] = {&Rgb::x, &Rgb::y, &Rgb::z};
+    for (size_t first = 0; first < emitters.size(); first += 3) {
+        std::vector<Rgb> colours((size_t)emitters.back() + 1);
+        size_t count = std::min(emitters.size() - first, (size_t)3);
+        for (size_t k = 0; k < count; ++k) colours[(size_t)emitters[first + k]].*channels[k] = 1;
+        std::vector<Rgb> light = gather(colours);
+        for (size_t k = 0; k < count; ++k) {
+            std::vector<float> &share = shares.emplace_back();
+            for (const Rgb &l : light) share.push_back(l.*channels[k]);
+        }
+    }
+}
+
 std::vector<Rgb> DirectShares::light(const std::vector<Rgb> &emits, size_t texels) const {
     std::vector<Rgb> all = outside;
     all.resize(texels);

@@ -4,6 +4,7 @@
 
 #include "tools/radiosity/solution/solution.h"
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct DirectShares {
     std::vector<Rgb> outside;               // at each texel, from sky, suns and balls; empty: none
     bool seen = false;                      // form factors include the lamps' light, so no shares are needed
 
+    // Finds the shares of these materials. `gather` returns the light of the texels for the radiances of all
+    // materials up to the last of these. It is called for three at a time, as red, green and blue.
+    void find(const std::function<std::vector<Rgb>(const std::vector<Rgb> &ofMaterial)> &gather);
     // The direct light of `texels` texels for these emissions, one for each material.
     std::vector<Rgb> light(const std::vector<Rgb> &emits, size_t texels) const;
 

@@ -8,22 +8,6 @@
 
 namespace odraz::radiosity {
 
-const char *nameOf(SolveStep step) {
-    switch (step) {
-    case SolveStep::kDividing:
-        return "dividing";
-    case SolveStep::kFormFactors:
-        return "form factors";
-    case SolveStep::kDirectLight:
-        return "direct light";
-    case SolveStep::kSolving:
-        return "solving";
-    case SolveStep::kFinalRays:
-        return "final rays";
-    }
-    return "";
-}
-
 double cellSide(const Mesh &mesh, const SolveSettings &s) {
     // Final rays are for quality, so elements are smaller
     double element = s.element > 0 ? s.element : areaOf(mesh) / (s.finalRays > 0 ? 120000 : 30000);
@@ -69,7 +53,7 @@ void SolveTask::takeMaterials() {
 }
 
 void SolveTask::show(SolveStep step, float done, float residual) const {
-    if (progress) progress(nameOf(step), done, residual);
+    if (progress) progress(kStepNames[(int)step], done, residual);
 }
 
 void SolveTask::lap(SolveStep step) {

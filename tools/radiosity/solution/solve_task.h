@@ -10,7 +10,9 @@ namespace odraz::radiosity {
 
 enum class SolveStep { kDividing, kFormFactors, kDirectLight, kSolving, kFinalRays };
 inline constexpr int kSolveSteps = 5;
-const char *nameOf(SolveStep step);
+inline constexpr const char *kStepNames[] = {"dividing", "form factors", "direct light", "solving",
+                                             "final rays"};
+static_assert(std::size(kStepNames) == kSolveSteps && (int)SolveStep::kFinalRays == kSolveSteps - 1);
 
 // The results besides light.
 struct SolveReport {

@@ -28,13 +28,18 @@ bool addEvenSky(SolveTask &task) {
     return true;
 }
 
-Solved finish(SolveTask &task, const Vec3d &away) {
+Solved run(SolveTask &task, const Gl &gl, const Vec3d &away, bool evenSky) {
     Solved solved;
+    if (task.settings.way == Way::kRays)
+        solveByRays(task);
+    else
+        solved.patches = solveByPatches(task, gl);
     for (Chart &chart : task.solution.charts) chart.corner += toFloat(away);
     solved.solution = std::move(task.solution);
     solved.report = std::move(task.report);
     solved.surroundings = std::move(task.settings.surroundings);
     solved.away = away;
+    solved.evenSky = evenSky;
     return solved;
 }
 
@@ -53,15 +58,7 @@ Solved solveModel(const Mesh &given, const SolveSettings &settings, const Gl &gl
             task.report.notes.begin(),
             "the model lies too far from the origin for precise coordinates: move it closer");
     bool evenSky = addEvenSky(task);
-    std::unique_ptr<PatchSystem> patches;
-    if (settings.way == Way::kRays)
-        solveByRays(task);
-    else
-        patches = solveByPatches(task, gl);
-    Solved solved = finish(task, away);
-    solved.patches = std::move(patches);
-    solved.evenSky = evenSky;
-    return solved;
+    return run(task, gl, away, evenSky);
 }
 
 void refuseDark() {
@@ -79,15 +76,7 @@ Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky,
         task.settings.surroundings.sky = radiosity::evenSky({1, 1, 1});
     else if (evenSky)
         prepared.direct.outside.clear();
-    std::unique_ptr<PatchSystem> patches;
-    if (settings.way == Way::kRays)
-        solveByRays(task);
-    else
-        patches = solveByPatches(task, {});
-    Solved solved = finish(task, away);
-    solved.patches = std::move(patches);
-    solved.evenSky = evenSky;
-    return solved;
+    return run(task, {}, away, evenSky);
 }
 
 } // namespace odraz::radiosity

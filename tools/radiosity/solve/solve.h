@@ -25,6 +25,16 @@ Solved solveModel(const Mesh &mesh, const SolveSettings &settings, const Gl &gl,
 Solved relightModel(const Mesh &materials, PreparedSolve prepared, bool evenSky, const Vec3d &away,
                     const SolveSettings &settings, Workers &workers, const int *stop,
                     const SolveProgress &progress);
+
+// Returns solve(). A ModelError gets the model's name.
+template <class Solve> auto solveNamed(const std::string &model, Solve &&solve) {
+    try {
+        return solve();
+    } catch (const ModelError &e) {
+        throw ModelError(model + ": " + e.what());
+    }
+}
+
 // The vector from the origin, where floats are most precise, to the model; zero if it is close enough. And
 // the model, moved to the origin by that vector.
 Vec3d offsetOf(const Mesh &mesh);

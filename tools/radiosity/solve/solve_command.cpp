@@ -1,7 +1,6 @@
 #include "tools/common/command_line.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/solution/memory.h"
-#include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/scaled.h"
 #include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_job.h"
@@ -103,19 +102,15 @@ private:
             if (step) bar->show(step, done, residual);
         };
         SolveSettings &settings = job.options.settings;
-        Solved solved;
-        try {
+        Solved solved = solveNamed(job.model, [&] {
             if (prepared) {
                 const std::vector<double> &away = job.kept->away;
-                solved = relightModel(mesh, *prepared, job.kept->evenSky, {away[0], away[1], away[2]},
-                                      settings, workers, &stop, progress);
-            } else {
-                if (settings.way == Way::kPatches) gl = openGl();
-                solved = solveModel(mesh, settings, gl, workers, &stop, progress);
+                return relightModel(mesh, *prepared, job.kept->evenSky, {away[0], away[1], away[2]}, settings,
+                                    workers, &stop, progress);
             }
-        } catch (const ModelError &e) {
-            throw ModelError(job.model + ": " + e.what());
-        }
+            if (settings.way == Way::kPatches) gl = openGl();
+            return solveModel(mesh, settings, gl, workers, &stop, progress);
+        });
         bar->clear();
         printNotes(solved.report.notes);
         return solved;

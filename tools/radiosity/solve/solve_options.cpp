@@ -27,6 +27,13 @@ Rgb lightOf(const std::string &option, const double *n) {
 
 } // namespace
 
+std::optional<Rgb> evenRadiance(const std::string &sky) {
+    double n[3];
+    char rest;
+    if (std::sscanf(sky.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) != 3) return {};
+    return lightOf("--sky", n);
+}
+
 const std::vector<std::string> &SolveOptions::groups() {
     static const std::vector<std::string> all = {kByRays, kByPatches,     kAccuracy,
                                                  kLight,  kMaterialGroup, kReading};
@@ -104,10 +111,8 @@ void SolveOptions::finish(const common::CommandLine &line) {
     settings.memory = (size_t)(megabytes * 1048576);
     if (line.has("--power")) settings.evenSky = false; // without lamps the model stays dark
     Surroundings &to = settings.surroundings;
-    double n[3];
-    char rest;
-    if (std::sscanf(sky.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) == 3)
-        to.sky = evenSky(lightOf("--sky", n));
+    if (std::optional<Rgb> even = evenRadiance(sky))
+        to.sky = evenSky(*even);
     else if (!sky.empty() && sky.find_first_not_of("0123456789.,+-eE") == std::string::npos)
         throw common::Refused("--sky takes R,G,B or a picture, not '" + sky + "'");
     else if (!sky.empty())

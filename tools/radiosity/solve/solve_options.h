@@ -5,10 +5,14 @@
 #include "tools/radiosity/read/mesh.h"
 #include "tools/radiosity/solution/solve_settings.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace odraz::radiosity {
+
+// The radiance of an even sky, if that is the value of --sky. Throws Refused if it is out of range.
+std::optional<Rgb> evenRadiance(const std::string &sky);
 
 class SolveOptions {
 public:

@@ -21,15 +21,10 @@ Converging::Converging(Study &study, Solved &solved)
     System &s = patches.radiosity.system;
     odraz::solve(s, study.workers, 1e-6f, 300);
     for (int i = 0; i < model.patchCount; ++i) {
-        Rgb b = converged[(size_t)i] = ofColumns(s.radiosity, i);
+        Rgb b = converged[(size_t)i] = patches.colourIn(s.radiosity, i);
         double light = (double)luminance(b), a = (double)model.patches[i].area;
         all += light * light * a, power += light * a;
     }
-}
-
-Rgb Converging::ofColumns(const float *values, int patch) const {
-    const float *v = values + (size_t)patch * (size_t)patches.radiosity.system.columns;
-    return {v[0], v[4], v[8]};
 }
 
 Step Converging::stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity,
@@ -56,7 +51,7 @@ Curve Converging::gathering() {
         bounce(s, study.workers);
         seconds += watch.processor();
         curve.steps.push_back(stepOf(
-            pass, seconds, [&](int i) { return ofColumns(s.radiosity, i); }, before));
+            pass, seconds, [&](int i) { return patches.colourIn(s.radiosity, i); }, before));
         if (curve.steps.back().error < kDone) break;
     }
     return curve;
@@ -71,7 +66,7 @@ Curve Converging::atOnce() {
         seconds += watch.processor();
         const float *values = s.indirect; // where solve() stores them
         curve.steps.push_back(stepOf((int)curve.steps.size() + 1, seconds,
-                                     [&](int i) { return ofColumns(values, i); }, before));
+                                     [&](int i) { return patches.colourIn(values, i); }, before));
         watch = {};
     };
     odraz::solve(s, study.workers, 1e-7f, kMostPasses,
@@ -109,7 +104,7 @@ Curve Converging::shootingRows() {
     Curve curve = {"shooting over the rows", {}};
     const System &s = patches.radiosity.system;
     std::vector<Rgb> direct, none((size_t)model.patchCount);
-    for (int i = 0; i < model.patchCount; ++i) direct.push_back(ofColumns(s.direct, i));
+    for (int i = 0; i < model.patchCount; ++i) direct.push_back(patches.colourIn(s.direct, i));
     Stopwatch watch;
     Columns columns(patches.radiosity.factors, model.patchCount);
     Shooting shooting(model, patchesAlone(model), none, direct);
@@ -133,10 +128,10 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
     std::vector<Rgb> emits, direct;
     // Light from the lamps, which the rows brought, is shot here; only light from outside is direct
     const System &s = patches.radiosity.system;
-    std::vector<float> seen = lampsSeen();
+    std::vector<float> seen = patches.lampsSeen(solution.emits, study.workers);
     for (int i = 0; i < model.patchCount; ++i) {
         emits.push_back(solution.emits[(size_t)model.patches[i].chart]);
-        Rgb arrives = ofColumns(s.direct, i) - ofColumns(seen.data(), i);
+        Rgb arrives = patches.colourIn(s.direct, i) - patches.colourIn(seen.data(), i);
         direct.push_back({std::max(arrives.x, 0.f), std::max(arrives.y, 0.f), std::max(arrives.z, 0.f)});
     }
     Stopwatch clock;
@@ -151,18 +146,6 @@ Curve Converging::shooting(int px, double limit, bool blocks) {
         return curve.stopped ? 0 : shooter.shoot(shooting, shooter.batch(), study.workers);
     });
     return curve;
-}
-
-std::vector<float> Converging::lampsSeen() const {
-    size_t columns = (size_t)patches.radiosity.system.columns, count = (size_t)model.patchCount * columns;
-    std::vector<float> lamps(count), seen(count);
-    for (size_t i = 0; i < (size_t)model.patchCount; ++i) {
-        Rgb e = solution.emits[(size_t)model.patches[i].chart];
-        lamps[i * columns] = e.x, lamps[i * columns + 4] = e.y, lamps[i * columns + 8] = e.z;
-    }
-    findIndirect(patches.radiosity.factors, model.patchCount, (int)columns, lamps.data(), seen.data(),
-                 study.workers);
-    return seen;
 }
 
 } // namespace odraz::radiosity

@@ -51,10 +51,7 @@ private:
     // Records a step after `first` shots, and whenever their number has grown by a quarter.
     void shoot(Curve &curve, Shooting &shooting, double seconds, int first, double least,
                const std::function<int()> &shots) const;
-    // The light that arrives at patches directly from the lamps, as columns of the system
-    std::vector<float> lampsSeen() const;
     Step stepOf(int number, double seconds, const std::function<Rgb(int)> &radiosity, double &before) const;
-    Rgb ofColumns(const float *values, int patch) const;
 };
 
 } // namespace odraz::radiosity

@@ -42,7 +42,6 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         radiosity[(size_t)i] = reference.radiosityAt(p.chart, p.p);
         if (p.share > 0 && maxComponent(reference.reflects[chart]) > 0) visible.push_back(i);
     }
-    const System &system = divided.patches->radiosity.system;
     // Spread by area, like the places of all other errors; a large patch counts once
     std::vector<double> until;
     double area = 0;
@@ -52,15 +51,14 @@ Gathering::Gathering(Study &study, const Solved &divided, int count)
         int i = visible[std::min((size_t)at, visible.size() - 1)];
         if (i == last) continue;
         last = i;
-        const float *d = system.direct + (size_t)i * (size_t)system.columns;
         patches.push_back(i);
-        outside.push_back(luminance({d[0], d[4], d[8]}));
+        outside.push_back(luminance(divided.patches->colourIn(divided.patches->radiosity.system.direct, i)));
         expected.push_back(luminance(reference.lightAt(model.patches[i].chart, model.patches[i].p)));
     }
 }
 
 Gathering::Result Gathering::measure(const Way &way) {
-    if (patches.empty()) return {{NAN, NAN}, NAN, {}};
+    if (patches.empty()) return {errorsOf(expected, expected), NAN, {}};
     AnyHemicubes hemicubes(study.gl, way.px);
     const size_t each = way.corners ? 4 : (size_t)way.turns, batch = (size_t)hemicubes.h.batch;
     std::vector<Eye> eyes;

@@ -24,7 +24,7 @@ public:
         bool corners;
     };
     struct Result {
-        LightErrors errors;       // of the light that arrives at the patches
+        MeshErrors errors;        // of the light that arrives at the patches
         double seconds;           // of the processor, a patch
         std::vector<float> light; // luminance of the light that arrives at each
     };

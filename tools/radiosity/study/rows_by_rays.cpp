@@ -1,40 +1,20 @@
-#include "tools/radiosity/study/rows_by_rays.h"
+
+#include "tools/radiosity/study/gathering.h"
 
 #include "base/random.h"
 #include "tools/radiosity/patches/row_finder.h"
-#include "tools/radiosity/rays/ray_tree.h"
-#include "tools/radiosity/study/gathering.h"
+#include "tools/radiosity/rays/light_grid.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace odraz::radiosity {
 
-namespace {
-
-struct Facets {
-    std::vector<RayTree::Corners> triangles;
-    std::vector<int> charts; // of each triangle
-
-    explicit Facets(const Model &m) {
-        for (int i = 0; i < m.facetCount; ++i) {
-            const Facet &f = m.facets[i];
-            const Chart &c = m.charts[f.chart];
-            for (int k = 2; k < (f.triangle() ? 3 : 4); ++k) {
-                triangles.push_back({f.corner(c, 0), f.corner(c, k - 1), f.corner(c, k)});
-                charts.push_back(f.chart);
-            }
-        }
-    }
-};
-
-} // namespace
-
 RowFinder rowsByRays(int rays, bool atCorners) {
     return [rays, atCorners](const Model &m, const Scene &, const uint8_t *lit, Workers &workers,
                              Arena &arena, FormFactors &factors, const Progress &progress) {
-        Facets facets(m);
-        RayTree tree(facets.triangles);
+        std::vector<int> chartOf;
+        RayTree tree(cornersOf({m.facets, (size_t)m.facetCount}, m.charts, chartOf));
         std::vector<FoundRow> rows((size_t)m.patchCount);
         parallelRanges(workers, m.patchCount, 64, [&](int first, int end, int) {
             std::vector<uint32_t> hits;
@@ -53,7 +33,7 @@ RowFinder rowsByRays(int rays, bool atCorners) {
                          from = (atCorners ? cornerEye(m, i, k & 3).p : p.p) + c.n * c.off();
                     RayHit hit = tree.nearest(from, d);
                     if (hit.triangle < 0 || hit.back) continue;
-                    uint32_t j = patchAt(m, facets.charts[(size_t)hit.triangle], from + d * hit.t);
+                    uint32_t j = patchAt(m, chartOf[(size_t)hit.triangle], from + d * hit.t);
                     if (lit[j] != kUnlit) hits.push_back(j);
                 }
                 std::sort(hits.begin(), hits.end());

@@ -48,8 +48,10 @@ Study::Study(const StudySettings &settings, const Mesh &mesh, const Gl &gl, Work
     if (std::all_of(reference.light.begin(), reference.light.end(),
                     [](const Rgb &c) { return maxComponent(c) <= 0; }))
         notes.emplace_back("no light reaches the fronts of the polygons: try --two-sided, or another light");
-    places.emplace(reference, 2000);
-    byRays.errors = places->errorsOf(plain);
+    places = placeMeshProbes(reference, 2000);
+    solvedAt(reference, places);
+    for (MeshProbe &p : places) p.traced = p.solved;
+    byRays.errors = errorsOf(plain);
     if (s.finalRays) measured.push_back(byRays);
     compare(plain, solved.surroundings);
     check();
@@ -77,10 +79,10 @@ void Study::compare(const Solution &byRays, const Surroundings &around) {
     e.unknown = "no light reaches the places that were tried";
     if (probes.empty()) return;
     e.places = probes.size(), e.paths = 2 * side * side;
-    e.reference = errorsOf(probes);
+    e.reference = radiosity::errorsOf(probes);
     solvedAt(byRays, probes);
-    e.byRays = errorsOf(probes);
-    if (std::isfinite(e.reference.rms)) e.unknown.clear();
+    e.byRays = radiosity::errorsOf(probes);
+    if (std::isfinite(e.reference.noise)) e.unknown.clear();
 }
 
 void Study::chapter(const char *named, double end) {
@@ -134,16 +136,12 @@ Solved Study::solve(const SolveSettings &s) {
     partDone = 0;
     auto progress = [&](const char *step, float done, float) {
         // With shots only solving takes time
-        if (s.shots > 0 && step && step == std::string_view(nameOf(SolveStep::kSolving)))
+        if (s.shots > 0 && step && step == std::string_view(kStepNames[(int)SolveStep::kSolving]))
             partDone = (double)done;
         show(); // do not throw here, where threads may be running: solveModel() itself watches `stop`
     };
-    Solved solved;
-    try {
-        solved = solveModel(mesh, s, gl, workers, stop, progress);
-    } catch (const ModelError &e) {
-        throw ModelError(settings.model + ": " + e.what());
-    }
+    Solved solved =
+        solveNamed(settings.model, [&] { return solveModel(mesh, s, gl, workers, stop, progress); });
     check();
     for (const std::string &note : solved.report.notes)
         if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
@@ -155,13 +153,19 @@ std::string Study::command(const std::string &options) const {
            (options.empty() ? "" : " ") + options;
 }
 
+MeshErrors Study::errorsOf(const Solution &solution) const {
+    std::vector<MeshProbe> probes = places;
+    solvedAt(solution, probes);
+    return radiosity::errorsOf(probes);
+}
+
 Solved Study::measure(const std::string &kind, const std::string &options, const SolveSettings &s) {
     Stopwatch watch;
     Solved solved = solve(s);
     std::string count = s.analytic ? std::to_string(solved.solution.elements()) + " elements"
                                    : std::to_string(solved.report.patches) + " patches";
     measured.push_back({count + ", " + kind, s.findRows ? "" : command(options), watch.processor(),
-                        watch.wall(), places->errorsOf(solved.solution)});
+                        watch.wall(), errorsOf(solved.solution)});
     return solved;
 }
 

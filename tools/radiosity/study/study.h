@@ -3,13 +3,11 @@
 
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/reference/mesh_reference.h"
-#include "tools/radiosity/solve/progress_bar.h"
 #include "tools/radiosity/solve/solve.h"
+#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/study/page.h"
-#include "tools/radiosity/study/places.h"
 
 #include <map>
-#include <optional>
 
 namespace odraz::radiosity {
 
@@ -27,7 +25,7 @@ struct MeasuredSolution {
     std::string name, command; // the `radiosity solve` that gives it; empty: none does
     double seconds;            // of the processor
     double wall;
-    LightErrors errors;
+    MeshErrors errors;
 };
 
 // A whole solution with a hemicube in the middle of each patch.
@@ -68,7 +66,7 @@ public:
     int finalRays = 0; // of its final gather; 0: no final gather
     ReferenceErrors referenceErrors;
     std::vector<MeshProbe> traced; // places with their light by path tracing; empty if unknown
-    std::optional<Places> places;
+    std::vector<MeshProbe> places; // at which solutions are compared with the reference
     std::vector<MeasuredSolution> measured;
     Gathered gathered;                // of the first chapter, if there was time
     std::vector<std::string> notes;   // of solutions, each once
@@ -96,6 +94,8 @@ public:
     SolveSettings thesis(int patches, int px) const;
     // Solves, and shows progress. Throws Interrupted.
     Solved solve(const SolveSettings &s);
+    // The errors of a solution, against the reference.
+    MeshErrors errorsOf(const Solution &solution) const;
     // Solves and measures. `options`: those of `radiosity solve` for this solution. Its name is the number of
     // patches, if their hemicubes see the lamps, or of elements, followed by `kind`.
     Solved measure(const std::string &kind, const std::string &options, const SolveSettings &s);
@@ -135,6 +135,11 @@ struct Stopwatch {
 private:
     double startProcessor, startWall;
 };
+
+// Rows of patches by rays instead of hemicubes, for models whose hemicubes take too long. Every patch sends
+// out `rays` rays of equal weight by the cosine law, from its middle, or a quarter of them from near each
+// corner.
+RowFinder rowsByRays(int rays, bool atCorners = false);
 
 // The chapters, in their order. Each writes to the page.
 // Three sizes by three rasters; `ofThesis`: those of its Table 4.1.

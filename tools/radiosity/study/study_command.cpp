@@ -5,7 +5,6 @@
 #include "tools/engine/machine.h"
 #include "tools/radiosity/generate/generate.h"
 #include "tools/radiosity/solve/solve_options.h"
-#include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/study/study.h"
 
 #include <cstdio>

@@ -3,7 +3,6 @@
 #include "tools/radiosity/export/render.h"
 #include "tools/radiosity/patches/row_finder.h"
 #include "tools/radiosity/study/gathering.h"
-#include "tools/radiosity/study/rows_by_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,7 +147,7 @@ private:
     };
     Errors show(const std::string &where, const std::string &file, const Solved &b) {
         auto one = [&](const Solution &solution, const char *how) {
-            LightErrors e = study.places->errorsOf(solution);
+            MeshErrors e = study.errorsOf(solution);
             std::string name = file + "-" + how + ".png";
             render(solution, camera, study.workers, study.page.path(name));
             pictures.push_back({name, where + ", " + how + ": " + shown(e.rms) + " % off"});

@@ -1,5 +1,4 @@
 // Adaptive against uniform elements.
-#include "tools/radiosity/study/rows_by_rays.h"
 #include "tools/radiosity/study/study.h"
 
 #include <algorithm>

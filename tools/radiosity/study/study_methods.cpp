@@ -1,6 +1,5 @@
 // Gathering, Gauss-Seidel and shooting on one axis; what every pass adds; both orders of update.
 #include "tools/radiosity/study/curves.h"
-#include "tools/radiosity/study/rows_by_rays.h"
 
 #include <algorithm>
 #include <cmath>

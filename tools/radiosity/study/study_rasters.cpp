@@ -89,7 +89,7 @@ void gatherAt(Study &study, Gathering &gathering, double patches, double until) 
                   "off one hemicube with most pixels (rms), %", {kWays[0], kWays[1]});
     double least = INFINITY;
     for (const Tried &t : tried) {
-        const LightErrors &e = t.result.errors;
+        const MeshErrors &e = t.result.errors;
         least = std::min(least, e.rms);
         table.rows.push_back({kWays[t.way], std::to_string(t.px), shown(t.ms()), shown(e.rms),
                               shown(e.median), shown(t.fromFinest)});

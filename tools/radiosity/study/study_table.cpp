@@ -19,7 +19,7 @@ struct TableCell {
     int patches = 0, shots = 0;
     double processor = 0, wall = 0, unshot = 0;
     double ofShot = 0; // processor seconds
-    LightErrors errors = {NAN, NAN};
+    MeshErrors errors = {};
 };
 
 std::vector<std::string> rowOf(const TableCell &c, int px) {

@@ -61,7 +61,7 @@ Rgb radiance(const BandLight &light, int bands, const Vec3 &d) {
     return sum;
 }
 
-Turn turnAbout(const Vec3 &a, double degrees) {
+Mat3 turnAbout(const Vec3 &a, double degrees) {
     double angle = degrees * std::numbers::pi / 180;
     auto c = (float)std::cos(angle), s = (float)std::sin(angle), t = 1 - c;
     return {{t * a.x * a.x + c, t * a.x * a.y - s * a.z, t * a.x * a.z + s * a.y},
@@ -69,22 +69,14 @@ Turn turnAbout(const Vec3 &a, double degrees) {
             {t * a.x * a.z - s * a.y, t * a.y * a.z + s * a.x, t * a.z * a.z + c}};
 }
 
-Turn operator*(const Turn &second, const Turn &first) {
-    Turn columns = first.inverse();
-    Vec3 x = second.of(columns.x), y = second.of(columns.y), z = second.of(columns.z);
-    return Turn{x, y, z}.inverse();
-}
-
-BandLight turned(const BandLight &light, int bands, const Turn &turn) {
+BandLight turned(const BandLight &light, int bands, const Mat3 &turn) {
     int count = bands * bands;
-    Turn back = turn.inverse();
     Rgb8 sum[kMostSh] = {};
     for (int i = 0; i < kDirections; i += 8) {
         float solidAngle;
         Vec3x8 d = direction(i, solidAngle);
-        Vec3x8 from = {dot(d, broadcast(back.x)), dot(d, broadcast(back.y)), dot(d, broadcast(back.z))};
         Float8 y[kMostSh];
-        evaluateBands(from, bands, y);
+        evaluateBands(transposeTimes(turn, d), bands, y);
         Rgb8 radiance = {};
         for (int k = 0; k < count; ++k) radiance = fmadd(broadcast(light[(size_t)k]), y[k], radiance);
         radiance = radiance * broadcast(solidAngle);

@@ -24,19 +24,11 @@ int bandOf(int coefficient);
 // The light in a direction, summed over the first `bands`.
 Rgb radiance(const BandLight &light, int bands, const Vec3 &d);
 
-// A rotation, by its rows.
-struct Turn {
-    Vec3 x = {1, 0, 0}, y = {0, 1, 0}, z = {0, 0, 1};
-    Vec3 of(const Vec3 &v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
-    Turn inverse() const { return {{x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z}}; }
-};
-// Degrees about an axis of length 1, counter-clockwise as seen from its tip.
-Turn turnAbout(const Vec3 &axis, double degrees);
-// First `first`, then `second`.
-Turn operator*(const Turn &second, const Turn &first);
+// A rotation: degrees about an axis of length 1, counter-clockwise as seen from its tip.
+Mat3 turnAbout(const Vec3 &axis, double degrees);
 
-// The light after rotating the sphere: light from d then comes from turn.of(d). Rotation does not mix bands,
+// The light after rotating the sphere: light from d then comes from turn * d. Rotation does not mix bands,
 // so nothing is lost. Computed by quadrature, which is exact for six bands.
-BandLight turned(const BandLight &light, int bands, const Turn &turn);
+BandLight turned(const BandLight &light, int bands, const Mat3 &turn);
 
 } // namespace odraz::radiosity

@@ -156,7 +156,7 @@ bool printCheck(const Mesh &mesh, const TransferSettings &settings, const Transf
         std::fill(lighting.lamps.begin(), lighting.lamps.end(), 0.f);
     }
     for (const std::string &path : skies) {
-        Projected projected = readEnvironment("--sky", path, room.upIsZ);
+        Projected projected = readEnvironment(path, room.upIsZ);
         TriedSky sky = {path.substr(path.rfind('/') + 1), projected.light, {}, {}};
         sky.sky = readSky(path, room.upIsZ, sky.suns);
         relight(sky.light);

@@ -1,22 +1,17 @@
 #include "tools/radiosity/transfer/environment.h"
 
-#include "tools/common/command_line.h"
 #include "tools/common/text.h"
 #include "tools/radiosity/read/upright.h"
+#include "tools/radiosity/solve/solve_options.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <vector>
 
 namespace odraz::radiosity {
 
-namespace {
-
-constexpr int kLeastRows = 128; // rows of pixels; those of smaller pictures are subdivided
-
-} // namespace
+static constexpr int kLeastRows = 128; // rows of pixels; those of smaller pictures are subdivided
 
 Projected project(const HdrPicture &picture, bool upIsZ) {
     int parts = (kLeastRows + picture.height - 1) / picture.height,
@@ -66,14 +61,9 @@ Projected project(const Rgb &even) {
     return p;
 }
 
-Projected readEnvironment(const std::string &option, const std::string &text, bool upIsZ) {
-    double n[3];
-    char rest;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", n, n + 1, n + 2, &rest) != 3)
-        return project(readHdr(text), upIsZ);
-    for (double x : n)
-        if (!(x >= 0 && x < 1e12)) throw common::Refused(option + ": light must be from 0 to 1e12");
-    return project(Rgb{(float)n[0], (float)n[1], (float)n[2]});
+Projected readEnvironment(const std::string &sky, bool upIsZ) {
+    std::optional<Rgb> even = evenRadiance(sky);
+    return even ? project(*even) : project(readHdr(sky), upIsZ);
 }
 
 std::string lossOf(const std::string &name, const Projected &p, int bands) {

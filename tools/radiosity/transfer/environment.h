@@ -21,7 +21,7 @@ Projected project(const HdrPicture &picture, bool upIsZ);
 Projected project(const Rgb &even);
 
 // Reads the value of --sky: R,G,B or the name of a picture. Throws Refused.
-Projected readEnvironment(const std::string &option, const std::string &text, bool upIsZ);
+Projected readEnvironment(const std::string &sky, bool upIsZ);
 
 // One line: the share of the energy that this number of bands holds, and the share that they lose.
 std::string lossOf(const std::string &name, const Projected &projected, int bands);

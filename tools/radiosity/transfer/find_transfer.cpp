@@ -223,12 +223,7 @@ private:
             int chart = task.regions.chartOf[(size_t)hit.triangle];
             auto spot = grid.spotAt(chart, from + d * hit.t);
             // Light reflected by the sites around it, and emission
-            float weights[4], all = 0;
-            for (int k = 0; k < 4; ++k) {
-                bool lit = grid.siteOf[(size_t)spot.cell->corner[k]] != LightGrid::kNone;
-                weights[k] = lit ? (k & 1 ? spot.x : 1 - spot.x) * (k & 2 ? spot.y : 1 - spot.y) + 1e-6f : 0;
-                all += weights[k];
-            }
+            float weights[4], all = grid.weigh(spot, weights);
             for (int k = 0; k < 4; ++k) {
                 if (!(weights[k] > 0)) continue;
                 const float *b = columns.reflected(grid.siteOf[(size_t)spot.cell->corner[k]]);

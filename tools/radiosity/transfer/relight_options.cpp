@@ -85,7 +85,7 @@ RelightOptions::Light RelightOptions::of(const TransferRoom &room) const {
     if (clusters && rank < 0) light.lighting.rank = room.clusters.rank;
     light.lighting.lamps = readLamps(lamps, room);
     if (!sky.empty())
-        light.sky = readEnvironment("--sky", sky, room.upIsZ);
+        light.sky = readEnvironment(sky, room.upIsZ);
     else if (room.lamps.empty())
         light.sky = project(Rgb{1, 1, 1});
     if (!sky.empty() && light.sky.held[0] < 1)

@@ -1,6 +1,6 @@
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
-#include "tools/radiosity/solve/progress_bar.h"
+#include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/transfer/check.h"
@@ -89,12 +89,8 @@ int runTransfer(common::CommandLine &line) {
     ProgressBar bar(job.options.progress);
     TransferReport report;
     auto progress = [&](const char *step, float done) { bar.show(step, done, -1); };
-    TransferRoom room;
-    try {
-        room = findTransfer(mesh, job.settings, workers, progress, report);
-    } catch (const ModelError &e) {
-        throw ModelError(job.model + ": " + e.what());
-    }
+    TransferRoom room =
+        solveNamed(job.model, [&] { return findTransfer(mesh, job.settings, workers, progress, report); });
     bar.clear();
     printNotes(report.notes);
     room.save(job.out);

@@ -1,7 +1,7 @@
 #include "tools/radiosity/view/help.h"
 
 #include "show/font.h"
-#include "tools/engine/heap_arena.h"
+#include "tools/radiosity/export/render.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,21 +48,18 @@ pictures::Image viewHelp(std::span<const ViewKey> keys, int width, int height) {
     float lines = kLine * (float)keys.size();
     float size = std::min({11.f, (float)width / kWide, (float)height / (lines + kHigh)});
     pictures::Image p = {std::max((int)(kWide * size), 1), std::max((int)((lines + kHigh) * size), 1), {}};
-    HeapArena memory(((size_t)p.width + 64) * (size_t)p.height * 32 + 4096);
-    Frame frame = {};
-    makeFrame(frame, memory.arena, p.width, p.height); // there is room
+    HeapFrame text(p.width, p.height);
     float y = (kMargin + 1) * size;
     for (const ViewKey &k : keys) {
-        drawText(frame, k.keys, kMargin * size, y, size, 0.12f, 0, Align::Left, {1, 0.8f, 0.4f}, 1);
-        drawText(frame, k.does, (kMargin + kSecond) * size, y, size, 0.12f, 0, Align::Left, {1, 1, 1}, 1);
+        drawText(text.frame, k.keys, kMargin * size, y, size, 0.12f, 0, Align::Left, {1, 0.8f, 0.4f}, 1);
+        drawText(text.frame, k.does, (kMargin + kSecond) * size, y, size, 0.12f, 0, Align::Left, {1, 1, 1},
+                 1);
         y += kLine * size;
     }
     for (int j = 0; j < p.height; ++j)
         for (int i = 0; i < p.width; ++i)
-            for (const float *plane : frame.plane) {
-                float ink = plane[(size_t)j * (size_t)frame.stride + (size_t)i];
-                p.rgb.push_back((uint8_t)std::lround(20 + 210 * std::clamp(ink, 0.f, 1.f)));
-            }
+            for (int k = 0; k < 3; ++k)
+                p.rgb.push_back((uint8_t)std::lround(20 + 210 * std::clamp(text.at(k, i, j), 0.f, 1.f)));
     return p;
 }
 

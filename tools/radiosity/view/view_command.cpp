@@ -2,6 +2,7 @@
 #include "tools/common/whole_file.h"
 #include "tools/engine/machine.h"
 #include "tools/radiosity/export/camera_options.h"
+#include "tools/radiosity/solve/solve.h"
 #include "tools/radiosity/solve/solve_options.h"
 #include "tools/radiosity/solve/terminal.h"
 #include "tools/radiosity/view/help.h"
@@ -113,11 +114,7 @@ int runView(common::CommandLine &line) {
     keys();
     printNotes(notes);
     BackgroundSolve solver(std::move(mesh), job.solve.settings, job.view.camera, ViewWindow::wake);
-    try {
-        window.run(&solver);
-    } catch (const ModelError &e) {
-        throw ModelError(job.in + ": " + e.what());
-    }
+    solveNamed(job.in, [&] { window.run(&solver); });
     // The program ends without waiting for the solver
     if (std::fflush(stdout)) return 1;
     if (!solver.take().done) endProcess(0);

@@ -45,15 +45,16 @@ TEST(Bands, TurnWithTheirLight) {
     Dice dice(2);
     for (int bands = 1; bands <= kMostBands; ++bands) {
         BandLight light = randomLight(bands, dice);
-        Turn turn = turnAbout(dice.direction(), (double)dice(-180, 180)) *
-                    turnAbout(dice.direction(), (double)dice(-180, 180));
+        Vec3 a = dice.direction(), b = dice.direction();
+        auto angle = (double)dice(-180, 180), other = (double)dice(-180, 180);
+        Mat3 turn = turnAbout(b, other) * turnAbout(a, angle);
         BandLight after = turned(light, bands, turn);
         for (int i = 0; i < 50; ++i) {
             Vec3 d = dice.direction();
-            Rgb was = radiance(light, bands, d), is = radiance(after, bands, turn.of(d));
+            Rgb was = radiance(light, bands, d), is = radiance(after, bands, turn * d);
             EXPECT_LT(length(was - is), 3e-5f) << bands;
         }
-        BandLight back = turned(after, bands, turn.inverse());
+        BandLight back = turned(after, bands, turnAbout(a, -angle) * turnAbout(b, -other));
         for (int k = 0; k < bands * bands; ++k) EXPECT_LT(length(back[(size_t)k] - light[(size_t)k]), 2e-5f);
     }
 }

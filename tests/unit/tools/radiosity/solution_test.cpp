@@ -60,7 +60,7 @@ protected:
         std::string wrong = thrown([&] {
             Solution again(path);
             exportCsv(again, folder / "a.csv");
-            exportPly(again, folder / "a.ply");
+            exportPolygons(again, folder / "a.ply", true);
             Workers workers = serialWorkers();
             RenderSettings s;
             s.width = 16, s.height = 9;
