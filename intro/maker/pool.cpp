@@ -4,30 +4,47 @@
 
 namespace odraz::maker {
 
-Pool::Pool(int count)
-    : all{std::clamp(count, 1, kMaxWorkers),
-          [](Workers &w, int count, int size, void (*body)(const void *, int, int, int),
-             const void *context) {
-              Pool &pool = *(Pool *)w.host;
-              pool.job.begin(w, count, size, body, context);
-              pool.begins.arrive_and_wait();
-              pool.job.take(0);
-              pool.ends.arrive_and_wait();
-          },
-          &leave, this},
-      begins(all.count), ends(all.count) {
-    for (int i = 1; i < all.count; ++i)
-        threads.emplace_back([this, i] {
-            for (begins.arrive_and_wait(); !over; begins.arrive_and_wait()) {
-                job.take(i);
-                ends.arrive_and_wait();
-            }
-        });
+Pool::Pool(int count) {
+    auto share = [](Workers &w, int all, int size, void (*body)(const void *, int, int, int),
+                    const void *context) { ((Pool *)w.host)->run(all, size, body, context); };
+    all = {std::clamp(count, 1, kMaxWorkers), share, &leave, this};
+    for (int i = 1; i < all.count; ++i) threads.emplace_back([this] { work(); });
 }
 
 Pool::~Pool() {
-    over = true;
-    begins.arrive_and_wait();
+    {
+        std::lock_guard lock(mutex);
+        over = true;
+    }
+    begins.notify_all();
+    for (std::thread &t : threads) t.join();
+}
+
+void Pool::work() {
+    int worker = job.newWorker();
+    for (int seen = 0;;) {
+        {
+            std::unique_lock lock(mutex);
+            begins.wait(lock, [&] { return over || round != seen; });
+            if (over) return;
+            seen = round;
+        }
+        job.take(worker);
+        std::lock_guard lock(mutex); // run() must not miss the last one
+        if (job.done()) ends.notify_one();
+    }
+}
+
+void Pool::run(int count, int size, void (*body)(const void *, int, int, int), const void *context) {
+    {
+        std::lock_guard lock(mutex);
+        job.begin(all, count, size, body, context);
+        ++round;
+    }
+    begins.notify_all();
+    job.take(0);
+    std::unique_lock lock(mutex);
+    ends.wait(lock, [&] { return job.busy == 0; });
 }
 
 } // namespace odraz::maker

@@ -5,7 +5,8 @@
 #include "base/parallel.h"
 #include "host/work.h"
 
-#include <barrier>
+#include <condition_variable>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -22,12 +23,17 @@ public:
     void abort() { __atomic_store_n(&leave, 1, __ATOMIC_RELAXED); }
 
 private:
+    void work();
+    void run(int count, int size, void (*body)(const void *, int, int, int), const void *context);
+
     int leave = 0;
     Workers all;
     Work job = {};
+    std::mutex mutex;
+    std::condition_variable begins, ends;
+    int round = 0;
     bool over = false;
-    std::barrier<> begins, ends; // of a job, for all threads
-    std::vector<std::jthread> threads;
+    std::vector<std::thread> threads;
 };
 
 } // namespace odraz::maker
