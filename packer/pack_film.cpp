@@ -1,7 +1,7 @@
 // pack_film: packs the film in its build. It works like pack, with the same code, but needs no library, so
 // the film can be built where pack's libraries are not installed.
 #include "packer/model/model_parameters.h"
-#include "packer/read/elf_reader.h"
+#include "packer/read/programs.h"
 #include "packer/report/report.h"
 #include "packer/write/packed_file.h"
 

@@ -2,8 +2,7 @@
 
 #include "packer/model/model_parameters.h"
 #include "packer/model/search.h"
-#include "packer/read/elf_reader.h"
-#include "packer/read/loader_reader.h"
+#include "packer/read/programs.h"
 #include "packer/report/report_html.h"
 #include "packer/write/packed_file.h"
 

@@ -1,5 +1,7 @@
 #include "packer/link/start.h"
 
+#include <algorithm>
+
 namespace pack::linking {
 
 namespace {
@@ -135,50 +137,6 @@ std::string with(std::string text, const std::string &name, const std::string &v
     return text;
 }
 
-// The names to look up, libraries first, and their slots.
-class Slots {
-public:
-    explicit Slots(const Plan &plan) {
-        for (const std::string &library : plan.libraries) place(library);
-        for (const Import &import : plan.imports) place(import.name);
-    }
-    // A name's slot; a new one if it has none.
-    std::string place(const std::string &name) {
-        size_t i = 0;
-        while (i < names.size() && names[i] != name) ++i;
-        if (i == names.size()) names.push_back(name);
-        return "slots+" + std::to_string(8 * i);
-    }
-    std::string print() const {
-        std::string text = ".data\nnames:\n";
-        for (const std::string &name : names) text += "    .asciz \"" + name + "\"\n";
-        return text + "    .byte 0\n.bss\n.balign 8\nslots: .skip " + std::to_string(8 * names.size()) + "\n";
-    }
-
-private:
-    std::vector<std::string> names;
-};
-
-// The imports in their forms, and the copies that are made at the start.
-struct Forms {
-    std::string code, data, copies;
-
-    Forms(const Plan &plan, Slots &slots) {
-        for (const Import &import : plan.imports) {
-            std::string label = import.name, slot = slots.place(label), size = std::to_string(import.size);
-            // By --wrap the program's calls of dlopen and dlsym go to this name
-            if (label == "dlopen" || label == "dlsym") label = "__wrap_" + label;
-            code += ".globl " + label + "\n";
-            if (import.form == Import::kSlot) code += label + " = " + slot + "\n";
-            if (import.form == Import::kJump) code += label + ": jmp *" + slot + "(%rip)\n";
-            if (import.form != Import::kCopy) continue;
-            data += ".balign 16\n" + label + ": .skip " + size + "\n";
-            copies += "    mov " + slot + "(%rip), %rsi\n    mov $" + label + ", %edi\n    mov $" + size +
-                      ", %ecx\n    rep movsb\n";
-        }
-    }
-};
-
 } // namespace
 
 std::string startDynamic(bool whole) {
@@ -188,28 +146,48 @@ std::string startDynamic(bool whole) {
 }
 
 std::string startImports(const Plan &plan) {
-    Slots slots(plan);
-    std::string end = slots.place(plan.whole ? "__libc_start_main" : "exit");
-    std::string atExit = plan.destructors ? slots.place("__cxa_atexit") : "";
-    bool runs = plan.constructors || plan.destructors;
-    Forms forms(plan, slots);
-    auto real = [&](const std::string &name) { // dlopen and dlsym themselves, if the program imports them
-        for (const Import &import : plan.imports)
-            if (import.name == name) return "__real_" + name;
-        return name;
+    std::vector<std::string> names = plan.libraries; // to look up, each into a slot
+    for (const Import &import : plan.imports) names.push_back(import.name);
+    auto slotOf = [&](const std::string &name) {
+        size_t i = (size_t)(std::find(names.begin(), names.end(), name) - names.begin());
+        if (i == names.size()) names.push_back(name);
+        return "slots+" + std::to_string(8 * i);
     };
+    std::string real[] = {"dlopen", "dlsym"}; // these two themselves, if the program imports them
+    std::string code, data, copies;
+    for (const Import &import : plan.imports) {
+        std::string label = import.name, slot = slotOf(label), size = std::to_string(import.size);
+        for (std::string &name : real)
+            if (name == label) {
+                // By --wrap the program's calls go to this name
+                label = "__wrap_" + name;
+                name = "__real_" + name;
+            }
+        code += ".globl " + label + "\n";
+        if (import.form == Import::kSlot) code += label + " = " + slot + "\n";
+        if (import.form == Import::kJump) code += label + ": jmp *" + slot + "(%rip)\n";
+        if (import.form != Import::kCopy) continue;
+        data += ".balign 16\n" + label + ": .skip " + size + "\n";
+        copies += "    mov " + slot + "(%rip), %rsi\n    mov $" + label + ", %edi\n    mov $" + size +
+                  ", %ecx\n    rep movsb\n";
+    }
+    std::string end = slotOf(plan.whole ? "__libc_start_main" : "exit");
+    bool runs = plan.constructors || plan.destructors;
     std::string text = ".section .text.start, \"ax\", @progbits\n.globl _start\n_start:\n";
     if (plan.whole) text += "    mov %rdx, %r12\n";
-    text += with(with(kLookup, "DLOPEN", real("dlopen")), "DLSYM", real("dlsym")) + forms.copies;
+    text += with(with(kLookup, "DLOPEN", real[0]), "DLSYM", real[1]) + copies;
     if (plan.whole) text += "    mov %r12, %rdx\n";
     text += with(with(plan.whole ? kCallWhole : kCallMain, "MAIN", runs ? "run" : "main"), "END", end);
     text += kMissing;
     if (runs) text += kRun;
-    if (plan.destructors) text += with(kRegister, "ATEXIT", atExit);
+    if (plan.destructors) text += with(kRegister, "ATEXIT", slotOf("__cxa_atexit"));
     if (plan.constructors) text += kConstruct;
     if (runs) text += kRunEnd;
     if (plan.destructors) text += kFinish;
-    return text + forms.code + ".bss\n" + forms.data + slots.print() + kEnd;
+    text += code + ".bss\n" + data + ".data\nnames:\n";
+    for (const std::string &name : names) text += "    .asciz \"" + name + "\"\n";
+    return text + "    .byte 0\n.bss\n.balign 8\nslots: .skip " + std::to_string(8 * names.size()) + "\n" +
+           kEnd;
 }
 
 const char kImportsScript[] = R"(ENTRY(_start)

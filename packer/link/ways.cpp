@@ -3,8 +3,7 @@
 #include "packer/model/model_parameters.h"
 #include "packer/pack_program.h"
 #include "packer/read/elf_file.h"
-#include "packer/read/elf_reader.h"
-#include "packer/read/loader_reader.h"
+#include "packer/read/programs.h"
 #include "packer/write/packed_file.h"
 #include "tools/common/text.h"
 

@@ -1,4 +1,4 @@
-#include "packer/read/loader_reader.h"
+#include "packer/read/programs.h"
 
 #include "packer/read/elf_file.h"
 

@@ -14,25 +14,21 @@ constexpr char kTooLong[] =
     "--safe-name up to 14";
 constexpr uint8_t kNoName[] = {0x31, 0xf6, 0x66, 0x90}; // xor esi, esi; a nop of two bytes
 
+// What follows a program's name, by Message::What; the best first.
+constexpr const char *kWithName[][2] = {
+    {" is damaged"}, {": no memory"}, {" may not run", ": denied"}, {": no ld.so"}};
+
 // The lines that can replace the usual one, the best first.
 std::vector<std::string> lines(const Message &message, const Names &names) {
-    const std::string &program = names.program, &safe = names.safe;
-    if (message.what == Message::kMayNotRun && !safe.empty()) {
-        std::string called = message.called && program.empty() ? ": " : "";
-        return {called + "use " + safe + " instead\n", called + "use " + safe + "\n"};
+    if (message.what == Message::kMayNotRun && !names.safe.empty()) {
+        std::string called = message.called && names.program.empty() ? ": " : "";
+        return {called + "use " + names.safe + " instead\n", called + "use " + names.safe + "\n"};
     }
-    if (program.empty()) return {message.usual};
-    switch (message.what) {
-    case Message::kDamaged:
-        return {program + " is damaged\n"};
-    case Message::kNoMemory:
-        return {program + ": no memory\n"};
-    case Message::kMayNotRun:
-        return {program + " may not run\n", program + ": denied\n"};
-    case Message::kNoInterpreter:
-        return {program + ": no ld.so\n"};
-    }
-    return {};
+    if (names.program.empty()) return {message.usual};
+    std::vector<std::string> all;
+    for (const char *rest : kWithName[message.what])
+        if (rest) all.push_back(names.program + rest + "\n");
+    return all;
 }
 
 bool isName(const std::string &name) {

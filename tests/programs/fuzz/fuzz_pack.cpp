@@ -1,8 +1,7 @@
 // For libFuzzer: whatever the input is, the packer's readers return a program or throw an error. The
 // first byte of the input chooses the reader.
 #include "packer/model/model_parameters.h"
-#include "packer/read/elf_reader.h"
-#include "packer/read/loader_reader.h"
+#include "packer/read/programs.h"
 #include "packer/stub/pe_format.h"
 #include "packer/stub/stub.h"
 #include "packer/write/packed_file.h"

@@ -1,6 +1,5 @@
 #include "packer/model/model_parameters.h"
-#include "packer/read/elf_reader.h"
-#include "packer/read/loader_reader.h"
+#include "packer/read/programs.h"
 #include "packer/write/packed_file.h"
 #include "tests/support/thrown.h"
 

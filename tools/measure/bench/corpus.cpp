@@ -1,6 +1,6 @@
 #include "tools/measure/bench/corpus.h"
 
-#include "packer/read/elf_reader.h"
+#include "packer/read/programs.h"
 
 #include <cstring>
 #include <elf.h>
