@@ -3,6 +3,7 @@
 #include "tools/common/command_line.h"
 #include "tools/common/whole_file.h"
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <vector>
@@ -29,7 +30,7 @@ consteval bool inOrderOfFields() {
     return std::size(kNames) == kChoices;
 }
 static_assert(inOrderOfFields(), "a name for every field, in the order of their bits in a mask");
-constexpr const char *kKinds[2][2] = {{"code", "code-weights"}, {"data", "data-weights"}};
+constexpr const char *kKinds[] = {"code", "code-weights", "data", "data-weights"}; // two for each type
 
 std::string printMask(uint32_t mask) {
     std::string text;
@@ -90,13 +91,13 @@ std::string printParameters(const ModelParameters &parameters) {
     std::string text = "slots " + std::to_string(parameters.slotBits) + "\n";
     for (int type = 0; type < 2; ++type)
         for (uint32_t i = 0; i < parameters.hashes(); ++i)
-            text += std::string(kKinds[type][i >= parameters.contexts]) + " " +
+            text += std::string(kKinds[2 * type + (i >= parameters.contexts)]) + " " +
                     printMask(parameters.masks[type][i]) + "\n";
     return text;
 }
 
 ModelParameters parseParameters(const std::string &text) {
-    std::vector<uint32_t> masks[2][2];
+    std::vector<uint32_t> masks[std::size(kKinds)];
     std::istringstream lines(text);
     int number = 0;
     ModelParameters parameters = {};
@@ -116,31 +117,25 @@ ModelParameters parseParameters(const std::string &text) {
             parameters.slotBits = (uint32_t)std::stoi(value);
             continue;
         }
-        bool known = false;
-        for (int type = 0; type < 2; ++type)
-            for (int weights = 0; weights < 2; ++weights)
-                if (kind == kKinds[type][weights]) {
-                    uint32_t mask;
-                    if (!parseMask(value, mask)) throw wrong("unknown field in '" + value + "'");
-                    if (mask & ~kMayUse[type])
-                        throw wrong("'" + printMask(mask & ~kMayUse[type]) + "' cannot be used in " +
-                                    kKinds[type][0]);
-                    masks[type][weights].push_back(mask);
-                    known = true;
-                }
-        if (!known) throw wrong("unknown word '" + kind + "'");
+        auto i = (size_t)(std::find(std::begin(kKinds), std::end(kKinds), kind) - kKinds), type = i / 2;
+        if (i == std::size(kKinds)) throw wrong("unknown word '" + kind + "'");
+        uint32_t mask;
+        if (!parseMask(value, mask)) throw wrong("unknown field in '" + value + "'");
+        if (uint32_t others = mask & ~kMayUse[type])
+            throw wrong("'" + printMask(others) + "' cannot be used in " + kKinds[2 * type]);
+        masks[i].push_back(mask);
     }
-    parameters.contexts = (uint32_t)masks[0][0].size();
-    if (masks[1][0].size() != parameters.contexts || !parameters.sane())
+    parameters.contexts = (uint32_t)masks[0].size();
+    if (masks[2].size() != parameters.contexts || !parameters.sane())
         throw common::Refused(
             "it needs slots " + std::to_string(kLeastSlotBits) + " to " + std::to_string(kMostSlotBits) +
             ", and as many contexts for data as for code: " + "4, 8, 12 .. " + std::to_string(kMostContexts));
     for (int type = 0; type < 2; ++type) {
-        if (masks[type][1].size() != kSets - 1)
-            throw common::Refused("it needs " + std::to_string(kSets - 1) + " lines " + kKinds[type][1]);
-        uint32_t *to = parameters.masks[type];
-        for (auto &group : masks[type])
-            for (uint32_t mask : group) *to++ = mask;
+        const auto &contexts = masks[2 * type], &weights = masks[2 * type + 1];
+        common::need(weights.size() == kSets - 1,
+                     "it needs " + std::to_string(kSets - 1) + " lines " + kKinds[2 * type + 1]);
+        std::copy(contexts.begin(), contexts.end(), parameters.masks[type]);
+        std::copy(weights.begin(), weights.end(), parameters.masks[type] + contexts.size());
     }
     return parameters;
 }

@@ -39,47 +39,19 @@ function buildTree() {
     sort(root);
 }
 
-// Divides a rectangle among nodes, largest first, each as square as can be (Bruls, Huizing and van Wijk, "Squarified
-// treemaps", 2000). Calls draw(node, x, y, width, height).
-function squarify(nodes, x, y, width, height, draw) {
-    let left = nodes.reduce((all, n) => all + Math.max(0, n.units), 0);
-    for (let from = 0; from < nodes.length && left > 0 && width > 0 && height > 0;) {
-        const side = Math.min(width, height), scale = width * height / left;
-        const worst = (sum, n) => {
-            const row = sum * scale / side, box = n.units * scale / row;
-            return Math.max(row / box, box / row);
-        };
-        let to = from, sum = 0;
-        while (to < nodes.length && nodes[to].units > 0) {
-            const more = sum + nodes[to].units;
-            if (to > from &&
-                Math.max(worst(more, nodes[from]), worst(more, nodes[to])) >
-                    Math.max(worst(sum, nodes[from]), worst(sum, nodes[to - 1])))
-                break;
-            sum = more;
-            ++to;
-        }
-        if (to === from) break;
-        const row = sum * scale / side;
-        let along = 0;
-        for (const n of nodes.slice(from, to)) {
-            const length = n.units * scale / row;
-            if (width < height)
-                draw(n, x + along, y, length, row);
-            else
-                draw(n, x, y + along, row, length);
-            along += length;
-        }
-        if (width < height) {
-            y += row;
-            height -= row;
-        } else {
-            x += row;
-            width -= row;
-        }
-        left -= sum;
-        from = to;
-    }
+const leastArea = 12;  // of a box, in pixels
+
+// Divides a rectangle among nodes, largest first: into two parts of nearly the same size, across its longer side, and
+// these again. Calls draw(node, x, y, width, height).
+function divide(nodes, x, y, width, height, draw) {
+    const all = nodes.filter(n => n.units > 0), sum = all.reduce((all, n) => all + n.units, 0);
+    if (!all.length || width * height < leastArea) return;
+    if (all.length === 1) return draw(all[0], x, y, width, height);
+    let count = 1, first = all[0].units;
+    while (count < all.length - 1 && first + all[count].units / 2 < sum / 2) first += all[count++].units;
+    const wide = width > height, part = first / sum, right = wide ? width * part : 0, down = wide ? 0 : height * part;
+    divide(all.slice(0, count), x, y, right || width, down || height, draw);
+    divide(all.slice(count), x + right, y + down, width - right, height - down, draw);
 }
 
 function colourOf(node) {
@@ -92,7 +64,7 @@ function colourOf(node) {
 }
 
 function drawNode(node, x, y, width, height, depth) {
-    if (width * height < 12 || width < 2 || height < 2) return;
+    if (width < 2 || height < 2) return;
     const box = make('div');
     const label = width > 30 && height > 15 ? shortName(node.name) : '';
     box.style.cssText = `left:${x}px;top:${y}px;width:${width}px;height:${height}px`;
@@ -106,7 +78,7 @@ function drawNode(node, x, y, width, height, depth) {
     if (node.children.length && width > 40 && height > 34) {
         box.className = 'group';
         box.textContent = label && width > 90 ? `${label}  ${number(inBytes(node.units))}` : label;
-        squarify(node.children, x + 1, y + 16, width - 2, height - 17, (n, ...r) => drawNode(n, ...r, depth + 1));
+        divide(node.children, x + 1, y + 16, width - 2, height - 17, (n, ...r) => drawNode(n, ...r, depth + 1));
     } else {
         const colour = colourOf(node);
         box.style.background = css(colour);
@@ -119,7 +91,7 @@ function showTree(node = shownNode) {
     shownNode = node;
     $('map').replaceChildren();
     const {clientWidth, clientHeight} = $('map');
-    squarify(
+    divide(
         node.children.length ? node.children : [node], 0, 0, clientWidth, clientHeight,
         (n, ...r) => drawNode(n, ...r, 1));
     const path = [];
