@@ -21,7 +21,7 @@ void endBySignal(int) {
     if (pid_t remover = _Fork())
         waitpid(remover, nullptr, 0);
     else
-        execlp("rm", "rm", "-rf", theFolder.c_str(), nullptr);
+        execl("/bin/rm", "rm", "-rf", theFolder.c_str(), nullptr);
     constexpr char kLine[] = "pack-link: ended by a signal\n";
     [[maybe_unused]] ssize_t written = write(2, kLine, sizeof kLine - 1);
     _exit(1);
@@ -36,7 +36,9 @@ int packLink(common::CommandLine &line) {
         common::TemporaryFolder folder;
         theFolder = folder / "";
         theFolder.pop_back();
-        for (int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, endBySignal);
+        for (int signal : {SIGINT, SIGTERM, SIGHUP})
+            if (std::signal(signal, endBySignal) == SIG_IGN)
+                std::signal(signal, SIG_IGN); // as nohup leaves it
         packSmallest(options, theFolder);
         return 0;
     } catch (const std::filesystem::filesystem_error &e) {
