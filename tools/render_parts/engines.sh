@@ -78,7 +78,7 @@ meet_hosts() {
         host=${BASH_REMATCH[2]}
         echo "${BASH_REMATCH[1]:-1/}$host" >>"$parts/hosts.part"
         [ "$host" != : ] && ! awk -v host="$host" '$1 == host { found = 1 } END { exit !found }' "$parts/hosts.film" || continue
-        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d /tmp/render-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
+        at=$($ssh "$host" 'exec sh -c "umask 77; at=\$(mktemp -d \${TMPDIR:-/tmp}/render-XXXXXX) && cat >\$at/film && chmod 700 \$at/film && \$at/film --version >/dev/null && echo \$at"' \
             <"$parts/film" 2>"$parts/host.err" 9>&-) && [ -n "$at" ] ||
             fail "$host does not take the film: $(grep -m 1 . "$parts/host.err" || echo "it ended without a word")"
         echo "$host $at" >>"$parts/hosts.film"
