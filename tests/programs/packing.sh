@@ -78,7 +78,6 @@ echo "a map" >"$WORK/map"
 check "a map that is none" refuses 2 "not a map of GNU ld" "$pack" "$in" -o "$WORK/x" --map "$WORK/map"
 check "two modes at once" refuses 2 "it takes IN -o OUT" "$pack" "$in" -o "$WORK/x" --test "$in"
 check "what is for packing alone" refuses 2 "--budget is for packing alone" "$pack" --test "$BUILD/odraz" --budget 1
-check "an unknown option" refuses 2 "cannot use '--slow'" "$pack" --slow
 check "a file where a folder should be" refuses 2 "cannot write" "$pack" "$hello" -o /dev/full/x
 "$pack" "$hello" -o "$WORK/p" 2>"$WORK/err" | head -c 0
 check "a closed pipe" cmp "$WORK/p" "$WORK/hello"

@@ -2,7 +2,7 @@
 # fit the width: bash tests/programs/pages.sh BUILD
 . "$(dirname "$0")/common.sh"
 skip_unless perl git ninja
-for program in odraz-safe pack radiosity; do needs_built $program; done
+needs_built odraz-safe pack radiosity
 PARTS=$SOURCE/tests/programs/pages
 HOUSE=$WORK/house
 # (RESULTS.md is figures alone; those of a new film are templates)
@@ -34,15 +34,18 @@ for page in $PAGES; do
 done
 check "... $CHECKS commands" [ $CHECKS -ge 15 ]
 
-# --- Every program has a help ---
+# --- Every program has a help, and refuses what it does not know in one line ---
 mkdir "$WORK/help"
 PROGRAMS=$(find -L build -maxdepth 1 -type f -perm -u+x ! -name '*.elf' ! -name '*.exe' ! -name '*.so' | sort
     find tools -type f -perm -u+x ! -path 'tools/render_parts/*' ! -path 'tools/new_film/*' ! -name '*.py' | sort)
 helps() { # helps PROGRAM: its help, and that of its commands
     local to=$WORK/help/${1//\//:} command
     timeout "$PATIENCE" "$1" --help >"$to" 2>"$WORK/err" </dev/null && [ -s "$to" ] && [ ! -s "$WORK/err" ] || return
+    # (tools/test gives such options to ctest; tools/watch plays)
+    case $1 in tools/test | tools/watch) ;; *) refuses 2 "" "$1" --no-such-option || return ;; esac
     for command in $(sed -n '/^Subcommands:/,/^$/s/^  *\([a-z0-9-]*\)  .*/\1/p' "$to"); do
         "$1" "$command" --help >>"$to" 2>"$WORK/err" || return
+        refuses 2 "" "$1" "$command" --no-such-option || return
     done
 }
 all_help() {
@@ -50,7 +53,7 @@ all_help() {
     for program in $PROGRAMS; do helps "$program" || { echo "$program --help: $(head -c 200 "$WORK/err")" >&2; wrong=1; }; done
     return $wrong
 }
-check "every program and script has a --help" all_help
+check "every program and script has a --help, and refuses an unknown option" all_help
 check "... $(wc -w <<<"$PROGRAMS") of them" [ "$(wc -w <<<"$PROGRAMS")" -ge 25 ]
 
 # --- What the pages name is there, and their lines fit the width ---
@@ -58,7 +61,6 @@ wide() { # comments do not count, and a table or an address cannot be wrapped
     perl -CSD -ne 'chomp; s/<!--.*?-->//g; if (length > 120 && !/^\||https?:/) { print STDERR "    $ARGV:$.: ", length, "\n"; $bad = 1 }
         close ARGV if eof; END { exit($bad ? 1 : 0) }' "$@"
 }
-# shellcheck disable=SC2086
 check "lines of pages are at most 120 characters long, tables apart" wide $PAGES
 (cd "$SOURCE" && git ls-files) >"$WORK/files"
 ninja -C "$BUILD" -t targets all | sed 's/:.*//' | sort -u >"$WORK/targets"

@@ -94,7 +94,6 @@ check "what is varied" refuses 2 "cannot use '--hemicube'" "$radiosity" study cu
 check "no time" refuses 2 "from 0.1 to" "$radiosity" study cube.obj -o x --minutes 0
 check "a model and the thesis's table" refuses 2 "--table41 takes no model" "$radiosity" study cube.obj -o x --table41
 check "a time for the thesis's table" refuses 2 "--table41 takes no --minutes" "$radiosity" study --table41 -o x --minutes 3
-check "an unknown option" refuses 2 "cannot use '--fast'" "$radiosity" study cube.obj -o x --fast
 check "what cannot be written" refuses 1 "cannot write" bash -c "trap '' XFSZ; ulimit -f 4; '$radiosity' study cube.obj -o x --minutes 0.1"
 
 interrupted() { # in this chapter, with this line

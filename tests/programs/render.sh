@@ -50,7 +50,6 @@ refused() { refuses 2 "$@"; }
 plain=("$render" --film "$film")
 check "no OUT" refused "name OUT" "${plain[@]}"
 check "two" refused "one OUT, not 'a' and 'b' too" "${plain[@]}" a b
-check "an unknown option" refused "cannot use '--fast'" "${plain[@]}" --fast "$to/x.mp4"
 check "an option without its value" refused "--size needs a value" "${plain[@]}" "$to/x.mp4" --size
 check "a quality that the film has not" refused "--quality needs draft" "${plain[@]}" --quality best "$to/x.mp4"
 check "an end beyond the film's" refused "beyond the film's end" "${plain[@]}" --to 200 "$to/x.mp4"

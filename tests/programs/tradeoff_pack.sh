@@ -12,7 +12,5 @@ check "... of at least five" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge 5
 check "a missing film" refuses 2 "cannot read" "$tradeoff" pack "$WORK/none"
 check "a film that is none" refuses 2 "not an ELF file" "$tradeoff" pack "$SOURCE/README.md"
 check "a missing model" refuses 2 "cannot read" "$tradeoff" pack --model "$WORK/none" "$BUILD/odraz-safe"
-check "an unknown option" refuses 2 "cannot use '--slow'" "$tradeoff" pack "$BUILD/odraz-safe" --slow
 check "no name" refuses 2 "a command is missing, trace, transfer or pack" "$tradeoff"
-check "bench_pack refuses options it does not know" refuses 2 "bench_pack" "$BUILD/bench_pack" --slow
 finish

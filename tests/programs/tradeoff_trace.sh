@@ -48,8 +48,6 @@ check "a quality that is not there" refuses 2 "there is no quality 'fast'" "$tra
 check "an unknown scene" refuses 2 "there is no scene 'C'" "$tradeoff" trace --scene C
 check "a plot that cannot be written" \
     refuses 2 "cannot write" "$tradeoff" trace --quick --scene field --plot "$WORK/none/plot.svg"
-check "instructions refuses words it does not know" \
-    refuses 2 "usage: tools/measure/bench/instructions" "$SOURCE/tools/measure/bench/instructions" --fast
 check "peer_povray refuses scenes it does not know" \
     refuses 2 "usage: tools/measure/bench/peer_povray" "$SOURCE/tools/measure/bench/peer_povray" C
 if [ -x "$BUILD/bench_trace" ]; then
@@ -59,7 +57,6 @@ if [ -x "$BUILD/bench_trace" ]; then
     "$BUILD/bench_trace" --benchmark_filter='^picture/A/(posing|draft|development|all of play)/' --benchmark_min_time=0.01 >"$WORK/parts" 2>/dev/null
     check "... and all parts of a picture" \
         test "$(grep -cE '^picture/A/(posing|draft|development|all of play)/.* ms ' "$WORK/parts")" = 4
-    check "bench_trace refuses options it does not know" refuses 2 "" "$BUILD/bench_trace" --slow
 else
     echo "skipped: bench_trace is not built"
 fi

@@ -20,8 +20,4 @@ check "a plot" grep -q '^<svg' "$WORK/svg"
 check "... of at least six" test "$(grep -c 'class="mark"' "$WORK/svg")" -ge 6
 check "a folder that is not there is refused at once" \
     refuses 2 "cannot write" "$tradeoff" transfer --csv "$WORK/none/csv"
-check "bench_radiosity refuses options it does not know" \
-    refuses 2 "bench_radiosity: cannot use" "$BUILD/bench_radiosity" --slow
-check "bench_transfer refuses options it does not know" \
-    refuses 2 "bench_transfer: cannot use" "$BUILD/bench_transfer" --slow
 finish
